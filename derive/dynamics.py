@@ -1,0 +1,306 @@
+"""From the balance laws (3.1)-(3.8) to the equation of motion (3.16), and to its solution for every sign of a and b.
+
+The solution is found by making the Riccati equation linear, omega = y'/(b y) with y'' = a b y, and proved by
+substitution. Its stable form is branch-free in the signs: it needs only
+S0(z) = sinh(sqrt z)/sqrt z, an entire function, at z = a b t**2, and decaying exponentials where z > 1.
+"""
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import sympy as sp
+
+from derive.integrate import PSI, prove_zero
+from derive.stable import Horner, Log1p, Select, Stable, even_series, unfold
+from derive.symbols import a, b, omega_0, t
+
+# Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17), (2.23), (3.12), (3.13).
+R, g, rho, ell = sp.symbols("R g rho ell", positive=True)
+mu, alpha_, lam, theta_star, j_r, j_theta, polar = sp.symbols("mu alpha lambda Theta J_r J_theta I_p", real=True)
+omega_star, rate_star, sigma_mean = sp.symbols("omega_star rate_star sigma_mean", real=True)
+
+
+@dataclass(frozen=True)
+class Step:
+    """One derived equation: its number in the paper, and both sides."""
+
+    equation: str
+    left: sp.Expr
+    right: sp.Expr
+    how: str
+
+
+def balance() -> dict[str, Step]:
+    """Derive (2.20) and (3.8)-(3.18) from the balance laws; every step proved.
+
+    Nothing is assumed beyond what the paper assumes: the radial balance as a scalar sum (2.1), the uniform normal
+    stress (2.9), (3.5), and Coulomb friction (1.14).
+    """
+    gamma, f = rho * g, R * (1 - sp.cos(alpha_))  # (2.12)
+    sigma_ref = gamma * f  # (2.13)
+    omega = omega_star * sp.sqrt(g / R)  # (2.21)
+    steps: dict[str, Step] = {}
+
+    def step(equation: str, left: sp.Expr, right: sp.Expr, how: str) -> None:
+        steps[equation] = Step(equation, left, right, how)
+
+    # Radial balance (2.5) with the mean stress (2.9); r = R r* scales the integrals by R**2 and R**3 (2.16).
+    radial = sp.Eq(R * 2 * alpha_ * sigma_mean, rho * g * R**2 * j_r + rho * omega**2 * R**3 * polar)
+    mean = sp.solve(radial, sigma_mean)[0]
+    mean_star = sp.simplify(mean / sigma_ref)
+    closed_lambda = 2 * alpha_ * (1 - sp.cos(alpha_))
+    dynamic = polar / closed_lambda  # (2.24)
+    prove_zero(mean_star - (j_r / closed_lambda + dynamic * omega_star**2), "(2.20)")
+    step("2.20", sp.Symbol("sigma_star"), j_r / lam + sp.Symbol("A") * omega_star**2, "(2.10) over sigma_ref")
+
+    # Angular momentum (3.2) with the moments (3.3)-(3.5), (3.7); Theta from (3.1).
+    inertia = ell * rho * R**4 * theta_star
+    rate = rate_star * g / R  # (3.10): d(omega)/dt = (g/R) d(omega*)/dt*, from t = t* sqrt(R/g)
+    weight = ell * rho * g * R**3 * j_theta
+    friction = R * mu * sigma_mean * ell * R * 2 * alpha_
+    momentum = inertia * rate - (weight - friction)
+    printed_38 = R**4 * theta_star * rate - (g * R**3 * j_theta - R**2 * g / gamma * 2 * alpha_ * mu * sigma_mean)
+    prove_zero(momentum / (ell * rho) - printed_38, "(3.8)")
+    step("3.8", inertia * rate, weight - friction, "(3.2) with (3.1), (3.3)-(3.5), (3.7), over ell rho")
+
+    scaled = sp.expand(momentum.subs(sigma_mean, mean) / (ell * rho * g * R**3))
+    prove_zero(2 * alpha_ * sigma_ref / (gamma * R) - closed_lambda, "(3.14)")
+    stress_star = sp.Symbol("sigma_star")
+    prove_zero(
+        scaled - (theta_star * rate_star - j_theta + closed_lambda * mu * mean_star), "(3.11)"
+    )
+    step("3.11", theta_star * rate_star, j_theta - lam * stress_star * mu, "(3.8) with (3.6), (3.10), (3.14)")
+
+    # (3.16): collect in omega*. lambda A = I_p* and lambda sigma*_st = J_r by (2.22), (2.24).
+    right = sp.expand(sp.solve(scaled, rate_star)[0])
+    a_derived, b_derived = right.coeff(omega_star, 0), -right.coeff(omega_star, 2)
+    prove_zero(right - (a_derived - b_derived * omega_star**2), "(3.16)")
+    prove_zero(a_derived - (j_theta - j_r * mu) / theta_star, "(3.17)")
+    prove_zero(b_derived - closed_lambda * dynamic * mu / theta_star, "(3.18)")
+    step("3.16", rate_star, a - b * omega_star**2, "(3.11), a quadratic in omega*")
+    step("3.17", a, sp.factor(a_derived), "its constant term")
+    step("3.18", b, sp.factor(b_derived), "its quadratic term; lambda A = I_p*")
+    step("3.21", mu, sp.solve(a_derived, mu)[0], "a = 0")
+    return steps
+
+
+def solution() -> dict[str, sp.Expr]:
+    """Solve (3.16) with omega(0) = omega_0, for any a and b with a b > 0, and continue it to any sign.
+
+    Returns
+    -------
+    dict
+        ``y`` with omega = y'/(b y), then ``angular_velocity``, ``rotation`` and ``angular_acceleration``.
+
+    Raises
+    ------
+    ProofError
+        If a solution does not satisfy its equation.
+    """
+    y = sp.Function("y")
+    k = sp.Symbol("k", positive=True)  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
+    conditions = {y(0): 1, y(t).diff(t).subs(t, 0): b * omega_0}
+    linear = sp.dsolve(y(t).diff(t, 2) - k**2 * y(t), y(t), ics=conditions).rhs
+    cosine, sine = sp.cosh(k * t), sp.sinh(k * t) / k
+    prove_zero((linear - (cosine + b * omega_0 * sine)).rewrite(sp.exp), "y = cosh(kt) + b omega_0 sinh(kt)/k")
+    y_of_t = cosine + b * omega_0 * sine
+    ways = {
+        "y": y_of_t,
+        "angular_velocity": (omega_0 * cosine + a * sine) / y_of_t,
+        "rotation": sp.log(y_of_t) / b,
+        "angular_acceleration": (a - b * omega_0**2) / y_of_t**2,
+    }
+    omega = ways["angular_velocity"]
+    on_shell = {a: k**2 / b}
+    for claim, zero in {
+        "(3.16) holds": sp.diff(omega, t) - (a - b * omega**2),
+        "the rotation's rate is the angular velocity": sp.diff(ways["rotation"], t) - omega,
+        "the acceleration is the angular velocity's rate": ways["angular_acceleration"] - sp.diff(omega, t),
+        "omega(0) = omega_0": omega.subs(t, 0) - omega_0,
+        "phi(0) = 0": ways["rotation"].subs(t, 0),
+    }.items():
+        prove_zero(zero.subs(on_shell).rewrite(sp.exp), claim)
+    return ways
+
+
+class Cardinal(Stable):
+    """sinh(sqrt z)/sqrt z, for -pi**2 <= z <= 1; sin(sqrt -z)/sqrt -z where z < 0."""
+
+    def definition(self) -> sp.Expr:
+        root = sp.sqrt(self.args[0])
+        return sp.sinh(root) / root
+
+    def lower(self) -> sp.Expr:
+        # The series of sin x/x with alternating signs undone: sum z**k/(2k + 1)!
+        terms = even_series("sin", 1, Fraction(10))
+        return Horner.of((c * (-1) ** n for n, c in enumerate(terms)), self.args[0])
+
+
+class Log1pRatio(Stable):
+    """log(1 + x)/x, 1 at x = 0."""
+
+    def definition(self) -> sp.Expr:
+        return sp.log(1 + self.args[0]) / self.args[0]
+
+    def lower(self) -> sp.Expr:
+        return _filled_at_zero(Log1p, self.args[0])
+
+
+class ArctanRatio(Stable):
+    """arctan(x)/x, 1 at x = 0."""
+
+    def definition(self) -> sp.Expr:
+        return sp.atan(self.args[0]) / self.args[0]
+
+    def lower(self) -> sp.Expr:
+        return _filled_at_zero(sp.atan, self.args[0])
+
+
+def _filled_at_zero(function: type[sp.Function], x: sp.Expr) -> sp.Expr:
+    """function(x)/x, whose limit 1 is exact to the last bit for |x| < 2**-60."""
+    size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
+    away = Select(size, tiny, one, x)
+    return Select(size, tiny, one, function(away) / away)
+
+
+@dataclass(frozen=True)
+class MotionForm:
+    """A stable formula of the motion: inputs, intermediate values in order, result, and the equation it comes from."""
+
+    name: str
+    inputs: tuple[sp.Symbol, ...]
+    let: dict[sp.Symbol, sp.Expr]
+    result: sp.Expr
+    equation: str
+    summary: str
+
+
+_X, _K, _Z, _NEAR, _FAR, _Q, _C, _S, _Y, _G, _PHI_Y = sp.symbols("x k z near far q C S y G y_near", real=True)
+
+
+def _piece(large: sp.Expr, small: sp.Expr) -> sp.Expr:
+    return Select(1, _Z, large, small)
+
+
+# k = sqrt|a b| without overflow; z = a b t**2, clipped; C and S are cosh(kt) and sinh(kt)/k, divided by exp(kt)
+# where z > 1, so that nothing overflows. cosh = sinh to the last bit long before kt = 800, and no solution is left
+# beyond kt = pi where a b < 0.
+_COMMON = {
+    _K: sp.sqrt(sp.Abs(a)) * sp.sqrt(sp.Abs(b)),
+    _X: _K * sp.Min(t, 800 / sp.Max(_K, sp.Float("1e-300"))),
+    _Z: sp.sign(a) * sp.sign(b) * _X**2,
+    _NEAR: sp.Max(sp.Min(_Z, 1), -(sp.pi**2)),
+    _FAR: _piece(sp.Integer(0), t),  # the time where z <= 1
+    _Q: sp.exp(-2 * _X),
+    _C: _piece((1 + _Q) / 2, 1 + 2 * _NEAR * (Cardinal(_NEAR / 4) / 2) ** 2),
+    _S: _piece((1 - _Q) / (2 * _piece(_K, sp.Integer(1))), _FAR * Cardinal(_NEAR)),
+    _Y: _C + b * omega_0 * _S,
+}
+
+
+def _alive(y: sp.Symbol, result: sp.Expr) -> sp.Expr:
+    """The result while y > 0 and kt < pi; NaN once the solution has run to infinity."""
+    alive = sp.Min(y, _Z + sp.pi**2)
+    return Select(0, alive, result.subs(y, Select(0, alive, y, 1)), sp.nan)
+
+
+# y = 1 + b G where z <= 1, so that phi = log1p(b G)/b loses nothing as t -> 0 or b -> 0.
+_ROTATION = {
+    _G: 2 * a * (_FAR / 2 * Cardinal(_NEAR / 4)) ** 2 + omega_0 * _FAR * Cardinal(_NEAR),
+    _PHI_Y: _piece(_Y, 1 + b * _G),
+}
+_ROTATION_RESULT = _piece(
+    (_K * _piece(t, sp.Integer(0)) + sp.log(_PHI_Y)) / _piece(b, sp.Integer(1)),
+    _G * Log1pRatio(_piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
+)
+_BRAKE = -a  # positive in the domain of the arrest
+_CENTRIPETAL = (a, b, omega_0)
+
+FORMS = (
+    MotionForm("frozen_angular_velocity", (a, omega_0, t), {}, omega_0 + a * t, "3.16",
+               "Angular velocity under a constant drive, without centripetal stress."),
+    MotionForm("frozen_rotation", (a, omega_0, t), {}, t * (omega_0 + a * t / 2), "1.3",
+               "Rotation under a constant drive, without centripetal stress."),
+    MotionForm("frozen_angular_acceleration", (a, omega_0, t), {}, a, "3.16",
+               "Angular acceleration under a constant drive, without centripetal stress."),
+    MotionForm("frozen_arrest_time", (a, omega_0), {}, omega_0 / _BRAKE, "3.16",
+               "Time at which a braked motion stands still, without centripetal stress."),
+    MotionForm("frozen_arrest_rotation", (a, omega_0), {}, omega_0 * (omega_0 / _BRAKE / 2), "1.3",
+               "Rotation at which a braked motion stands still, without centripetal stress."),
+    MotionForm("frozen_centripetal_angular_velocity", (*_CENTRIPETAL, t), _COMMON,
+               _alive(_Y, (omega_0 * _C + a * _S) / _Y), "3.20",
+               "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity."),
+    MotionForm("frozen_centripetal_rotation", (*_CENTRIPETAL, t), _COMMON | _ROTATION, _alive(_PHI_Y, _ROTATION_RESULT), "4.3",
+               "Rotation of the paper's motion, for any sign of a and b and any initial velocity."),
+    MotionForm("frozen_centripetal_angular_acceleration", (*_CENTRIPETAL, t), _COMMON,
+               _alive(_Y, (a - b * omega_0**2) * _piece(_Q, sp.Integer(1)) / _Y**2), "3.16",
+               "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity."),
+    MotionForm("frozen_centripetal_arrest_time", _CENTRIPETAL, {},
+               omega_0 / _BRAKE * ArctanRatio(omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))), "3.20",
+               "Time at which a braked motion stands still."),
+    MotionForm("frozen_centripetal_arrest_rotation", _CENTRIPETAL, {},
+               omega_0 * (omega_0 / _BRAKE / 2) * Log1pRatio(omega_0 * (omega_0 / _BRAKE) * b), "4.3",
+               "Rotation at which a braked motion stands still."),
+)  # fmt: skip
+
+
+def prove_forms() -> list[str]:
+    """Prove each stable formula equal to the solution, in each of its pieces.
+
+    Returns
+    -------
+    list of str
+        The claims that were proved.
+    """
+    ways = solution()
+    claims = []
+
+    k, later = sp.symbols("k t", positive=True)
+
+    def check(claim: str, zero: sp.Expr) -> None:
+        prove_zero(zero.subs({a: k**2 / b, t: later}).rewrite(sp.exp), claim)
+        claims.append(claim)
+
+    forms = {f.name: f for f in FORMS}
+    for large, regime in ((True, "a b t**2 > 1"), (False, "a b t**2 <= 1")):
+        for name in ("angular_velocity", "angular_acceleration"):
+            check(f"{name}, {regime}", exact(forms[f"frozen_centripetal_{name}"], large) - ways[name])
+        # Compared as exp(b phi) = y; with G kept as one symbol, log(1 + b G)/(b G) cancels.
+        rotation = exact(forms["frozen_centripetal_rotation"], large, keep=_G)
+        g = exact(replace(forms["frozen_centripetal_rotation"], result=_G), large=False)
+        y = sp.exp(sp.expand(sp.cancel(b * rotation))).subs(_G, g)
+        check(f"rotation, {regime}", y - ways["y"])
+    # Without centripetal stress b = 0: the limits of the same solution.
+    for name in ("angular_velocity", "angular_acceleration", "rotation"):
+        result = forms[f"frozen_{name}"].result
+        check(f"frozen {name}: integrates a", sp.diff(result, t, {"rotation": 2}.get(name, 1)) - (a if name != "angular_acceleration" else 0))
+    # Arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a)).
+    brake, b_, w = sp.symbols("brake b_ omega", positive=True)
+    kappa = sp.sqrt(brake * b_)
+    positive = {a: -brake, b: b_, omega_0: w}
+    time = unfold(forms["frozen_centripetal_arrest_time"].result).subs(positive)
+    turn = unfold(forms["frozen_centripetal_arrest_rotation"].result).subs(positive)
+    y = sp.cos(kappa * t) + b_ * w * sp.sin(kappa * t) / kappa
+    check("omega = 0 at the arrest", sp.simplify((w * sp.cos(kappa * t) - brake * sp.sin(kappa * t) / kappa).subs(t, time)))
+    check("rotation at the arrest", sp.simplify(sp.exp(2 * b_ * turn) - sp.simplify(y.subs(t, time)) ** 2))
+    check("frozen: omega = 0 at the arrest", forms["frozen_angular_velocity"].result.subs(t, forms["frozen_arrest_time"].result))
+    return claims
+
+
+def exact(form: MotionForm, large: bool, keep: sp.Symbol | None = None) -> sp.Expr:
+    """A stable formula in exact arithmetic, in one of its two pieces: guards and clips undone, k = sqrt(a b) > 0."""
+    k, later = sp.symbols("k t", positive=True)
+    values = {_K: k, _X: k * later, _Z: (k * later) ** 2, _NEAR: (k * later) ** 2, _FAR: later}
+
+    def piece(smaller: sp.Expr, larger: sp.Expr, if_less: sp.Expr, otherwise: sp.Expr) -> sp.Expr:
+        return if_less if large or larger != _Z else otherwise
+
+    def plain(e: sp.Expr) -> sp.Expr:
+        e = e.replace(Select, piece)
+        e = e.replace(lambda x: isinstance(x, (sp.Min, sp.Max)), lambda x: x.func(*(y for y in x.args if not y.is_number)))
+        return unfold(e).subs(values)
+
+    for symbol, value in form.let.items():
+        if symbol != keep:
+            values.setdefault(symbol, plain(value))
+    return plain(form.result)

@@ -1,0 +1,262 @@
+"""What `generated` holds: the list of its functions, each with its program, its domain and the words of its docstring."""
+
+import sympy as sp
+
+from derive import dynamics
+from derive.appendices import APPENDICES, parse
+from derive.effects import EFFECTS, LAWS, Specialised, specialise
+from derive.emit import Function
+from derive.integrate import Derivation
+from derive.program import Program, operations, program
+from derive.quantities import MOMENTS, QUOTIENTS, RESISTANCE
+from derive.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
+from derive.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
+
+HALF_PI = repr(float(sp.N(sp.pi / 2, 40)))
+PAPER = "the paper"
+ACCURACY = "at most 16 ulp (sampled only: no certificate)."
+
+# alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
+_ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
+_ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
+_ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
+_CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
+
+
+def closed_amplitudes(derivations: list[Derivation]) -> dict[str, sp.Expr]:
+    """Closed forms of the base quantities in alpha, by name."""
+    forms = {d.moment.amplitude[0] if d.moment.amplitude else d.moment.name: d.amplitude for d in derivations}
+    return forms | {RESISTANCE[0]: 2 * alpha * (1 - sp.cos(alpha))}
+
+
+def kernels(derivations: list[Derivation]) -> list[Function]:
+    """The base quantities, their quotients, and the two weights of (theta_1, theta_2)."""
+    closed = closed_amplitudes(derivations)
+    declared = {m.amplitude[0] if m.amplitude else m.name: (m.amplitude[1] if m.amplitude else m.symbol, m.equation, m.help)
+                for m in MOMENTS} | {RESISTANCE[0]: RESISTANCE[1:]}  # fmt: skip
+    found = []
+    for name, form in closed.items():
+        symbol, equation, words = declared[name]
+        found.append(
+            Function(
+                program(name, ("alpha",), alpha**3 * REDUCED[name], let=_CLIP),
+                f"{symbol}: {words}, dimensionless.", f"{symbol} = {form}", f"eq. ({equation}) of {PAPER}", (_ALPHA,),
+                f"{symbol}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
+            )
+        )  # fmt: skip
+    for q in QUOTIENTS:
+        found.append(
+            Function(
+                program(q.name, ("alpha",), QUOTIENT_FORMS[q.name], let=_CLIP),
+                f"{q.symbol}: {q.help}, dimensionless.",
+                f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish.",
+                f"eq. ({q.equation}) of {PAPER}", (_ALPHA,), f"{q.symbol}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
+            )
+        )  # fmt: skip
+    return found + [_weight(d) for d in derivations if d.moment.amplitude]
+
+
+def _weight(d: Derivation) -> Function:
+    """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
+    assert d.moment.amplitude
+    name, symbol = d.moment.amplitude
+    delta, epsilon = sp.symbols("delta epsilon", real=True)
+    let = {
+        alpha: sp.Min((theta_2 - theta_1) / 2, sp.pi / 2),
+        delta: RoundingError(theta_2, -theta_1) / 2,
+        theta_m: (theta_1 + theta_2) / 2,
+        epsilon: RoundingError(theta_1, theta_2) / 2,
+    }
+    # cos(psi) = -sin(theta_m) and sin(psi) = -cos(theta_m), as psi = 3 pi/2 - theta_m.
+    turn = sp.sin if d.moment.weight.has(sp.sin) else sp.cos
+    direction = turn(theta_m) + epsilon * sp.diff(turn(theta_m), theta_m)
+    amplitude = alpha**3 * REDUCED[name] + delta * SLOPES[name]
+    return Function(
+        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=let),
+        f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
+        f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
+        "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
+        f"eq. ({d.moment.equation}) of {PAPER}",
+        (("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
+         ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi.")),
+        f"{d.moment.symbol}.",
+        "0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps)",
+        f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)",
+        (4.0, 5.0),
+        f"the error of {name} plus 2 ulp of the amplitude (sampled only: no certificate).",
+    )  # fmt: skip
+
+
+_WORDS = {
+    "a": ("Drive, (J_theta - mu J_r)/Theta* (3.17).", "np.isfinite(a)", 1.0),
+    "b": ("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
+    "omega_0": ("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
+    "t": ("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
+    "limit_friction": ("Friction coefficient at limit equilibrium, J_theta/J_r (3.21).", "np.isfinite(limit_friction)", 0.5),
+    "mu": ("Friction coefficient.", "(mu >= 0.0) & np.isfinite(mu)", 0.5),
+    "radial_weight_per_inertia": ("J_r/Theta*.", "np.isfinite(radial_weight_per_inertia)", 1.0),
+    "polar_moment_per_inertia": ("I_p*/Theta*.", "np.isfinite(polar_moment_per_inertia)", 1.0),
+    "static": ("Mean normal stress at rest over sigma_ref, J_r/lambda (2.22).", "np.isfinite(static)", 1.0),
+    "A": ("Dynamic coefficient (2.24).", "np.isfinite(A)", 1.0),
+    "omega": ("Angular velocity over sqrt(g/R).", "np.isfinite(omega)", 0.0),
+}
+_BRAKED = {"a": "(a < 0.0) & np.isfinite(a)", "b": "(b >= 0.0) & np.isfinite(b)",
+           "omega_0": "(omega_0 >= 0.0) & np.isfinite(omega_0)"}  # fmt: skip
+_MOTION_ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no certificate)."
+
+
+def motion() -> list[Function]:
+    """The motion formulas, and the coefficients of the equation of motion for each combination of effects."""
+    found = []
+    for form in dynamics.FORMS:
+        names = tuple(x.name for x in form.inputs)
+        braked = "arrest" in form.name
+        inside = [_BRAKED[n] if braked else _WORDS[n][1] for n in names]
+        safe = tuple(-1.0 if braked and n == "a" else _WORDS[n][2] for n in names)
+        domain = "a < 0, b >= 0, omega_0 >= 0" if braked else "t >= 0, until the solution runs to infinity"
+        found.append(_plain(program(form.name, names, form.result, let=form.let), form.summary, FORMULAS[form.name],
+                            form.equation, domain, inside, safe, _MOTION_ACCURACY))  # fmt: skip
+    for s in specialise():
+        for what, expression, equation in (("drive", s.drive, "3.17"), ("brake", s.brake, "3.18"),
+                                           ("mean_normal_stress", s.stress, "2.20")):  # fmt: skip
+            if expression != 0:
+                names = tuple(sorted((x.name for x in expression.free_symbols), key=list(_WORDS).index))
+                words = {"drive": "Drive a of the equation of motion", "brake": "Brake b of the equation of motion",
+                         "mean_normal_stress": "Mean normal stress over sigma_ref"}[what]  # fmt: skip
+                found.append(_plain(program(f"{s.prefix}_{what}", names, expression),
+                                    f"{words}, effects: {', '.join(s.effects) or 'none'}.", str(expression), equation,
+                                    "finite arguments", [_WORDS[n][1] for n in names],
+                                    tuple(_WORDS[n][2] for n in names), _MOTION_ACCURACY))  # fmt: skip
+    return found
+
+
+def _plain(p: Program, summary: str, formula: str, equation: str, domain: str, inside: list[str],
+           safe: tuple[float, ...], accuracy: str) -> Function:  # fmt: skip
+    parameters = tuple((n, _WORDS[n][0]) for n in p.inputs)
+    return Function(p, summary, formula, f"eq. ({equation}) of {PAPER}", parameters, "Dimensionless.", domain,
+                    " & ".join(f"({x})" if "&" in x else x for x in inside), safe, accuracy)  # fmt: skip
+
+
+FORMULAS = {
+    "frozen_angular_velocity": "omega = omega_0 + a t",
+    "frozen_rotation": "phi = omega_0 t + a t**2/2",
+    "frozen_angular_acceleration": "d(omega)/dt = a",
+    "frozen_arrest_time": "t = omega_0/(-a)",
+    "frozen_arrest_rotation": "phi = omega_0**2/(-2 a)",
+    "frozen_centripetal_angular_velocity": "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)",
+    "frozen_centripetal_rotation": "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)",
+    "frozen_centripetal_angular_acceleration": "d(omega)/dt = (a - b omega_0**2)/(cosh(k t) + b omega_0 sinh(k t)/k)**2",
+    "frozen_centripetal_arrest_time": "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)",
+    "frozen_centripetal_arrest_rotation": "phi = ln(1 + b omega_0**2/(-a))/(2 b)",
+}
+
+
+def printed() -> list[tuple[Program, str]]:
+    """The paper's forms as it prints them, and the one-line equals of its appendices, for comparison only."""
+    c, s = sp.cos(alpha), sp.sin(alpha)
+    half = sp.Rational(1, 2)
+    moment = (2 * alpha - half * sp.sin(2 * alpha) - sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))) * c**3) / 3
+    factor = 2 * alpha * (1 - c)
+    with sp.evaluate(False):
+        velocity = sp.sqrt(a / b) * sp.tanh(sp.sqrt(a * b) * t)
+        rotation = sp.log(sp.cosh(sp.sqrt(a * b) * t)) / b
+    one = ("alpha",)
+    return [
+        (program("polar_moment", one, moment), "(2.19)"),
+        (program("moment_of_inertia", one, half * (alpha - sp.sin(2 * alpha) * (1 + 2 * c**2) / 6)), "(3.15)"),
+        (program("radial_weight_amplitude", one, s - c**2 * sp.atanh(s)), "Appendix I, one line, over cos(psi)"),
+        (program("weight_moment_amplitude", one, sp.Rational(2, 3) * (s - s * c**2)), "(3.13), integrated, over sin(psi)"),
+        (program("resistance_factor", one, factor), "(3.14)"),
+        (program("dynamic_coefficient", one, moment / factor), "(2.24) with (2.19)"),
+        *((program(x.name, ("theta_1", "theta_2", "alpha"), parse(x)), f"{x.name}, brackets repaired") for x in _named()),
+        (program("angular_velocity", ("a", "b", "t"), velocity), "(3.20), misprint mended, from rest"),
+        (program("rotation", ("a", "b", "t"), rotation), "(4.3), from rest"),
+    ]  # fmt: skip
+
+
+def _named() -> list:
+    return list(APPENDICES)
+
+
+def effects_module() -> str:
+    """The runtime half of the effects: plain data, and which functions serve which combination."""
+    by_name = {f.program.name: f.program for f in motion()}
+    return _EFFECTS_HEAD + "\n".join([
+        "LAWS = {", *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS), "}", "",
+        "EFFECTS = {", *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS), "}", "",
+        "# Functions of each combination of effects, and what one evaluation of all of them takes.",
+        "SPECIALISED = {", *(f"    {s.effects!r}: {_specialised(s, by_name)}," for s in specialise()), "}", "",
+    ])  # fmt: skip
+
+
+def _effect(e: object, kind: str) -> str:
+    parameters = "".join(f"Parameter({', '.join(_literal(getattr(p, k)) for k in ('name', 'unit', 'lower', 'upper', 'help'))}), "
+                         for p in e.parameters)  # fmt: skip
+    return f"{kind}({e.name!r}, {e.equation!r}, ({parameters.rstrip()}), {e.depends_on!r}, {e.help!r})"
+
+
+def _literal(value: object) -> str:
+    return {float("inf"): "INFINITY", float("-inf"): "-INFINITY"}.get(value, repr(value))
+
+
+def _specialised(s: Specialised, programs: dict[str, Program]) -> str:
+    own = sorted(n for n in programs if n.startswith(s.prefix + "_") and _prefix(n) == s.prefix)
+    total = sum((programs[n].operations() for n in own), start=type(programs[own[0]].operations())())
+    return f"Specialised(\n        {s.prefix!r},\n        ({', '.join(map(repr, own))}),\n        {operations(total)!r},\n    )"
+
+
+def _prefix(name: str) -> str:
+    """The longest prefix of a combination that the name starts with."""
+    return max((s.prefix for s in specialise() if name.startswith(s.prefix + "_")), key=len)
+
+
+_EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for, and the generated functions that serve each combination."""
+
+from dataclasses import dataclass
+
+INFINITY = float("inf")
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A number that an effect or a law needs, with its unit and bounds."""
+
+    name: str
+    unit: str
+    lower: float
+    upper: float
+    help: str
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """A friction law: its equation, parameters, what it depends on, and a sentence of help."""
+
+    name: str
+    equation: str
+    parameters: tuple[Parameter, ...]
+    depends_on: tuple[str, ...]
+    help: str
+
+
+@dataclass(frozen=True, slots=True)
+class Effect:
+    """A term of the equation of motion: its equation, parameters, what it depends on, and a sentence of help."""
+
+    name: str
+    equation: str
+    parameters: tuple[Parameter, ...]
+    depends_on: tuple[str, ...]
+    help: str
+
+
+@dataclass(frozen=True, slots=True)
+class Specialised:
+    """A combination of effects: the prefix of its functions in `generated.motion`, their names and operations."""
+
+    prefix: str
+    functions: tuple[str, ...]
+    operations: str
+
+
+'''

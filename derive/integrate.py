@@ -1,0 +1,190 @@
+"""A definition becomes a closed form: inner integral, centred angle, odd part dropped, outer integral.
+
+No closed form is typed in. Each antiderivative is differentiated back symbolically before it is used, and the
+result is compared with quadrature of the raw double integrand, in r and theta over the uncentred chord (2.6).
+"""
+
+from dataclasses import dataclass
+
+import mpmath
+import sympy as sp
+
+from derive.quantities import CHORD, Moment
+from derive.symbols import alpha, r, theta, theta_1, theta_m, u
+
+PSI = sp.Symbol("psi", real=True)
+
+
+class ProofError(AssertionError):
+    """A step of the derivation did not hold."""
+
+
+def prove_zero(expression: sp.Expr, claim: str) -> None:
+    """Raise `ProofError` unless SymPy reduces the expression to zero."""
+    for reduce in (sp.expand, trig_normal, sp.simplify, lambda e: sp.simplify(e.rewrite(sp.exp).expand())):
+        expression = reduce(expression)
+        if expression == 0:
+            return
+    raise ProofError(f"{claim}: left with {expression}")
+
+
+def trig_normal(expression: sp.Expr) -> sp.Expr:
+    """Canonical form of a rational function in sines and cosines: sin**2 -> 1 - cos**2, then cancel."""
+    expression = sp.expand_trig(expression)
+    swaps = {f: sp.Dummy(str(f)) for f in sorted(expression.atoms(sp.sin, sp.cos), key=sp.default_sort_key)}
+    relations = [
+        swaps[sp.sin(x)] ** 2 + swaps[sp.cos(x)] ** 2 - 1
+        for x in sorted({f.args[0] for f in swaps}, key=sp.default_sort_key)
+        if sp.sin(x) in swaps and sp.cos(x) in swaps
+    ]
+    sines = [swaps[f] for f in swaps if isinstance(f, sp.sin)]
+    cosines = [swaps[f] for f in swaps if isinstance(f, sp.cos)]
+
+    def reduced(polynomial: sp.Expr) -> sp.Expr:
+        polynomial = sp.expand(polynomial)
+        return sp.reduced(polynomial, relations, *sines, *cosines)[1] if relations else polynomial
+
+    parts = sp.fraction(sp.together(expression.subs(swaps)))
+    ratio = sp.cancel(reduced(parts[0]) / reduced(parts[1]))
+    return sp.expand(ratio).subs({v: k for k, v in swaps.items()})
+
+
+def logs_to_artanh(expression: sp.Expr) -> sp.Expr:
+    """Join c log(s + 1) - c log(s - 1) to 2 c artanh(s); the two differ by an imaginary constant only."""
+    p, c = sp.Wild("p"), sp.Wild("c", exclude=[sp.log])
+    for log in sorted(expression.atoms(sp.log), key=sp.default_sort_key):
+        match = log.args[0].match(p - 1)
+        if match is None or not match[p].has(sp.Symbol) or not expression.has(sp.log(match[p] + 1)):
+            continue
+        minus = sp.expand(expression).coeff(log)
+        if sp.expand(sp.expand(expression).coeff(sp.log(match[p] + 1)) + minus) == 0:
+            pair = minus * (log - sp.log(match[p] + 1))
+            expression = sp.expand(expression) - sp.expand(pair) - 2 * minus * sp.atanh(match[p])
+    return expression
+
+
+def antiderivative(integrand: sp.Expr, x: sp.Symbol) -> sp.Expr:
+    """SymPy's antiderivative, real, zero at x = 0, and proved by differentiating it back."""
+    result = sp.Integer(0)
+    for term in sp.Add.make_args(sp.expand(integrand)):
+        factor, rest = term.as_independent(x)
+        primitive = logs_to_artanh(sp.integrate(rest, x))
+        result += factor * (primitive - primitive.subs(x, 0))
+    prove_zero(sp.diff(result, x) - integrand, f"derivative of the antiderivative of {integrand}")
+    return result
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """A moment's way from its definition to its closed form."""
+
+    moment: Moment
+    inner: sp.Expr  # integrated over r, between the chord and the arc
+    even: sp.Expr  # in u = theta - theta_m, odd part dropped
+    amplitude: sp.Expr  # closed form in alpha
+    direction: sp.Expr  # 1, cos(psi) or sin(psi)
+    operations: tuple[int, int]  # of the definition's integrand between its limits, and of the closed form
+
+    @property
+    def closed(self) -> sp.Expr:
+        """The whole integral, in alpha and psi."""
+        return self.amplitude * self.direction
+
+
+def derive(moment: Moment) -> Derivation:
+    """Integrate one definition, proving each step.
+
+    Raises
+    ------
+    ProofError
+        If a step does not hold.
+    """
+    inner = antiderivative(moment.weight, r)
+    inner = inner.subs(r, 1) - inner.subs(r, CHORD)
+    # Centre the angle: theta = theta_1 + alpha + u, theta_1 + alpha = theta_m, so the limits become -alpha and alpha.
+    centred = sp.expand(sp.expand_trig(inner.subs(theta, theta_1 + alpha + u).subs(theta_1, theta_m - alpha)))
+    even = sp.expand((centred + centred.subs(u, -u)) / 2)
+    odd = sp.expand(centred - even)
+    prove_zero(odd + odd.subs(u, -u), f"{moment.name}: the dropped part is odd in u")
+    outer = 2 * antiderivative(even, u).subs(u, alpha)
+    closed = sp.expand(sp.expand_trig(outer.subs(theta_m, 3 * sp.pi / 2 - PSI)))
+    direction = next((f for f in (sp.cos(PSI), sp.sin(PSI)) if closed.has(f)), sp.Integer(1))
+    amplitude = shortest(sp.expand(closed / direction))
+    if amplitude.has(PSI):
+        raise ProofError(f"{moment.name}: the direction does not separate from the amplitude: {amplitude}")
+    prove_zero(amplitude * direction - closed, f"{moment.name}: simplification")
+    return Derivation(
+        moment, inner, even, amplitude, direction, (int(sp.count_ops(outer)), int(sp.count_ops(amplitude)))
+    )
+
+
+def shortest(expression: sp.Expr) -> sp.Expr:
+    """The equal form with the fewest operations among those that SymPy's rules reach."""
+    normal = normal_artanh(expression)
+    candidates = [expression, normal, sp.factor_terms(normal), sp.factor(normal), sp.simplify(normal),
+                  sp.factor_terms(sp.simplify(normal))]  # fmt: skip
+    return min(candidates, key=lambda e: (sp.count_ops(e), sp.default_sort_key(e)))
+
+
+def normal_artanh(expression: sp.Expr) -> sp.Expr:
+    """`trig_normal`, with inverse functions kept as they are."""
+    kept = {f: sp.Dummy() for f in sorted(expression.atoms(sp.atanh), key=sp.default_sort_key)}
+    return trig_normal(expression.subs(kept)).subs({v: k for k, v in kept.items()})
+
+
+def quadrature(weight: sp.Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpmath.mpf:
+    """The raw double integral by nested Gauss-Legendre quadrature, in r and theta, over the uncentred chord.
+
+    Parameters
+    ----------
+    weight : sympy.Expr
+        Integrand in r and theta.
+    theta_1_value, alpha_value : mpmath.mpf or number
+        The arc, in radians.
+    digits : int
+        Significant digits of the result.
+    """
+    function = sp.lambdify((r, theta), weight, "mpmath")
+    with mpmath.workdps(digits + 15):
+        first, half = mpmath.mpf(theta_1_value), mpmath.mpf(alpha_value)
+        nodes = gauss_legendre(4, mpmath.mp.prec)  # exact: the weights are polynomials of degree <= 3 in r
+
+        def ring(angle: mpmath.mpf) -> mpmath.mpf:
+            chord = mpmath.cos(half) / mpmath.cos(angle - first - half)
+            middle, reach = (1 + chord) / 2, (1 - chord) / 2
+            return reach * mpmath.fsum(w * function(middle + reach * x, angle) for x, w in nodes)
+
+        total = mpmath.quad(ring, [first, first + half, first + 2 * half])
+    with mpmath.workdps(digits):
+        return +total
+
+
+def compare(derivation: Derivation, digits: int) -> str:
+    """Compare a closed form with quadrature of its raw definition at two arcs; the worst relative difference.
+
+    Raises
+    ------
+    ProofError
+        If they differ in the digits asked for.
+    """
+    closed = derivation.closed.subs(PSI, 3 * sp.pi / 2 - theta_1 - alpha)
+    function = sp.lambdify((theta_1, alpha), closed, "mpmath")
+    worst = mpmath.mpf(0)
+    with mpmath.workdps(digits + 15):
+        for arc in ((mpmath.mpf("3.75"), mpmath.mpf("0.55")), (mpmath.mpf("4.5"), mpmath.mpf("1.3"))):
+            value = function(*arc)
+            worst = max(worst, abs(quadrature(derivation.moment.weight, *arc, digits) - value) / abs(value))
+        if worst > mpmath.mpf(10) ** -(digits - 1):
+            raise ProofError(f"{derivation.moment.name}: closed form and quadrature differ by {mpmath.nstr(worst, 3)}")
+        return f"below 1e-{digits - 1} at {digits} digits" if worst else "none"
+
+
+def gauss_legendre(count: int, precision: int) -> list[tuple[mpmath.mpf, mpmath.mpf]]:
+    """Nodes and weights of a Gauss-Legendre rule on [-1, 1] at a binary precision."""
+    with mpmath.workprec(precision):
+        roots = mpmath.polyroots(
+            [mpmath.mpf(int(c)) for c in (sp.legendre_poly(count, r, polys=True) * 8 * 2**count).all_coeffs()],
+            maxsteps=200, extraprec=precision,
+        )  # fmt: skip
+        slope = sp.lambdify(r, sp.diff(sp.legendre(count, r), r), "mpmath")
+        return [(x, 2 / ((1 - x**2) * slope(x) ** 2)) for x in roots]

@@ -1,0 +1,222 @@
+"""The intermediate program: a straight-line list of operations, made from SymPy, walked by every emitter.
+
+An operation names its operands by index. Constants are the doubles nearest to the exact numbers they stand for.
+The order of operations follows from the expression alone, never from a hash.
+"""
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import mpmath
+import sympy as sp
+
+from derive.stable import Horner, RoundingError, Select, Stable
+
+Kind = Literal["input", "const", "add", "sub", "mul", "div", "neg", "min", "max", "less", "select", "fma", "call"]
+
+CALLS = {
+    sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
+    sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Op:
+    """One operation: its kind, its operands' indices, and the input's or call's name or the constant's value."""
+
+    kind: Kind
+    args: tuple[int, ...] = ()
+    value: str | float | None = None
+
+
+@dataclass(frozen=True)
+class Program:
+    """A named straight-line program with one output or several."""
+
+    name: str
+    inputs: tuple[str, ...]
+    ops: tuple[Op, ...]
+    outputs: tuple[int, ...]
+
+    def operations(self) -> Counter[str]:
+        """How many operations of each kind it takes; inputs and constants are free."""
+        return Counter(
+            f"{op.value}" if op.kind == "call" else op.kind for op in self.ops if op.kind not in ("input", "const")
+        )
+
+
+@dataclass
+class _Builder:
+    inputs: tuple[str, ...]
+    ops: list[Op] = field(default_factory=list)
+    index: dict[Op, int] = field(default_factory=dict)
+    done: dict[sp.Basic, int] = field(default_factory=dict)
+
+    def put(self, kind: Kind, *args: int, value: str | float | None = None) -> int:
+        """Append an operation, or find the equal one that is there."""
+        op = Op(kind, args, value)
+        key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # nan and -0.0 are keys too
+        if key not in self.index:
+            self.index[key] = len(self.ops)
+            self.ops.append(op)
+        return self.index[key]
+
+    def const(self, value: sp.Expr) -> int:
+        if value is sp.nan:
+            return self.put("const", value=float("nan"))
+        if isinstance(value, sp.Rational):
+            return self.put("const", value=int(value.p) / int(value.q))  # correctly rounded by Python
+        with mpmath.workprec(300):
+            return self.put("const", value=float(mpmath.mpf(sp.N(value, 80)._mpf_)))
+
+    def put_call(self, name: str, *args: int) -> int:
+        return self.put("call", *args, value=name)
+
+    def add(self, expression: sp.Basic) -> int:
+        if expression not in self.done:
+            self.done[expression] = self._add(expression)
+        return self.done[expression]
+
+    def _add(self, e: sp.Basic) -> int:
+        if isinstance(e, sp.Symbol):
+            raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
+        if e.is_number and not e.has(sp.Function) or e is sp.nan:
+            return self.const(e)
+        if isinstance(e, RoundingError):
+            return self._rounding_error(*(self.add(x) for x in e.args))
+        if isinstance(e, Stable):
+            return self.add(e.lower())
+        if isinstance(e, Horner):
+            return self._horner(e)
+        if isinstance(e, sp.Add):
+            return self._sum(e)
+        if isinstance(e, sp.Mul):
+            return self._product(e)
+        if isinstance(e, sp.Pow):
+            return self._power(e.base, e.exp)
+        if isinstance(e, Select):
+            smaller, larger, if_less, otherwise = (self.add(x) for x in e.args)
+            return self.put("select", self.put("less", smaller, larger), if_less, otherwise)
+        if isinstance(e, (sp.Min, sp.Max)):
+            kind: Kind = "min" if isinstance(e, sp.Min) else "max"
+            result, *rest = [self.add(x) for x in sorted(e.args, key=_order)]
+            for other in rest:
+                result = self.put(kind, result, other)
+            return result
+        if type(e) in CALLS:
+            return self.put_call(CALLS[type(e)], self.add(e.args[0]))
+        if getattr(type(e), "call", None):  # a primitive that NumPy and C have under this name
+            return self.put_call(type(e).call, self.add(e.args[0]))
+        raise ValueError(f"no operation for {type(e).__name__}: {e}")
+
+    def _sum(self, e: sp.Add) -> int:
+        plus = [x for x in sorted(e.args, key=_order) if not x.could_extract_minus_sign()]
+        minus = [x for x in sorted(e.args, key=_order) if x.could_extract_minus_sign()]
+        result = self.add(plus[0]) if plus else self.put("neg", self.add(-minus.pop(0)))
+        for x in plus[1:]:
+            result = self.put("add", result, self.add(x))
+        for x in minus:
+            result = self.put("sub", result, self.add(-x))
+        return result
+
+    def _product(self, e: sp.Mul) -> int:
+        if e.could_extract_minus_sign():
+            return self.put("neg", self.add(-e))
+        over, under, powers = [], [], []
+        for x in sorted(e.args, key=_order):
+            if isinstance(x, sp.Rational) and x.p == 1 and x.q & (x.q - 1):
+                under.append(sp.Integer(x.q))  # a third is a division by 3: one rounding
+            elif isinstance(x, sp.Pow) and x.exp.could_extract_minus_sign():
+                under.append(1 / x)
+            elif isinstance(x.as_base_exp()[0], sp.Symbol) and x.as_base_exp()[1].is_Integer:
+                powers += [x.as_base_exp()[0]] * int(x.as_base_exp()[1])
+            else:
+                over.append(x)
+        # Powers of an input come last, one factor at a time, so that a result underflows once or not at all.
+        factors = over + powers if over else powers or [sp.Integer(1)]
+        head = self._multiply(factors[: len(over)] or factors[:1])
+        result = self.put("div", head, self._multiply(under)) if under else head
+        for x in factors[len(over) or 1 :]:
+            result = self.put("mul", result, self.add(x))
+        return result
+
+    def _multiply(self, factors: list[sp.Expr]) -> int:
+        result, *rest = [self.add(x) for x in factors]
+        for other in rest:
+            result = self.put("mul", result, other)
+        return result
+
+    def _rounding_error(self, x: int, y: int) -> int:
+        total = self.put("add", x, y)
+        of_y = self.put("sub", total, x)
+        of_x = self.put("sub", total, of_y)
+        return self.put("add", self.put("sub", x, of_x), self.put("sub", y, of_y))
+
+    def _horner(self, e: Horner) -> int:
+        x, *coefficients = e.args
+        at, result = self.add(x), self.const(coefficients[-1])
+        for c in reversed(coefficients[:-1]):
+            result = self.put("add", self.put("mul", result, at), self.const(c))
+        return result
+
+    def _power(self, base: sp.Expr, exponent: sp.Expr) -> int:
+        if exponent.could_extract_minus_sign():
+            return self.put("div", self.const(sp.Integer(1)), self.add(base**-exponent))
+        if exponent == sp.Rational(1, 2):
+            return self.put_call("sqrt", self.add(base))
+        if exponent.is_Rational and exponent.q == 2:
+            root = self.put_call("sqrt", self.add(base))
+            return self.put("mul", self.add(base ** ((exponent.p - 1) // 2)), root)
+        if not exponent.is_Integer:
+            raise ValueError(f"no operation for the power {base}**{exponent}")
+        n, result, square = int(exponent), None, self.add(base)
+        while n:  # binary powering; `pow` is slow and a library call
+            if n & 1:
+                result = square if result is None else self.put("mul", result, square)
+            n >>= 1
+            square = self.put("mul", square, square) if n else square
+        assert result is not None
+        return result
+
+
+def _order(e: sp.Basic) -> tuple[object, ...]:
+    return sp.default_sort_key(e)
+
+
+def program(
+    name: str, inputs: tuple[str, ...], *outputs: sp.Expr, let: Mapping[sp.Symbol, sp.Expr] | None = None
+) -> Program:
+    """Make a `Program` from SymPy expressions.
+
+    Parameters
+    ----------
+    name : str
+    inputs : tuple of str
+        Names of the symbols it may read, in the order of its arguments.
+    *outputs : sympy.Expr
+        Stable primitives are lowered as they are met; equal subexpressions are computed once.
+    let : mapping, optional
+        Intermediate values by symbol, in order; one may replace an input of the same name from there on.
+
+    Raises
+    ------
+    ValueError
+        If an expression holds another symbol, or an operation that no emitter knows.
+    """
+    builder = _Builder(inputs)
+    for x in inputs:
+        builder.done[sp.Symbol(x, real=True)] = builder.put("input", value=x)
+    for symbol, value in (let or {}).items():
+        index = builder.add(value)
+        builder.done = {e: i for e, i in builder.done.items() if not e.has(symbol)} | {symbol: index}
+    results = tuple(builder.add(e) for e in outputs)
+    return Program(name, inputs, tuple(builder.ops), results)
+
+
+def operations(counts: Mapping[str, int]) -> str:
+    """Counts as one line, basic operations first: ``12 mul, 11 add, 1 div, 1 cos``."""
+    basic = [k for k in ("mul", "add", "sub", "div", "fma", "neg", "min", "max", "less", "select") if counts.get(k)]
+    calls = sorted(k for k in counts if k not in basic)
+    return ", ".join(f"{counts[k]} {k}" for k in basic + calls)

@@ -1,0 +1,101 @@
+"""The files of `generated`: their text, written atomically, or compared with what is there."""
+
+import difflib
+import hashlib
+import os
+import tempfile
+from pathlib import Path
+
+import sympy
+
+from derive import emit, functions
+from derive.integrate import Derivation
+
+ROOT = Path(__file__).resolve().parent.parent
+FOLDER = ROOT / "generated"
+TEMPLATES = Path(__file__).resolve().parent / "templates"
+MEND = "python -m derive"
+
+
+def files(derivations: list[Derivation]) -> dict[str, str]:
+    """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
+    kernels, motion = functions.kernels(derivations), functions.motion()
+    texts = {
+        "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
+        "effects.py": functions.effects_module(),
+        "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
+        "motion.py": emit.module("The frozen slide: coefficients, angular velocity, rotation, acceleration, arrest.", motion),
+        "printed.py": emit.raw_module("The paper's own forms, as printed, for comparison only: they cancel and overflow.",
+                                      functions.printed()),
+        "__init__.py": _package([f.program.name for f in kernels]),
+        "py.typed": "",
+    }  # fmt: skip
+    return {name: (header(text) + text if name.endswith(".py") else text) for name, text in sorted(texts.items())}
+
+
+def header(text: str) -> str:
+    """Who writes the file, with what, and the digest of the text below."""
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    return f"# Written by `{MEND}` with SymPy {sympy.__version__}; do not edit.\n# sha256 of the text below: {digest}\n"
+
+
+def _package(names: list[str]) -> str:
+    listed = "".join(f"    {n},\n" for n in sorted(names))
+    quoted = "".join(f'    "{n}",\n' for n in sorted(names))
+    return (
+        '"""Generated functions of the dynamic slip circle method: NumPy only, derived from the definitions."""\n\n'
+        f"from generated.kernels import (\n{listed})\n\n"
+        '# Tells this package from any other of the same name.\n__project__ = "slipcircle"\n\n'
+        f"__all__ = [\n{quoted}]\n"
+    )
+
+
+def present(folder: Path = FOLDER) -> dict[str, str]:
+    """Text of the files that are there; caches and built binaries do not count."""
+    return {
+        str(path.relative_to(folder)): path.read_text(encoding="utf-8")
+        for path in sorted(folder.rglob("*"))
+        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".so", ".pyd", ".dylib")
+    }
+
+
+def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
+    """Write the files that differ, each by a temporary file that replaces it, and remove the ones that are not wanted.
+
+    Returns
+    -------
+    list of str
+        Names of the files that changed.
+    """
+    folder.mkdir(exist_ok=True)
+    there = present(folder)
+    changed = [name for name in sorted(wanted.keys() | there.keys()) if wanted.get(name) != there.get(name)]
+    for name in changed:
+        if name not in wanted:
+            (folder / name).unlink()
+            continue
+        handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+                file.write(wanted[name])
+            os.chmod(temporary, 0o644)
+            os.replace(temporary, folder / name)
+        except BaseException:
+            Path(temporary).unlink(missing_ok=True)
+            raise
+    return changed
+
+
+def difference(wanted: dict[str, str], folder: Path = FOLDER) -> str:
+    """A unified diff from what is there to what is wanted; empty when they agree in contents and set of files."""
+    there = present(folder) if folder.is_dir() else {}
+    return "".join(
+        "".join(
+            difflib.unified_diff(
+                there.get(name, "").splitlines(keepends=True), wanted.get(name, "").splitlines(keepends=True),
+                f"generated/{name}" if name in there else "/dev/null",
+                f"derived/{name}" if name in wanted else "/dev/null",
+            )
+        ) or (f"only in {'derived' if name in wanted else 'generated'}: {name}\n" if (name in there) != (name in wanted) else "")
+        for name in sorted(wanted.keys() | there.keys())
+    )  # fmt: skip
