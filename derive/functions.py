@@ -53,36 +53,54 @@ def kernels(derivations: list[Derivation]) -> list[Function]:
                 f"eq. ({q.equation}) of {PAPER}", (_ALPHA,), f"{q.symbol}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
             )
         )  # fmt: skip
-    return found + [_weight(d) for d in derivations if d.moment.amplitude]
+    return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
+
+
+_ARC = (
+    ("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
+    ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
+)
+_ARC_DOMAIN = "0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps)"
+_ARC_INSIDE = f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
+# alpha and theta_m as difference and sum, with what their rounding lost.
+_DELTA, _EPSILON = sp.symbols("delta epsilon", real=True)
+_ENDS = {
+    alpha: sp.Min((theta_2 - theta_1) / 2, sp.pi / 2),
+    _DELTA: RoundingError(theta_2, -theta_1) / 2,
+    theta_m: (theta_1 + theta_2) / 2,
+    _EPSILON: RoundingError(theta_1, theta_2) / 2,
+}
+
+
+def _turned(function: type[sp.Function]) -> sp.Expr:
+    """sin or cos of the exact theta_m, to first order in what its rounding lost."""
+    return function(theta_m) + _EPSILON * sp.diff(function(theta_m), theta_m)
+
+
+def _limit_friction() -> Function:
+    """J_theta/J_r = (C_theta/C_r) tan(psi), from reduced functions."""
+    quotient = QUOTIENT_FORMS["weight_moment_per_radial_weight"]
+    return Function(
+        program("limit_friction", ("theta_1", "theta_2"), quotient * _turned(sp.cos) / _turned(sp.sin), let=_ENDS),
+        "mu_eq: friction coefficient at limit equilibrium.",
+        "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
+        f"eq. (3.21) of {PAPER}", _ARC, "mu_eq.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), ACCURACY,
+    )  # fmt: skip
 
 
 def _weight(d: Derivation) -> Function:
     """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
     assert d.moment.amplitude
     name, symbol = d.moment.amplitude
-    delta, epsilon = sp.symbols("delta epsilon", real=True)
-    let = {
-        alpha: sp.Min((theta_2 - theta_1) / 2, sp.pi / 2),
-        delta: RoundingError(theta_2, -theta_1) / 2,
-        theta_m: (theta_1 + theta_2) / 2,
-        epsilon: RoundingError(theta_1, theta_2) / 2,
-    }
     # cos(psi) = -sin(theta_m) and sin(psi) = -cos(theta_m), as psi = 3 pi/2 - theta_m.
-    turn = sp.sin if d.moment.weight.has(sp.sin) else sp.cos
-    direction = turn(theta_m) + epsilon * sp.diff(turn(theta_m), theta_m)
-    amplitude = alpha**3 * REDUCED[name] + delta * SLOPES[name]
+    direction = _turned(sp.sin if d.moment.weight.has(sp.sin) else sp.cos)
+    amplitude = alpha**3 * REDUCED[name] + _DELTA * SLOPES[name]
     return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=let),
+        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=_ENDS),
         f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
         f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-        f"eq. ({d.moment.equation}) of {PAPER}",
-        (("theta_1", "Polar angle of the arc's first end, rad, from the positive x axis."),
-         ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi.")),
-        f"{d.moment.symbol}.",
-        "0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps)",
-        f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)",
-        (4.0, 5.0),
+        f"eq. ({d.moment.equation}) of {PAPER}", _ARC, f"{d.moment.symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0),
         f"the error of {name} plus 2 ulp of the amplitude (sampled only: no certificate).",
     )  # fmt: skip
 

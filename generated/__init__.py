@@ -1,9 +1,10 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0981a067421694530d3544c8d3856d8387364b08b2f91f030ee0c5373d16200e
+# sha256 of the text below: 123b0ca3fa1c271752ee115c8d09ecc1ef8833e8f362fa9f6f2da4bb0c66d9c1
 """Generated functions of the dynamic slip circle method: NumPy only, derived from the definitions."""
 
 from generated.kernels import (
     dynamic_coefficient,
+    limit_friction,
     moment_of_inertia,
     polar_moment,
     polar_moment_per_inertia,
@@ -22,6 +23,7 @@ __project__ = "slipcircle"
 
 __all__ = [
     "dynamic_coefficient",
+    "limit_friction",
     "moment_of_inertia",
     "polar_moment",
     "polar_moment_per_inertia",

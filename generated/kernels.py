@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 0f9bc1048ba975b70239f93da69c6b53c206235d56ddf04f61feda0d972c1165
+# sha256 of the text below: ba498cc7be0ec2796bbd6ab55b8a6798ae1f20712faf200f657089369e7bd01b
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from typing import Any
@@ -22,6 +22,7 @@ __all__ = [
     "weight_moment_per_radial_weight",
     "radial_weight",
     "weight_moment",
+    "limit_friction",
 ]
 
 
@@ -661,3 +662,68 @@ def weight_moment(theta_1: ArrayLike, theta_2: ArrayLike, /, out: NDArray[Any] |
     Source: eq. (3.13) of the paper. Operations: 28 mul, 15 add, 11 sub, 2 neg, 1 min, 2 cos, 1 sin.
     """
     return evaluate(_weight_moment, lambda eps, theta_1, theta_2: (theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= 1.5707963267948966 * (1.0 + 4.0 * eps)) & np.isfinite(theta_1), (4.0, 5.0), (theta_1, theta_2), out, where)
+
+
+def _limit_friction(theta_1: Array, theta_2: Array) -> Array:
+    v4 = 0.5 * theta_2
+    v5 = 0.5 * theta_1
+    v7 = np.minimum(1.5707963267948966, v4 - v5)
+    v8 = -theta_1
+    v9 = theta_2 + v8
+    v10 = v9 - theta_2
+    v15 = 0.5 * (theta_2 - (v9 - v10) + (v8 - v10))
+    v16 = v5 + v4
+    v17 = theta_1 + theta_2
+    v18 = v17 - theta_1
+    v23 = 0.5 * (theta_1 - (v17 - v18) + (theta_2 - v18))
+    v25 = np.cos(v16)
+    v26 = np.sin(v16)
+    v33 = v7 * v7
+    v43 = ((1.9572941063391263e-20 * v33 + -8.22063524662433e-18) * v33 + 2.8114572543455206e-15) * v33 + -7.647163731819816e-13
+    v52 = ((v43 * v33 + 1.6059043836821613e-10) * v33 + -2.505210838544172e-08) * v33 + 2.7557319223985893e-06
+    v61 = ((v52 * v33 + -0.0001984126984126984) * v33 + 0.008333333333333333) * v33 + -0.16666666666666666
+    v67 = (v61 * v33 + 1.0) / (1.0 + np.cos(v7)) * v7
+    v68 = v67 * v67
+    v71 = 1.0 - v68
+    v74 = np.minimum(0.4, v67)
+    v75 = v74 * v74
+    v85 = ((0.024390243902439025 * v75 + 0.02564102564102564) * v75 + 0.02702702702702703) * v75 + 0.02857142857142857
+    v95 = (((v85 * v75 + 0.030303030303030304) * v75 + 0.03225806451612903) * v75 + 0.034482758620689655) * v75
+    v106 = (((v95 + 0.037037037037037035) * v75 + 0.04) * v75 + 0.043478260869565216) * v75 + 0.047619047619047616
+    v116 = (((v106 * v75 + 0.05263157894736842) * v75 + 0.058823529411764705) * v75 + 0.06666666666666667) * v75
+    v127 = (((v116 + 0.07692307692307693) * v75 + 0.09090909090909091) * v75 + 0.1111111111111111) * v75 + 0.14285714285714285
+    v137 = np.minimum(0.9999999999999999, np.maximum(0.4, v67))
+    v148 = np.where(v67 < 0.4, (v127 * v75 + 0.2) * v75 + 0.3333333333333333, (0.5 * np.log1p(2.0 * v137 / (1.0 - v137)) - v137) / (v137 * (v137 * v137)))
+    v154 = 2.6666666666666665 * (v25 - v26 * v23) / ((v25 * v23 + v26) * (1.0 + v68) * (3.0 - v71 * v71 * v148 - v68))
+    return v154
+
+
+def limit_friction(theta_1: ArrayLike, theta_2: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+    """mu_eq: friction coefficient at limit equilibrium.
+
+    mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.
+
+    Parameters
+    ----------
+    theta_1 : array_like
+        Polar angle of the arc's first end, rad, from the positive x axis.
+    theta_2 : array_like
+        Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi.
+    out : ndarray, optional
+        Where the result goes.
+    where : array_like of bool, optional
+        Lanes to compute; others keep what `out` holds (NaN without `out`).
+
+    Returns
+    -------
+    ndarray or scalar
+        mu_eq. Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.
+
+    Notes
+    -----
+    Domain: 0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps); elsewhere NaN and NumPy's ``invalid`` flag.
+    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Source: eq. (3.21) of the paper. Operations: 48 mul, 37 add, 15 sub, 4 div, 1 neg, 3 min, 1 max, 1 less, 1
+    select, 2 cos, 1 log1p, 1 sin.
+    """
+    return evaluate(_limit_friction, lambda eps, theta_1, theta_2: (theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= 1.5707963267948966 * (1.0 + 4.0 * eps)) & np.isfinite(theta_1), (4.0, 5.0), (theta_1, theta_2), out, where)

@@ -1,0 +1,21 @@
+"""The dynamic slip circle method: how fast, how far, and when a mass that failed along a circle comes to rest.
+
+`Arc` holds the failed section, `Scene` adds friction, effects and the start, `plan` says how it will be solved and
+`solve` returns the `Motion`. The numbers come from the package `generated`, which `python -m derive` writes.
+"""
+
+import generated
+
+if getattr(generated, "__project__", None) != "slipcircle":
+    raise ImportError(
+        f"the package 'generated' found at {getattr(generated, '__file__', None) or list(generated.__path__)} is not "
+        "the one that slipcircle needs: remove it from sys.path, or put slipcircle's folder before it"
+    )
+
+from slipcircle.arc import Arc, Dimensionless
+from slipcircle.motion import Energy, Motion, State, solve
+from slipcircle.plan import Plan, plan
+from slipcircle.scene import Scene
+
+__version__ = "0.1.0"
+__all__ = ["Arc", "Dimensionless", "Energy", "Motion", "Plan", "Scene", "State", "plan", "solve"]

@@ -1,0 +1,204 @@
+"""The failed section: a circular arc, its chord, and the mass between them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from generated import kernels
+from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
+
+_BOUNDS: Mapping[str, Bounds] = {
+    "radius": (0.0, INFINITY, "a positive length in m"),
+    "theta_1": (-INFINITY, INFINITY, "a finite angle in rad"),
+    "theta_2": (-INFINITY, INFINITY, "a finite angle in rad"),
+    "unit_weight": (0.0, INFINITY, "a positive unit weight in N/m^3"),
+    "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
+    "width": (0.0, INFINITY, "a positive length in m"),
+}
+
+
+@dataclass(frozen=True)
+class Dimensionless:
+    """The coefficients of the equation of motion (3.11), dimensionless, at the start.
+
+    Attributes
+    ----------
+    moment_of_inertia, radial_weight, weight_moment, resistance_factor, dynamic_coefficient
+        Theta* (3.12), J_r (2.23), J_theta (3.13), lambda (3.14), A (2.24).
+    static_normal_stress
+        J_r/lambda (2.22).
+    limit_friction
+        J_theta/J_r, the friction coefficient at limit equilibrium (3.21); negative where gravity turns the mass
+        clockwise.
+    radial_weight_per_inertia, polar_moment_per_inertia
+        J_r/Theta* and I_p*/Theta* = lambda A/Theta*.
+    """
+
+    moment_of_inertia: Any
+    radial_weight: Any
+    weight_moment: Any
+    resistance_factor: Any
+    dynamic_coefficient: Any
+    static_normal_stress: Any
+    limit_friction: Any
+    radial_weight_per_inertia: Any
+    polar_moment_per_inertia: Any
+
+
+# What `Arc(given=...)` holds; the other coefficients are their quotients.
+GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
+
+
+@dataclass(frozen=True)
+class Arc:
+    """A circular slip surface with the mass above it, closed by its chord.
+
+    Parameters
+    ----------
+    radius : float or array_like
+        R, m.
+    theta_1, theta_2 : float or array_like
+        Polar angles of the arc's ends about its centre, rad, counterclockwise from the horizontal (x axis);
+        3 pi/2 is straight below the centre.
+    unit_weight : float or array_like
+        N/m^3.
+    gravity : float or array_like, optional
+        m/s^2.
+    width : float or array_like, optional
+        Length perpendicular to the section, m.
+    given : mapping, optional
+        Dimensionless coefficients (``GIVEN``) to be taken as they are instead of computed, all of them: to repeat a
+        calculation from its printed table. They belong to the initial position.
+
+    Raises
+    ------
+    ValueError
+        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass that presses on nothing
+        (its weight has no component towards the arc). Lists every mistake.
+
+    Notes
+    -----
+    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape.
+    """
+
+    radius: ArrayLike
+    theta_1: ArrayLike
+    theta_2: ArrayLike
+    unit_weight: ArrayLike
+    gravity: ArrayLike = 9.81
+    width: ArrayLike = 1.0
+    given: Mapping[str, float] | None = None
+
+    def __post_init__(self) -> None:
+        found = mistakes({name: getattr(self, name) for name in _BOUNDS}, _BOUNDS)
+        if not found:
+            found = self._geometry_mistakes()
+        if self.given is not None:
+            found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
+            found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
+            bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given and n != "weight_moment"}
+            found += [f"given: {m}" for m in mistakes(self.given, bounds)]
+        raise_all("Arc", found)
+
+    def _geometry_mistakes(self) -> list[str]:
+        first, second = np.degrees(self.theta_1), np.degrees(self.theta_2)
+        if not np.all(np.greater(self.theta_2, self.theta_1)):
+            return [f"theta_2 = {np.max(second):.10g} deg: must be above theta_1 = {np.max(first):.10g} deg; swap them?"]
+        with np.errstate(invalid="ignore"):
+            weight = np.asarray(kernels.radial_weight(self.theta_1, self.theta_2))
+        if np.any(np.isnan(weight)):
+            opening = np.max(second - first)
+            return [f"theta_2 - theta_1 = {opening:.10g} deg: must be at most 180 deg, or the chord lies beyond the centre"]
+        if np.any(weight <= 0.0):
+            return [
+                f"theta_1 = {np.min(first):.10g} deg, theta_2 = {np.max(second):.10g} deg: the mass presses on nothing; "
+                "the middle of the arc must lie below its centre, between 180 and 360 deg"
+            ]
+        return []
+
+    @property
+    def half_angle(self) -> Any:
+        """alpha, half the opening angle (1.1), rad."""
+        return np.subtract(self.theta_2, self.theta_1) / 2
+
+    @property
+    def dip(self) -> Any:
+        """psi, the dip of the chord, rad."""
+        return 1.5 * np.pi - np.add(self.theta_1, self.theta_2) / 2
+
+    @property
+    def time_scale(self) -> Any:
+        """t_c = sqrt(R/g) (3.9), s."""
+        return np.sqrt(np.divide(self.radius, self.gravity))
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        """Coefficients of the equation of motion, from the arc or as given."""
+        if self.given is not None:
+            g = self.given
+            return Dimensionless(
+                **g,
+                static_normal_stress=g["radial_weight"] / g["resistance_factor"],
+                limit_friction=g["weight_moment"] / g["radial_weight"],
+                radial_weight_per_inertia=g["radial_weight"] / g["moment_of_inertia"],
+                polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
+            )
+        alpha = self.half_angle
+        # cos(psi) = -sin(theta_m); quotients come from reduced functions, so that thin arcs do not underflow.
+        towards = -np.sin(np.add(self.theta_1, self.theta_2) / 2)
+        dynamic = kernels.dynamic_coefficient(alpha)
+        per_inertia = kernels.radial_weight_per_inertia(alpha) * towards
+        polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
+        return Dimensionless(
+            moment_of_inertia=kernels.moment_of_inertia(alpha),
+            radial_weight=kernels.radial_weight(self.theta_1, self.theta_2),
+            weight_moment=kernels.weight_moment(self.theta_1, self.theta_2),
+            resistance_factor=kernels.resistance_factor(alpha),
+            dynamic_coefficient=dynamic,
+            # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
+            static_normal_stress=per_inertia * dynamic / polar_per_inertia,
+            limit_friction=kernels.limit_friction(self.theta_1, self.theta_2),
+            radial_weight_per_inertia=per_inertia,
+            polar_moment_per_inertia=polar_per_inertia,
+        )
+
+    @property
+    def polar_moment(self) -> Any:
+        """I_p, polar surface moment of inertia (2.16), m^3."""
+        d = self.dimensionless
+        return np.power(self.radius, 3) * (d.resistance_factor * d.dynamic_coefficient)
+
+    @property
+    def moment_of_inertia(self) -> Any:
+        """Theta, mass moment of inertia about the centre (3.1), kg m^2."""
+        density = np.divide(self.unit_weight, self.gravity)
+        return np.multiply(self.width, density) * np.power(self.radius, 4) * self.dimensionless.moment_of_inertia
+
+    @property
+    def weight_moment(self) -> Any:
+        """Moment of the weight about the centre (3.7), N m."""
+        return np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3) * self.dimensionless.weight_moment
+
+    @property
+    def depth(self) -> Any:
+        """f, the largest depth of the mass below its chord (2.12), m."""
+        return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
+
+    @property
+    def reference_stress(self) -> Any:
+        """sigma_ref (2.13), Pa."""
+        return np.multiply(self.unit_weight, self.depth)
+
+    @property
+    def static_normal_stress(self) -> Any:
+        """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
+        return self.reference_stress * self.dimensionless.static_normal_stress
+
+    @property
+    def limit_friction_angle(self) -> Any:
+        """Friction angle at limit equilibrium (3.21), rad."""
+        return np.arctan(self.dimensionless.limit_friction)

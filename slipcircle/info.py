@@ -1,0 +1,22 @@
+"""What is installed: versions, and the digests of the generated files."""
+
+import hashlib
+import platform
+from importlib import metadata
+from pathlib import Path
+
+import generated
+import slipcircle
+
+
+def facts() -> dict[str, str]:
+    """Versions of the package, Python and the libraries that it can use, and digests of the generated text."""
+    found = {"slipcircle": slipcircle.__version__, "python": platform.python_version(), "kernels": "NumPy"}
+    for library in ("numpy", "scipy", "pydantic", "rich", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
+        try:
+            found[library] = metadata.version(library)
+        except metadata.PackageNotFoundError:
+            found[library] = "not installed"
+    for path in sorted(Path(str(generated.__file__)).parent.glob("*.py")):
+        found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    return found

@@ -1,0 +1,93 @@
+"""A scene: the arc, its friction, the effects that it calls for, how it starts and when it ends."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from generated.effects import EFFECTS, LAWS
+from slipcircle.arc import Arc
+from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
+
+    Parameters
+    ----------
+    arc : Arc
+        The failed section.
+    friction : float or array_like
+        Friction coefficient mu = tan(phi) (1.14).
+    effects : mapping or iterable of str, optional
+        Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any.
+    initial_velocity : float or array_like, optional
+        Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
+    end_time : float, optional
+        s; by default until the mass rests.
+    accuracy : float, optional
+        Relative error that is asked for; the call's own wins.
+    name, note : str, optional
+        What the scene is, and where its numbers come from.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake with its field, its value and what is allowed.
+    """
+
+    arc: Arc
+    friction: ArrayLike
+    effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
+    initial_velocity: ArrayLike = 0.0
+    end_time: float | None = None
+    accuracy: float | None = None
+    name: str = ""
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        given = self.effects if isinstance(self.effects, Mapping) else {e: {} for e in self.effects}
+        object.__setattr__(self, "effects", {str(e): dict(parameters) for e, parameters in given.items()})
+        constant = LAWS["constant"].parameters[0]
+        bounds: dict[str, Bounds] = {
+            "friction": (-1e-300, constant.upper, f"a {constant.help}: a number of at least 0"),
+            "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
+        }
+        if self.end_time is not None:
+            bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
+        if self.accuracy is not None:
+            bounds["accuracy"] = (0.0, 1.0, "a relative error between 0 and 1")
+        found = [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
+        found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
+        for name, parameters in self.effects.items():
+            found += _effect_mistakes(name, parameters)
+        raise_all(f"Scene {self.name}".rstrip(), found)
+
+    @staticmethod
+    def load(name: str) -> "Scene":
+        """A scene that ships with the package, by name.
+
+        Raises
+        ------
+        ValueError
+            If there is none of that name; lists those that there are.
+        """
+        from slipcircle.scenes import SCENES
+
+        if name not in SCENES:
+            raise ValueError(f"scene {name!r} is unknown; known are {', '.join(SCENES)}")
+        return SCENES[name]()
+
+
+def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
+    if name not in EFFECTS:
+        return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
+    wanted = {p.name: p for p in EFFECTS[name].parameters}
+    found = [f"effects.{name}: {n!r} is missing: {p.help}" for n, p in wanted.items() if n not in parameters]
+    found += [
+        f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in parameters if n not in wanted
+    ]
+    bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in parameters}
+    return found + [f"effects.{name}.{m}" for m in mistakes(parameters, bounds)]
