@@ -15,11 +15,11 @@ def say(line: str) -> None:
     print(line, file=sys.stderr, flush=True)
 
 
-def timed(what: str, stage: str, work: Callable[[], T], told: Callable[[T], str] = lambda _: "") -> T:
-    """Do one stage and say how long it took and what came of it."""
+def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: object) -> T:
+    """Do one stage, and say how long it took and what came of it; ``{0}`` in ``told`` is the result."""
     start = time.perf_counter()
-    result = work()
-    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {told(result)}")
+    result = work(*args)
+    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {told.format(result)}")
     return result
 
 
@@ -42,25 +42,28 @@ def derive_all() -> dict[str, str]:
 
     derivations = []
     for moment in MOMENTS:
-        derivation = timed(moment.name, "integrate", lambda m=moment: integrate.derive(m), lambda d: f"operations {d.operations[0]} -> {d.operations[1]}")
-        timed(moment.name, "quadrature", lambda d=derivation: integrate.compare(d, 30), lambda e: f"relative difference {e}")
+        told = "operations {0.operations[0]} -> {0.operations[1]}"
+        derivation = timed(moment.name, "integrate", told, integrate.derive, moment)
+        timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
         derivations.append(derivation)
+    kernels = {f.program.name: f for f in functions.kernels(derivations)}
     for name, closed in functions.closed_amplitudes(derivations).items():
-        timed(name, "stable form", lambda n=name, c=closed: stable.prove_kernel(n, c), lambda _: "proved equal to the closed form")
+        timed(name, "stable form", "proved equal to the closed form", stable.prove_kernel, name, closed)
+        takes = f"{sum(kernels[name].program.operations().values())} float operations"
+        timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
     for appendix in APPENDICES:
-        timed(appendix.name, "simplify", lambda x=appendix: simplify(x),
-              lambda p: f"operations {p.operations_before} -> {p.operations_after}, integrates {p.integrand}")  # fmt: skip
-    timed("equation of motion", "balance", dynamics.balance, lambda s: f"({'), ('.join(s)}) derived")
-    timed("equation of motion", "solve", dynamics.prove_forms, lambda c: f"{len(c)} claims proved")
-    texts = timed("generated", "emit", lambda: write.files(derivations), lambda f: f"{len(f)} files")
-    timed("kernels", "measure", lambda: measure.worst(derivations), str)
+        told = "operations {0.operations_before} -> {0.operations_after}, integrates {0.integrand}"
+        timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
+    timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
+    timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
+    texts = timed("generated", "emit", "", write.files, derivations)
     return texts
 
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call."""
-    parser = argparse.ArgumentParser(prog="python -m derive", description="Derive, prove and write the package `generated`.")
-    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 and show a diff if `generated` is stale")
+    parser = argparse.ArgumentParser(prog="python -m derive", description=str(__doc__))
+    parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
     commands = parser.add_subparsers(dest="command", metavar="{verify,hard}")
     verify = commands.add_parser("verify", help="judge every numbered equation, table entry and appendix of the paper")
     form = verify.add_mutually_exclusive_group()
@@ -88,7 +91,8 @@ def main(argv: list[str] | None = None) -> int:
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
     changed = write.write(texts)
-    say(f"{'generated':<32} {'write':<11} {time.perf_counter() - start:6.2f} s  in all; {', '.join(changed) or 'nothing'} changed")
+    seconds = time.perf_counter() - start
+    say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
     return 0
 
 

@@ -10,11 +10,11 @@ from fractions import Fraction
 
 import sympy as sp
 
-from derive.integrate import PSI, prove_zero
+from derive.integrate import prove_zero
 from derive.stable import Horner, Log1p, Select, Stable, even_series, unfold
 from derive.symbols import a, b, omega_0, t
 
-# Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17), (2.23), (3.12), (3.13).
+# Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
 R, g, rho, ell = sp.symbols("R g rho ell", positive=True)
 mu, alpha_, lam, theta_star, j_r, j_theta, polar = sp.symbols("mu alpha lambda Theta J_r J_theta I_p", real=True)
 omega_star, rate_star, sigma_mean = sp.symbols("omega_star rate_star sigma_mean", real=True)
@@ -66,9 +66,7 @@ def balance() -> dict[str, Step]:
     scaled = sp.expand(momentum.subs(sigma_mean, mean) / (ell * rho * g * R**3))
     prove_zero(2 * alpha_ * sigma_ref / (gamma * R) - closed_lambda, "(3.14)")
     stress_star = sp.Symbol("sigma_star")
-    prove_zero(
-        scaled - (theta_star * rate_star - j_theta + closed_lambda * mu * mean_star), "(3.11)"
-    )
+    prove_zero(scaled - (theta_star * rate_star - j_theta + closed_lambda * mu * mean_star), "(3.11)")
     step("3.11", theta_star * rate_star, j_theta - lam * stress_star * mu, "(3.8) with (3.6), (3.10), (3.14)")
 
     # (3.16): collect in omega*. lambda A = I_p* and lambda sigma*_st = J_r by (2.22), (2.24).
@@ -175,7 +173,8 @@ class MotionForm:
     summary: str
 
 
-_X, _K, _Z, _NEAR, _FAR, _Q, _C, _S, _Y, _G, _PHI_Y = sp.symbols("x k z near far q C S y G y_near", real=True)
+_X, _K, _Z, _NEAR, _FAR, _E, _Q, _C, _S, _Y, _D = sp.symbols("x k z near far e q C S y decay", real=True)
+_G, _PHI_Y = sp.symbols("G y_near", real=True)
 
 
 def _piece(large: sp.Expr, small: sp.Expr) -> sp.Expr:
@@ -191,7 +190,8 @@ _COMMON = {
     _Z: sp.sign(a) * sp.sign(b) * _X**2,
     _NEAR: sp.Max(sp.Min(_Z, 1), -(sp.pi**2)),
     _FAR: _piece(sp.Integer(0), t),  # the time where z <= 1
-    _Q: sp.exp(-2 * _X),
+    _E: sp.exp(-_X),
+    _Q: _E**2,
     _C: _piece((1 + _Q) / 2, 1 + 2 * _NEAR * (Cardinal(_NEAR / 4) / 2) ** 2),
     _S: _piece((1 - _Q) / (2 * _piece(_K, sp.Integer(1))), _FAR * Cardinal(_NEAR)),
     _Y: _C + b * omega_0 * _S,
@@ -200,8 +200,11 @@ _COMMON = {
 
 def _alive(y: sp.Symbol, result: sp.Expr) -> sp.Expr:
     """The result while y > 0 and kt < pi; NaN once the solution has run to infinity."""
-    alive = sp.Min(y, _Z + sp.pi**2)
-    return Select(0, alive, result.subs(y, Select(0, alive, y, 1)), sp.nan)
+    return Select(0, sp.Min(y, _Z + sp.pi**2), result.subs(y, _guarded(y)), sp.nan)
+
+
+def _guarded(y: sp.Symbol) -> sp.Expr:
+    return Select(0, sp.Min(y, _Z + sp.pi**2), y, 1)
 
 
 # y = 1 + b G where z <= 1, so that phi = log1p(b G)/b loses nothing as t -> 0 or b -> 0.
@@ -213,6 +216,8 @@ _ROTATION_RESULT = _piece(
     (_K * _piece(t, sp.Integer(0)) + sp.log(_PHI_Y)) / _piece(b, sp.Integer(1)),
     _G * Log1pRatio(_piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
 )
+# 1/y, multiplied by twice: its square leaves the range of numbers long before the acceleration does.
+_DECAY = {_D: _piece(_E, sp.Integer(1)) / _guarded(_Y)}
 _BRAKE = -a  # positive in the domain of the arrest
 _CENTRIPETAL = (a, b, omega_0)
 
@@ -230,10 +235,11 @@ FORMS = (
     MotionForm("frozen_centripetal_angular_velocity", (*_CENTRIPETAL, t), _COMMON,
                _alive(_Y, (omega_0 * _C + a * _S) / _Y), "3.20",
                "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity."),
-    MotionForm("frozen_centripetal_rotation", (*_CENTRIPETAL, t), _COMMON | _ROTATION, _alive(_PHI_Y, _ROTATION_RESULT), "4.3",
+    MotionForm("frozen_centripetal_rotation", (*_CENTRIPETAL, t), _COMMON | _ROTATION,
+               _alive(_PHI_Y, _ROTATION_RESULT), "4.3",
                "Rotation of the paper's motion, for any sign of a and b and any initial velocity."),
-    MotionForm("frozen_centripetal_angular_acceleration", (*_CENTRIPETAL, t), _COMMON,
-               _alive(_Y, (a - b * omega_0**2) * _piece(_Q, sp.Integer(1)) / _Y**2), "3.16",
+    MotionForm("frozen_centripetal_angular_acceleration", (*_CENTRIPETAL, t), _COMMON | _DECAY,
+               _alive(_Y, (a - b * omega_0**2) * _D**2), "3.16",
                "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_arrest_time", _CENTRIPETAL, {},
                omega_0 / _BRAKE * ArctanRatio(omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))), "3.20",
@@ -273,7 +279,8 @@ def prove_forms() -> list[str]:
     # Without centripetal stress b = 0: the limits of the same solution.
     for name in ("angular_velocity", "angular_acceleration", "rotation"):
         result = forms[f"frozen_{name}"].result
-        check(f"frozen {name}: integrates a", sp.diff(result, t, {"rotation": 2}.get(name, 1)) - (a if name != "angular_acceleration" else 0))
+        exact_rate = {"angular_velocity": a, "angular_acceleration": 0, "rotation": omega_0 + a * t}[name]
+        check(f"frozen {name}: its rate", sp.diff(result, t) - exact_rate)
     # Arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a)).
     brake, b_, w = sp.symbols("brake b_ omega", positive=True)
     kappa = sp.sqrt(brake * b_)
@@ -281,9 +288,11 @@ def prove_forms() -> list[str]:
     time = unfold(forms["frozen_centripetal_arrest_time"].result).subs(positive)
     turn = unfold(forms["frozen_centripetal_arrest_rotation"].result).subs(positive)
     y = sp.cos(kappa * t) + b_ * w * sp.sin(kappa * t) / kappa
-    check("omega = 0 at the arrest", sp.simplify((w * sp.cos(kappa * t) - brake * sp.sin(kappa * t) / kappa).subs(t, time)))
+    stopping = w * sp.cos(kappa * t) - brake * sp.sin(kappa * t) / kappa
+    check("omega = 0 at the arrest", sp.simplify(stopping.subs(t, time)))
     check("rotation at the arrest", sp.simplify(sp.exp(2 * b_ * turn) - sp.simplify(y.subs(t, time)) ** 2))
-    check("frozen: omega = 0 at the arrest", forms["frozen_angular_velocity"].result.subs(t, forms["frozen_arrest_time"].result))
+    stopping = forms["frozen_angular_velocity"].result
+    check("frozen: omega = 0 at the arrest", stopping.subs(t, forms["frozen_arrest_time"].result))
     return claims
 
 
@@ -297,7 +306,9 @@ def exact(form: MotionForm, large: bool, keep: sp.Symbol | None = None) -> sp.Ex
 
     def plain(e: sp.Expr) -> sp.Expr:
         e = e.replace(Select, piece)
-        e = e.replace(lambda x: isinstance(x, (sp.Min, sp.Max)), lambda x: x.func(*(y for y in x.args if not y.is_number)))
+        e = e.replace(
+            lambda x: isinstance(x, (sp.Min, sp.Max)), lambda x: x.func(*(y for y in x.args if not y.is_number))
+        )
         return unfold(e).subs(values)
 
     for symbol, value in form.let.items():

@@ -11,7 +11,6 @@ import sympy as sp
 
 from derive.integrate import prove_zero
 
-
 # The equation of motion: Theta* d(omega*)/dt* = J_theta - lambda mu (J_r/lambda + stress), design of (3.11).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA = sp.symbols("Theta J_r J_theta lambda A mu omega", real=True)
 MU_EQ, RADIAL_PER_INERTIA, POLAR_PER_INERTIA, STATIC = sp.symbols(
@@ -97,7 +96,6 @@ def specialise() -> list[Specialised]:
             prove_zero(of_ratios.subs({RADIAL_PER_INERTIA: J_R / THETA, MU_EQ: J_THETA / J_R}) - drive, "the drive")
             brake = brake.subs(LAMBDA, POLAR_PER_INERTIA * THETA / A)  # lambda A = I_p* (2.24)
             names = tuple(e.name for e in chosen)
-            found.append(Specialised(names, "_".join(("frozen", *names)), of_ratios, brake, sp.expand(stress - J_R / LAMBDA) + STATIC))
+            dynamic = sp.expand(stress - J_R / LAMBDA)
+            found.append(Specialised(names, "_".join(("frozen", *names)), of_ratios, brake, STATIC + dynamic))
     return found
-
-

@@ -103,11 +103,11 @@ def function(f: Function) -> str:
     names = ", ".join(p.inputs)
     typed = ", ".join(f"{x}: ArrayLike" for x in p.inputs)
     safe = ", ".join(repr(x) for x in f.safe) + ("," if len(f.safe) == 1 else "")
-    inside = ", ".join(p.inputs)
+    args = f"{names}," if len(p.inputs) == 1 else names
     return (
         f"{body(p)}\n\n"
         f"def {p.name}({typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:\n{doc}"
-        f"    return evaluate(_{p.name}, lambda eps, {inside}: {f.inside}, ({safe}), ({names}{',' if len(p.inputs) == 1 else ''}), out, where)\n"
+        f"    return evaluate(_{p.name}, lambda eps, {names}: {f.inside}, ({safe}), ({args}), out, where)\n"
     )
 
 
@@ -124,7 +124,8 @@ def module(docstring: str, functions: Iterable[Function]) -> str:
     functions = list(functions)
     names = ",\n    ".join(f'"{f.program.name}"' for f in functions)
     head = (
-        f'"""{docstring}"""\n\nfrom typing import Any\n\nimport numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n\n'
+        f'"""{docstring}"""\n\nfrom typing import Any\n\n'
+        "import numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n\n"
         f"from generated._evaluate import Array, evaluate\n\n__all__ = [\n    {names},\n]\n"
     )
     return head + "".join(f"\n\n{function(f)}" for f in functions)
@@ -134,12 +135,16 @@ def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
     """A module of bare formulas: no domain, no types, no care, and no warnings."""
     programs = list(programs)
     names = ",\n    ".join(f'"{p.name}"' for p, _ in programs)
-    text = f'"""{docstring}"""\n\nimport numpy as np\n\nfrom generated._evaluate import Array\n\n__all__ = [\n    {names},\n]\n'
+    text = (
+        f'"""{docstring}"""\n\nimport numpy as np\n\n'
+        f"from generated._evaluate import Array\n\n__all__ = [\n    {names},\n]\n"
+    )
     for p, source in programs:
         typed, names = ", ".join(f"{x}: Array" for x in p.inputs), ", ".join(p.inputs)
         text += (
             f"\n\n{body(p)}\n\ndef {p.name}({typed}) -> Array:\n"
-            f'    """{source}, as printed: float64 arrays, no domain check. Operations: {operations(p.operations())}."""\n'
+            f'    """{source}, as printed: float64 arrays, no domain check.\n\n'
+            f'    Operations: {operations(p.operations())}.\n    """\n'
             f'    with np.errstate(all="ignore"):\n        return _{p.name}({names})\n'
         )
     return text

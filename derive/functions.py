@@ -1,16 +1,16 @@
-"""What `generated` holds: the list of its functions, each with its program, its domain and the words of its docstring."""
+"""What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
 
 import sympy as sp
 
 from derive import dynamics
 from derive.appendices import APPENDICES, parse
-from derive.effects import EFFECTS, LAWS, Specialised, specialise
+from derive.effects import EFFECTS, LAWS, Effect, Law, Specialised, specialise
 from derive.emit import Function
 from derive.integrate import Derivation
 from derive.program import Program, operations, program
 from derive.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
-from derive.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
+from derive.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
 HALF_PI = repr(float(sp.N(sp.pi / 2, 40)))
 PAPER = "the paper"
@@ -32,7 +32,7 @@ def closed_amplitudes(derivations: list[Derivation]) -> dict[str, sp.Expr]:
 def kernels(derivations: list[Derivation]) -> list[Function]:
     """The base quantities, their quotients, and the two weights of (theta_1, theta_2)."""
     closed = closed_amplitudes(derivations)
-    declared = {m.amplitude[0] if m.amplitude else m.name: (m.amplitude[1] if m.amplitude else m.symbol, m.equation, m.help)
+    declared = {(m.amplitude or (m.name, m.symbol))[0]: ((m.amplitude or (m.name, m.symbol))[1], m.equation, m.help)
                 for m in MOMENTS} | {RESISTANCE[0]: RESISTANCE[1:]}  # fmt: skip
     found = []
     for name, form in closed.items():
@@ -50,7 +50,8 @@ def kernels(derivations: list[Derivation]) -> list[Function]:
                 program(q.name, ("alpha",), QUOTIENT_FORMS[q.name], let=_CLIP),
                 f"{q.symbol}: {q.help}, dimensionless.",
                 f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish.",
-                f"eq. ({q.equation}) of {PAPER}", (_ALPHA,), f"{q.symbol}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
+                f"eq. ({q.equation}) of {PAPER}", (_ALPHA,), f"{q.symbol}.",
+                _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
             )
         )  # fmt: skip
     return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
@@ -61,7 +62,9 @@ _ARC = (
     ("theta_2", "Polar angle of its other end, rad; theta_1 <= theta_2 <= theta_1 + pi."),
 )
 _ARC_DOMAIN = "0 <= (theta_2 - theta_1)/2 <= pi/2 (1 + 4 eps)"
-_ARC_INSIDE = f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
+_ARC_INSIDE = (
+    f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
+)
 # alpha and theta_m as difference and sum, with what their rounding lost.
 _DELTA, _EPSILON = sp.symbols("delta epsilon", real=True)
 _ENDS = {
@@ -110,7 +113,7 @@ _WORDS = {
     "b": ("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
     "omega_0": ("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
     "t": ("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
-    "limit_friction": ("Friction coefficient at limit equilibrium, J_theta/J_r (3.21).", "np.isfinite(limit_friction)", 0.5),
+    "limit_friction": ("Limit friction, J_theta/J_r (3.21).", "np.isfinite(limit_friction)", 0.5),
     "mu": ("Friction coefficient.", "(mu >= 0.0) & np.isfinite(mu)", 0.5),
     "radial_weight_per_inertia": ("J_r/Theta*.", "np.isfinite(radial_weight_per_inertia)", 1.0),
     "polar_moment_per_inertia": ("I_p*/Theta*.", "np.isfinite(polar_moment_per_inertia)", 1.0),
@@ -163,7 +166,7 @@ FORMULAS = {
     "frozen_arrest_rotation": "phi = omega_0**2/(-2 a)",
     "frozen_centripetal_angular_velocity": "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)",
     "frozen_centripetal_rotation": "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)",
-    "frozen_centripetal_angular_acceleration": "d(omega)/dt = (a - b omega_0**2)/(cosh(k t) + b omega_0 sinh(k t)/k)**2",
+    "frozen_centripetal_angular_acceleration": "(a - b omega_0**2)/y**2 with y = exp(b phi)",
     "frozen_centripetal_arrest_time": "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)",
     "frozen_centripetal_arrest_rotation": "phi = ln(1 + b omega_0**2/(-a))/(2 b)",
 }
@@ -182,18 +185,15 @@ def printed() -> list[tuple[Program, str]]:
     return [
         (program("polar_moment", one, moment), "(2.19)"),
         (program("moment_of_inertia", one, half * (alpha - sp.sin(2 * alpha) * (1 + 2 * c**2) / 6)), "(3.15)"),
-        (program("radial_weight_amplitude", one, s - c**2 * sp.atanh(s)), "Appendix I, one line, over cos(psi)"),
-        (program("weight_moment_amplitude", one, sp.Rational(2, 3) * (s - s * c**2)), "(3.13), integrated, over sin(psi)"),
+        (program("radial_weight_amplitude", one, s - c**2 * sp.atanh(s)), "Appendix I in one line"),
+        (program("weight_moment_amplitude", one, sp.Rational(2, 3) * (s - s * c**2)), "(3.13), integrated"),
         (program("resistance_factor", one, factor), "(3.14)"),
         (program("dynamic_coefficient", one, moment / factor), "(2.24) with (2.19)"),
-        *((program(x.name, ("theta_1", "theta_2", "alpha"), parse(x)), f"{x.name}, brackets repaired") for x in _named()),
+        *((program(f"appendix_{x.name}", ("theta_1", "theta_2", "alpha"), parse(x)),
+           f"Appendix {x.name}, brackets repaired") for x in APPENDICES),
         (program("angular_velocity", ("a", "b", "t"), velocity), "(3.20), misprint mended, from rest"),
         (program("rotation", ("a", "b", "t"), rotation), "(4.3), from rest"),
     ]  # fmt: skip
-
-
-def _named() -> list:
-    return list(APPENDICES)
 
 
 def effects_module() -> str:
@@ -207,20 +207,22 @@ def effects_module() -> str:
     ])  # fmt: skip
 
 
-def _effect(e: object, kind: str) -> str:
-    parameters = "".join(f"Parameter({', '.join(_literal(getattr(p, k)) for k in ('name', 'unit', 'lower', 'upper', 'help'))}), "
-                         for p in e.parameters)  # fmt: skip
+def _effect(e: Effect | Law, kind: str) -> str:
+    parameters = "".join(
+        f"Parameter({p.name!r}, {p.unit!r}, {_bound(p.lower)}, {_bound(p.upper)}, {p.help!r}), " for p in e.parameters
+    )
     return f"{kind}({e.name!r}, {e.equation!r}, ({parameters.rstrip()}), {e.depends_on!r}, {e.help!r})"
 
 
-def _literal(value: object) -> str:
+def _bound(value: float) -> str:
     return {float("inf"): "INFINITY", float("-inf"): "-INFINITY"}.get(value, repr(value))
 
 
 def _specialised(s: Specialised, programs: dict[str, Program]) -> str:
     own = sorted(n for n in programs if n.startswith(s.prefix + "_") and _prefix(n) == s.prefix)
     total = sum((programs[n].operations() for n in own), start=type(programs[own[0]].operations())())
-    return f"Specialised(\n        {s.prefix!r},\n        ({', '.join(map(repr, own))}),\n        {operations(total)!r},\n    )"
+    names = ", ".join(map(repr, own))
+    return f"Specialised(\n        {s.prefix!r},\n        ({names}),\n        {operations(total)!r},\n    )"
 
 
 def _prefix(name: str) -> str:
@@ -228,7 +230,7 @@ def _prefix(name: str) -> str:
     return max((s.prefix for s in specialise() if name.startswith(s.prefix + "_")), key=len)
 
 
-_EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for, and the generated functions that serve each combination."""
+_EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from dataclasses import dataclass
 

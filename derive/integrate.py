@@ -51,7 +51,7 @@ def trig_normal(expression: sp.Expr) -> sp.Expr:
 
 def logs_to_artanh(expression: sp.Expr) -> sp.Expr:
     """Join c log(s + 1) - c log(s - 1) to 2 c artanh(s); the two differ by an imaginary constant only."""
-    p, c = sp.Wild("p"), sp.Wild("c", exclude=[sp.log])
+    p = sp.Wild("p")
     for log in sorted(expression.atoms(sp.log), key=sp.default_sort_key):
         match = log.args[0].match(p - 1)
         if match is None or not match[p].has(sp.Symbol) or not expression.has(sp.log(match[p] + 1)):
@@ -176,7 +176,7 @@ def compare(derivation: Derivation, digits: int) -> str:
             worst = max(worst, abs(quadrature(derivation.moment.weight, *arc, digits) - value) / abs(value))
         if worst > mpmath.mpf(10) ** -(digits - 1):
             raise ProofError(f"{derivation.moment.name}: closed form and quadrature differ by {mpmath.nstr(worst, 3)}")
-        return f"below 1e-{digits - 1} at {digits} digits" if worst else "none"
+        return f"{mpmath.nstr(worst, 2)} at {digits} digits"
 
 
 def gauss_legendre(count: int, precision: int) -> list[tuple[mpmath.mpf, mpmath.mpf]]:

@@ -82,7 +82,7 @@ class _Builder:
     def _add(self, e: sp.Basic) -> int:
         if isinstance(e, sp.Symbol):
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
-        if e.is_number and not e.has(sp.Function) or e is sp.nan:
+        if e is sp.nan or (e.is_number and not e.has(sp.Function)):
             return self.const(e)
         if isinstance(e, RoundingError):
             return self._rounding_error(*(self.add(x) for x in e.args))
@@ -212,7 +212,18 @@ def program(
         index = builder.add(value)
         builder.done = {e: i for e, i in builder.done.items() if not e.has(symbol)} | {symbol: index}
     results = tuple(builder.add(e) for e in outputs)
-    return Program(name, inputs, tuple(builder.ops), results)
+    # Drop what nothing reads: a `let` of which only a part was used.
+    alive = set(results)
+    for index in range(len(builder.ops) - 1, -1, -1):
+        if index in alive:
+            alive |= set(builder.ops[index].args)
+    place = {index: new for new, index in enumerate(sorted(alive))}
+    ops = tuple(
+        Op(op.kind, tuple(place[i] for i in op.args), op.value)
+        for index, op in enumerate(builder.ops)
+        if index in alive
+    )
+    return Program(name, inputs, ops, tuple(place[i] for i in results))
 
 
 def operations(counts: Mapping[str, int]) -> str:

@@ -65,7 +65,7 @@ def even_series(function: str, first: int, largest: Fraction) -> tuple[sp.Ration
     As many as it takes for the first neglected term to stay below an eighth of 2**-53 of the leading one for all
     x**2 <= largest. (The series alternate, or, for artanh, x**2 is well below 1.)
     """
-    ring, x = sp.ring("x", sp.QQ)
+    _, x = sp.ring("x", sp.QQ)
     series = {"sin": rs_sin, "artanh": rs_atanh}[function](x, x, 100)
     found: list[sp.Rational] = []
     for k in range(first, 100, 2):
@@ -78,7 +78,7 @@ def even_series(function: str, first: int, largest: Fraction) -> tuple[sp.Ration
 
 
 class Horner(sp.Function):
-    """A polynomial: argument, then coefficients, lowest first. Held back from SymPy's expansion until it is computed."""
+    """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
 
     @classmethod
     def of(cls, coefficients: Iterable[sp.Expr], x: sp.Expr) -> "Horner":

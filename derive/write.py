@@ -15,6 +15,9 @@ ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "generated"
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 MEND = "python -m derive"
+KERNELS = "Moments, weights and quotients of the arc, from their definitions."
+MOTION = "The frozen slide: coefficients, angular velocity, rotation, acceleration, arrest."
+PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
 def files(derivations: list[Derivation]) -> dict[str, str]:
@@ -23,10 +26,9 @@ def files(derivations: list[Derivation]) -> dict[str, str]:
     texts = {
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "effects.py": functions.effects_module(),
-        "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
-        "motion.py": emit.module("The frozen slide: coefficients, angular velocity, rotation, acceleration, arrest.", motion),
-        "printed.py": emit.raw_module("The paper's own forms, as printed, for comparison only: they cancel and overflow.",
-                                      functions.printed()),
+        "kernels.py": emit.module(KERNELS, kernels),
+        "motion.py": emit.module(MOTION, motion),
+        "printed.py": emit.raw_module(PRINTED, functions.printed()),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
     }  # fmt: skip
@@ -89,13 +91,13 @@ def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
 def difference(wanted: dict[str, str], folder: Path = FOLDER) -> str:
     """A unified diff from what is there to what is wanted; empty when they agree in contents and set of files."""
     there = present(folder) if folder.is_dir() else {}
-    return "".join(
-        "".join(
-            difflib.unified_diff(
-                there.get(name, "").splitlines(keepends=True), wanted.get(name, "").splitlines(keepends=True),
-                f"generated/{name}" if name in there else "/dev/null",
-                f"derived/{name}" if name in wanted else "/dev/null",
-            )
-        ) or (f"only in {'derived' if name in wanted else 'generated'}: {name}\n" if (name in there) != (name in wanted) else "")
-        for name in sorted(wanted.keys() | there.keys())
-    )  # fmt: skip
+    found = []
+    for name in sorted(wanted.keys() | there.keys()):
+        old, new = there.get(name), wanted.get(name)
+        if old == new:
+            continue
+        source = "/dev/null" if old is None else f"generated/{name}"
+        target = "/dev/null" if new is None else f"derived/{name}"
+        before, after = ((text or "").splitlines(keepends=True) for text in (old, new))
+        found.append("".join(difflib.unified_diff(before, after, source, target)) or f"--- {source}\n+++ {target}\n")
+    return "".join(found)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 63c9b2abc71fc458196c10d8ca121472dfe110a90bec64a43214b4838eba685d
+# sha256 of the text below: 63dcce9afc5758d75259e47adb4c7eb611227d0bbe6c0d6e26aaaaa148a34e68
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable
@@ -15,7 +15,7 @@ def evaluate(
     body: Callable[..., Array],
     inside: Callable[..., Any],
     safe: tuple[float, ...],
-    args: tuple[ArrayLike, ...],
+    args: tuple[Any, ...],
     out: NDArray[Any] | None,
     where: ArrayLike,
 ) -> Any:
@@ -45,12 +45,15 @@ def evaluate(
         raise TypeError(f"arguments of type {kind} are not supported: give real numbers of at most 64 bits")
     values = [np.asarray(x, dtype=np.float64) for x in items]
     wanted = np.asarray(where, dtype=bool)
-    valid = inside(float(np.finfo(kind).eps), *values)
+    with np.errstate(all="ignore"):  # a lane outside, or not asked for, may do what it likes here
+        valid = inside(float(np.finfo(kind).eps), *values)
     use = valid & wanted
     if not np.all(use):
         values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
     with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
         result = np.asarray(body(*values)).astype(kind, copy=False)
+    if result.shape != use.shape or any(result is x for x in values):  # a body may leave out an argument, or return it
+        result = np.broadcast_to(result, use.shape).copy()
     invalid = wanted & (~valid | np.isnan(result))
     if np.any(invalid):
         np.subtract(np.inf, np.inf)  # NumPy's own `invalid`, handled as np.errstate says

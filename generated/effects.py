@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 114d79cc1371840f6bc382329d53662b7c39a1d367318fa282bdc889d733fd94
-"""Effects and friction laws that a scene may ask for, and the generated functions that serve each combination."""
+# sha256 of the text below: 980222bd9d2e84dfb63d13b8965b553c00fe6f79b2809b08fe4ea84648d7e7e8
+"""Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from dataclasses import dataclass
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a2f6b20948dbe34c3703591b7f456424cb5811a587c8d9056f58c9c4a40c7151
+# sha256 of the text below: 6174f3fd7073f2788626f9c8497345291d1efafa2ffc15a5d0843bd4b05a75e6
 """The paper's own forms, as printed, for comparison only: they cancel and overflow."""
 
 import numpy as np
@@ -13,8 +13,8 @@ __all__ = [
     "weight_moment_amplitude",
     "resistance_factor",
     "dynamic_coefficient",
-    "I",
-    "II",
+    "appendix_I",
+    "appendix_II",
     "angular_velocity",
     "rotation",
 ]
@@ -28,7 +28,10 @@ def _polar_moment(alpha: Array) -> Array:
 
 
 def polar_moment(alpha: Array) -> Array:
-    """(2.19), as printed: float64 arrays, no domain check. Operations: 6 mul, 1 add, 2 sub, 2 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan."""
+    """(2.19), as printed: float64 arrays, no domain check.
+
+    Operations: 6 mul, 1 add, 2 sub, 2 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan.
+    """
     with np.errstate(all="ignore"):
         return _polar_moment(alpha)
 
@@ -40,7 +43,10 @@ def _moment_of_inertia(alpha: Array) -> Array:
 
 
 def moment_of_inertia(alpha: Array) -> Array:
-    """(3.15), as printed: float64 arrays, no domain check. Operations: 5 mul, 1 add, 1 sub, 1 div, 1 cos, 1 sin."""
+    """(3.15), as printed: float64 arrays, no domain check.
+
+    Operations: 5 mul, 1 add, 1 sub, 1 div, 1 cos, 1 sin.
+    """
     with np.errstate(all="ignore"):
         return _moment_of_inertia(alpha)
 
@@ -53,7 +59,10 @@ def _radial_weight_amplitude(alpha: Array) -> Array:
 
 
 def radial_weight_amplitude(alpha: Array) -> Array:
-    """Appendix I, one line, over cos(psi), as printed: float64 arrays, no domain check. Operations: 2 mul, 1 sub, 1 arctanh, 1 cos, 1 sin."""
+    """Appendix I in one line, as printed: float64 arrays, no domain check.
+
+    Operations: 2 mul, 1 sub, 1 arctanh, 1 cos, 1 sin.
+    """
     with np.errstate(all="ignore"):
         return _radial_weight_amplitude(alpha)
 
@@ -66,7 +75,10 @@ def _weight_moment_amplitude(alpha: Array) -> Array:
 
 
 def weight_moment_amplitude(alpha: Array) -> Array:
-    """(3.13), integrated, over sin(psi), as printed: float64 arrays, no domain check. Operations: 3 mul, 1 sub, 1 cos, 1 sin."""
+    """(3.13), integrated, as printed: float64 arrays, no domain check.
+
+    Operations: 3 mul, 1 sub, 1 cos, 1 sin.
+    """
     with np.errstate(all="ignore"):
         return _weight_moment_amplitude(alpha)
 
@@ -77,7 +89,10 @@ def _resistance_factor(alpha: Array) -> Array:
 
 
 def resistance_factor(alpha: Array) -> Array:
-    """(3.14), as printed: float64 arrays, no domain check. Operations: 2 mul, 1 sub, 1 cos."""
+    """(3.14), as printed: float64 arrays, no domain check.
+
+    Operations: 2 mul, 1 sub, 1 cos.
+    """
     with np.errstate(all="ignore"):
         return _resistance_factor(alpha)
 
@@ -90,12 +105,15 @@ def _dynamic_coefficient(alpha: Array) -> Array:
 
 
 def dynamic_coefficient(alpha: Array) -> Array:
-    """(2.24) with (2.19), as printed: float64 arrays, no domain check. Operations: 8 mul, 1 add, 3 sub, 3 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan."""
+    """(2.24) with (2.19), as printed: float64 arrays, no domain check.
+
+    Operations: 8 mul, 1 add, 3 sub, 3 div, 1 abs, 1 cos, 1 log, 1 sin, 1 tan.
+    """
     with np.errstate(all="ignore"):
         return _dynamic_coefficient(alpha)
 
 
-def _I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
+def _appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     v4 = np.cos(alpha)
     v5 = np.cos(theta_2)
     v6 = 0.5 * v4
@@ -139,13 +157,16 @@ def _I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     return v138
 
 
-def I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
-    """I, brackets repaired, as printed: float64 arrays, no domain check. Operations: 83 mul, 14 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin."""
+def appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
+    """Appendix I, brackets repaired, as printed: float64 arrays, no domain check.
+
+    Operations: 83 mul, 14 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
+    """
     with np.errstate(all="ignore"):
-        return _I(theta_1, theta_2, alpha)
+        return _appendix_I(theta_1, theta_2, alpha)
 
 
-def _II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
+def _appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     v4 = np.sin(alpha)
     v5 = np.cos(theta_1)
     v6 = 0.5 * v4
@@ -193,10 +214,13 @@ def _II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
     return v146
 
 
-def II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
-    """II, brackets repaired, as printed: float64 arrays, no domain check. Operations: 86 mul, 19 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin."""
+def appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
+    """Appendix II, brackets repaired, as printed: float64 arrays, no domain check.
+
+    Operations: 86 mul, 19 add, 26 sub, 3 div, 2 arctanh, 3 cos, 3 sin.
+    """
     with np.errstate(all="ignore"):
-        return _II(theta_1, theta_2, alpha)
+        return _appendix_II(theta_1, theta_2, alpha)
 
 
 def _angular_velocity(a: Array, b: Array, t: Array) -> Array:
@@ -205,7 +229,10 @@ def _angular_velocity(a: Array, b: Array, t: Array) -> Array:
 
 
 def angular_velocity(a: Array, b: Array, t: Array) -> Array:
-    """(3.20), misprint mended, from rest, as printed: float64 arrays, no domain check. Operations: 3 mul, 1 div, 2 sqrt, 1 tanh."""
+    """(3.20), misprint mended, from rest, as printed: float64 arrays, no domain check.
+
+    Operations: 3 mul, 1 div, 2 sqrt, 1 tanh.
+    """
     with np.errstate(all="ignore"):
         return _angular_velocity(a, b, t)
 
@@ -216,6 +243,9 @@ def _rotation(a: Array, b: Array, t: Array) -> Array:
 
 
 def rotation(a: Array, b: Array, t: Array) -> Array:
-    """(4.3), from rest, as printed: float64 arrays, no domain check. Operations: 2 mul, 1 div, 1 cosh, 1 log, 1 sqrt."""
+    """(4.3), from rest, as printed: float64 arrays, no domain check.
+
+    Operations: 2 mul, 1 div, 1 cosh, 1 log, 1 sqrt.
+    """
     with np.errstate(all="ignore"):
         return _rotation(a, b, t)

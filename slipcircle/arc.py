@@ -100,23 +100,26 @@ class Arc:
         if self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
-            bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given and n != "weight_moment"}
+            positive = [n for n in GIVEN if n in self.given and n != "weight_moment"]
+            bounds = dict.fromkeys(positive, (0.0, INFINITY, "a positive number"))
             found += [f"given: {m}" for m in mistakes(self.given, bounds)]
         raise_all("Arc", found)
 
     def _geometry_mistakes(self) -> list[str]:
         first, second = np.degrees(self.theta_1), np.degrees(self.theta_2)
         if not np.all(np.greater(self.theta_2, self.theta_1)):
-            return [f"theta_2 = {np.max(second):.10g} deg: must be above theta_1 = {np.max(first):.10g} deg; swap them?"]
+            return [
+                f"theta_2 = {np.max(second):.10g} deg: must be above theta_1 = {np.max(first):.10g} deg; swap them?"
+            ]
         with np.errstate(invalid="ignore"):
             weight = np.asarray(kernels.radial_weight(self.theta_1, self.theta_2))
         if np.any(np.isnan(weight)):
             opening = np.max(second - first)
-            return [f"theta_2 - theta_1 = {opening:.10g} deg: must be at most 180 deg, or the chord lies beyond the centre"]
+            return [f"theta_2 - theta_1 = {opening:.10g} deg: must be at most 180 deg"]
         if np.any(weight <= 0.0):
             return [
-                f"theta_1 = {np.min(first):.10g} deg, theta_2 = {np.max(second):.10g} deg: the mass presses on nothing; "
-                "the middle of the arc must lie below its centre, between 180 and 360 deg"
+                f"theta_1 = {np.min(first):.10g} deg, theta_2 = {np.max(second):.10g} deg: it presses on nothing; "
+                "the middle of the arc must lie between 180 and 360 deg, below its centre"
             ]
         return []
 

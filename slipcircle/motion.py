@@ -109,7 +109,7 @@ class Motion:
         return self.plan.scene.arc
 
     def _formula(self, name: str) -> Callable[..., Any]:
-        return getattr(formulas, f"{self.plan.prefix}_{name}")  # type: ignore[no-any-return]
+        return getattr(formulas, f"{self.plan.prefix}_{name}")
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.

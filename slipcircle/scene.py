@@ -61,8 +61,7 @@ class Scene:
             bounds["accuracy"] = (0.0, 1.0, "a relative error between 0 and 1")
         found = [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
-        for name, parameters in self.effects.items():
-            found += _effect_mistakes(name, parameters)
+        found += [m for name, parameters in given.items() for m in _effect_mistakes(name, parameters)]
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @staticmethod
@@ -87,7 +86,9 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     wanted = {p.name: p for p in EFFECTS[name].parameters}
     found = [f"effects.{name}: {n!r} is missing: {p.help}" for n, p in wanted.items() if n not in parameters]
     found += [
-        f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in parameters if n not in wanted
+        f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}"
+        for n in parameters
+        if n not in wanted
     ]
     bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in parameters}
     return found + [f"effects.{name}.{m}" for m in mistakes(parameters, bounds)]

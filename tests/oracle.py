@@ -1,59 +1,230 @@
-"""Independent references: ball-arithmetic and mpmath quadrature of the raw definitions, never a closed form under test."""
+"""Independent references: quadrature of the raw definitions in ball arithmetic, and the equation of motion in mpmath.
+
+Nothing here knows a closed form, a stable form or a line of generated text. Arguments are floats, taken as the exact
+numbers that they are.
+"""
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import cache
+from typing import NamedTuple
 
 import mpmath
 import numpy as np
 from flint import acb, arb, ctx, fmpq
+from mpmath import mpf
 
-Weight = Callable[[acb, acb], acb]
-
-WEIGHTS: dict[str, Weight] = {
+BITS = 200  # about 60 digits
+WEIGHTS: dict[str, Callable[[acb, acb], acb]] = {
     "polar_moment": lambda r, u: r * r,
     "moment_of_inertia": lambda r, u: r * r * r,
     "radial_weight_amplitude": lambda r, u: r * u.cos(),
     "weight_moment_amplitude": lambda r, u: r * r * u.cos(),
 }
-# Exact for polynomials in r up to degree 3: two-point Gauss-Legendre.
-_GAUSS = 2
+BASE = (*WEIGHTS, "resistance_factor")
+QUOTIENTS = {
+    "dynamic_coefficient": ("polar_moment", "resistance_factor"),
+    "weight_moment_per_inertia": ("weight_moment_amplitude", "moment_of_inertia"),
+    "radial_weight_per_inertia": ("radial_weight_amplitude", "moment_of_inertia"),
+    "polar_moment_per_inertia": ("polar_moment", "moment_of_inertia"),
+    "weight_moment_per_radial_weight": ("weight_moment_amplitude", "radial_weight_amplitude"),
+}
+WHOLE = {"radial_weight": "radial_weight_amplitude", "weight_moment": "weight_moment_amplitude"}
 
 
-def exact(x: float) -> arb:
-    """The double as a ball of radius zero."""
-    ratio = Fraction(float(x))
+# --- the moments ---------------------------------------------------------------------------------------------------
+
+
+def exact(x: float | Fraction) -> arb:
+    """The double, or the fraction, as a ball of radius zero (a fraction: of the precision's)."""
+    ratio = Fraction(x)
     return arb(fmpq(ratio.numerator, ratio.denominator))
 
 
-def moment(name: str, alpha: float | arb, bits: int = 200) -> arb:
-    """A base quantity by rigorous quadrature of its double integrand over r and u, as a ball.
+def radians(alpha: Fraction) -> arb:
+    """Half the opening angle; the domain ends at pi/2, for which the doubles a little above it stand."""
+    return exact(alpha) if exact(alpha) < arb.pi() / 2 else arb.pi() / 2
 
-    The relative radius is below 2**-150: thin arcs, whose mass is of order alpha**3, get the extra bits they need.
+
+@cache
+def over_cube(name: str, alpha: Fraction) -> arb:
+    """A base quantity over alpha**3, by rigorous quadrature over r and u of its double integrand, 0 < alpha.
+
+    The exact inner rule is Gauss-Legendre's with two points: the integrands are cubic in r at most. The outer variable
+    is x = u/alpha. Over a thin arc 1 - chord is of order alpha**2, and gets the extra bits for that.
     """
-    half = alpha if isinstance(alpha, arb) else exact(alpha)
-    thin = max(0, -int(mpmath.log(mpmath.mpf(float(half)), 2))) if float(half) > 0 else 1100
-    with ctx.workprec(bits + 4 * thin + 40):
+    thin = max(0, alpha.denominator.bit_length() - alpha.numerator.bit_length())
+    with ctx.workprec(BITS + 40 + 4 * thin):
+        half = radians(alpha)
         if name == "resistance_factor":
-            return 2 * half * (1 - half.cos())
-        if not isinstance(alpha, arb):
-            half = exact(alpha)
-        weight, root = WEIGHTS[name], 1 / arb(3).sqrt()
+            value = 2 * half * (1 - half.cos()) / half**3
+        else:
+            weight, root = WEIGHTS[name], 1 / arb(3).sqrt()
+            disc = half.cos().contains(0)
 
-        def ring(u: acb, _: bool) -> acb:
-            # u = half * x, so that thin arcs integrate over [-1, 1]
-            u = u * half
-            chord = acb(half).cos() / u.cos()
-            middle, reach = (1 + chord) / 2, (1 - chord) / 2
-            return reach * (weight(middle + reach * root, u) + weight(middle - reach * root, u))
+            def ring(x: acb, _: bool) -> acb:
+                u = x * half
+                chord = acb(0) if disc else half.cos() / u.cos()
+                middle, reach = (1 + chord) / 2, (1 - chord) / 2
+                return reach * (weight(middle + reach * root, u) + weight(middle - reach * root, u)) / half**2
 
-        scale = half**3
-        # Symmetric in u. Integrated over x in [0, 1]; the mass has an integrand of order half**2 there.
-        value = acb.integral(lambda x, flag: ring(x, flag) / half**2, 0, 1, rel_tol=arb(2) ** -(bits - 20), abs_tol=arb(2) ** -(bits - 20))
-        return (2 * value * scale).real
+            tolerance = arb(2) ** -(BITS - 20)
+            value = 2 * acb.integral(ring, 0, 1, rel_tol=tolerance, abs_tol=tolerance).real
+        assert value.rel_accuracy_bits() > 166, f"{name}({float(alpha)}): {value}"
+        return value
 
 
-def ulps(value: float, reference: arb, kind: type = np.float64) -> float:
-    """Error in units of the last place of the rounded reference, fractional, against the unrounded reference."""
-    rounded = kind(float(reference))
-    spacing = np.nextafter(np.abs(rounded), kind(np.inf)) - np.abs(rounded)
-    return abs(float((exact(float(value)) - reference) / exact(float(spacing))))
+def kernel(name: str, alpha: float | Fraction) -> arb:
+    """A base quantity or a quotient of two, at least 50 digits."""
+    half = Fraction(alpha)
+    with ctx.workprec(BITS + 40):
+        if name in QUOTIENTS:
+            above, below = QUOTIENTS[name]
+            tiny = max(half, Fraction(1, 2**250))  # at 0 the limit, which is near enough: alpha**2 is 2**-500
+            return over_cube(above, tiny) / over_cube(below, tiny)
+        return over_cube(name, half) * radians(half) ** 3 if half else arb(0)
+
+
+def whole(name: str, theta_1: float, theta_2: float) -> tuple[arb, arb]:
+    """J_r or J_theta of the exact two angles, and its amplitude: r cos(u), r**2 cos(u), turned to the bisector."""
+    half, middle = (Fraction(theta_2) - Fraction(theta_1)) / 2, (Fraction(theta_1) + Fraction(theta_2)) / 2
+    amplitude = kernel(WHOLE[name], half)
+    with ctx.workprec(BITS + 1100):  # of an angle near a multiple of pi/2, all that is left
+        direction = exact(middle).sin() if name == "radial_weight" else exact(middle).cos()
+    with ctx.workprec(BITS + 40):
+        return -amplitude * direction, amplitude
+
+
+def ulps(value: float, reference: arb, size: arb | None = None, kind: type[np.floating] = np.float64) -> float:
+    """Error in units of the last place, fractional, against the unrounded reference.
+
+    The unit is that of the reference rounded to the format, or of another number; denormal spacing where they
+    underflow. A value that is not finite is infinitely wrong.
+    """
+    if not np.isfinite(value):
+        return float("inf")
+    with ctx.workprec(2400):
+        unit = np.spacing(kind(abs(float(reference if size is None else size))))
+        return abs(float((exact(float(value)) - reference) / exact(float(unit))))
+
+
+# --- the motion ----------------------------------------------------------------------------------------------------
+
+
+class Reference(NamedTuple):
+    """A value, and the sum of |x df/dx| over the arguments: |value| times the condition number."""
+
+    value: mpf
+    sensitivity: mpf
+
+
+def waves(a: mpf, b: mpf, t: mpf) -> tuple[mpf, mpf]:
+    """The two solutions of y'' = a b y with (y, y') = (1, 0) and (0, 1) at t = 0."""
+    k = mpmath.sqrt(abs(a * b))
+    if k == 0:
+        return mpf(1), t
+    return (mpmath.cosh(k * t), mpmath.sinh(k * t) / k) if a * b > 0 else (mpmath.cos(k * t), mpmath.sin(k * t) / k)
+
+
+def alive(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> bool:
+    """Whether the solution reaches t: y, which starts at 1, has not crossed zero."""
+    c, s = waves(a, b, t)
+    return bool(c + b * omega_0 * s > 0) and not (a * b < 0 and mpmath.sqrt(-a * b) * t >= mpmath.pi)
+
+
+def angular_velocity(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> mpf:
+    """omega = y'/(b y), the Riccati equation made linear."""
+    c, s = waves(a, b, t)
+    return (omega_0 * c + a * s) / (c + b * omega_0 * s)
+
+
+def rotation(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> mpf:
+    """The integral of omega, ln(y)/b."""
+    if b == 0:
+        return omega_0 * t + a * t**2 / 2
+    c, s = waves(a, b, t)
+    return mpmath.log(c + b * omega_0 * s) / b
+
+
+def angular_acceleration(a: mpf, b: mpf, omega_0: mpf, t: mpf) -> mpf:
+    """The equation of motion itself, as its solution solves it: a - b omega**2, and (a - b omega_0**2)/y**2."""
+    c, s = waves(a, b, t)
+    return (a - b * omega_0**2) / (c + b * omega_0 * s) ** 2
+
+
+def arrest_time(a: mpf, b: mpf, omega_0: mpf) -> mpf:
+    """The integral of d(omega)/(-a + b omega**2) from 0 to omega_0."""
+    if b == 0:
+        return omega_0 / -a
+    k = mpmath.sqrt(-a * b)
+    return mpmath.acot(k / (b * omega_0)) / k if omega_0 else mpf(0)
+
+
+def arrest_rotation(a: mpf, b: mpf, omega_0: mpf) -> mpf:
+    """The integral of omega d(omega)/(-a + b omega**2) from 0 to omega_0."""
+    if b == 0:
+        return omega_0**2 / (-2 * a)
+    return (mpmath.log(b * omega_0**2 - a) - mpmath.log(-a)) / (2 * b)
+
+
+CENTRIPETAL: dict[str, Callable[..., mpf]] = {
+    "frozen_centripetal_angular_velocity": angular_velocity,
+    "frozen_centripetal_rotation": rotation,
+    "frozen_centripetal_angular_acceleration": angular_acceleration,
+    "frozen_centripetal_arrest_time": arrest_time,
+    "frozen_centripetal_arrest_rotation": arrest_rotation,
+}
+# Without the centripetal term b is zero; the coefficients are what (3.17), (3.18) and (2.20) say.
+MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
+    "frozen_angular_velocity": lambda a, w, t: angular_velocity(a, mpf(0), w, t),
+    "frozen_rotation": lambda a, w, t: rotation(a, mpf(0), w, t),
+    "frozen_angular_acceleration": lambda a, w, t: angular_acceleration(a, mpf(0), w, t),
+    "frozen_arrest_time": lambda a, w: arrest_time(a, mpf(0), w),
+    "frozen_arrest_rotation": lambda a, w: arrest_rotation(a, mpf(0), w),
+    "frozen_drive": lambda limit, mu, radial: limit * radial - mu * radial,
+    "frozen_centripetal_drive": lambda limit, mu, radial: limit * radial - mu * radial,
+    "frozen_centripetal_brake": lambda mu, polar: mu * polar,
+    "frozen_mean_normal_stress": lambda static: static,
+    "frozen_centripetal_mean_normal_stress": lambda static, share, omega: static + share * omega**2,
+}
+_STEP = mpf(2) ** -90  # relative, for the derivatives: 27 digits
+
+
+@cache
+def motion(name: str, *arguments: float) -> Reference | None:
+    """A motion formula at exact arguments to 30 digits, with its conditioning; None after the solution has ended.
+
+    The working precision grows until two of them agree.
+    """
+    function = MOTION[name]
+    previous: Reference | None = None
+    # Small arguments cost as many digits as their product is below 1: log(1 + tiny). None is silently lost.
+    start = 120 + sum(int(2 * abs(np.log10(abs(x)))) for x in arguments if x)
+    for digits in (start, 2 * start, 4 * start, 8 * start, 16 * start):
+        with mpmath.workdps(digits):
+            x = [mpf(v) for v in arguments]
+            if function in (angular_velocity, rotation, angular_acceleration) and not alive(*x):
+                return None
+            value = function(*x)
+            moved = (function(*x[:i], v * (1 + _STEP), *x[i + 1 :]) for i, v in enumerate(x) if v)
+            found = Reference(value, mpmath.fsum(abs(m - value) for m in moved) / _STEP)
+            if previous is not None and all(
+                abs(new - old) <= abs(new) * mpf(10) ** -p for new, old, p in zip(found, previous, (30, 3), strict=True)
+            ):
+                return found
+            previous = found
+    raise ArithmeticError(f"{name}{arguments}: no 30 digits")
+
+
+def motion_error(value: float, reference: Reference) -> float:
+    """Error in ulp over (1 + condition number); where the reference is 0, in eps times its sensitivity."""
+    if not np.isfinite(value):
+        return float("inf")
+    with mpmath.workdps(60):
+        error = abs(mpf(float(value)) - reference.value)
+        if error == 0:
+            return 0.0
+        unit = mpf(float(np.spacing(abs(float(reference.value)))))
+        if reference.value == 0:
+            return float(error / max(unit, reference.sensitivity * mpf(2) ** -52))
+        return float(error / (unit * (1 + reference.sensitivity / abs(reference.value))))

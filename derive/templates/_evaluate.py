@@ -13,7 +13,7 @@ def evaluate(
     body: Callable[..., Array],
     inside: Callable[..., Any],
     safe: tuple[float, ...],
-    args: tuple[ArrayLike, ...],
+    args: tuple[Any, ...],
     out: NDArray[Any] | None,
     where: ArrayLike,
 ) -> Any:
@@ -43,12 +43,15 @@ def evaluate(
         raise TypeError(f"arguments of type {kind} are not supported: give real numbers of at most 64 bits")
     values = [np.asarray(x, dtype=np.float64) for x in items]
     wanted = np.asarray(where, dtype=bool)
-    valid = inside(float(np.finfo(kind).eps), *values)
+    with np.errstate(all="ignore"):  # a lane outside, or not asked for, may do what it likes here
+        valid = inside(float(np.finfo(kind).eps), *values)
     use = valid & wanted
     if not np.all(use):
         values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
     with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
         result = np.asarray(body(*values)).astype(kind, copy=False)
+    if result.shape != use.shape or any(result is x for x in values):  # a body may leave out an argument, or return it
+        result = np.broadcast_to(result, use.shape).copy()
     invalid = wanted & (~valid | np.isnan(result))
     if np.any(invalid):
         np.subtract(np.inf, np.inf)  # NumPy's own `invalid`, handled as np.errstate says

@@ -1,0 +1,186 @@
+"""The kernels' values, against quadrature of the raw definitions in ball arithmetic, in fractional ulp."""
+
+from collections.abc import Callable, Iterable
+from functools import cache
+from typing import Any
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+from numpy.typing import NDArray
+
+from derive.integrate import quadrature
+from derive.quantities import MOMENTS
+from generated import kernels
+
+Floats = NDArray[np.float64]
+Kernel = Callable[..., Any]
+
+HALF_PI = np.pi / 2
+SEAM = 2 * np.arctan(0.4)  # where tan(alpha/2) reaches 2/5: the series ends and the logarithm begins
+BOUND = 16.0
+KERNELS = (*oracle.BASE, *oracle.QUOTIENTS)
+each_kernel = pytest.mark.parametrize("name", KERNELS)
+each_weight = pytest.mark.parametrize("name", list(oracle.WHOLE))
+
+
+def neighbours(x: float, count: int) -> list[float]:
+    """The doubles around x, nearest first below and above."""
+    below, above = [x], [x]
+    for _ in range(count):
+        below.append(float(np.nextafter(below[-1], -1.0)))
+        above.append(float(np.nextafter(above[-1], 4.0)))
+    return below[:0:-1] + above
+
+
+@cache
+def angles() -> Floats:
+    """Half opening angles all over the domain, dense at its ends and on both sides of the seam."""
+    rng = np.random.default_rng(20240731)
+    listed = [5e-324, 1e-323, 1e-310, 2.2250738585072014e-308, 1e-300, 1e-200, 1e-154, 1e-108, 1e-105, 1e-103, 1e-100]
+    listed += [1e-60, 1e-30, 1e-16, 1e-8, 1.5e-8, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.25, 0.5, 0.5385, 1.0, np.pi / 4]
+    listed += neighbours(SEAM, 8) + neighbours(HALF_PI, 4)
+    listed += [HALF_PI * (1 + 4 * 2.0**-52)]
+    parts = (
+        listed,
+        rng.uniform(0, HALF_PI, 300),
+        10 ** rng.uniform(-320, -4, 60),
+        10 ** rng.uniform(-8, 0, 120),
+        SEAM + rng.uniform(-1e-9, 1e-9, 40),
+        SEAM + rng.uniform(-0.05, 0.05, 60),
+        HALF_PI - 10 ** rng.uniform(-15, 0, 80),
+    )
+    return np.unique(np.concatenate([np.asarray(p, dtype=np.float64) for p in parts]))
+
+
+def errors(kernel: Kernel, name: str, alphas: Floats, kind: type[np.floating] = np.float64) -> list[tuple[float, float]]:
+    """Error in ulp and argument of each value, worst first."""
+    with np.errstate(all="raise"):
+        values = kernel(alphas)
+    found = (
+        (oracle.ulps(float(v), oracle.kernel(name, float(x)), kind=kind), float(x))
+        for v, x in zip(values, alphas, strict=True)
+    )
+    return sorted(found, reverse=True)
+
+
+def check_accuracy(kernel: Kernel, name: str) -> None:
+    """At most 16 ulp, everywhere on the domain, without a warning."""
+    error, at = errors(kernel, name, angles())[0]
+    assert error <= BOUND, f"{name}({at!r}) is wrong by {error:.1f} ulp"
+
+
+def check_landmarks(kernel: Kernel, name: str) -> None:
+    """At alpha = 0 the limit (moments vanish exactly); from pi/2 up to pi/2 (1 + 4 eps), the limit at pi/2."""
+    start = {"dynamic_coefficient": 2 / 3}.get(name, 1.0) if name in oracle.QUOTIENTS else 0.0
+    assert abs(kernel(0.0) - start) <= 2**-53, f"{name}(0) = {kernel(0.0)!r}"
+    for x in neighbours(HALF_PI, 4)[4:]:
+        assert kernel(x) == kernel(HALF_PI), f"{name}({x!r})"
+
+
+@cache
+def arcs() -> tuple[tuple[float, float], ...]:
+    """Ends (theta_1, theta_2): thin, level, turned by any angle, given in degrees, half discs, or starting at pi."""
+    rng = np.random.default_rng(20240801)
+    found = [(np.pi, np.pi + x) for x in (1e-10, 1e-3, 1.0, 2.0, float(np.pi))]  # sin(theta_1) = 0
+    found += [(float(np.deg2rad(x)), float(np.deg2rad(x + 180.0))) for x in (0.0, 37.0, 123.4, 180.0, 187.3, 200.0)]
+    found += [(float(np.deg2rad(x)), 2 * np.pi) for x in (180.0, 270.0, 359.0, 359.999999)]  # theta_2 = 360 degrees
+    found += [(float(np.deg2rad(215.2)), float(np.deg2rad(276.9)))]  # the paper's
+    level = 3 * np.pi / 2  # a chord of zero dip: theta_m = 3 pi/2
+    found += [(level - x, level + x) for x in (1e-10, 1e-8, 1e-3, 0.3, SEAM, 1.2, 1.5)]
+    found += [(4.1, 4.1), (4.1, float(np.nextafter(4.1, 5.0))), (0.0, 5e-324), (1e-300, 1e-299), (-1e-200, 1e-200)]
+    for start, size in zip(rng.uniform(0, 2 * np.pi, 60), 10 ** rng.uniform(-10, -1, 60), strict=True):
+        found.append((float(start), float(start + size)))
+    for start, size in zip(rng.uniform(-7, 7, 150), rng.uniform(0, 3.14159, 150), strict=True):
+        found.append((float(start), float(start + size)))
+    found += [(float(x), float(x) + 1e-10) for x in (0.1, 1.0, 2.0, 3.9999999999, 4.0, 5.5, 6.28)]
+    return tuple(found)
+
+
+def weight_errors(function: Kernel, amplitude: Kernel, name: str) -> list[tuple[float, float, tuple[float, float]]]:
+    """Error in ulp of the amplitude, the amplitude kernel's own at the nearest double of alpha, and the arc."""
+    ends = np.array(arcs())
+    halves = (ends[:, 1] - ends[:, 0]) / 2
+    with np.errstate(all="raise"):
+        values, amplitudes = function(ends[:, 0], ends[:, 1]), amplitude(halves)
+    found = []
+    for value, own, half, arc in zip(values, amplitudes, halves, arcs(), strict=True):
+        reference, size = oracle.whole(name, *arc)
+        of_amplitude = oracle.ulps(float(own), oracle.kernel(oracle.WHOLE[name], float(half)))
+        found.append((oracle.ulps(float(value), reference, size), of_amplitude, arc))
+    return sorted(found, reverse=True)
+
+
+def check_weight(function: Kernel, amplitude: Kernel, name: str) -> None:
+    """The amplitude kernel's error plus 2 ulp of the amplitude, for every arc; no warning."""
+    for error, of_amplitude, arc in weight_errors(function, amplitude, name):
+        assert error <= BOUND + 2, f"{name}{arc} is wrong by {error:.3g} ulp of the amplitude"
+        assert error <= of_amplitude + 2, f"{name}{arc}: {error:.2f} ulp, the amplitude kernel {of_amplitude:.2f}"
+
+
+# --- the oracle itself ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
+@pytest.mark.parametrize("theta_1", [3.25, 5.0])
+def test_the_oracle_agrees_with_quadrature_over_the_uncentred_chord(moment: Any, theta_1: float) -> None:
+    """In r and theta, no angle centred, nothing turned, by another program: 35 digits."""
+    theta_2 = theta_1 + 1.5
+    with mpmath.workdps(50):
+        half = (mpmath.mpf(theta_2) - mpmath.mpf(theta_1)) / 2
+        value = quadrature(moment.weight, mpmath.mpf(theta_1), half, 40)
+        if moment.name in oracle.WHOLE:
+            reference = oracle.whole(moment.name, theta_1, theta_2)[0]
+        else:
+            reference = oracle.kernel(moment.name, (theta_2 - theta_1) / 2)
+        assert abs(mpmath.mpf(reference.str(45, radius=False)) / value - 1) < mpmath.mpf(10) ** -35
+
+
+# --- the kernels of alpha ------------------------------------------------------------------------------------------
+
+
+@each_kernel
+def test_accuracy(name: str) -> None:
+    check_accuracy(getattr(kernels, name), name)
+
+
+@each_kernel
+def test_landmarks(name: str) -> None:
+    check_landmarks(getattr(kernels, name), name)
+
+
+@each_kernel
+def test_float32(name: str) -> None:
+    """Within one unit of float32, up to float32's pi/2, which lies above pi/2, and its four doubles more."""
+    top = np.float32(HALF_PI)
+    assert float(top) > HALF_PI
+    alphas = np.unique(np.concatenate([angles()[angles() < 1.57].astype(np.float32), top * np.float32([1, 1 + 2e-7])]))
+    assert getattr(kernels, name)(alphas).dtype == np.float32
+    error, at = errors(getattr(kernels, name), name, alphas, np.float32)[0]
+    assert error <= 1, f"{name}({at!r}) is wrong by {error:.2f} ulp of float32"
+
+
+@pytest.mark.parametrize("name", list(oracle.BASE))
+def test_monotone_near_the_seam(name: str) -> None:
+    """Moments grow with alpha, also from one side of the seam to the other, over steps that dwarf the rounding."""
+    kernel = getattr(kernels, name)
+    assert np.all(np.diff(kernel(SEAM + np.linspace(-1e-12, 1e-12, 41))) > 0)
+
+
+# --- the weights of (theta_1, theta_2) -----------------------------------------------------------------------------
+
+
+@each_weight
+def test_weights(name: str) -> None:
+    check_weight(getattr(kernels, name), getattr(kernels, oracle.WHOLE[name]), name)
+
+
+def test_mirrored_arcs_mirror_exactly() -> None:
+    """Reflected in the x axis, theta -> -theta: J_r changes its sign and J_theta does not, to the last bit."""
+    half = np.linspace(0.01, 1.5, 200)
+    for turn in (0.0, 0.25, 1.3):
+        right, left = (turn - half, turn + half), (-turn - half, half - turn)
+        np.testing.assert_array_equal(kernels.radial_weight(*right), -kernels.radial_weight(*left))
+        np.testing.assert_array_equal(kernels.weight_moment(*right), kernels.weight_moment(*left))
+    assert np.all(kernels.radial_weight(-half, half) == 0)
