@@ -36,7 +36,7 @@ def derive_all() -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive import dynamics, functions, integrate, measure, stable, write
+    from derive import dynamics, effects, functions, integrate, measure, phase, stable, write
     from derive.appendices import APPENDICES, simplify
     from derive.quantities import MOMENTS
 
@@ -56,6 +56,8 @@ def derive_all() -> dict[str, str]:
         timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
+    timed("friction laws", "solve", "{0} claims proved", lambda: len(effects.prove_laws()))
+    timed("phase plane", "solve", "{0} claims proved", lambda: len(phase.prove_energies()))
     texts = timed("generated", "emit", "", write.files, derivations)
     return texts
 

@@ -1,7 +1,7 @@
-"""What a scene may ask for, declared once as data: friction laws, and effects as terms of the equation of motion.
+"""What a scene may ask for, declared once as data: friction laws, and effects as terms of the balance of momentum.
 
-A new effect is one more `Effect` here. Its runtime half (names, units, bounds, help, and which generated functions
-serve which combination) is written to `generated/effects.py`, and scenes, plans and help texts read that.
+A new effect is one more `Effect` here. From it follow the specialised functions (`specialised`), the runtime half
+(names, units, bounds, help, conversions) in `generated/effects.py`, and with that scenes, plans, schema and help.
 """
 
 from dataclasses import dataclass
@@ -10,31 +10,47 @@ from itertools import combinations
 import sympy as sp
 
 from derive.integrate import prove_zero
+from derive.stable import Expm1
 
-# The equation of motion: Theta* d(omega*)/dt* = J_theta - lambda mu (J_r/lambda + stress), design of (3.11).
-THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA = sp.symbols("Theta J_r J_theta lambda A mu omega", real=True)
-MU_EQ, RADIAL_PER_INERTIA, POLAR_PER_INERTIA, STATIC = sp.symbols(
-    "limit_friction radial_weight_per_inertia polar_moment_per_inertia static", real=True
-)
+# The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
+THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA_2 = sp.symbols("Theta J_r J_theta lambda A mu omega_2", real=True)
+# The same over Theta*, as the functions take it: fall = J_theta/Theta*, press = J_r/Theta*, level = lambda/Theta*,
+# polar = I_p*/Theta*; fall_slope and press_slope are their derivatives by psi.
+FALL, PRESS, LEVEL, POLAR = sp.symbols("fall press level polar", real=True)
+FALL_SLOPE, PRESS_SLOPE = sp.symbols("fall_slope press_slope", real=True)
+STATIC_LIMIT = sp.Symbol("static_limit", real=True)  # fall/press, in one number: J_theta/J_r (3.21)
+_PSI = sp.Symbol("psi", real=True)
+# What parameters are converted with: half angle, gravity, Theta*, the reference stress (2.13).
+ALPHA, GRAVITY, REFERENCE, VALUE = sp.symbols("half_angle gravity reference_stress value", real=True)
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number that an effect or a law needs. Bounds are open where ``lower`` or ``upper`` is infinite."""
+    """A number that an effect or a law needs: in SI units, with its open bounds, and as a scene file writes it.
+
+    ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` is what stands
+    for it in the balance, and ``dimensionless`` how it is made of the value. An ``optional`` one may be left out.
+    """
 
     name: str
     unit: str
     lower: float
     upper: float
     help: str
+    key: str
+    per_unit: float = 1.0
+    symbol: sp.Symbol | None = None
+    dimensionless: sp.Expr = VALUE
+    optional: bool = False
 
 
 @dataclass(frozen=True)
 class Effect:
     """A term that a scene may call for.
 
-    ``stress`` is what it adds to the mean normal stress, over sigma_ref; ``moment`` what it adds to the right-hand
-    side beyond friction. ``depends_on`` decides which methods can solve it.
+    ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
+    ``resistance`` is a moment that opposes the motion. ``turns`` lets the geometry move with the mass.
+    ``depends_on`` decides which methods can solve it.
     """
 
     name: str
@@ -43,59 +59,180 @@ class Effect:
     depends_on: tuple[str, ...]
     help: str
     stress: sp.Expr = sp.Integer(0)
-    moment: sp.Expr = sp.Integer(0)
+    pressure: sp.Expr = sp.Integer(0)
+    resistance: sp.Expr = sp.Integer(0)
+    turns: bool = False
 
 
 @dataclass(frozen=True)
 class Law:
-    """A friction law: the friction coefficient as a function of what it depends on."""
+    """A friction law: the friction coefficient as a function of the accumulated slip.
+
+    ``coefficient`` is in `SLIP` and the parameters' names; ``drop`` is its fall from `SLIP` to `SLIP` + `MORE`,
+    without cancellation, proved equal to it. ``scale`` names the length over which it changes, ``kinks`` the slips
+    at which it is not smooth. A law without formula (a table) is computed by the runtime.
+    """
 
     name: str
     equation: str
     parameters: tuple[Parameter, ...]
     depends_on: tuple[str, ...]
     help: str
+    coefficient: sp.Expr | None = None
+    drop: sp.Expr | None = None
+    scale: str = ""
+    kinks: tuple[str, ...] = ()
 
+
+_INFINITY = float("inf")
+_BELOW_0 = -5e-324  # bounds are open, and zero is allowed
+
+
+def _friction(name: str, help: str) -> Parameter:
+    return Parameter(name, "", _BELOW_0, _INFINITY, help, f"{name}_deg")
+
+
+_LENGTH = Parameter("length", "m", 0.0, _INFINITY, "slip over which friction falls", "length_m")
+_PEAK, _RESIDUAL = _friction("peak", "friction coefficient at the start"), _friction("residual", "after much slip")
+
+SLIP, MORE, _P, _R, _L = sp.symbols("slip more peak residual length", real=True)
+_EXP, _HYPERBOLA = sp.exp(-SLIP / _L), 1 / (1 + SLIP / _L)
 
 LAWS = (
-    Law("constant", "1.14", (Parameter("coefficient", "", 0.0, float("inf"), "friction coefficient, tan(phi)"),), (),
+    Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)"),), (),
         "friction does not change"),
+    Law("exponential", "4.1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
+        "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * _EXP,
+        (_P - _R) * _EXP * -Expm1(-MORE / _L), "length"),
+    Law("linear", "4.1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
+        "falls from peak to residual over the length, then stays", _P + (_R - _P) * sp.Min(SLIP / _L, 1),
+        (_P - _R) * (sp.Min((SLIP + MORE) / _L, 1) - sp.Min(SLIP / _L, 1)), "length", ("length",)),
+    Law("hyperbolic", "4.1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
+        "residual + (peak - residual)/(1 + slip/length)", _R + (_P - _R) * _HYPERBOLA,
+        (_P - _R) * _HYPERBOLA * (MORE / _L) / (1 + (SLIP + MORE) / _L), "length"),
+    Law("tabulated", "4.1", (
+        Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m"),
+        Parameter("coefficient", "", _BELOW_0, _INFINITY, "friction coefficients at these slips", "coefficient_deg")),
+        ("slip",), "monotone cubic interpolation in a table, its last value beyond"),
 )  # fmt: skip
 
+
+def prove_laws() -> list[str]:
+    """Prove each law's drop equal to the difference that it stands for; the claims proved."""
+    claims = []
+    for law in LAWS:
+        if law.coefficient is not None and law.drop is not None:
+            claim = f"{law.name}: drop = mu(slip) - mu(slip + more)"
+            fall = law.coefficient - law.coefficient.subs(SLIP, SLIP + MORE)
+            prove_zero(sp.expand_power_exp(sp.expand((fall - law.drop).rewrite(sp.exp))), claim)
+            claims.append(claim)
+    return claims
+
+_COHESION, _RATIO, _PRESSURE, _DRAG = sp.symbols("cohesion pore_ratio pore_pressure drag", real=True)
+
 EFFECTS = (
-    Effect("centripetal", "2.20", (), ("speed",),
-           "the mass presses harder on the slip surface the faster it turns", stress=A * OMEGA**2),
+    Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
+           turns=True),
+    Effect("centripetal", "2.20", (), ("speed",), "the mass presses harder on the slip surface the faster it turns",
+           stress=A * OMEGA_2),
+    Effect("pore_pressure", "2.20", (
+        Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position",
+                  "ratio", symbol=_RATIO, optional=True),
+        Parameter("pressure", "Pa", _BELOW_0, _INFINITY, "constant mean pore pressure on the slip surface",
+                  "pressure_kPa", 1e3, _PRESSURE, VALUE / REFERENCE, optional=True)), (),
+           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE),
+    Effect("cohesion", "3.11", (
+        Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
+                  _COHESION, VALUE / REFERENCE),), (),
+           "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
+    Effect("drag", "3.11", (
+        Parameter("xi", "m/s^2", 0.0, _INFINITY, "turbulence coefficient of Voellmy", "xi_m_s2", 1.0,
+                  _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed",),
+           "turbulent resistance, which grows with the square of the speed", resistance=THETA * _DRAG * OMEGA_2),
 )  # fmt: skip
 
 
 @dataclass(frozen=True)
-class Specialised:
-    """The equation of motion with some effects and without the others: a - b omega**2, and the mean stress."""
+class Variant:
+    """A function of the balance, with the terms of the effects that it needs and no others."""
 
+    what: str
     effects: tuple[str, ...]
-    prefix: str  # of its generated functions
-    drive: sp.Expr
-    brake: sp.Expr
-    stress: sp.Expr
+    expression: sp.Expr
+
+    @property
+    def name(self) -> str:
+        """Of the generated function."""
+        return "_".join((self.what, *self.effects))
 
 
-def specialise() -> list[Specialised]:
-    """Every combination of effects for frozen geometry and constant friction.
+ORDER = ("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega_2", "pore_ratio", "pore_pressure",
+         "cohesion", "drag")  # of arguments  # fmt: skip
 
-    The drive is written with the limit friction, J_r (mu_eq - mu)/Theta*, so that the decision whether the mass
-    moves and the size of its drive come from one number.
+
+def terms(chosen: tuple[Effect, ...]) -> dict[str, sp.Expr]:
+    """The balance with the chosen effects, split into what the methods need; all over Theta*.
+
+    The drive is written with the limit friction, normal (mu_eq - mu), so that the decision whether the mass moves and
+    the size of its drive come from one number.
     """
-    found = []
+    stress = J_R / LAMBDA + sum(e.stress for e in chosen)
+    effective = stress - sum(e.pressure for e in chosen)
+    rate = (J_THETA - sum(e.resistance for e in chosen) - LAMBDA * MU * effective) / THETA
+    over_theta = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, A: POLAR / LEVEL}
+    rate, effective, stress = (sp.expand(sp.expand(e.subs(over_theta))) for e in (rate, effective, stress))
+    start, brake = rate.coeff(OMEGA_2, 0), -rate.coeff(OMEGA_2, 1)
+    prove_zero(rate - (start - brake * OMEGA_2), "the rate is linear in omega**2")
+    normal = sp.collect(sp.expand(LEVEL * effective.coeff(OMEGA_2, 0)), PRESS)
+    limit = start.coeff(MU, 0) / normal
+    drive = normal * (limit - MU)  # the limit friction is one number, and the drive is made of it
+    prove_zero(drive - start, "the drive, written with the limit friction")
+    share = normal.coeff(PRESS)  # of the static normal stress that the water leaves
+    tilt = FALL_SLOPE - MU * PRESS_SLOPE * share
+    by_psi = {FALL: FALL_SLOPE * _PSI, PRESS: PRESS_SLOPE * _PSI}
+    prove_zero(sp.diff(start.subs(by_psi), _PSI) - tilt, "the drive's derivative by psi")
+    constant = sp.factor(-start.subs({FALL: 0, PRESS: 0}))
+    dynamic = sp.expand(effective * LEVEL - normal)
+    prove_zero(dynamic - sp.expand(stress * LEVEL - PRESS), "water changes the static stress only")
+    constant_resistance = sp.expand(-start.subs({FALL: 0, PRESS: 0, MU: 0}))
+    growing = sp.expand(brake.subs(MU, 0) * OMEGA_2)
+    prove_zero(constant_resistance + MU * (normal + dynamic) + growing - (FALL - rate), "the resistance")
+    return {
+        "normal": normal,
+        "limit_friction": (STATIC_LIMIT * PRESS + start.coeff(MU, 0).subs(FALL, 0)) / normal,
+        "drive": normal * (sp.Symbol("limit_friction", real=True) - MU),
+        "brake": brake,
+        "tilt": tilt,
+        "constant": constant,
+        "resistance": constant_resistance + MU * (normal + dynamic) + growing,
+        "effective_stress": (normal + dynamic) / LEVEL,
+        "normal_stress": (PRESS + dynamic) / LEVEL,
+    }
+
+
+def specialised() -> tuple[dict[str, Variant], dict[tuple[str, ...], dict[str, str]]]:
+    """The distinct functions by name, and for each combination of effects the name of each of its functions.
+
+    A function is named after the effects whose terms are left in it, so combinations share what they have in common.
+    """
+    variants: dict[str, Variant] = {}
+    table: dict[tuple[str, ...], dict[str, str]] = {}
+    symbols = {e.name: _symbols(e) for e in EFFECTS}
     for count in range(len(EFFECTS) + 1):
         for chosen in combinations(EFFECTS, count):
-            stress = J_R / LAMBDA + sum(e.stress for e in chosen)
-            rate = sp.expand((J_THETA - LAMBDA * MU * stress + sum(e.moment for e in chosen)) / THETA)
-            drive, brake = rate.coeff(OMEGA, 0), -rate.coeff(OMEGA, 2)
-            prove_zero(rate - (drive - brake * OMEGA**2), "the rate is quadratic in omega")
-            of_ratios = RADIAL_PER_INERTIA * (MU_EQ - MU)
-            prove_zero(of_ratios.subs({RADIAL_PER_INERTIA: J_R / THETA, MU_EQ: J_THETA / J_R}) - drive, "the drive")
-            brake = brake.subs(LAMBDA, POLAR_PER_INERTIA * THETA / A)  # lambda A = I_p* (2.24)
-            names = tuple(e.name for e in chosen)
-            dynamic = sp.expand(stress - J_R / LAMBDA)
-            found.append(Specialised(names, "_".join(("frozen", *names)), of_ratios, brake, STATIC + dynamic))
-    return found
+            served = {}
+            for what, expression in terms(chosen).items():
+                if expression == 0 or (what == "tilt" and not any(e.turns for e in chosen)):
+                    continue
+                present = tuple(e.name for e in chosen if symbols[e.name] & expression.free_symbols)
+                variant = Variant(what, present, expression)
+                variants.setdefault(variant.name, variant)
+                served[what] = variant.name
+            table[tuple(e.name for e in chosen)] = served
+    return variants, table
+
+
+def _symbols(effect: Effect) -> set[sp.Symbol]:
+    """What shows that an effect's term is present: its parameters, or omega**2's coefficient where it has none."""
+    own = {p.symbol for p in effect.parameters if p.symbol is not None}
+    return own or ((effect.stress + effect.resistance).free_symbols and {POLAR})

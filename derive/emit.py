@@ -148,3 +148,15 @@ def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
             f'    with np.errstate(all="ignore"):\n        return _{p.name}({names})\n'
         )
     return text
+
+
+def plain_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
+    """A module of functions for callers that know the domain: arrays or floats in, no checks."""
+    programs = sorted(programs, key=lambda p: p[0].name)
+    names = ",\n    ".join(f'"{p.name}"' for p, _ in programs)
+    text = f'"""{docstring}"""\n\nfrom typing import Any\n\nimport numpy as np\n\n__all__ = [\n    {names},\n]\n'
+    for p, words in programs:
+        code = body(p).replace("Array", "Any").replace(f"def _{p.name}", f"def {p.name}", 1)
+        head, rest = code.split("\n", 1)
+        text += f'\n\n{head}\n    """{words.capitalize()}. Operations: {operations(p.operations()) or "none"}."""\n{rest}'
+    return text

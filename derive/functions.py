@@ -1,12 +1,15 @@
 """What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
 
+from collections import Counter
+
 import sympy as sp
 
 from derive import dynamics
 from derive.appendices import APPENDICES, parse
-from derive.effects import EFFECTS, LAWS, Effect, Law, Specialised, specialise
+from derive.effects import EFFECTS, LAWS, ORDER, VALUE, Effect, Law, Parameter, specialised
 from derive.emit import Function
 from derive.integrate import Derivation
+from derive.phase import CONSTANT, ENERGIES, WATER
 from derive.program import Program, operations, program
 from derive.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
@@ -113,13 +116,6 @@ _WORDS = {
     "b": ("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
     "omega_0": ("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
     "t": ("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
-    "limit_friction": ("Limit friction, J_theta/J_r (3.21).", "np.isfinite(limit_friction)", 0.5),
-    "mu": ("Friction coefficient.", "(mu >= 0.0) & np.isfinite(mu)", 0.5),
-    "radial_weight_per_inertia": ("J_r/Theta*.", "np.isfinite(radial_weight_per_inertia)", 1.0),
-    "polar_moment_per_inertia": ("I_p*/Theta*.", "np.isfinite(polar_moment_per_inertia)", 1.0),
-    "static": ("Mean normal stress at rest over sigma_ref, J_r/lambda (2.22).", "np.isfinite(static)", 1.0),
-    "A": ("Dynamic coefficient (2.24).", "np.isfinite(A)", 1.0),
-    "omega": ("Angular velocity over sqrt(g/R).", "np.isfinite(omega)", 0.0),
 }
 _BRAKED = {"a": "(a < 0.0) & np.isfinite(a)", "b": "(b >= 0.0) & np.isfinite(b)",
            "omega_0": "(omega_0 >= 0.0) & np.isfinite(omega_0)"}  # fmt: skip
@@ -127,7 +123,7 @@ _MOTION_ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no
 
 
 def motion() -> list[Function]:
-    """The motion formulas, and the coefficients of the equation of motion for each combination of effects."""
+    """The motion formulas of frozen geometry."""
     found = []
     for form in dynamics.FORMS:
         names = tuple(x.name for x in form.inputs)
@@ -137,17 +133,6 @@ def motion() -> list[Function]:
         domain = "a < 0, b >= 0, omega_0 >= 0" if braked else "t >= 0, until the solution runs to infinity"
         found.append(_plain(program(form.name, names, form.result, let=form.let), form.summary, FORMULAS[form.name],
                             form.equation, domain, inside, safe, _MOTION_ACCURACY))  # fmt: skip
-    for s in specialise():
-        for what, expression, equation in (("drive", s.drive, "3.17"), ("brake", s.brake, "3.18"),
-                                           ("mean_normal_stress", s.stress, "2.20")):  # fmt: skip
-            if expression != 0:
-                names = tuple(sorted((x.name for x in expression.free_symbols), key=list(_WORDS).index))
-                words = {"drive": "Drive a of the equation of motion", "brake": "Brake b of the equation of motion",
-                         "mean_normal_stress": "Mean normal stress over sigma_ref"}[what]  # fmt: skip
-                found.append(_plain(program(f"{s.prefix}_{what}", names, expression),
-                                    f"{words}, effects: {', '.join(s.effects) or 'none'}.", str(expression), equation,
-                                    "finite arguments", [_WORDS[n][1] for n in names],
-                                    tuple(_WORDS[n][2] for n in names), _MOTION_ACCURACY))  # fmt: skip
     return found
 
 
@@ -196,42 +181,88 @@ def printed() -> list[tuple[Program, str]]:
     ]  # fmt: skip
 
 
+def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str, str]]]:
+    """The specialised functions with their formulas, and for each combination of effects which it needs."""
+    variants, table = specialised()
+    found = [_specialised(v.name, v.expression, v.what, ORDER) for v in variants.values()]
+    for law in LAWS:
+        if law.coefficient is not None:
+            order = ("slip", "more", *(p.name for p in law.parameters))
+            found.append(_specialised(f"friction_{law.name}", law.coefficient, f"friction: {law.help}", order))
+            found.append(_specialised(f"drop_{law.name}", law.drop, "its fall over `more` slip, from `slip`", order))
+    known = {v.name for v in variants.values()}
+    for chosen, served in table.items():
+        if "rotation" not in chosen:
+            continue
+        absent = {} if "constant" in served else {CONSTANT: 0}
+        absent |= {} if "pore_pressure" in chosen else {WATER: 0}
+        for energy in ENERGIES:
+            if energy.braked != ("brake" in served):
+                continue
+            gone = [n for n, x in (("constant", CONSTANT), ("water", WATER)) if x in absent or x not in energy.form.free_symbols]
+            name = "_".join((energy.name, *(n for n in ("constant", "water") if n not in gone)))
+            served["energy_softening" if "softening" in energy.name else "energy"] = name
+            if name not in known:
+                known.add(name)
+                found.append(_specialised(name, energy.form.subs(absent), energy.help, ENERGY_ORDER))
+    return found, table
+
+
+ENERGY_ORDER = ("x", "start", "drive", "tilt", "constant", "brake", "drop", "decay", "press", "press_rise", "water")
+
+
+def _specialised(name: str, expression: sp.Expr, words: str, order: tuple[str, ...]) -> tuple[Program, str]:
+    known = (*order, "limit_friction")
+    names = tuple(sorted((x.name for x in expression.free_symbols), key=known.index))
+    return program(name, names, expression), words
+
+
 def effects_module() -> str:
     """The runtime half of the effects: plain data, and which functions serve which combination."""
-    by_name = {f.program.name: f.program for f in motion()}
+    programs, table = balance()
+    by_name = {p.name: p for p, _ in programs}
+    arguments = [f"    {n!r}: {p.inputs!r}," for n, p in sorted(by_name.items())]
     return _EFFECTS_HEAD + "\n".join([
         "LAWS = {", *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS), "}", "",
         "EFFECTS = {", *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS), "}", "",
-        "# Functions of each combination of effects, and what one evaluation of all of them takes.",
-        "SPECIALISED = {", *(f"    {s.effects!r}: {_specialised(s, by_name)}," for s in specialise()), "}", "",
+        "# Arguments of the functions in `generated.balance`.",
+        "ARGUMENTS: dict[str, tuple[str, ...]] = {", *arguments, "}", "",
+        "# Functions of each combination of effects, and the operations of one evaluation of all of them.",
+        "COMBINATIONS = {", *(f"    {c!r}: {_combination(f, by_name)}," for c, f in table.items()), "}", "",
     ])  # fmt: skip
 
 
+def _combination(served: dict[str, str], programs: dict[str, Program]) -> str:
+    counted = [programs[n] for what, n in served.items() if what != "energy_softening"]
+    total: Counter[str] = sum((p.operations() for p in counted), start=Counter())
+    return f"Combination({served!r}, {sum(total.values())}, {operations(total)!r})"
+
+
 def _effect(e: Effect | Law, kind: str) -> str:
-    parameters = "".join(
-        f"Parameter({p.name!r}, {p.unit!r}, {_bound(p.lower)}, {_bound(p.upper)}, {p.help!r}), " for p in e.parameters
-    )
-    return f"{kind}({e.name!r}, {e.equation!r}, ({parameters.rstrip()}), {e.depends_on!r}, {e.help!r})"
+    parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
+    parameters += "\n    " if parameters else ""
+    more = repr(e.turns) if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
+    return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
+
+
+def _parameter(p: Parameter) -> str:
+    """A parameter as data; its conversion to a dimensionless value is a lambda over the arc's scales."""
+    symbol = p.symbol.name if p.symbol is not None else ""
+    convert = sp.pycode(p.dimensionless)
+    for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
+        convert = convert.replace(name, f"scales[{name!r}]")
+    values = (p.name, p.unit, _bound(p.lower), _bound(p.upper), p.help, p.key, p.per_unit, symbol)
+    words = ", ".join(v if n in (2, 3) else repr(v) for n, v in enumerate(values))
+    return f"Parameter({words}, lambda value, scales: {convert}, {p.optional!r})"
 
 
 def _bound(value: float) -> str:
     return {float("inf"): "INFINITY", float("-inf"): "-INFINITY"}.get(value, repr(value))
 
 
-def _specialised(s: Specialised, programs: dict[str, Program]) -> str:
-    own = sorted(n for n in programs if n.startswith(s.prefix + "_") and _prefix(n) == s.prefix)
-    total = sum((programs[n].operations() for n in own), start=type(programs[own[0]].operations())())
-    names = ", ".join(map(repr, own))
-    return f"Specialised(\n        {s.prefix!r},\n        ({names}),\n        {operations(total)!r},\n    )"
-
-
-def _prefix(name: str) -> str:
-    """The longest prefix of a combination that the name starts with."""
-    return max((s.prefix for s in specialise() if name.startswith(s.prefix + "_")), key=len)
-
-
 _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 INFINITY = float("inf")
@@ -239,43 +270,51 @@ INFINITY = float("inf")
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A number that an effect or a law needs, with its unit and bounds."""
+    """A number that an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
 
     name: str
     unit: str
     lower: float
     upper: float
     help: str
+    key: str
+    per_unit: float
+    symbol: str
+    dimensionless: Callable[[float, Mapping[str, float]], float]
+    optional: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Law:
-    """A friction law: its equation, parameters, what it depends on, and a sentence of help."""
+    """A friction law: equation, parameters, what it depends on, help; its length scale, and the slips of its kinks."""
 
     name: str
     equation: str
     parameters: tuple[Parameter, ...]
     depends_on: tuple[str, ...]
     help: str
+    scale: str
+    kinks: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: its equation, parameters, what it depends on, and a sentence of help."""
+    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns."""
 
     name: str
     equation: str
     parameters: tuple[Parameter, ...]
     depends_on: tuple[str, ...]
     help: str
+    turns: bool
 
 
 @dataclass(frozen=True, slots=True)
-class Specialised:
-    """A combination of effects: the prefix of its functions in `generated.motion`, their names and operations."""
+class Combination:
+    """Functions in `generated.balance` of a combination of effects, by what they give, and their operations."""
 
-    prefix: str
-    functions: tuple[str, ...]
+    functions: Mapping[str, str]
+    count: int
     operations: str
 
 

@@ -144,6 +144,25 @@ class Log1p(sp.Function):
         return sp.log(1 + args[0])
 
 
+class Expm1(sp.Function):
+    """exp(x) - 1; NumPy and C have it under this name."""
+
+    nargs = 1
+    call = "expm1"
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return sp.exp(self.args[0])
+
+    def _eval_rewrite(self, rule: object, args: tuple[sp.Expr], **hints: object) -> sp.Expr:
+        return sp.exp(args[0]) - 1
+
+
+def exp_series(first: int) -> list[sp.Rational]:
+    """Taylor coefficients of (exp(-x) without its terms below x**first)/x**first, to 2**-56 of the first at x = 1."""
+    terms = [(-1) ** k / sp.factorial(k) for k in range(first, 40)]
+    return [c for c in terms if abs(c) > abs(terms[0]) * sp.Rational(1, 2**57)]
+
+
 class HalfTan(Stable):
     """tan(x/2) for 0 <= x <= pi/2, as sin x/(1 + cos x)."""
 

@@ -16,7 +16,8 @@ FOLDER = ROOT / "generated"
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 MEND = "python -m derive"
 KERNELS = "Moments, weights and quotients of the arc, from their definitions."
-MOTION = "The frozen slide: coefficients, angular velocity, rotation, acceleration, arrest."
+MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
+BALANCE = "The balance of momentum and the energy in the phase plane, specialised to the effects that are present."
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
@@ -25,6 +26,7 @@ def files(derivations: list[Derivation]) -> dict[str, str]:
     kernels, motion = functions.kernels(derivations), functions.motion()
     texts = {
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
+        "balance.py": emit.plain_module(BALANCE, functions.balance()[0]),
         "effects.py": functions.effects_module(),
         "kernels.py": emit.module(KERNELS, kernels),
         "motion.py": emit.module(MOTION, motion),

@@ -1,6 +1,6 @@
-"""The motion of a scene: solved in phases of one direction each, in closed form, and read off at any time."""
+"""The motion of a scene: phases of one direction each, solved by the planned method, and read off at any time."""
 
-from collections.abc import Callable
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -8,11 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from generated import motion as formulas
-from slipcircle.plan import Plan, plan
+from slipcircle.arc import QUANTITIES
+from slipcircle.balance import Balance, bind
+from slipcircle.checks import INFINITY, mistakes, raise_all
+from slipcircle.friction import Friction, friction
+from slipcircle.frozen import Frozen
+from slipcircle.phaseplane import Course, Start, root
+from slipcircle.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.scene import Scene
 
 Floats = NDArray[np.float64]
+_MOST_PHASES = 10_000
 
 
 @dataclass(frozen=True)
@@ -22,7 +28,7 @@ class State:
     Attributes
     ----------
     time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
-        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc).
+        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, water included).
     """
 
     time: Any
@@ -36,39 +42,34 @@ class State:
 
 @dataclass(frozen=True)
 class Energy:
-    """The energy balance from the start to the end, J.
+    """The energy balance from the start to one time or several, J.
 
     Attributes
     ----------
     kinetic_start, kinetic_end, work, dissipation
-        Kinetic energies, work of gravity, and what friction took, by its own quadrature.
+        Kinetic energies, work of gravity, and what all resistance took, by a quadrature of its own.
     """
 
-    kinetic_start: float
-    kinetic_end: float
-    work: float
-    dissipation: float
+    kinetic_start: Any
+    kinetic_end: Any
+    work: Any
+    dissipation: Any
 
     @property
-    def residual(self) -> float:
+    def residual(self) -> Any:
         """Work of gravity - change of kinetic energy - dissipation."""
         return self.work - (self.kinetic_end - self.kinetic_start) - self.dissipation
 
 
 @dataclass(frozen=True)
 class Phase:
-    """A stretch of motion in one direction, dimensionless: d(omega)/dt = a - b omega**2 from omega_0 at its start."""
+    """A stretch of motion in one direction: where it begins and ends, dimensionless, and what solves it."""
 
     start: float
+    end: float
     rotation: float
     direction: int
-    omega_0: float
-    coefficients: tuple[float, ...]  # (a, b), or (a,) without centripetal stress
-
-    @property
-    def brakes(self) -> bool:
-        """Whether it comes to a standstill."""
-        return self.coefficients[0] < 0.0
+    solved: Course | Frozen
 
 
 class Motion:
@@ -88,28 +89,56 @@ class Motion:
         Displacement along the arc at the end, m.
     peak, end : State
         At the greatest speed, and at the end.
-    energy : Energy
-        Balance from the start to the end.
+    limit_friction : float
+        Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
+    factor_of_safety : float
+        Limit of resistance over drive at the start; infinite without a drive.
+    lift_off : tuple of float
+        Times at which water carries the mass, so that nothing presses on the slip surface, s.
+    error_estimate : float
+        Estimated relative error of peak velocity, run-out and duration.
+    warnings : tuple of str
+        What a user should know; empty where all is well.
     """
 
-    def __init__(self, plan: Plan, phases: tuple[Phase, ...], end_time: float, arrested: bool) -> None:
-        self.plan = plan
-        self.phases = phases
-        self.moves = bool(phases) and end_time > 0.0
-        self.arrested = arrested
-        self.duration = end_time
-        self.end = self.at(end_time)
+    def __init__(self, plan: Plan, balance: Balance, phases: list[Phase], duration: float, arrested: bool) -> None:
+        self.plan, self.balance, self.phases = plan, balance, phases
+        self.moves = bool(phases) and duration > 0.0
+        self.arrested, self.duration = arrested, duration
+        self.end = self.at(duration)
         self.run_out = float(self.end.displacement)
-        # Within a phase the speed is monotone, so its peak is at a phase's start or at the end.
-        starts = [p.start * float(self._arc.time_scale) for p in phases]
-        self.peak = max((self.at(t) for t in [*starts, end_time]), key=lambda s: abs(float(s.velocity)))
+        self.peak = max((self.at(t) for t in self._peak_times()), key=lambda s: abs(float(s.velocity)))
+        side = int(np.sign(balance.fall)) or 1
+        at = balance.position(0.0, side)
+        self.limit_friction = float(balance.get("limit_friction", **at))
+        mu = float(friction(plan.scene.friction).coefficient(0.0))
+        resistance = float(balance.get("resistance", **at, mu=mu, omega_2=0.0))
+        self.factor_of_safety = resistance / at["fall"] if at["fall"] != 0.0 else math.inf
+        scale = float(self._arc.time_scale)
+        self.lift_off = tuple(p.start * scale for p in phases if p.solved.start.lifted)
+        self.error_estimate = max((p.solved.uncertainty for p in phases), default=0.0) * max(1, len(phases))
+        self.warnings = tuple(self._warnings())
+
+    def _warnings(self) -> list[str]:
+        found = [f"nothing presses on the slip surface from {t:.6g} s (lift-off)" for t in self.lift_off]
+        if self.error_estimate > self.plan.accuracy:
+            found.append(
+                f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
+                f"{self.plan.accuracy:.1e}; the friction is next to its limit"
+            )
+        return found
 
     @property
     def _arc(self) -> Any:
         return self.plan.scene.arc
 
-    def _formula(self, name: str) -> Callable[..., Any]:
-        return getattr(formulas, f"{self.plan.prefix}_{name}")
+    def _peak_times(self) -> list[float]:
+        """Candidates for the greatest speed: starts and peaks of the phases, and the end."""
+        scale, found = float(self._arc.time_scale), [self.duration]
+        for p in self.phases:
+            at = p.start + p.solved.peak_time()
+            found += [p.start * scale, *([at * scale] if at < p.end else [])]
+        return [min(t, self.duration) for t in found]
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.
@@ -124,77 +153,71 @@ class Motion:
         ValueError
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
-        time = np.asarray(times, dtype=np.float64)
-        latest = np.inf if self.arrested else self.duration
-        bad = ~(np.isfinite(time) & (time >= 0.0) & (time <= latest))
-        if np.any(bad):
-            raise ValueError(
-                f"times: {time[bad].flat[0]:.10g} s must lie between 0 and {latest:.10g} s"
-                + ("" if self.arrested else ", the scene's end_time")
-            )
-        scale = float(self._arc.time_scale)
-        t = time / scale
-        rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
-        ends = [p.start for p in self.phases[1:]] + [self.duration / scale if self.arrested else np.inf]
-        for phase, end in zip(self.phases, ends, strict=True):
-            local = np.clip(t, phase.start, end) - phase.start
-            phi = phase.rotation + phase.direction * self._turned(phase, local)
-            rotation = np.where(t >= phase.start, phi, rotation)
-            inside = (t >= phase.start) & (t < end)
-            for name, values in (("angular_velocity", omega), ("angular_acceleration", rate)):
-                found = self._formula(name)(*phase.coefficients, phase.omega_0, local)
-                np.copyto(values, phase.direction * found, where=inside)
-        return self._state(time, rotation, omega, rate)
-
-    def _turned(self, phase: Phase, local: Floats) -> Any:
-        return self._formula("rotation")(*phase.coefficients, phase.omega_0, local)
-
-    def _state(self, time: Floats, rotation: Floats, omega: Floats, rate: Floats) -> State:
-        arc, d = self._arc, self._arc.dimensionless
-        scale, radius = float(arc.time_scale), float(arc.radius)
-        speed = omega / scale
-        dynamic = (d.dynamic_coefficient, omega) if "centripetal" in self.plan.effects else ()
-        stress = self._formula("mean_normal_stress")(d.static_normal_stress, *dynamic) * arc.reference_stress
+        time = self._times(times)
+        scale, radius = float(self._arc.time_scale), float(self._arc.radius)
+        rotation, omega, rate = self._followed(time / scale)
+        position = self.balance.position
+        press = np.vectorize(lambda x: position(x, 1)["press"], otypes=[float])(rotation) if self.phases else None
+        if press is None or not self.balance.turns:
+            press = np.full(time.shape, self.balance.press)
+        stress = self.balance.get("normal_stress", press=press, omega_2=omega**2) * float(self._arc.reference_stress)
         return State(
-            time[()], rotation[()], speed[()], (radius * speed)[()], (radius * rotation)[()],
+            time[()], rotation[()], (omega / scale)[()], (radius * omega / scale)[()], (radius * rotation)[()],
             (radius * rate / scale**2)[()], np.broadcast_to(stress, time.shape)[()],
         )  # fmt: skip
 
+    def _times(self, times: ArrayLike) -> Floats:
+        raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
+        time = np.asarray(times, dtype=np.float64)
+        late = time[time > self.duration]
+        if late.size and not self.arrested:
+            raise ValueError(
+                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {float(self.duration)!r} s, the end of "
+                "this motion, as the mass does not rest there"
+            )
+        return time
+
+    def _lanes(self, t: Floats) -> list[tuple[Phase, NDArray[np.bool_], Floats]]:
+        """For each phase the lanes whose time has reached it, and their times since it began, up to its end."""
+        reached = [(p, t >= p.start) for p in self.phases]
+        return [(p, mask, np.minimum(t[mask], p.end) - p.start) for p, mask in reached if np.any(mask)]
+
+    def _followed(self, t: Floats) -> tuple[Floats, Floats, Floats]:
+        rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
+        with np.errstate(under="ignore"):
+            for phase, mask, local in self._lanes(t):
+                x, speed, change = phase.solved.when(local)
+                rotation[mask] = phase.rotation + phase.direction * x
+                omega[mask], rate[mask] = phase.direction * speed, phase.direction * change
+        if self.arrested:
+            rest = t >= (self.phases[-1].end if self.phases else 0.0)
+            omega[rest], rate[rest] = 0.0, 0.0
+        return rotation, omega, rate
+
+    def energy_at(self, times: ArrayLike) -> Energy:
+        """The energy balance from the start to any times.
+
+        Parameters
+        ----------
+        times : float or array_like
+            s; as for `at`.
+        """
+        t = self._times(times) / float(self._arc.time_scale)
+        work, lost = np.zeros_like(t), np.zeros_like(t)
+        with np.errstate(under="ignore"):
+            for phase, mask, local in self._lanes(t):
+                work[mask] += phase.solved.work(phase.solved.when(local)[0])
+                lost[mask] += phase.solved.dissipated(local)
+        omega = self._followed(t)[1]
+        first = self.phases[0].solved.start.energy if self.phases else 0.0
+        arc, d = self._arc, self._arc.dimensionless
+        unit = float(arc.width) * float(arc.unit_weight) * float(arc.radius) ** 3 * float(d.moment_of_inertia)
+        return Energy(unit * first / 2, (unit * omega**2 / 2)[()], (unit * work)[()], (unit * lost)[()])
+
     @cached_property
     def energy(self) -> Energy:
-        """Energy balance; the dissipation is integrated over time by Gauss-Legendre quadrature, not a difference."""
-        arc, d, mu = self._arc, self._arc.dimensionless, float(np.asarray(self.plan.scene.friction))
-        unit = float(arc.width) * float(arc.unit_weight) * float(arc.radius) ** 3  # J for a moment J* and a rotation 1
-        scale = float(arc.time_scale)
-        nodes, weights = np.polynomial.legendre.leggauss(24)
-        dissipation = 0.0
-        ends = [p.start for p in self.phases[1:]] + [self.duration / scale]
-        for phase, end in zip(self.phases, ends, strict=True):
-            for left, right in _panels(phase, end):
-                t = (left + right) / 2 + (right - left) / 2 * nodes
-                omega = self._formula("angular_velocity")(*phase.coefficients, phase.omega_0, t - phase.start)
-                dynamic = (d.dynamic_coefficient, omega) if "centripetal" in self.plan.effects else ()
-                stress = self._formula("mean_normal_stress")(d.static_normal_stress, *dynamic)
-                power = mu * d.resistance_factor * stress * omega
-                dissipation += float((right - left) / 2 * np.dot(weights, np.broadcast_to(power, t.shape)))
-        inertia = float(d.moment_of_inertia)
-        start = self.at(0.0)
-        return Energy(
-            kinetic_start=unit * inertia * (float(start.angular_velocity) * scale) ** 2 / 2,
-            kinetic_end=unit * inertia * (float(self.end.angular_velocity) * scale) ** 2 / 2,
-            work=unit * float(d.weight_moment) * float(self.end.rotation),
-            dissipation=unit * dissipation,
-        )
-
-
-def _panels(phase: Phase, end: float) -> list[tuple[float, float]]:
-    """Stretches on which the velocity is smooth on the scale of 24 nodes: short ones until it is steady."""
-    a, b = (*phase.coefficients, 0.0)[:2]
-    # Rates at which the velocity changes: sqrt|a b| towards its steady value, b omega_0 from a fast start.
-    rate = np.sqrt(abs(a)) * np.sqrt(b) + b * phase.omega_0
-    steady = min(end - phase.start, 40.0 / rate) if rate > 0.0 else 0.0
-    edges = phase.start + np.unique(np.concatenate([np.linspace(0.0, steady, 41), [end - phase.start]]))
-    return list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
+        """The energy balance from the start to the end."""
+        return self.energy_at(self.duration)
 
 
 def solve(scene: Scene, accuracy: float | None = None) -> Motion:
@@ -205,7 +228,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     scene : Scene
         Its fields must be numbers here, not arrays.
     accuracy : float, optional
-        Relative error asked for; by default the scene's own, or 1e-9. Closed forms are exact to rounding.
+        Relative error asked for; by default the scene's own, or 1e-9.
 
     Returns
     -------
@@ -214,48 +237,125 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     Raises
     ------
     ValueError
-        If the scene never rests and has no end time, or holds arrays.
+        If the scene never rests and has no end time, turns over, holds arrays, or overflows.
 
     Notes
     -----
-    Friction opposes the motion and never drives it. At a standstill the mass stays if |J_theta| <= mu J_r, and turns
-    back if not. Before that, where it moves against gravity, friction and weight brake together.
+    Friction opposes the motion and never drives it. At a standstill the mass stays if the drive is at most the
+    resistance, and turns back if not. A mass that nothing brings to rest (no friction, no cohesion) is followed to
+    its first standstill.
     """
     chosen = plan(scene, accuracy)
-    arc, d = scene.arc, scene.arc.dimensionless
-    numbers = {"friction": scene.friction, "initial_velocity": scene.initial_velocity, "arc": d.limit_friction}
+    numbers = {n: getattr(scene, n) for n in ("initial_velocity", "end_time")}
+    numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
+    numbers |= {} if callable(scene.friction) or isinstance(scene.friction, dict) else {"friction": scene.friction}
     for name, value in numbers.items():
         if np.ndim(value) != 0:
             raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
-    scale = float(arc.time_scale)
-    limit, mu = float(d.limit_friction), float(np.asarray(scene.friction))
-    omega = float(np.asarray(scene.initial_velocity)) / float(np.asarray(arc.radius)) * scale
-    end = np.inf if scene.end_time is None else scene.end_time / scale
-    phases: list[Phase] = []
-    time, rotation, arrested = 0.0, 0.0, False
-    while not arrested and time < end:
-        if omega == 0.0 and abs(limit) <= mu:  # the rest test, by the one number that the drive is made of
-            arrested = True
-            break
-        direction = int(np.sign(omega if omega != 0.0 else limit))
-        a = float(getattr(formulas, f"{chosen.prefix}_drive")(direction * limit, mu, d.radial_weight_per_inertia))
-        centripetal = "centripetal" in chosen.effects
-        b = (float(getattr(formulas, f"{chosen.prefix}_brake")(mu, d.polar_moment_per_inertia)),) if centripetal else ()
-        phase = Phase(time, rotation, direction, abs(omega), (a, *b))
-        phases.append(phase)
-        if not phase.brakes:
-            time = end
-            break
-        stop = float(getattr(formulas, f"{chosen.prefix}_arrest_time")(a, *b, phase.omega_0))
-        if time + stop >= end:
-            time = end
-            break
-        turned = float(getattr(formulas, f"{chosen.prefix}_arrest_rotation")(a, *b, phase.omega_0))
-        time, rotation, omega = time + stop, rotation + direction * turned, 0.0
-    if not np.isfinite(time):
+    try:
+        with np.errstate(over="raise", invalid="raise", under="ignore"):
+            return _solve(chosen)
+    except (FloatingPointError, OverflowError) as error:
         raise ValueError(
-            f"end_time: this slide never rests, so it needs one (friction {mu:.6g}, limit friction {abs(limit):.6g}, "
-            "frozen geometry); give end_time in s"
-        )
+            f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}: the motion overflows; give "
+            "a lower velocity or an earlier end"
+        ) from error
+
+
+def _solve(chosen: Plan) -> Motion:
+    scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
+    scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
+    omega = float(np.asarray(scene.initial_velocity)) / radius * scale
+    end = math.inf if scene.end_time is None else scene.end_time / scale
+    direction = int(np.sign(omega))
+    time = rotation = slip = 0.0
+    energy, phases, arrested = omega**2, [], False
+    while time < end:
+        if energy == 0.0:
+            direction = _way(balance, law, rotation, slip)
+            if direction == 0:
+                arrested = True
+                break
+        lifted = _lifted(balance, rotation, direction, energy)
+        start = Start(rotation, direction, energy, slip, lifted)
+        if chosen.method == CLOSED_IN_TIME:
+            solved: Course | Frozen = Frozen(balance, law, start, end - time)
+        else:
+            solved = Course(balance, law, radius, start, end - time)
+        change = _change(solved, balance)
+        duration = solved.duration if change is None else change[0]
+        stop = time + duration
+        phases.append(Phase(time, min(stop, end), rotation, direction, solved))
+        if stop >= end:
+            break
+        if change is None and not solved.stops:
+            _refuse(scene, solved, stop * scale)
+        x, energy = (solved.end, 0.0) if change is None else change[1:]
+        time, rotation, slip = stop, rotation + direction * x, slip + radius * x
+        if energy == 0.0 and math.isinf(end) and _never_rests(balance, law):
+            return Motion(chosen, balance, phases, time * scale, False)
+        if len(phases) >= _MOST_PHASES:
+            raise ValueError(f"end_time: this mass turns back {_MOST_PHASES} times without resting; give one in s")
+    else:
+        time = end
+    if not arrested:
+        time = end
+    if math.isinf(time):
+        _refuse(scene, phases[-1].solved, math.inf)
     duration = time * scale if arrested or scene.end_time is None else scene.end_time
-    return Motion(chosen, tuple(phases), duration, arrested)
+    return Motion(chosen, balance, phases, duration, arrested)
+
+
+def _refuse(scene: Scene, solved: Course | Frozen, time: float) -> None:
+    if solved.balance.turns:
+        raise ValueError(
+            f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
+            "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
+        )
+    raise ValueError("end_time: this slide never rests, as its geometry is frozen; give one in s, or add rotation")
+
+
+def _way(balance: Balance, law: Friction, rotation: float, slip: float) -> int:
+    """The direction in which a mass at rest moves, 0 if it stays: by the limit friction, of which the drive is made."""
+    for side in (1, -1):
+        at = balance.position(rotation, side)
+        if balance.get("normal", **at) <= 0.0:
+            moving = at["fall"] > balance.get("constant", mu=0.0)
+        else:
+            moving = balance.get("limit_friction", **at) > float(law.coefficient(slip))
+        if moving:
+            return side
+    return 0
+
+
+def _lifted(balance: Balance, rotation: float, direction: int, energy: float) -> bool:
+    at = balance.position(rotation, direction)
+    return bool(balance.get("effective_stress", **at, omega_2=energy) < 0.0)
+
+
+def _never_rests(balance: Balance, law: Friction) -> bool:
+    return law.constant and float(law.coefficient(0.0)) == 0.0 and not balance.values.get("cohesion", 0.0)
+
+
+def _change(solved: Course | Frozen, balance: Balance) -> tuple[float, float, float] | None:
+    """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
+    if balance.names["normal"] == "normal":
+        return None
+    last = min(solved.duration, solved.longest)
+
+    def pressing(t: float) -> float:
+        x, omega, _ = solved.when(np.array([t]))
+        return float(solved.pressing(x, omega**2)[0])
+
+    times = last * np.sin(np.linspace(0.0, np.pi / 2, 65)) ** 2
+    x, omega, _ = solved.when(times)
+    sign = 1.0 if solved.start.lifted else -1.0
+    beyond = np.flatnonzero(sign * solved.pressing(x, omega**2) > 0.0)
+    beyond = beyond[beyond > 0]
+    if not len(beyond):
+        return None
+    low, high = float(times[beyond[0] - 1]), float(times[beyond[0]])
+    at_low, at_high = pressing(low), pressing(high)
+    t = root(pressing, low, high, at_low, at_high) if at_low * at_high < 0.0 else high
+    x, omega, _ = solved.when(np.array([t]))
+    return t, float(x[0]), float(omega[0]) ** 2

@@ -1,11 +1,18 @@
-"""How a scene will be solved. A plan depends on which effects a scene has, never on their values."""
+"""How a scene will be solved. A plan depends on which effects and which law a scene has, never on their values."""
 
 from dataclasses import dataclass
 
-from generated.effects import EFFECTS, SPECIALISED
-from slipcircle.scene import Scene
+from generated.effects import COMBINATIONS, EFFECTS
+from slipcircle.checks import mistakes, raise_all
+from slipcircle.friction import friction
+from slipcircle.scene import ACCURACY, Scene
 
 DEFAULT_ACCURACY = 1e-9
+CLOSED_IN_TIME = "closed form in time"
+CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
+ENERGY_EQUATION = "quadrature of the linear energy equation"
+# Evaluations of the specialised functions that a solution typically takes.
+EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200}
 
 
 @dataclass(frozen=True)
@@ -17,14 +24,16 @@ class Plan:
     scene : Scene
     effects, left_out : tuple of str
         Effects used, and known effects that the scene does not call for.
+    law : str
+        The friction law.
     method : str
         What is done, in words.
-    prefix : str
-        Of the generated functions that serve this combination of effects.
     functions : tuple of str
-        Their names in `generated.motion`.
+        The specialised functions, in `generated.balance` and `generated.motion`.
     operations : str
-        What one evaluation of all of them takes.
+        What one evaluation of the specialised functions takes.
+    cost : int
+        Floating-point operations that a solution typically takes.
     accuracy : float
         Relative error that was asked for.
     """
@@ -32,10 +41,11 @@ class Plan:
     scene: Scene
     effects: tuple[str, ...]
     left_out: tuple[str, ...]
+    law: str
     method: str
-    prefix: str
     functions: tuple[str, ...]
     operations: str
+    cost: int
     accuracy: float
 
 
@@ -54,11 +64,26 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
         If the accuracy is not between 0 and 1.
     """
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
-    if not 0.0 < wanted < 1.0:
-        raise ValueError(f"accuracy = {wanted!r}: must be a relative error between 0 and 1, such as 1e-9")
+    raise_all("plan", mistakes({"accuracy": wanted}, {"accuracy": ACCURACY}))
     effects = tuple(e for e in EFFECTS if e in scene.effects)
-    chosen = SPECIALISED[effects]
-    return Plan(
-        scene, effects, tuple(e for e in EFFECTS if e not in effects), "closed form in time", chosen.prefix,
-        chosen.functions, chosen.operations, wanted,
-    )  # fmt: skip
+    chosen, law = COMBINATIONS[effects], friction(scene.friction)
+    turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
+    if law.constant:
+        method = CLOSED_IN_PHASE_PLANE if turns else CLOSED_IN_TIME
+    else:
+        elementary = turns and law.law == "exponential" and not braked
+        method = CLOSED_IN_PHASE_PLANE if elementary else ENERGY_EQUATION
+    used = dict(chosen.functions)
+    if method != CLOSED_IN_PHASE_PLANE:
+        used = {what: name for what, name in used.items() if not what.startswith("energy")}
+    elif law.constant:
+        used.pop("energy_softening", None)
+    else:
+        used.pop("energy", None)
+    names = [f"balance.{n}" for n in dict.fromkeys(used.values())]
+    if method == CLOSED_IN_TIME:
+        prefix = "frozen_centripetal" if braked else "frozen"
+        names += [f"motion.{prefix}_{n}" for n in ("rotation", "angular_velocity", "angular_acceleration")]
+    left_out = tuple(e for e in EFFECTS if e not in effects)
+    cost = chosen.count * EVALUATIONS[method]
+    return Plan(scene, effects, left_out, law.law, method, tuple(names), chosen.operations, cost, wanted)

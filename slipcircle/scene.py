@@ -1,14 +1,17 @@
 """A scene: the arc, its friction, the effects that it calls for, how it starts and when it ends."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from numpy.typing import ArrayLike
 
-from generated.effects import EFFECTS, LAWS
+from generated.effects import EFFECTS
 from slipcircle.arc import Arc
 from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.friction import law_mistakes
+
+ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
 
 @dataclass(frozen=True)
@@ -19,8 +22,10 @@ class Scene:
     ----------
     arc : Arc
         The failed section.
-    friction : float or array_like
-        Friction coefficient mu = tan(phi) (1.14).
+    friction : float or array_like, mapping, or callable
+        Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
+        ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}``, lengths in m; or a function of the
+        accumulated slip in m, which takes and returns arrays.
     effects : mapping or iterable of str, optional
         Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any.
     initial_velocity : float or array_like, optional
@@ -39,7 +44,7 @@ class Scene:
     """
 
     arc: Arc
-    friction: ArrayLike
+    friction: ArrayLike | Mapping[str, Any] | Callable[[Any], Any]
     effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: ArrayLike = 0.0
     end_time: float | None = None
@@ -48,20 +53,21 @@ class Scene:
     note: str = ""
 
     def __post_init__(self) -> None:
-        given = self.effects if isinstance(self.effects, Mapping) else {e: {} for e in self.effects}
-        object.__setattr__(self, "effects", {str(e): dict(parameters) for e, parameters in given.items()})
-        constant = LAWS["constant"].parameters[0]
+        effects, found = _named(self.effects)
+        object.__setattr__(self, "effects", effects)
         bounds: dict[str, Bounds] = {
-            "friction": (-1e-300, constant.upper, f"a {constant.help}: a number of at least 0"),
             "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
         }
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
         if self.accuracy is not None:
-            bounds["accuracy"] = (0.0, 1.0, "a relative error between 0 and 1")
-        found = [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
+            bounds["accuracy"] = ACCURACY
+        found += [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
-        found += [m for name, parameters in given.items() for m in _effect_mistakes(name, parameters)]
+        found += law_mistakes(self.friction)
+        if isinstance(self.arc, Arc) and self.arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
+            found.append("arc.given: belongs to the initial position and cannot be combined with rotation; leave one out")
+        found += [m for name, parameters in effects.items() for m in _effect_mistakes(name, parameters)]
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @staticmethod
@@ -80,11 +86,28 @@ class Scene:
         return SCENES[name]()
 
 
+def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
+    """Effects by name, each with its parameters, and a sentence for what is no such thing."""
+    if isinstance(effects, str) or not isinstance(effects, Iterable):
+        return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
+    given = effects if isinstance(effects, Mapping) else {e: {} for e in effects}
+    found = [
+        f"effects.{name} = {parameters!r}: must be a mapping of parameters, {{}} where there are none"
+        for name, parameters in given.items()
+        if not isinstance(parameters, Mapping)
+    ]
+    return {str(e): dict(parameters) for e, parameters in given.items() if isinstance(parameters, Mapping)}, found
+
+
 def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     wanted = {p.name: p for p in EFFECTS[name].parameters}
-    found = [f"effects.{name}: {n!r} is missing: {p.help}" for n, p in wanted.items() if n not in parameters]
+    optional = [p.name for p in wanted.values() if p.optional]
+    needed = [p for p in wanted.values() if not p.optional]
+    found = [f"effects.{name}: {p.name!r} is missing: {p.help} ({p.unit})" for p in needed if p.name not in parameters]
+    if optional and not any(n in parameters for n in optional):
+        found.append(f"effects.{name}: one of {', '.join(optional)} is missing")
     found += [
         f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}"
         for n in parameters

@@ -1,0 +1,106 @@
+"""A scene's balance of momentum: the specialised functions of its combination of effects, bound to its values."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from generated import balance as functions
+from generated import kernels
+from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
+from slipcircle.scene import Scene
+
+
+@dataclass(frozen=True)
+class Balance:
+    """The functions of the balance for one combination of effects, all over Theta*, in the direction of travel.
+
+    Attributes
+    ----------
+    names : mapping
+        Generated function by what it gives: normal, limit_friction, drive, brake, tilt, ...
+    values : mapping
+        What does not change with position: level, polar, and the effects' dimensionless parameters.
+    weight, radial : float
+        C_theta/Theta* and C_r/Theta*; the weight acts as weight sin(dip) and presses as radial cos(dip).
+    dip : float
+        Of the chord at the start, rad.
+    fall, press : float
+        J_theta/Theta* and J_r/Theta* at the start.
+    static_limit : float
+        J_theta/J_r at the start.
+    turns : bool
+        Whether the position changes with the rotation.
+    """
+
+    names: Mapping[str, str]
+    values: Mapping[str, float]
+    weight: float
+    radial: float
+    dip: float
+    fall: float
+    press: float
+    static_limit: float
+    turns: bool
+
+    def has(self, what: str) -> bool:
+        """Whether this combination has such a term."""
+        return what in self.names
+
+    def get(self, what: str, /, **local: Any) -> Any:
+        """Evaluate one function; 0 for a term that this combination does not have."""
+        name = self.names.get(what)
+        if name is None:
+            return 0.0
+        known = {**self.values, **local}
+        return getattr(functions, name)(*[known[a] for a in ARGUMENTS[name]])
+
+    def position(self, rotation: float, direction: int) -> dict[str, float]:
+        """What the balance needs of the position, seen in the direction of travel (a mirror, where it is negative)."""
+        if rotation == 0.0 or not self.turns:
+            fall, press, limit, dip = self.fall, self.press, self.static_limit, self.dip
+        else:
+            dip = self.dip - rotation
+            fall, press = self.weight * np.sin(dip), self.radial * np.cos(dip)
+            limit = fall / press
+        return {
+            "fall": direction * fall,
+            "press": press,
+            "static_limit": direction * limit,
+            "fall_slope": self.weight * np.cos(dip),
+            "press_slope": -direction * self.radial * np.sin(dip),
+            "dip": direction * dip,
+        }
+
+
+def bind(scene: Scene) -> Balance:
+    """The balance of a scene of plain numbers."""
+    arc, d = scene.arc, scene.arc.dimensionless
+    chosen = tuple(e for e in EFFECTS if e in scene.effects)
+    alpha = float(arc.half_angle)
+    scales = {
+        "half_angle": alpha,
+        "gravity": float(np.asarray(arc.gravity)),
+        "reference_stress": float(arc.reference_stress),
+        "Theta": float(d.moment_of_inertia),
+    }
+    press = float(d.radial_weight_per_inertia)
+    level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
+    values = {"level": level, "polar": float(d.polar_moment_per_inertia)}
+    for effect in chosen:
+        given = scene.effects[effect]  # type: ignore[call-overload, index]
+        for p in EFFECTS[effect].parameters:
+            values[p.symbol] = p.dimensionless(float(given.get(p.name, 0.0)), scales)
+    limit = float(d.limit_friction)
+    return Balance(
+        COMBINATIONS[chosen].functions,
+        values,
+        float(kernels.weight_moment_per_inertia(alpha)),
+        float(kernels.radial_weight_per_inertia(alpha)),
+        float(arc.dip),
+        limit * press,
+        press,
+        limit,
+        any(EFFECTS[e].turns for e in chosen),
+    )

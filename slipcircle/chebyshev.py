@@ -1,0 +1,111 @@
+"""Piecewise Chebyshev series: a smooth function on panels, refined until resolved, then integrated and inverted."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import chebyshev as series
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+NODES = 16
+_X = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)  # first kind: the ends, where 0/0 may stand, are left out
+_TO_SERIES = series.chebvander(_X, NODES - 1).T * (2.0 / NODES)
+_TO_SERIES[0] /= 2.0
+_INTEGRATE = np.array([series.chebint(row, lbnd=-1.0) for row in np.eye(NODES)]).T  # series -> series of its integral
+_MAX_PANELS = 600
+
+
+@dataclass(frozen=True)
+class Piecewise:
+    """Series on panels: ``coefficients[:, k]`` on [edges[k], edges[k + 1]]."""
+
+    edges: Floats
+    coefficients: Floats
+    tail: float  # the largest contribution of unresolved terms to the integral, absolute
+
+    def integral(self) -> "Piecewise":
+        """Its integral from the first edge, continuous."""
+        half = np.diff(self.edges) / 2
+        found = (_INTEGRATE @ self.coefficients) * half
+        found[0, 1:] += np.cumsum(found.sum(axis=0))[:-1]  # a series' value at 1 is the sum of its coefficients
+        return Piecewise(self.edges, found, self.tail)
+
+    @property
+    def end(self) -> float:
+        """Value at the last edge."""
+        return float(self.coefficients[:, -1].sum())
+
+    def __call__(self, x: Floats) -> Floats:
+        """Values at points inside the panels."""
+        panel = np.clip(np.searchsorted(self.edges, x, side="right") - 1, 0, len(self.edges) - 2)
+        return self._at(panel, x)
+
+    def _at(self, panel: NDArray[np.intp], x: Floats) -> Floats:
+        left, right = self.edges[panel], self.edges[panel + 1]
+        z = (2 * x - left - right) / (right - left)
+        return np.asarray(series.chebval(z, self.coefficients[:, panel], tensor=False))
+
+    def inverse(self, values: Floats, slope: "Piecewise") -> Floats:
+        """Where this increasing function takes the values; ``slope`` is its derivative. Newton within its panel."""
+        at_edges = np.concatenate([[0.0], self.coefficients.sum(axis=0)])  # an integral starts at zero
+        panel = np.clip(np.searchsorted(at_edges, values, side="right") - 1, 0, len(self.edges) - 2)
+        low, high = self.edges[panel].copy(), self.edges[panel + 1].copy()
+        span = at_edges[panel + 1] - at_edges[panel]
+        x = low + (high - low) * (values - at_edges[panel]) / np.where(span > 0.0, span, 1.0)
+        for _ in range(60):
+            miss = self._at(panel, x) - values
+            low, high = np.where(miss <= 0.0, x, low), np.where(miss >= 0.0, x, high)
+            gradient = slope._at(panel, x)
+            step = miss / np.where(gradient > 0.0, gradient, np.inf)
+            following = x - step
+            following = np.where((following >= low) & (following <= high) & (gradient > 0.0), following, (low + high) / 2)
+            done = np.abs(following - x) <= 4e-16 * np.abs(x)
+            x = following
+            if np.all(done):
+                break
+        return np.where(values <= 0.0, self.edges[0], x)
+
+
+def accumulate(rate: Callable[[Floats], Floats], total: Piecewise, x: Floats) -> Floats:
+    """The integral of ``rate`` from the first edge to x, relatively accurate also next to the first edge.
+
+    ``total`` is its integral as a series, which gives the part up to the edge left of x; the rest is integrated anew.
+    """
+    panel = np.clip(np.searchsorted(total.edges, x, side="right") - 1, 0, len(total.edges) - 2)
+    before = np.concatenate([[0.0], total.coefficients.sum(axis=0)])[panel]
+    left = total.edges[panel]
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    return np.asarray(before + (x - left) / 2 * (weights @ rate(left + (x - left) * (nodes[:, None] + 1) / 2)))
+
+
+def resolve(function: Callable[[Floats], Floats], edges: Floats, tolerance: float) -> Piecewise:
+    """Series of a function on panels that are halved until what they leave out adds less than tolerance to the integral.
+
+    Parameters
+    ----------
+    function : callable
+        Takes points of shape (nodes, panels), all inside their panels.
+    edges : ndarray
+        First panels: the function must be smooth between them.
+    tolerance : float
+        Relative to the integral of the function's size.
+    """
+    done: list[tuple[float, float, Floats, float]] = []
+    left, right = edges[:-1], edges[1:]
+    while len(left):
+        coefficients = _TO_SERIES @ function(left + (right - left) * (_X[:, None] + 1) / 2)
+        size = np.abs(coefficients).sum(axis=0) * (right - left) / 2
+        tail = np.abs(coefficients[-2:]).sum(axis=0) * (right - left) / 2
+        whole = sum(d[3] for d in done) + float(size.sum())
+        narrow = (right - left) <= 1e-14 * np.maximum(np.abs(left), np.abs(right))
+        good = (tail <= tolerance * np.maximum(whole * 0.1, size)) | narrow | (len(done) + len(left) > _MAX_PANELS)
+        done += list(zip(left[good], right[good], coefficients.T[good], size[good], strict=True))
+        middle = (left + right)[~good] / 2
+        left, right = np.concatenate([left[~good], middle]), np.concatenate([middle, right[~good]])
+    done.sort(key=lambda d: d[0])
+    ends = np.array([d[0] for d in done] + [done[-1][1]])
+    kept = np.array([d[2] for d in done]).T
+    tails = np.abs(kept[-2:]).sum(axis=0) * np.diff(ends) / 2
+    return Piecewise(ends, kept, float(tails.sum()))
