@@ -88,18 +88,20 @@ _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 
 
-def _friction(name: str, help: str) -> Parameter:
-    return Parameter(name, "", _BELOW_0, _INFINITY, help, f"{name}_deg")
+def _friction(name: str, help: str, key: str = "") -> Parameter:
+    """A friction coefficient: a key in degrees stands for its angle, and a scene file may name the number instead."""
+    return Parameter(name, "", _BELOW_0, _INFINITY, help, key or f"{name}_deg")
 
 
 _LENGTH = Parameter("length", "m", 0.0, _INFINITY, "slip over which friction falls", "length_m")
-_PEAK, _RESIDUAL = _friction("peak", "friction coefficient at the start"), _friction("residual", "after much slip")
+_PEAK = _friction("peak", "friction coefficient at the start")
+_RESIDUAL = _friction("residual", "friction coefficient after much slip")
 
 SLIP, MORE, _P, _R, _L = sp.symbols("slip more peak residual length", real=True)
 _EXP, _HYPERBOLA = sp.exp(-SLIP / _L), 1 / (1 + SLIP / _L)
 
 LAWS = (
-    Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)"),), (),
+    Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)", "angle_deg"),), (),
         "friction does not change"),
     Law("exponential", "4.1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * _EXP,
@@ -112,7 +114,7 @@ LAWS = (
         (_P - _R) * _HYPERBOLA * (MORE / _L) / (1 + (SLIP + MORE) / _L), "length"),
     Law("tabulated", "4.1", (
         Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m"),
-        Parameter("coefficient", "", _BELOW_0, _INFINITY, "friction coefficients at these slips", "coefficient_deg")),
+        _friction("coefficient", "friction coefficients at these slips", "angle_deg")),
         ("slip",), "monotone cubic interpolation in a table, its last value beyond"),
 )  # fmt: skip
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fd525a2f7aef3bfed2336df65379c98e797f8600a5345b51b29c45e0699151cc
+# sha256 of the text below: 05134b59a2ee55f71c72069a29234d0c515b7df562ce67e4c35b5c0b9b53cfea
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from collections.abc import Callable, Mapping
@@ -60,26 +60,26 @@ class Combination:
 
 LAWS = {
     'constant': Law('constant', '1.14', (
-        Parameter('coefficient', '', -5e-324, INFINITY, 'friction coefficient, tan(phi)', 'coefficient_deg', 1.0, '', lambda value, scales: value, False),
+        Parameter('coefficient', '', -5e-324, INFINITY, 'friction coefficient, tan(phi)', 'angle_deg', 1.0, '', lambda value, scales: value, False),
     ), (), 'friction does not change', '', ()),
     'exponential': Law('exponential', '4.1', (
         Parameter('peak', '', -5e-324, INFINITY, 'friction coefficient at the start', 'peak_deg', 1.0, '', lambda value, scales: value, False),
-        Parameter('residual', '', -5e-324, INFINITY, 'after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
+        Parameter('residual', '', -5e-324, INFINITY, 'friction coefficient after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('length', 'm', 0.0, INFINITY, 'slip over which friction falls', 'length_m', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'residual + (peak - residual) exp(-slip/length)', 'length', ()),
     'linear': Law('linear', '4.1', (
         Parameter('peak', '', -5e-324, INFINITY, 'friction coefficient at the start', 'peak_deg', 1.0, '', lambda value, scales: value, False),
-        Parameter('residual', '', -5e-324, INFINITY, 'after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
+        Parameter('residual', '', -5e-324, INFINITY, 'friction coefficient after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('length', 'm', 0.0, INFINITY, 'slip over which friction falls', 'length_m', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'falls from peak to residual over the length, then stays', 'length', ('length',)),
     'hyperbolic': Law('hyperbolic', '4.1', (
         Parameter('peak', '', -5e-324, INFINITY, 'friction coefficient at the start', 'peak_deg', 1.0, '', lambda value, scales: value, False),
-        Parameter('residual', '', -5e-324, INFINITY, 'after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
+        Parameter('residual', '', -5e-324, INFINITY, 'friction coefficient after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('length', 'm', 0.0, INFINITY, 'slip over which friction falls', 'length_m', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)', 'length', ()),
     'tabulated': Law('tabulated', '4.1', (
         Parameter('slip', 'm', -5e-324, INFINITY, 'slips of the table, increasing, from 0', 'slip_m', 1.0, '', lambda value, scales: value, False),
-        Parameter('coefficient', '', -5e-324, INFINITY, 'friction coefficients at these slips', 'coefficient_deg', 1.0, '', lambda value, scales: value, False),
+        Parameter('coefficient', '', -5e-324, INFINITY, 'friction coefficients at these slips', 'angle_deg', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond', '', ()),
 }
 

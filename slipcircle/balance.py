@@ -77,7 +77,7 @@ class Balance:
 def bind(scene: Scene) -> Balance:
     """The balance of a scene of plain numbers."""
     arc, d = scene.arc, scene.arc.dimensionless
-    chosen = tuple(e for e in EFFECTS if e in scene.effects)
+    chosen = tuple(e for e in EFFECTS if e in scene.called)
     alpha = float(arc.half_angle)
     scales = {
         "half_angle": alpha,
@@ -89,7 +89,7 @@ def bind(scene: Scene) -> Balance:
     level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
     values = {"level": level, "polar": float(d.polar_moment_per_inertia)}
     for effect in chosen:
-        given = scene.effects[effect]  # type: ignore[call-overload, index]
+        given = scene.called[effect]
         for p in EFFECTS[effect].parameters:
             values[p.symbol] = p.dimensionless(float(given.get(p.name, 0.0)), scales)
     limit = float(d.limit_friction)

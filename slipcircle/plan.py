@@ -1,11 +1,17 @@
 """How a scene will be solved. A plan depends on which effects and which law a scene has, never on their values."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from generated.effects import COMBINATIONS, EFFECTS
 from slipcircle.checks import mistakes, raise_all
 from slipcircle.friction import friction
 from slipcircle.scene import ACCURACY, Scene
+
+if TYPE_CHECKING:
+    from slipcircle.ladder import Rung
 
 DEFAULT_ACCURACY = 1e-9
 CLOSED_IN_TIME = "closed form in time"
@@ -48,6 +54,23 @@ class Plan:
     cost: int
     accuracy: float
 
+    @property
+    def error_estimate(self) -> float:
+        """Relative error to expect before solving: rounding, times how close the friction is to its limit."""
+        from slipcircle.balance import bind
+
+        balance = bind(self.scene)
+        at = balance.position(0.0, -1 if balance.fall < 0.0 else 1)
+        limit, mu = balance.get("limit_friction", **at), float(friction(self.scene.friction).coefficient(0.0))
+        moving = float(np.asarray(self.scene.initial_velocity)) != 0.0
+        return 32 * 2.0**-52 * (1.0 if moving or limit == mu else 1.0 + (abs(limit) + mu) / abs(limit - mu))
+
+    def ladder(self) -> "list[Rung]":
+        """The scene solved with its effects added one by one: see `slipcircle.ladder.ladder`."""
+        from slipcircle.ladder import ladder
+
+        return ladder(self.scene)
+
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     """Choose the cheapest method that is exact for the scene's combination of effects.
@@ -65,7 +88,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     """
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
     raise_all("plan", mistakes({"accuracy": wanted}, {"accuracy": ACCURACY}))
-    effects = tuple(e for e in EFFECTS if e in scene.effects)
+    effects = tuple(e for e in EFFECTS if e in scene.called)
     chosen, law = COMBINATIONS[effects], friction(scene.friction)
     turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
     if law.constant:

@@ -70,6 +70,12 @@ class Scene:
         found += [m for name, parameters in effects.items() for m in _effect_mistakes(name, parameters)]
         raise_all(f"Scene {self.name}".rstrip(), found)
 
+    @property
+    def called(self) -> Mapping[str, Mapping[str, Any]]:
+        """Effects by name, each with its parameters, however they were given."""
+        assert isinstance(self.effects, Mapping)
+        return self.effects
+
     @staticmethod
     def load(name: str) -> "Scene":
         """A scene that ships with the package, by name.
