@@ -134,7 +134,9 @@ def motion() -> list[Function]:
         braked = "arrest" in form.name
         inside = [_BRAKED[n] if braked else _WORDS[n][1] for n in names]
         safe = tuple(-1.0 if braked and n == "a" else _WORDS[n][2] for n in names)
-        domain = "a < 0, b >= 0, omega_0 >= 0" if braked else "t >= 0, until the solution runs to infinity"
+        domain = "t >= 0" + (", until the solution runs to infinity" if "b" in names else "")
+        if braked:
+            domain = "a < 0, b >= 0, omega_0 >= 0" if "b" in names else "a < 0, omega_0 >= 0"
         found.append(_plain(program(form.name, names, form.result, let=form.let), form.summary, FORMULAS[form.name],
                             form.equation, domain, inside, safe, _MOTION_ACCURACY))  # fmt: skip
     for s in specialise():
@@ -142,11 +144,14 @@ def motion() -> list[Function]:
                                            ("mean_normal_stress", s.stress, "2.20")):  # fmt: skip
             if expression != 0:
                 names = tuple(sorted((x.name for x in expression.free_symbols), key=list(_WORDS).index))
-                words = {"drive": "Drive a of the equation of motion", "brake": "Brake b of the equation of motion",
-                         "mean_normal_stress": "Mean normal stress over sigma_ref"}[what]  # fmt: skip
+                symbol, words = {"drive": ("a", "Drive a of the equation of motion"),
+                                 "brake": ("b", "Brake b of the equation of motion"),
+                                 "mean_normal_stress": ("sigma*", "Mean normal stress over sigma_ref"),
+                                 }[what]  # fmt: skip
                 found.append(_plain(program(f"{s.prefix}_{what}", names, expression),
-                                    f"{words}, effects: {', '.join(s.effects) or 'none'}.", str(expression), equation,
-                                    "finite arguments", [_WORDS[n][1] for n in names],
+                                    f"{words}, effects: {', '.join(s.effects) or 'none'}.",
+                                    f"{symbol} = {expression}", equation, "finite arguments",
+                                    [_WORDS[n][1] for n in names],
                                     tuple(_WORDS[n][2] for n in names), _MOTION_ACCURACY))  # fmt: skip
     return found
 

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 980222bd9d2e84dfb63d13b8965b553c00fe6f79b2809b08fe4ea84648d7e7e8
+# sha256 of the text below: ff712086764cddc8cc0c23dd5e00b5d4a5a11576aa10fc71c4ef4322b90a3477
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from dataclasses import dataclass
@@ -67,6 +67,6 @@ SPECIALISED = {
     ('centripetal',): Specialised(
         'frozen_centripetal',
         ('frozen_centripetal_angular_acceleration', 'frozen_centripetal_angular_velocity', 'frozen_centripetal_arrest_rotation', 'frozen_centripetal_arrest_time', 'frozen_centripetal_brake', 'frozen_centripetal_drive', 'frozen_centripetal_mean_normal_stress', 'frozen_centripetal_rotation'),
-        '150 mul, 95 add, 5 sub, 17 div, 7 neg, 9 min, 7 max, 9 less, 30 select, 10 abs, 1 arctan, 3 exp, 1 log, 2 log1p, 6 sign, 8 sqrt',
+        '154 mul, 98 add, 6 sub, 19 div, 7 neg, 9 min, 7 max, 9 less, 31 select, 10 abs, 1 arctan, 3 exp, 1 log, 2 log1p, 6 sign, 8 sqrt',
     ),
 }

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 
 _BOUNDS: Mapping[str, Bounds] = {
     "radius": (0.0, INFINITY, "a positive length in m"),
@@ -19,6 +19,7 @@ _BOUNDS: Mapping[str, Bounds] = {
     "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
     "width": (0.0, INFINITY, "a positive length in m"),
 }
+QUANTITIES = tuple(_BOUNDS)
 
 
 @dataclass(frozen=True)
@@ -94,31 +95,41 @@ class Arc:
     given: Mapping[str, float] | None = None
 
     def __post_init__(self) -> None:
-        found = mistakes({name: getattr(self, name) for name in _BOUNDS}, _BOUNDS)
+        values = {name: getattr(self, name) for name in _BOUNDS}
+        found = mistakes(values, _BOUNDS)
+        if not found:
+            found = shape_mistakes(values)
         if not found:
             found = self._geometry_mistakes()
         if self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
-            positive = [n for n in GIVEN if n in self.given and n != "weight_moment"]
-            bounds = dict.fromkeys(positive, (0.0, INFINITY, "a positive number"))
+            bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
+            if "weight_moment" in bounds:
+                bounds["weight_moment"] = (-INFINITY, INFINITY, "a finite number")
             found += [f"given: {m}" for m in mistakes(self.given, bounds)]
+            object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
 
     def _geometry_mistakes(self) -> list[str]:
-        first, second = np.degrees(self.theta_1), np.degrees(self.theta_2)
-        if not np.all(np.greater(self.theta_2, self.theta_1)):
-            return [
-                f"theta_2 = {np.max(second):.10g} deg: must be above theta_1 = {np.max(first):.10g} deg; swap them?"
-            ]
+        first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
+
+        def where(bad: Any) -> tuple[float, float]:
+            """Ends of the first arc that is bad, degrees."""
+            return float(np.degrees(first[bad].flat[0])), float(np.degrees(second[bad].flat[0]))
+
         with np.errstate(invalid="ignore"):
-            weight = np.asarray(kernels.radial_weight(self.theta_1, self.theta_2))
-        if np.any(np.isnan(weight)):
-            opening = np.max(second - first)
-            return [f"theta_2 - theta_1 = {opening:.10g} deg: must be at most 180 deg"]
-        if np.any(weight <= 0.0):
+            weight = np.asarray(kernels.radial_weight(first, second))
+        if np.any(bad := second <= first):
+            one, two = where(bad)
+            return [f"theta_2 = {two:.10g} deg: must be above theta_1 = {one:.10g} deg; swap them?"]
+        if np.any(bad := np.isnan(weight)):
+            one, two = where(bad)
+            return [f"theta_2 - theta_1 = {two - one:.10g} deg: must be at most 180 deg"]
+        if np.any(bad := weight <= 0.0):
+            one, two = where(bad)
             return [
-                f"theta_1 = {np.min(first):.10g} deg, theta_2 = {np.max(second):.10g} deg: it presses on nothing; "
+                f"theta_1 = {one:.10g} deg, theta_2 = {two:.10g} deg: it presses on nothing; "
                 "the middle of the arc must lie between 180 and 360 deg, below its centre"
             ]
         return []
@@ -151,8 +162,8 @@ class Arc:
                 polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
             )
         alpha = self.half_angle
-        # cos(psi) = -sin(theta_m); quotients come from reduced functions, so that thin arcs do not underflow.
-        towards = -np.sin(np.add(self.theta_1, self.theta_2) / 2)
+        # Quotients come from reduced functions, so that thin arcs do not underflow.
+        towards = self._towards()
         dynamic = kernels.dynamic_coefficient(alpha)
         per_inertia = kernels.radial_weight_per_inertia(alpha) * towards
         polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
@@ -169,22 +180,30 @@ class Arc:
             polar_moment_per_inertia=polar_per_inertia,
         )
 
+    def _towards(self) -> Any:
+        """cos(psi) = -sin(theta_m), with the rounding error of theta_1 + theta_2 (TwoSum), which a steep dip shows."""
+        first, second = np.asarray(self.theta_1, dtype=np.float64), np.asarray(self.theta_2, dtype=np.float64)
+        total = first + second
+        part = total - first
+        lost = (first - (total - part)) + (second - part)
+        return -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
+
     @property
     def polar_moment(self) -> Any:
         """I_p, polar surface moment of inertia (2.16), m^3."""
         d = self.dimensionless
-        return np.power(self.radius, 3) * (d.resistance_factor * d.dynamic_coefficient)
+        return np.power(self.radius, 3.0) * (d.resistance_factor * d.dynamic_coefficient)
 
     @property
     def moment_of_inertia(self) -> Any:
         """Theta, mass moment of inertia about the centre (3.1), kg m^2."""
         density = np.divide(self.unit_weight, self.gravity)
-        return np.multiply(self.width, density) * np.power(self.radius, 4) * self.dimensionless.moment_of_inertia
+        return np.multiply(self.width, density) * np.power(self.radius, 4.0) * self.dimensionless.moment_of_inertia
 
     @property
     def weight_moment(self) -> Any:
         """Moment of the weight about the centre (3.7), N m."""
-        return np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3) * self.dimensionless.weight_moment
+        return np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3.0) * self.dimensionless.weight_moment
 
     @property
     def depth(self) -> Any:

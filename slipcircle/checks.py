@@ -14,14 +14,27 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds]) -> l
     found = []
     for name, (lower, upper, allowed) in bounds.items():
         try:
-            value = np.asarray(fields[name], dtype=np.float64)
-        except (TypeError, ValueError):
+            value = np.asarray(fields[name])
+        except ValueError:  # a ragged list
+            value = np.asarray(None)
+        if value.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
             found.append(f"{name} = {fields[name]!r}: must be {allowed}")
             continue
         bad = ~(np.isfinite(value) & (value > lower) & (value < upper))
         if np.any(bad):
             found.append(f"{name} = {value[bad].flat[0]:.10g}: must be {allowed}")
     return found
+
+
+def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:
+    """A sentence if the fields' shapes do not broadcast."""
+    shapes = {name: np.shape(value) for name, value in fields.items()}
+    try:
+        np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        listed = ", ".join(f"{name} {shape}" for name, shape in shapes.items() if shape)
+        return [f"shapes do not fit together: {listed}"]
+    return []
 
 
 def raise_all(what: str, found: list[str]) -> None:

@@ -3,12 +3,15 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated import motion as formulas
+from slipcircle.arc import QUANTITIES
+from slipcircle.checks import INFINITY, mistakes, raise_all
 from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
 
@@ -124,19 +127,18 @@ class Motion:
         ValueError
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
+        raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
-        latest = np.inf if self.arrested else self.duration
-        bad = ~(np.isfinite(time) & (time >= 0.0) & (time <= latest))
-        if np.any(bad):
+        late = time[time > self.duration]
+        if late.size and not self.arrested:
             raise ValueError(
-                f"times: {time[bad].flat[0]:.10g} s must lie between 0 and {latest:.10g} s"
-                + ("" if self.arrested else ", the scene's end_time")
+                f"Motion.at: times = {float(late.flat[0])!r}: must be at most the scene's end_time, "
+                f"{float(self.duration)!r} s, as the mass does not rest there"
             )
         scale = float(self._arc.time_scale)
         t = time / scale
         rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
-        ends = [p.start for p in self.phases[1:]] + [self.duration / scale if self.arrested else np.inf]
-        for phase, end in zip(self.phases, ends, strict=True):
+        for phase, end in self._spans(self.duration / scale if self.arrested else np.inf):
             local = np.clip(t, phase.start, end) - phase.start
             phi = phase.rotation + phase.direction * self._turned(phase, local)
             rotation = np.where(t >= phase.start, phi, rotation)
@@ -145,6 +147,10 @@ class Motion:
                 found = self._formula(name)(*phase.coefficients, phase.omega_0, local)
                 np.copyto(values, phase.direction * found, where=inside)
         return self._state(time, rotation, omega, rate)
+
+    def _spans(self, last: float) -> list[tuple[Phase, float]]:
+        """Each phase with its end, dimensionless; there are none if the mass never moves."""
+        return list(zip(self.phases, [*(p.start for p in self.phases[1:]), last], strict=False))
 
     def _turned(self, phase: Phase, local: Floats) -> Any:
         return self._formula("rotation")(*phase.coefficients, phase.omega_0, local)
@@ -168,8 +174,7 @@ class Motion:
         scale = float(arc.time_scale)
         nodes, weights = np.polynomial.legendre.leggauss(24)
         dissipation = 0.0
-        ends = [p.start for p in self.phases[1:]] + [self.duration / scale]
-        for phase, end in zip(self.phases, ends, strict=True):
+        for phase, end in self._spans(self.duration / scale):
             for left, right in _panels(phase, end):
                 t = (left + right) / 2 + (right - left) / 2 * nodes
                 omega = self._formula("angular_velocity")(*phase.coefficients, phase.omega_0, t - phase.start)
@@ -188,13 +193,17 @@ class Motion:
 
 
 def _panels(phase: Phase, end: float) -> list[tuple[float, float]]:
-    """Stretches on which the velocity is smooth on the scale of 24 nodes: short ones until it is steady."""
+    """Stretches on which 24 nodes are exact to rounding: each twice as long as the one before.
+
+    As a function of complex time the velocity is singular only before the phase's start, at a distance of 1/rate or
+    more, and, where it brakes, at least as far beyond the end as the start is before it.
+    """
     a, b = (*phase.coefficients, 0.0)[:2]
-    # Rates at which the velocity changes: sqrt|a b| towards its steady value, b omega_0 from a fast start.
-    rate = np.sqrt(abs(a)) * np.sqrt(b) + b * phase.omega_0
-    steady = min(end - phase.start, 40.0 / rate) if rate > 0.0 else 0.0
-    edges = phase.start + np.unique(np.concatenate([np.linspace(0.0, steady, 41), [end - phase.start]]))
-    return list(zip(edges[:-1].tolist(), edges[1:].tolist(), strict=True))
+    rate = float(np.sqrt(abs(a)) * np.sqrt(b) + b * phase.omega_0)
+    length = end - phase.start
+    count = max(0, int(np.ceil(np.log2(max(1.0, 2.0 * rate * length)))))
+    edges = [phase.start, *(phase.start + length / 2.0**n for n in range(count, -1, -1))]
+    return list(pairwise(edges))
 
 
 def solve(scene: Scene, accuracy: float | None = None) -> Motion:
@@ -214,7 +223,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     Raises
     ------
     ValueError
-        If the scene never rests and has no end time, or holds arrays.
+        If the scene never rests and has no end time, holds arrays, or overflows.
 
     Notes
     -----
@@ -222,11 +231,24 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     back if not. Before that, where it moves against gravity, friction and weight brake together.
     """
     chosen = plan(scene, accuracy)
-    arc, d = scene.arc, scene.arc.dimensionless
-    numbers = {"friction": scene.friction, "initial_velocity": scene.initial_velocity, "arc": d.limit_friction}
+    numbers = {n: getattr(scene, n) for n in ("friction", "initial_velocity", "end_time")}
+    numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
     for name, value in numbers.items():
         if np.ndim(value) != 0:
             raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
+    try:
+        with np.errstate(over="raise", invalid="raise"):
+            return _solve(chosen)
+    except FloatingPointError as error:
+        raise ValueError(
+            f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}: the motion overflows; give "
+            "a lower velocity or an earlier end"
+        ) from error
+
+
+def _solve(chosen: Plan) -> Motion:
+    scene = chosen.scene
+    arc, d = scene.arc, scene.arc.dimensionless
     scale = float(arc.time_scale)
     limit, mu = float(d.limit_friction), float(np.asarray(scene.friction))
     omega = float(np.asarray(scene.initial_velocity)) / float(np.asarray(arc.radius)) * scale

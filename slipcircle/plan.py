@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 
 from generated.effects import EFFECTS, SPECIALISED
-from slipcircle.scene import Scene
+from slipcircle.checks import mistakes, raise_all
+from slipcircle.scene import ACCURACY, Scene
 
 DEFAULT_ACCURACY = 1e-9
 
@@ -54,8 +55,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
         If the accuracy is not between 0 and 1.
     """
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
-    if not 0.0 < wanted < 1.0:
-        raise ValueError(f"accuracy = {wanted!r}: must be a relative error between 0 and 1, such as 1e-9")
+    raise_all("plan", mistakes({"accuracy": wanted}, {"accuracy": ACCURACY}))
     effects = tuple(e for e in EFFECTS if e in scene.effects)
     chosen = SPECIALISED[effects]
     return Plan(

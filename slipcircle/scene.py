@@ -10,6 +10,8 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle.arc import Arc
 from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
 
+ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
+
 
 @dataclass(frozen=True)
 class Scene:
@@ -48,20 +50,20 @@ class Scene:
     note: str = ""
 
     def __post_init__(self) -> None:
-        given = self.effects if isinstance(self.effects, Mapping) else {e: {} for e in self.effects}
-        object.__setattr__(self, "effects", {str(e): dict(parameters) for e, parameters in given.items()})
+        effects, found = _named(self.effects)
+        object.__setattr__(self, "effects", effects)
         constant = LAWS["constant"].parameters[0]
         bounds: dict[str, Bounds] = {
-            "friction": (-1e-300, constant.upper, f"a {constant.help}: a number of at least 0"),
+            "friction": (-5e-324, constant.upper, f"a {constant.help}: a number of at least 0"),
             "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
         }
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
         if self.accuracy is not None:
-            bounds["accuracy"] = (0.0, 1.0, "a relative error between 0 and 1")
-        found = [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
+            bounds["accuracy"] = ACCURACY
+        found += [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
-        found += [m for name, parameters in given.items() for m in _effect_mistakes(name, parameters)]
+        found += [m for name, parameters in effects.items() for m in _effect_mistakes(name, parameters)]
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @staticmethod
@@ -78,6 +80,19 @@ class Scene:
         if name not in SCENES:
             raise ValueError(f"scene {name!r} is unknown; known are {', '.join(SCENES)}")
         return SCENES[name]()
+
+
+def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
+    """Effects by name, each with its parameters, and a sentence for what is no such thing."""
+    if isinstance(effects, str) or not isinstance(effects, Iterable):
+        return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
+    given = effects if isinstance(effects, Mapping) else {e: {} for e in effects}
+    found = [
+        f"effects.{name} = {parameters!r}: must be a mapping of parameters, {{}} where there are none"
+        for name, parameters in given.items()
+        if not isinstance(parameters, Mapping)
+    ]
+    return {str(e): dict(parameters) for e, parameters in given.items() if isinstance(parameters, Mapping)}, found
 
 
 def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
