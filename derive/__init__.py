@@ -10,5 +10,5 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 ``program``     SymPy expression -> straight-line `Program`
 ``emit``        `Program` -> NumPy source
 ``write``       source -> the files of `generated`, atomically, or a diff against them
-``appendices``, ``paper``, ``verify``, ``hard``   the paper's claims, judged; the hard cases, measured
+``appendices``, ``paper``, ``evidence``, ``verify``, ``hard``   the paper's claims, judged; the hard cases, measured
 """

@@ -173,7 +173,8 @@ class MotionForm:
     summary: str
 
 
-_X, _K, _Z, _NEAR, _FAR, _E, _Q, _C, _S, _Y, _D = sp.symbols("x k z near far e q C S y decay", real=True)
+_X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)
+_P, _M, _C, _S, _Y = sp.symbols("P M C S y", real=True)
 _G, _PHI_Y = sp.symbols("G y_near", real=True)
 
 
@@ -181,9 +182,10 @@ def _piece(large: sp.Expr, small: sp.Expr) -> sp.Expr:
     return Select(1, _Z, large, small)
 
 
-# k = sqrt|a b| without overflow; z = a b t**2, clipped; C and S are cosh(kt) and sinh(kt)/k, divided by exp(kt)
-# where z > 1, so that nothing overflows. cosh = sinh to the last bit long before kt = 800, and no solution is left
-# beyond kt = pi where a b < 0.
+# k = sqrt|a b| without overflow; z = a b t**2, clipped. Where z <= 1, y = C + b omega_0 S with C = cosh(kt) and
+# S = sinh(kt)/k. Where z > 1, y is divided by exp(kt), so that nothing overflows, and split into its growing and its
+# decaying part, P and M exp(-2kt), so that a start near P = 0 costs no digits of what it ends in.
+# exp(-2kt) is 0 long before kt = 800, and no solution is left beyond kt = pi where a b < 0.
 _COMMON = {
     _K: sp.sqrt(sp.Abs(a)) * sp.sqrt(sp.Abs(b)),
     _X: _K * sp.Min(t, 800 / sp.Max(_K, sp.Float("1e-300"))),
@@ -192,9 +194,11 @@ _COMMON = {
     _FAR: _piece(sp.Integer(0), t),  # the time where z <= 1
     _E: sp.exp(-_X),
     _Q: _E**2,
-    _C: _piece((1 + _Q) / 2, 1 + 2 * _NEAR * (Cardinal(_NEAR / 4) / 2) ** 2),
-    _S: _piece((1 - _Q) / (2 * _piece(_K, sp.Integer(1))), _FAR * Cardinal(_NEAR)),
-    _Y: _C + b * omega_0 * _S,
+    _P: _K + b * omega_0,
+    _M: _K - b * omega_0,
+    _C: 1 + 2 * _NEAR * (Cardinal(_NEAR / 4) / 2) ** 2,
+    _S: _FAR * Cardinal(_NEAR),
+    _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, sp.Integer(1))), _C + b * omega_0 * _S),
 }
 
 
@@ -233,13 +237,13 @@ FORMS = (
     MotionForm("frozen_arrest_rotation", (a, omega_0), {}, omega_0 * (omega_0 / _BRAKE / 2), "1.3",
                "Rotation at which a braked motion stands still, without centripetal stress."),
     MotionForm("frozen_centripetal_angular_velocity", (*_CENTRIPETAL, t), _COMMON,
-               _alive(_Y, (omega_0 * _C + a * _S) / _Y), "3.20",
+               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), omega_0 * _C + a * _S) / _Y), "3.20",
                "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_rotation", (*_CENTRIPETAL, t), _COMMON | _ROTATION,
                _alive(_PHI_Y, _ROTATION_RESULT), "4.3",
                "Rotation of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_angular_acceleration", (*_CENTRIPETAL, t), _COMMON | _DECAY,
-               _alive(_Y, (a - b * omega_0**2) * _D**2), "3.16",
+               _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2), "3.16",
                "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_arrest_time", _CENTRIPETAL, {},
                omega_0 / _BRAKE * ArctanRatio(omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))), "3.20",
@@ -276,11 +280,14 @@ def prove_forms() -> list[str]:
         g = exact(replace(forms["frozen_centripetal_rotation"], result=_G), large=False)
         y = sp.exp(sp.expand(sp.cancel(b * rotation))).subs(_G, g)
         check(f"rotation, {regime}", y - ways["y"])
-    # Without centripetal stress b = 0: the limits of the same solution.
-    for name in ("angular_velocity", "angular_acceleration", "rotation"):
-        result = forms[f"frozen_{name}"].result
-        exact_rate = {"angular_velocity": a, "angular_acceleration": 0, "rotation": omega_0 + a * t}[name]
-        check(f"frozen {name}: its rate", sp.diff(result, t) - exact_rate)
+    # Without centripetal stress b = 0: integrated once and twice from a.
+    velocity, turned, rate = (
+        forms[f"frozen_{name}"].result for name in ("angular_velocity", "rotation", "angular_acceleration")
+    )
+    for name, result, slope, start in (("angular_velocity", velocity, a, omega_0), ("rotation", turned, velocity, 0)):
+        check(f"frozen {name}: its rate", sp.diff(result, t) - slope)
+        check(f"frozen {name}: its start", result.subs(t, 0) - start)
+    check("frozen angular_acceleration: the velocity's rate", rate - sp.diff(velocity, t))
     # Arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a)).
     brake, b_, w = sp.symbols("brake b_ omega", positive=True)
     kappa = sp.sqrt(brake * b_)
@@ -291,8 +298,9 @@ def prove_forms() -> list[str]:
     stopping = w * sp.cos(kappa * t) - brake * sp.sin(kappa * t) / kappa
     check("omega = 0 at the arrest", sp.simplify(stopping.subs(t, time)))
     check("rotation at the arrest", sp.simplify(sp.exp(2 * b_ * turn) - sp.simplify(y.subs(t, time)) ** 2))
-    stopping = forms["frozen_angular_velocity"].result
-    check("frozen: omega = 0 at the arrest", stopping.subs(t, forms["frozen_arrest_time"].result))
+    time = forms["frozen_arrest_time"].result
+    check("frozen: omega = 0 at the arrest", velocity.subs(t, time))
+    check("frozen: rotation at the arrest", turned.subs(t, time) - forms["frozen_arrest_rotation"].result)
     return claims
 
 

@@ -130,7 +130,9 @@ def motion() -> list[Function]:
         braked = "arrest" in form.name
         inside = [_BRAKED[n] if braked else _WORDS[n][1] for n in names]
         safe = tuple(-1.0 if braked and n == "a" else _WORDS[n][2] for n in names)
-        domain = "a < 0, b >= 0, omega_0 >= 0" if braked else "t >= 0, until the solution runs to infinity"
+        domain = "t >= 0" + (", until the solution runs to infinity" if "b" in names else "")
+        if braked:
+            domain = "a < 0, b >= 0, omega_0 >= 0" if "b" in names else "a < 0, omega_0 >= 0"
         found.append(_plain(program(form.name, names, form.result, let=form.let), form.summary, FORMULAS[form.name],
                             form.equation, domain, inside, safe, _MOTION_ACCURACY))  # fmt: skip
     return found

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 537eb4cd4e2c1922070c94efa395518b7e037a17af5d83cff3fd19d80dfab716
+# sha256 of the text below: b992618d529ce31cfcbea0bbad80b2840207588f80526fa179f2a05d45e69f97
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
 
 from typing import Any
@@ -53,7 +53,7 @@ def frozen_angular_velocity(a: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, o
 
     Notes
     -----
-    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: t >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.16) of the paper. Operations: 1 mul, 1 add.
     """
@@ -90,7 +90,7 @@ def frozen_rotation(a: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDAr
 
     Notes
     -----
-    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: t >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (1.3) of the paper. Operations: 3 mul, 1 add.
     """
@@ -126,7 +126,7 @@ def frozen_angular_acceleration(a: ArrayLike, omega_0: ArrayLike, t: ArrayLike, 
 
     Notes
     -----
-    Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: t >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.16) of the paper. Operations: .
     """
@@ -161,7 +161,7 @@ def frozen_arrest_time(a: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | 
 
     Notes
     -----
-    Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: a < 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (3.16) of the paper. Operations: 1 div, 1 neg.
     """
@@ -196,7 +196,7 @@ def frozen_arrest_rotation(a: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any
 
     Notes
     -----
-    Domain: a < 0, b >= 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
+    Domain: a < 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
     Source: eq. (1.3) of the paper. Operations: 2 mul, 1 div, 1 neg.
     """
@@ -210,23 +210,26 @@ def _frozen_centripetal_angular_velocity(a: Array, b: Array, omega_0: Array, t: 
     v23 = np.maximum(-9.869604401089358, np.minimum(1.0, v19))
     v25 = 1.0 < v19
     v28 = np.exp(-v14)
-    v29 = v28 * v28
-    v34 = 0.25 * v23
-    v44 = ((9.183689863795546e-29 * v34 + 6.446950284384474e-26) * v34 + 3.868170170630684e-23) * v34 + 1.9572941063391263e-20
-    v53 = ((v44 * v34 + 8.22063524662433e-18) * v34 + 2.8114572543455206e-15) * v34 + 7.647163731819816e-13
-    v62 = ((v53 * v34 + 1.6059043836821613e-10) * v34 + 2.505210838544172e-08) * v34 + 2.7557319223985893e-06
-    v72 = (((v62 * v34 + 0.0001984126984126984) * v34 + 0.008333333333333333) * v34 + 0.16666666666666666) * v34
-    v73 = v72 + 1.0
-    v78 = np.where(v25, 0.5 + 0.5 * v29, 1.0 + 0.5 * (v73 * v73) * v23)
-    v88 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
-    v94 = ((v88 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
-    v100 = ((v94 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
-    v107 = (((v100 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
-    v110 = np.where(v25, 0.5 * (1.0 - v29) / np.where(v25, v8, 1.0), (v107 + 1.0) * np.where(v25, 0.0, t))
-    v113 = v78 + v110 * b * omega_0
-    v120 = 0.0 < np.minimum(v113, 9.869604401089358 + v19)
-    v124 = np.where(v120, (v78 * omega_0 + v110 * a) / np.where(v120, v113, 1.0), np.nan)
-    return v124
+    v30 = b * omega_0
+    v31 = v8 + v30
+    v35 = 0.25 * v23
+    v45 = ((9.183689863795546e-29 * v35 + 6.446950284384474e-26) * v35 + 3.868170170630684e-23) * v35 + 1.9572941063391263e-20
+    v54 = ((v45 * v35 + 8.22063524662433e-18) * v35 + 2.8114572543455206e-15) * v35 + 7.647163731819816e-13
+    v63 = ((v54 * v35 + 1.6059043836821613e-10) * v35 + 2.505210838544172e-08) * v35 + 2.7557319223985893e-06
+    v73 = (((v63 * v35 + 0.0001984126984126984) * v35 + 0.008333333333333333) * v35 + 0.16666666666666666) * v35
+    v74 = v73 + 1.0
+    v78 = 1.0 + 0.5 * (v74 * v74) * v23
+    v84 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
+    v90 = ((v84 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
+    v96 = ((v90 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
+    v103 = (((v96 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
+    v105 = (v103 + 1.0) * np.where(v25, 0.0, t)
+    v106 = (v8 - v30) * (v28 * v28)
+    v114 = np.where(v25, 0.5 * (v31 + v106) / np.where(v25, v8, 1.0), v78 + v105 * b * omega_0)
+    v126 = 0.0 < np.minimum(v114, 9.869604401089358 + v19)
+    v128 = np.where(v25, 0.5 * (v31 - v106) / np.where(v25, b, 1.0), v78 * omega_0 + v105 * a) / np.where(v126, v114, 1.0)
+    v130 = np.where(v126, v128, np.nan)
+    return v130
 
 
 def frozen_centripetal_angular_velocity(a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
@@ -258,7 +261,7 @@ def frozen_centripetal_angular_velocity(a: ArrayLike, b: ArrayLike, omega_0: Arr
     -----
     Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (3.20) of the paper. Operations: 43 mul, 31 add, 1 sub, 3 div, 1 neg, 3 min, 2 max, 2 less, 6
+    Source: eq. (3.20) of the paper. Operations: 45 mul, 32 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 7
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
     """
     return evaluate(_frozen_centripetal_angular_velocity, lambda eps, a, b, omega_0, t: np.isfinite(a) & np.isfinite(b) & np.isfinite(omega_0) & ((t >= 0.0) & np.isfinite(t)), (1.0, 1.0, 0.0, 0.0), (a, b, omega_0, t), out, where)
@@ -272,30 +275,30 @@ def _frozen_centripetal_rotation(a: Array, b: Array, omega_0: Array, t: Array) -
     v25 = 1.0 < v19
     v26 = np.where(v25, 0.0, t)
     v28 = np.exp(-v14)
-    v29 = v28 * v28
-    v34 = 0.25 * v23
-    v44 = ((9.183689863795546e-29 * v34 + 6.446950284384474e-26) * v34 + 3.868170170630684e-23) * v34 + 1.9572941063391263e-20
-    v53 = ((v44 * v34 + 8.22063524662433e-18) * v34 + 2.8114572543455206e-15) * v34 + 7.647163731819816e-13
-    v62 = ((v53 * v34 + 1.6059043836821613e-10) * v34 + 2.505210838544172e-08) * v34 + 2.7557319223985893e-06
-    v72 = (((v62 * v34 + 0.0001984126984126984) * v34 + 0.008333333333333333) * v34 + 0.16666666666666666) * v34
-    v73 = v72 + 1.0
-    v75 = 0.5 * (v73 * v73)
-    v88 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
-    v94 = ((v88 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
-    v100 = ((v94 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
-    v107 = (((v100 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
-    v109 = (v107 + 1.0) * v26
-    v113 = np.where(v25, 0.5 + 0.5 * v29, 1.0 + v75 * v23) + np.where(v25, 0.5 * (1.0 - v29) / np.where(v25, v8, 1.0), v109) * b * omega_0
-    v118 = v75 * a * v26 * v26 + v109 * omega_0
-    v119 = v118 * b
-    v121 = np.where(v25, v113, 1.0 + v119)
-    v127 = 0.0 < np.minimum(v121, 9.869604401089358 + v19)
-    v135 = np.where(v25, 0.0, np.maximum(-0.9999999999999999, v119))
-    v138 = np.abs(v135) < 8.673617379884035e-19
-    v139 = np.where(v138, 1.0, v135)
-    v144 = np.where(v25, (np.where(v25, t, 0.0) * v8 + np.log(np.where(v127, v121, 1.0))) / np.where(v25, b, 1.0), np.where(v138, 1.0, np.log1p(v139) / v139) * v118)
-    v146 = np.where(v127, v144, np.nan)
-    return v146
+    v30 = b * omega_0
+    v35 = 0.25 * v23
+    v45 = ((9.183689863795546e-29 * v35 + 6.446950284384474e-26) * v35 + 3.868170170630684e-23) * v35 + 1.9572941063391263e-20
+    v54 = ((v45 * v35 + 8.22063524662433e-18) * v35 + 2.8114572543455206e-15) * v35 + 7.647163731819816e-13
+    v63 = ((v54 * v35 + 1.6059043836821613e-10) * v35 + 2.505210838544172e-08) * v35 + 2.7557319223985893e-06
+    v73 = (((v63 * v35 + 0.0001984126984126984) * v35 + 0.008333333333333333) * v35 + 0.16666666666666666) * v35
+    v74 = v73 + 1.0
+    v76 = 0.5 * (v74 * v74)
+    v84 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
+    v90 = ((v84 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
+    v96 = ((v90 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
+    v103 = (((v96 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
+    v105 = (v103 + 1.0) * v26
+    v114 = np.where(v25, 0.5 * (v8 + v30 + (v8 - v30) * (v28 * v28)) / np.where(v25, v8, 1.0), 1.0 + v76 * v23 + v105 * b * omega_0)
+    v119 = v76 * a * v26 * v26 + v105 * omega_0
+    v120 = v119 * b
+    v122 = np.where(v25, v114, 1.0 + v120)
+    v128 = 0.0 < np.minimum(v122, 9.869604401089358 + v19)
+    v136 = np.where(v25, 0.0, np.maximum(-0.9999999999999999, v120))
+    v139 = np.abs(v136) < 8.673617379884035e-19
+    v140 = np.where(v139, 1.0, v136)
+    v145 = np.where(v25, (np.where(v25, t, 0.0) * v8 + np.log(np.where(v128, v122, 1.0))) / np.where(v25, b, 1.0), np.where(v139, 1.0, np.log1p(v140) / v140) * v119)
+    v147 = np.where(v128, v145, np.nan)
+    return v147
 
 
 def frozen_centripetal_rotation(a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
@@ -327,7 +330,7 @@ def frozen_centripetal_rotation(a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, 
     -----
     Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (4.3) of the paper. Operations: 48 mul, 33 add, 1 sub, 4 div, 1 neg, 3 min, 3 max, 3 less, 13
+    Source: eq. (4.3) of the paper. Operations: 49 mul, 34 add, 1 sub, 4 div, 1 neg, 3 min, 3 max, 3 less, 12
     select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt.
     """
     return evaluate(_frozen_centripetal_rotation, lambda eps, a, b, omega_0, t: np.isfinite(a) & np.isfinite(b) & np.isfinite(omega_0) & ((t >= 0.0) & np.isfinite(t)), (1.0, 1.0, 0.0, 0.0), (a, b, omega_0, t), out, where)
@@ -340,23 +343,24 @@ def _frozen_centripetal_angular_acceleration(a: Array, b: Array, omega_0: Array,
     v23 = np.maximum(-9.869604401089358, np.minimum(1.0, v19))
     v25 = 1.0 < v19
     v28 = np.exp(-v14)
-    v29 = v28 * v28
-    v34 = 0.25 * v23
-    v44 = ((9.183689863795546e-29 * v34 + 6.446950284384474e-26) * v34 + 3.868170170630684e-23) * v34 + 1.9572941063391263e-20
-    v53 = ((v44 * v34 + 8.22063524662433e-18) * v34 + 2.8114572543455206e-15) * v34 + 7.647163731819816e-13
-    v62 = ((v53 * v34 + 1.6059043836821613e-10) * v34 + 2.505210838544172e-08) * v34 + 2.7557319223985893e-06
-    v72 = (((v62 * v34 + 0.0001984126984126984) * v34 + 0.008333333333333333) * v34 + 0.16666666666666666) * v34
-    v73 = v72 + 1.0
-    v88 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
-    v94 = ((v88 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
-    v100 = ((v94 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
-    v107 = (((v100 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
-    v111 = np.where(v25, 0.5 * (1.0 - v29) / np.where(v25, v8, 1.0), (v107 + 1.0) * np.where(v25, 0.0, t)) * b
-    v113 = np.where(v25, 0.5 + 0.5 * v29, 1.0 + 0.5 * (v73 * v73) * v23) + v111 * omega_0
-    v118 = 0.0 < np.minimum(v113, 9.869604401089358 + v19)
-    v120 = np.where(v25, v28, 1.0) / np.where(v118, v113, 1.0)
-    v127 = np.where(v118, (a - b * omega_0 * omega_0) * v120 * v120, np.nan)
-    return v127
+    v30 = b * omega_0
+    v31 = v8 + v30
+    v32 = v8 - v30
+    v35 = 0.25 * v23
+    v45 = ((9.183689863795546e-29 * v35 + 6.446950284384474e-26) * v35 + 3.868170170630684e-23) * v35 + 1.9572941063391263e-20
+    v54 = ((v45 * v35 + 8.22063524662433e-18) * v35 + 2.8114572543455206e-15) * v35 + 7.647163731819816e-13
+    v63 = ((v54 * v35 + 1.6059043836821613e-10) * v35 + 2.505210838544172e-08) * v35 + 2.7557319223985893e-06
+    v73 = (((v63 * v35 + 0.0001984126984126984) * v35 + 0.008333333333333333) * v35 + 0.16666666666666666) * v35
+    v74 = v73 + 1.0
+    v84 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
+    v90 = ((v84 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
+    v96 = ((v90 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
+    v103 = (((v96 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
+    v114 = np.where(v25, 0.5 * (v31 + v32 * (v28 * v28)) / np.where(v25, v8, 1.0), 1.0 + 0.5 * (v74 * v74) * v23 + (v103 + 1.0) * np.where(v25, 0.0, t) * b * omega_0)
+    v119 = 0.0 < np.minimum(v114, 9.869604401089358 + v19)
+    v121 = np.where(v25, v28, 1.0) / np.where(v119, v114, 1.0)
+    v131 = np.where(v119, np.where(v25, v32 / np.where(v25, b, 1.0) * v31, a - v30 * omega_0) * v121 * v121, np.nan)
+    return v131
 
 
 def frozen_centripetal_angular_acceleration(a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
@@ -388,7 +392,7 @@ def frozen_centripetal_angular_acceleration(a: ArrayLike, b: ArrayLike, omega_0:
     -----
     Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (3.16) of the paper. Operations: 45 mul, 30 add, 2 sub, 3 div, 1 neg, 3 min, 2 max, 2 less, 7
+    Source: eq. (3.16) of the paper. Operations: 46 mul, 31 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 8
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
     """
     return evaluate(_frozen_centripetal_angular_acceleration, lambda eps, a, b, omega_0, t: np.isfinite(a) & np.isfinite(b) & np.isfinite(omega_0) & ((t >= 0.0) & np.isfinite(t)), (1.0, 1.0, 0.0, 0.0), (a, b, omega_0, t), out, where)

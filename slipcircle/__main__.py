@@ -112,7 +112,9 @@ def _cost(options: argparse.Namespace) -> None:
 
     found = cost.measure(options.functions or list(cost.FUNCTIONS), progress=sys.stderr)
     if options.json:
-        print(json.dumps({"machine": cost.machine(), "rows": [asdict(row) for row in found]}, indent=2))
+        # JSON knows no infinity: the error of a way that fails somewhere is null.
+        rows = [asdict(row) | {"error": row.error if np.isfinite(row.error) else None} for row in found]
+        print(json.dumps({"machine": cost.machine(), "rows": rows}, indent=2))
         return
     for name in dict.fromkeys(row.function for row in found):
         table(cost.COLUMNS, cost.cells([row for row in found if row.function == name]), title=name)

@@ -95,6 +95,13 @@ def whole(name: str, theta_1: float, theta_2: float) -> tuple[arb, arb]:
         return -amplitude * direction, amplitude
 
 
+def limit_friction(theta_1: float, theta_2: float) -> arb:
+    """J_theta/J_r."""
+    (moment, _), (radial, _) = (whole(name, theta_1, theta_2) for name in ("weight_moment", "radial_weight"))
+    with ctx.workprec(BITS + 40):
+        return moment / radial
+
+
 def ulps(value: float, reference: arb, size: arb | None = None, kind: type[np.floating] = np.float64) -> float:
     """Error in units of the last place, fractional, against the unrounded reference.
 

@@ -1,6 +1,6 @@
 """The kernels' values, against quadrature of the raw definitions in ball arithmetic, in fractional ulp."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -54,7 +54,9 @@ def angles() -> Floats:
     return np.unique(np.concatenate([np.asarray(p, dtype=np.float64) for p in parts]))
 
 
-def errors(kernel: Kernel, name: str, alphas: Floats, kind: type[np.floating] = np.float64) -> list[tuple[float, float]]:
+def errors(
+    kernel: Kernel, name: str, alphas: NDArray[Any], kind: type[np.floating] = np.float64
+) -> list[tuple[float, float]]:
     """Error in ulp and argument of each value, worst first."""
     with np.errstate(all="raise"):
         values = kernel(alphas)
@@ -155,7 +157,7 @@ def test_float32(name: str) -> None:
     """Within one unit of float32, up to float32's pi/2, which lies above pi/2, and its four doubles more."""
     top = np.float32(HALF_PI)
     assert float(top) > HALF_PI
-    alphas = np.unique(np.concatenate([angles()[angles() < 1.57].astype(np.float32), top * np.float32([1, 1 + 2e-7])]))
+    alphas = np.unique(np.append(angles()[angles() < 1.57].astype(np.float32), [top, np.nextafter(top, np.float32(2))]))
     assert getattr(kernels, name)(alphas).dtype == np.float32
     error, at = errors(getattr(kernels, name), name, alphas, np.float32)[0]
     assert error <= 1, f"{name}({at!r}) is wrong by {error:.2f} ulp of float32"
@@ -184,3 +186,13 @@ def test_mirrored_arcs_mirror_exactly() -> None:
         np.testing.assert_array_equal(kernels.radial_weight(*right), -kernels.radial_weight(*left))
         np.testing.assert_array_equal(kernels.weight_moment(*right), kernels.weight_moment(*left))
     assert np.all(kernels.radial_weight(-half, half) == 0)
+
+
+def test_limit_friction() -> None:
+    """At most 16 ulp, for every arc that is one; for a bisector along the x axis it is infinite."""
+    solid = np.array([x for x in arcs() if x[1] > x[0] and abs(x[0] + x[1]) > 1e-290])
+    with np.errstate(all="raise"):
+        values = kernels.limit_friction(solid[:, 0], solid[:, 1])
+    found = [(oracle.ulps(v, oracle.limit_friction(*x)), tuple(x)) for v, x in zip(values, solid.tolist(), strict=True)]
+    error, at = max(found)
+    assert error <= BOUND, f"limit_friction{at} is wrong by {error:.1f} ulp"

@@ -1,0 +1,227 @@
+"""Hard cases, declared as data: where the printed form of a quantity loses its digits, and what ours loses there.
+
+`report` executes the text that is emitted for both and compares it with the closed form at hundreds of digits. The
+tests run through the same list with quadrature of the definitions instead.
+"""
+
+import json
+import math
+import textwrap
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from derive import functions, measure
+from derive.integrate import PSI, derive
+from derive.program import Program, program
+from derive.quantities import MOMENTS, QUOTIENTS
+from derive.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
+
+
+@dataclass(frozen=True)
+class HardCase:
+    """One value, why it is hard, and the form that fails there."""
+
+    function: str
+    arguments: tuple[float, ...]
+    why: str
+    naive: str
+
+
+@dataclass(frozen=True)
+class Result:
+    """A hard case, measured: relative errors, and ours also in ulp. No number where a form gives none."""
+
+    case: HardCase
+    naive_error: float
+    our_error: float
+    our_ulp: float
+
+
+HALF_PI = math.pi / 2
+CUBE = "parts of size alpha leave a difference of size alpha**3"
+UNDER = "so thin that alpha**3 underflows, but not the quotient"
+TOP = "half disc: artanh(sin alpha) is infinite, and its factor 0"
+THIN = "thin arc: alpha, and its cube, from a difference of two angles"
+REST = "omega_0 cancels the limit velocity -sqrt(a/b): the growing part of y is small, and wins"
+ONE_LINE = "Appendix I in one line, angles rounded"
+STILL = "b = 0, no centripetal stress: the general form is 0/0"
+
+CASES = (
+    HardCase("polar_moment", (1e-8,), CUBE, "(2.19)"),
+    HardCase("polar_moment", (1e-4,), CUBE, "(2.19)"),
+    HardCase("polar_moment", (1e-100,), "the result is 7e-301, the parts are 1e-100", "(2.19)"),
+    HardCase("moment_of_inertia", (1e-8,), CUBE, "(3.15)"),
+    HardCase("moment_of_inertia", (1e-3,), CUBE, "(3.15)"),
+    HardCase("radial_weight_amplitude", (1e-4,), CUBE, "Appendix I in one line"),
+    HardCase("radial_weight_amplitude", (HALF_PI,), TOP, "Appendix I in one line"),
+    HardCase("radial_weight_amplitude", (1.5707942538355797,), "our worst: a difference near 0 is squared",
+             "Appendix I in one line, better here"),
+    HardCase("weight_moment_amplitude", (1e-8,), "sin alpha - sin alpha cos(alpha)**2", "(3.13), integrated"),
+    HardCase("weight_moment_amplitude", (1e-103,), "the result, 7e-310, is denormal", "(3.13), integrated"),
+    HardCase("resistance_factor", (1e-9,), "1 - cos alpha is 0", "(3.14)"),
+    HardCase("resistance_factor", (1e-4,), "1 - cos alpha keeps 8 digits", "(3.14)"),
+    HardCase("dynamic_coefficient", (1e-200,), UNDER, "(2.24) with (2.19)"),
+    HardCase("dynamic_coefficient", (1e-5,), CUBE, "(2.24) with (2.19)"),
+    HardCase("weight_moment_per_inertia", (1e-200,), UNDER, "(3.13) over (3.15)"),
+    HardCase("weight_moment_per_inertia", (1e-5,), CUBE, "(3.13) over (3.15)"),
+    HardCase("radial_weight_per_inertia", (1e-6,), CUBE, "Appendix I over (3.15)"),
+    HardCase("radial_weight_per_inertia", (HALF_PI,), TOP, "Appendix I over (3.15)"),
+    HardCase("polar_moment_per_inertia", (1e-6,), CUBE, "(2.19) over (3.15)"),
+    HardCase("polar_moment_per_inertia", (5e-324,), UNDER, "(2.19) over (3.15)"),
+    HardCase("weight_moment_per_radial_weight", (1e-6,), CUBE, "(3.13) over Appendix I"),
+    HardCase("weight_moment_per_radial_weight", (HALF_PI,), TOP, "(3.13) over Appendix I"),
+    HardCase("radial_weight", (4.0, 4.0 + 1e-10), THIN, ONE_LINE),
+    HardCase("radial_weight", (math.pi, 2 * math.pi), TOP, ONE_LINE),
+    HardCase("radial_weight", (0.1, 0.2), "alpha is not a double: its rounding error times the slope counts", ONE_LINE),
+    HardCase("weight_moment", (4.0, 4.0 + 1e-10), THIN, "(3.13), integrated, angles rounded"),
+    HardCase("weight_moment", (4.0, 5.42477796076938), "level: cos(theta_m), of an exact theta_m that is no double",
+             "(3.13), integrated, angles rounded"),
+    HardCase("limit_friction", (4.0, 4.0 + 1e-10), THIN, "(3.13) over Appendix I, angles rounded"),
+    HardCase("limit_friction", (math.pi, 2 * math.pi), TOP, "(3.13) over Appendix I, angles rounded"),
+    HardCase("frozen_angular_velocity", (2.0, 0.5, 1.5), STILL, "(3.20) from motion"),
+    HardCase("frozen_rotation", (2.0, 0.5, 1.5), STILL, "(4.3) from motion"),
+    HardCase("frozen_angular_acceleration", (2.0, 0.5, 1.5), STILL, "(3.16) from motion"),
+    HardCase("frozen_arrest_time", (-2.0, 0.5), STILL, "omega = 0 in (3.20)"),
+    HardCase("frozen_arrest_rotation", (-2.0, 0.5), STILL, "(4.3) at the arrest"),
+    HardCase("frozen_centripetal_angular_velocity", (1e200, 1e200, 0.0, 1.0), "a b overflows, its root does not",
+             "(3.20) from motion"),
+    HardCase("frozen_centripetal_angular_velocity", (-0.1, 0.3, 0.2, 0.7), "a b < 0: sqrt(a b) is not real",
+             "(3.20) from motion"),
+    HardCase("frozen_centripetal_angular_velocity", (0.75, 3.25, -0.4803, 8.5), REST, "(3.20) from motion"),
+    HardCase("frozen_centripetal_rotation", (0.1, 1e-18, 0.0, 2.0), "b -> 0: the logarithm of nearly 1, over b",
+             "(4.3) from motion"),
+    HardCase("frozen_centripetal_rotation", (0.1, 0.3, 0.0, 1e-7), "t -> 0: the logarithm of nearly 1",
+             "(4.3) from motion"),
+    HardCase("frozen_centripetal_rotation", (2.0, 0.5, 0.0, 1e3), "cosh(kt) overflows",
+             "(4.3) from motion"),
+    HardCase("frozen_centripetal_angular_acceleration", (1e30, 1e-30, 0.0, 360.0), "exp(-2kt) underflows, a exp(-2kt) "
+             "does not", "(3.16) from motion"),
+    HardCase("frozen_centripetal_angular_acceleration", (2.0, 0.7, -1.690308502489062, 8.451542547285166),
+             "thrown up-slope, turning at t: its start near -sqrt(a/b) hardly matters", "(3.16) from motion"),
+    HardCase("frozen_centripetal_arrest_time", (-0.1, 0.0, 0.2), "b = 0: arctan(0)/0", "omega = 0 in (3.20)"),
+    HardCase("frozen_centripetal_arrest_time", (-1e-200, 1e-200, 1.0), "a b underflows, its root does not",
+             "omega = 0 in (3.20)"),
+    HardCase("frozen_centripetal_arrest_rotation", (-0.1, 1e-17, 0.2), "b -> 0: the logarithm of nearly 1, over b",
+             "(4.3) at the arrest"),
+    HardCase("frozen_drive", (0.4192, 0.41919999999999996, 1.2), "friction an ulp below its limit",
+             "(J_theta - J_r mu)/Theta*"),
+    HardCase("frozen_centripetal_drive", (0.4192, 0.4192 * (1 - 1e-12), 1.2), "friction just below its limit",
+             "(J_theta - J_r mu)/Theta*"),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Forms:
+    """What a case needs: the program that is generated, the naive one, and the exact form."""
+
+    ours: Program
+    naive: Program
+    exact: sp.Expr
+
+
+def _forms() -> dict[str, Forms]:
+    derivations = [derive(m) for m in MOMENTS]
+    ours = {f.program.name: f.program for f in (*functions.kernels(derivations), *functions.motion())}
+    printed = {p.name: p for p, _ in functions.printed()}
+    closed = functions.closed_amplitudes(derivations)
+    found = {name: Forms(ours[name], printed[name], form) for name, form in closed.items()}
+    for q in QUOTIENTS:
+        ratio = closed[q.numerator] / closed[q.denominator]
+        naive = printed.get(q.name) or program(q.name, ("alpha",), ratio)
+        found[q.name] = Forms(ours[q.name], naive, ratio)
+    ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
+    sine, cosine = sp.sin(alpha), sp.cos(alpha)
+    one_line = {"radial_weight": -(sine - cosine**2 * sp.atanh(sine)) * sp.sin(theta_m),
+                "weight_moment": -sp.Rational(2, 3) * (sine - sine * cosine**2) * sp.cos(theta_m)}  # fmt: skip
+    one_line["limit_friction"] = one_line["weight_moment"] / one_line["radial_weight"]
+    whole = {d.moment.name: d.amplitude * d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m) for d in derivations}
+    whole["limit_friction"] = whole["weight_moment"] / whole["radial_weight"]
+    for name, form in one_line.items():
+        naive = program(name, ("theta_1", "theta_2"), form, let=ends)
+        found[name] = Forms(ours[name], naive, whole[name].subs(ends))
+    for name, (form, without) in _motion().items():
+        for full, exact in ((f"frozen_centripetal_{name}", form), (f"frozen_{name}", without)):
+            inputs = ours[full].inputs
+            naive = program(full, inputs, form, let={} if "b" in inputs else {b: sp.Integer(0)})
+            found[full] = Forms(ours[full], naive, exact)
+    limit, mu, radial = sp.symbols("limit_friction mu radial_weight_per_inertia", real=True)
+    for full in ("frozen_drive", "frozen_centripetal_drive"):
+        drive = limit * radial - radial * mu
+        found[full] = Forms(ours[full], program(full, ours[full].inputs, drive), drive)
+    return found
+
+
+def _motion() -> dict[str, tuple[sp.Expr, sp.Expr]]:
+    """Textbook forms of the motion by name, with centripetal stress and without."""
+    k = sp.sqrt(a * b)
+    y = sp.cosh(k * t) + b * omega_0 * sp.sinh(k * t) / k
+    tangent, brake = sp.tanh(k * t) / k, sp.sqrt(-a * b)
+    return {
+        "angular_velocity": ((omega_0 + a * tangent) / (1 + b * omega_0 * tangent), omega_0 + a * t),
+        "rotation": (sp.log(y) / b, omega_0 * t + a * t**2 / 2),
+        "angular_acceleration": ((a - b * omega_0**2) / y**2, a),
+        "arrest_time": (sp.atan(b * omega_0 / brake) / brake, -omega_0 / a),
+        "arrest_rotation": (sp.log(1 - b * omega_0**2 / a) / (2 * b), -(omega_0**2) / (2 * a)),
+    }
+
+
+def measured(cases: tuple[HardCase, ...] = CASES) -> list[Result]:
+    """Run both forms of every case and compare them with the exact one."""
+    forms = _forms()
+    return [_measure(case, forms[case.function]) for case in cases]
+
+
+def _measure(case: HardCase, forms: Forms) -> Result:
+    exact = _exactly(forms.exact, forms.ours.inputs, case.arguments)
+    arrays = [np.array(x) for x in case.arguments]
+    with np.errstate(all="ignore"):
+        naive, ours = (float(measure.run(p, *arrays)) for p in (forms.naive, forms.ours))
+    with mpmath.workdps(60):
+        unit = mpmath.mpf(float(np.spacing(abs(float(exact)))))
+        error = abs(mpmath.mpf(ours) - exact)
+        wrong = float(abs(mpmath.mpf(naive) - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+        return Result(case, wrong, float(error / abs(exact)), float(error / unit))
+
+
+def _exactly(form: sp.Expr, inputs: tuple[str, ...], arguments: tuple[float, ...]) -> mpmath.mpf:
+    """A closed form at exact arguments, zeros a little off zero, with digits enough for what cancels."""
+    lost = sum(abs(math.log10(abs(x))) for x in arguments if x)
+    with mpmath.workdps(60 + int(4 * lost) + 1200 * (0.0 in arguments)):
+        symbols = [sp.Symbol(x, real=True) for x in inputs]
+        function: Callable[..., mpmath.mpf] = sp.lambdify(symbols, form, "mpmath")
+        return mpmath.re(function(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in arguments)))
+
+
+def report(form: Literal["table", "json"]) -> str:
+    """The hard cases, each with the error of the printed form beside ours."""
+    results = measured()
+    if form == "json":
+        rows = [asdict(x.case) | {"naive_error": _number(x.naive_error), "our_error": x.our_error, "our_ulp": x.our_ulp}
+                for x in results]  # fmt: skip
+        return json.dumps(rows, indent=2)
+    lines = ["Relative error of the printed form, and of ours (also in units of the last place).", "",
+             f"{'printed':>9} {'ours':>8} {'ulp':>6}   input"]  # fmt: skip
+    name = ""
+    for x in results:
+        if x.case.function != name:
+            name = x.case.function
+            lines += ["", name]
+        ours = f"{x.our_error:8.0e} {x.our_ulp:6.1f}"
+        given = ", ".join(map(repr, x.case.arguments))
+        lines += [f"{_short(x.naive_error):>9} {ours}   ({given})"]
+        lines += textwrap.wrap(f"{x.case.why}; {x.case.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
+    return "\n".join(lines)
+
+
+def _short(error: float) -> str:
+    return f"{error:.0e}" if math.isfinite(error) else "NaN" if math.isnan(error) else "inf"
+
+
+def _number(error: float) -> float | str:
+    """JSON has no inf and no NaN."""
+    return error if math.isfinite(error) else _short(error)

@@ -1,0 +1,310 @@
+"""The arc's quantities, against the paper's tables, ball arithmetic and integrals in SI units; and what it refuses."""
+
+import dataclasses
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+import oracle
+import pytest
+from flint import arb, ctx
+from mpmath import mpf
+
+from slipcircle import Arc
+from slipcircle.arc import GIVEN
+
+THIRD = 1 / mpf(3)
+VAIONT = {"radius": 1492.6, "theta_1": np.deg2rad(215.2), "theta_2": np.deg2rad(276.9), "unit_weight": 20e3}
+TABLE_4_1 = dict(zip(GIVEN, (0.4376, 0.0870, 0.0387, 0.1523, 0.468), strict=True))
+
+
+def vaiont(**changes: Any) -> Arc:
+    return Arc(**(VAIONT | changes))
+
+
+def ends(arc: Arc) -> tuple[float, float]:
+    return float(np.asarray(arc.theta_1)), float(np.asarray(arc.theta_2))
+
+
+def random_arcs(count: int, seed: int) -> list[Arc]:
+    """Arcs of any opening and any dip, thin and steep ones among them."""
+    rng = np.random.default_rng(seed)
+    half = np.where(rng.random(count) < 0.5, rng.uniform(0.01, 1.57, count), 10 ** rng.uniform(-8, 0, count))
+    steep = 10 ** rng.uniform(-9, 0, count)
+    steep = np.sign(rng.uniform(-1, 1, count)) * (1.57 - steep)
+    middle = 1.5 * np.pi - np.where(rng.random(count) < 0.6, rng.uniform(-1.4, 1.4, count), steep)
+    return [Arc(700.0, float(m - h), float(m + h), 21e3) for m, h in zip(middle, half, strict=True)]
+
+
+# --- the paper's tables --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("quantity", "printed", "place"),
+    [
+        (lambda a: a.polar_moment / 1e9, 0.308, 1e-3),  # km^3
+        (lambda a: a.reference_stress / 1e6, 4.223, 1e-3),  # MPa
+        (lambda a: a.static_normal_stress / 1e6, 2.413, 1e-3),
+        (lambda a: np.degrees(2 * a.half_angle), 61.7, 0.1),
+        (lambda a: a.dimensionless.resistance_factor, 0.1523, 1e-4),
+        (lambda a: a.dimensionless.radial_weight, 0.0870, 1e-4),
+        (lambda a: a.dimensionless.static_normal_stress, 0.5713, 1e-4),
+    ],
+    ids=["I_p", "sigma_ref", "sigma_n0", "2 alpha", "lambda", "J_r", "sigma_n0*"],
+)
+def test_right_numbers_of_tables_2_1_and_4_1(quantity: Callable[[Arc], float], printed: float, place: float) -> None:
+    """Less than a unit of the last printed place."""
+    assert abs(quantity(vaiont()) - printed) < place
+
+
+# --- the definitions -----------------------------------------------------------------------------------------------
+
+
+def references(arc: Arc) -> dict[str, arb]:
+    """The dimensionless coefficients of the exact two angles."""
+    theta_1, theta_2 = ends(arc)
+    half = (Fraction(theta_2) - Fraction(theta_1)) / 2
+    pressing, _ = oracle.whole("radial_weight", theta_1, theta_2)
+    turning, _ = oracle.whole("weight_moment", theta_1, theta_2)
+    names = ("moment_of_inertia", "resistance_factor", "polar_moment")
+    inertia, factor, polar = (oracle.kernel(name, half) for name in names)
+    with ctx.workprec(oracle.BITS + 40):
+        return {
+            "moment_of_inertia": inertia,
+            "radial_weight": pressing,
+            "weight_moment": turning,
+            "resistance_factor": factor,
+            "dynamic_coefficient": polar / factor,
+            "static_normal_stress": pressing / factor,
+            "limit_friction": turning / pressing,
+            "radial_weight_per_inertia": pressing / inertia,
+            "polar_moment_per_inertia": polar / inertia,
+        }
+
+
+def test_dimensionless_coefficients() -> None:
+    """Every coefficient of every arc within 10 ulp of itself; J_r and J_theta within 8 ulp of their amplitudes."""
+    for arc in [vaiont(), *random_arcs(120, seed=11)]:
+        for name, reference in references(arc).items():
+            value = float(getattr(arc.dimensionless, name))
+            size = oracle.whole(name, *ends(arc))[1] if name in oracle.WHOLE else None
+            error = oracle.ulps(value, reference, size)
+            assert error <= (8 if size is not None else 10), f"{name} of {arc} is wrong by {error:.3g} ulp"
+
+
+@pytest.mark.parametrize("distance", [1e-2, 1e-5, 1e-8])
+def test_a_steep_arc_loses_no_digits(distance: float) -> None:
+    """Near a vertical chord J_r is small; the drive is made of quotients with it."""
+    for shift, half in zip(np.linspace(0.9, 1.1, 9), np.linspace(1.21, 1.37, 9), strict=True):
+        for middle in (np.pi + shift * distance, 2 * np.pi - shift * distance):
+            arc = Arc(100.0, middle - half, middle + half, 2e4)  # sums of the ends round
+            reference = references(arc)
+            for name in ("radial_weight_per_inertia", "static_normal_stress", "limit_friction"):
+                assert oracle.ulps(float(getattr(arc.dimensionless, name)), reference[name]) <= 10, (name, arc)
+
+
+def over_the_section(arc: Arc, weight: Callable[[mpf, mpf], mpf]) -> mpf:
+    """Double integral of weight(r, theta) dr dtheta between chord and arc, in metres, no angle centred.
+
+    Integrands are cubic in r at most, for which Simpson's rule is exact.
+    """
+    first, second, radius = (mpf(float(x)) for x in (*ends(arc), np.asarray(arc.radius)))
+    alpha = (second - first) / 2
+
+    def ring(theta: mpf) -> mpf:
+        chord = radius * mpmath.cos(alpha) / mpmath.cos(theta - first - alpha)
+        middle = (chord + radius) / 2
+        return (radius - chord) / 6 * (weight(chord, theta) + 4 * weight(middle, theta) + weight(radius, theta))
+
+    return mpmath.quad(ring, mpmath.linspace(first, second, 5))
+
+
+@pytest.mark.parametrize("arc", [vaiont(), vaiont(gravity=1.62, width=350.0), *random_arcs(3, seed=5)])
+def test_si_quantities_against_integrals_in_si(arc: Arc) -> None:
+    with mpmath.workdps(40):
+        fields = (arc.radius, arc.unit_weight, arc.gravity, arc.width, *ends(arc))
+        radius, gamma, g, width, first, second = (mpf(float(np.asarray(x))) for x in fields)
+        opening = second - first
+        inertia = width * gamma / g * over_the_section(arc, lambda r, theta: r**3)
+        # Weight of a wedge, gamma r dr dtheta, times its lever about the centre; then towards the arc, over its length.
+        moment = width * gamma * over_the_section(arc, lambda r, theta: -r * r * mpmath.cos(theta))
+        towards = gamma * over_the_section(arc, lambda r, theta: -r * mpmath.sin(theta)) / (radius * opening)
+        turning = gamma * over_the_section(arc, lambda r, theta: -r * r * mpmath.cos(theta))
+        depth = radius - radius * mpmath.cos(opening / 2)
+        expected = {
+            "polar_moment": over_the_section(arc, lambda r, theta: r * r),
+            "moment_of_inertia": inertia,
+            "weight_moment": moment,
+            "depth": depth,
+            "reference_stress": gamma * depth,
+            "static_normal_stress": towards,
+            "limit_friction_angle": mpmath.atan(turning / radius / (towards * radius * opening)),
+            "time_scale": mpmath.sqrt(radius / g),
+            "half_angle": opening / 2,
+            "dip": 3 * mpmath.pi / 2 - (first + second) / 2,
+        }
+        for name, value in expected.items():
+            floor = 1e-15 if name == "dip" else 0.0  # 3 pi/2 is rounded
+            assert abs(mpf(float(getattr(arc, name))) - value) <= 1e-14 * abs(value) + floor, name
+
+
+def test_scaling() -> None:
+    """Powers of two scale without rounding, so these hold to the last bit."""
+    one = vaiont()
+    powers: list[tuple[str, dict[str, int]]] = [  # exponent of each field in each quantity
+        ("polar_moment", {"radius": 3}),
+        ("moment_of_inertia", {"radius": 4, "unit_weight": 1, "gravity": -1, "width": 1}),
+        ("weight_moment", {"radius": 3, "unit_weight": 1, "width": 1}),
+        ("depth", {"radius": 1}),
+        ("reference_stress", {"radius": 1, "unit_weight": 1}),
+        ("static_normal_stress", {"radius": 1, "unit_weight": 1}),
+        ("limit_friction_angle", {}),
+        ("dip", {}),
+    ]
+    for field in ("radius", "unit_weight", "gravity", "width"):
+        start = getattr(one, field)
+        changed = vaiont(**{field: 4.0 * start})
+        assert changed.dimensionless == one.dimensionless
+        assert changed.time_scale == one.time_scale * {"radius": 2.0, "gravity": 0.5}.get(field, 1.0)
+        for name, exponents in powers:
+            assert getattr(changed, name) == getattr(one, name) * 4.0 ** exponents.get(field, 0), (field, name)
+
+
+def test_integers_do_not_overflow() -> None:
+    """R**4 of a large radius exceeds what integers hold."""
+    for kind in (int, np.int32, np.int64):
+        whole, real = vaiont(radius=kind(100_000)), vaiont(radius=1e5)
+        assert whole.moment_of_inertia == real.moment_of_inertia > 0
+        assert (whole.polar_moment, whole.weight_moment) == (real.polar_moment, real.weight_moment)
+
+
+def test_arrays_broadcast() -> None:
+    """Each field may be an array; a lane is what the scalars give."""
+    radius, theta_1, unit_weight = np.array([[200.0], [1500.0]]), np.array([3.6, 3.8, 4.0]), [[18e3], [22e3]]
+    arc = Arc(radius, theta_1, 5.0, unit_weight)
+    for name in ("polar_moment", "moment_of_inertia", "weight_moment", "depth", "static_normal_stress"):
+        values = getattr(arc, name)
+        assert values.shape == (2, 3)
+        for i, j in np.ndindex(2, 3):
+            lane = Arc(float(radius[i, 0]), float(theta_1[j]), 5.0, unit_weight[i][0])
+            np.testing.assert_allclose(values[i, j], getattr(lane, name), rtol=4e-16)
+    assert arc.dimensionless.limit_friction.shape == (3,)
+
+
+# --- limits --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("dip", [0.7, -0.3, 1e-3])
+def test_a_thin_arc_slides_like_a_block_on_a_plane(dip: float) -> None:
+    """2 alpha = 1e-6: limit friction tan(psi) as for a plane, and A the limit of (2.24), taken from its integrals."""
+    middle = 1.5 * np.pi - dip
+    arc = Arc(1000.0, middle - 5e-7, middle + 5e-7, 2e4)
+    with mpmath.workdps(60):
+        psi = 3 * mpmath.pi / 2 - mpmath.fsum(ends(arc)) / 2
+        assert abs(mpf(float(arc.dimensionless.limit_friction)) / mpmath.tan(psi) - 1) < 1e-12  # O(alpha**2)
+        alpha = mpf(10) ** -12
+        polar = mpmath.quad(lambda u: (1 - (mpmath.cos(alpha) / mpmath.cos(u)) ** 3) / 3, [-alpha, 0, alpha])
+        planar = polar / (2 * alpha * (1 - mpmath.cos(alpha)))
+        assert abs(planar - 2 * THIRD) < mpf(10) ** -12
+        assert abs(mpf(float(arc.dimensionless.dynamic_coefficient)) - planar) < 1e-12
+
+
+def test_half_discs_given_in_degrees() -> None:
+    """180 degrees are allowed, though radians round; the integrals of a half disc are 1/3, 1/4, ..."""
+    for first in (180.0, 187.3, 200.0, 123.4, -180.0):
+        disc = Arc(50.0, np.deg2rad(first), np.deg2rad(first + 180.0), 2e4)
+        d = disc.dimensionless
+        np.testing.assert_allclose(d.moment_of_inertia, np.pi / 4, rtol=1e-15)
+        np.testing.assert_allclose(disc.polar_moment, np.pi / 3 * 50.0**3, rtol=1e-15)
+        np.testing.assert_allclose(d.limit_friction, 2 / 3 * np.tan(np.deg2rad(180.0 - first)), rtol=1e-14, atol=3e-16)
+        assert disc.depth == pytest.approx(50.0, rel=1e-15)
+
+
+# --- coefficients as given -----------------------------------------------------------------------------------------
+
+
+def test_given_coefficients_are_taken_as_they_are() -> None:
+    d = vaiont(given=TABLE_4_1).dimensionless
+    assert {n: getattr(d, n) for n in GIVEN} == TABLE_4_1
+    assert d.limit_friction == 0.0387 / 0.0870
+    assert d.static_normal_stress == 0.0870 / 0.1523
+    assert d.radial_weight_per_inertia == 0.0870 / 0.4376
+    assert d.polar_moment_per_inertia == pytest.approx(0.1523 * 0.468 / 0.4376, rel=3e-16)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"weight_moment": np.nan}, "given: weight_moment = nan"),
+        ({"radial_weight": 0.0}, "given: radial_weight = 0: must be a positive number"),
+        ({"moment_of_inertia": "0.4"}, "given: moment_of_inertia = '0.4'"),
+        ({"Theta": 0.4}, "given: 'Theta' is unknown; known are moment_of_inertia, radial_weight"),
+    ],
+)
+def test_given_is_checked(changes: dict[str, Any], said: str) -> None:
+    with pytest.raises(ValueError, match=r"^Arc: ") as caught:
+        vaiont(given=TABLE_4_1 | changes)
+    assert said in str(caught.value)
+
+
+def test_given_takes_all_coefficients_and_a_negative_moment() -> None:
+    with pytest.raises(ValueError, match="given: 'dynamic_coefficient' is missing"):
+        vaiont(given={n: v for n, v in TABLE_4_1.items() if n != "dynamic_coefficient"})
+    assert vaiont(given=TABLE_4_1 | {"weight_moment": -0.0387}).limit_friction_angle < 0
+
+
+# --- what is refused -----------------------------------------------------------------------------------------------
+
+BAD: list[tuple[dict[str, Any], str]] = [
+    *(({name: value}, name) for name in ("radius", "unit_weight", "gravity", "width") for value in (0.0, -3.5)),
+    *(({name: np.nan}, name) for name in VAIONT),
+    *(({name: -np.inf}, name) for name in VAIONT),
+    *(({name: value}, name) for name in VAIONT for value in ("1492.6", None, 1j, True, 10**400, [1.0, None])),
+    ({"radius": [1.0, -2.0]}, "radius = -2:"),
+    ({"theta_2": VAIONT["theta_1"]}, "theta_2 = 215.2 deg"),
+    ({"theta_2": np.deg2rad(215.0)}, "theta_2 = 215 deg: must be above theta_1 = 215.2 deg; swap"),
+    ({"theta_2": np.deg2rad(395.3)}, "theta_2 - theta_1 = 180.1 deg: must be at most 180"),
+    ({"theta_1": np.deg2rad(20.0), "theta_2": np.deg2rad(80.0)}, "theta_1 = 20 deg, theta_2 = 80 deg"),
+    ({"theta_1": np.deg2rad(120.0), "theta_2": np.deg2rad(239.999)}, "between 180 and 360 deg"),  # J_r < 0, just
+    ({"theta_1": -0.5, "theta_2": 0.5}, "presses on nothing"),  # J_r = 0 exactly
+    ({"theta_1": [4.0, 3.8], "theta_2": [3.9, 5.0]}, "theta_2 = 223.4535401 deg: must be above theta_1 = 229.1831181"),
+    ({"theta_1": [3.8, 1.0], "theta_2": [5.0, 5.0]}, "theta_2 - theta_1 = 229.1831181 deg"),
+    ({"theta_1": [3.8, 3.9], "theta_2": [4.8, 4.9, 5.0]}, "theta_1 (2,), theta_2 (3,)"),
+]
+
+
+@pytest.mark.parametrize(("changes", "said"), BAD)
+def test_what_is_refused(changes: dict[str, Any], said: str) -> None:
+    """A ValueError that names the field; the value too, unless it is spelled out above."""
+    with pytest.raises(ValueError, match=r"^Arc: ") as caught:
+        vaiont(**changes)
+    message = str(caught.value)
+    assert said in message
+    assert message.count(";") <= 1, "one mistake, one sentence"
+    if said in VAIONT:
+        value = changes[said]
+        number = isinstance(value, float)
+        assert f"{said} = {f'{value:.10g}' if number else repr(value)}: must be a" in message
+
+
+def test_all_mistakes_are_listed_at_once() -> None:
+    with pytest.raises(ValueError, match=r"^Arc: ") as caught:
+        Arc(0.0, 5.0, np.inf, np.nan, -1.0, "a", given={"Theta": 1.0})
+    message = str(caught.value)
+    for part in ("radius = 0:", "theta_2 = inf:", "unit_weight = nan:", "gravity = -1:", "width = 'a':", "'Theta' is"):
+        assert part in message
+    assert message.count("is missing") == len(GIVEN)
+
+
+def test_frozen() -> None:
+    given = dict(TABLE_4_1)
+    arc = vaiont(given=given)
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        arc.radius = 5.0  # type: ignore[misc]
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        arc.dimensionless.radial_weight = 1.0  # type: ignore[misc]
+    given["radial_weight"] = -1.0  # the caller's own dictionary
+    assert arc.dimensionless.radial_weight == 0.0870
+    assert dataclasses.replace(arc, width=2.0).width == 2.0

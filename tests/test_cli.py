@@ -1,0 +1,306 @@
+"""The command line as a user meets it: what it prints where, its exit status, and what it loads."""
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+from dataclasses import asdict, fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import oracle
+import pytest
+
+import generated
+import slipcircle
+from slipcircle import Motion, Scene, State, cost, solve
+from slipcircle.__main__ import main
+from slipcircle.scenes import SCENES
+
+ROOT = Path(__file__).parents[1]
+NAMES = ["vaiont-as-printed", "vaiont-frozen"]
+COLOUR = re.compile(r"\x1b\[[0-9;]*\b(3[0-9]|4[0-9]|9[0-7]|10[0-7])\b[0-9;]*m")
+MAIN = "from slipcircle.__main__ import main; status = main(sys.argv[1:])"
+
+
+def environment(**changes: str) -> dict[str, str]:
+    """This one without what would change the tables' look."""
+    look = ("COLUMNS", "LINES", "NO_COLOR", "FORCE_COLOR", "TTY_COMPATIBLE", "TTY_INTERACTIVE", "CLICOLOR")
+    return {k: v for k, v in os.environ.items() if k not in look} | changes
+
+
+def command(*argv: str, **changes: str) -> subprocess.CompletedProcess[str]:
+    """Run `python -m slipcircle` in a fresh interpreter in which every warning is an error."""
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-m", "slipcircle", *argv], cwd=ROOT, env=environment(**changes),
+        capture_output=True, text=True, encoding="utf-8", stdin=subprocess.DEVNULL, check=False,
+    )  # fmt: skip
+
+
+def python(code: str, *argv: str) -> subprocess.CompletedProcess[str]:
+    """Run code in a fresh interpreter, with `sys` imported."""
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", f"import sys; {code}", *argv], cwd=ROOT, env=environment(),
+        capture_output=True, text=True, encoding="utf-8", stdin=subprocess.DEVNULL, check=False,
+    )  # fmt: skip
+
+
+def strict(text: str) -> Any:
+    """JSON as its standard has it: no NaN, no Infinity."""
+
+    def refuse(constant: str) -> None:
+        raise ValueError(constant)
+
+    return json.loads(text, parse_constant=refuse)
+
+
+# --- run -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("names", [NAMES[:1], NAMES[1:], NAMES], ids="-and-".join)
+def test_run_prints_a_table(names: list[str]) -> None:
+    done = command("run", *names)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\x1b" not in done.stdout
+    lines = done.stdout.splitlines()
+    assert max(map(len, lines)) <= 100
+    assert lines[0].split() == names or lines[1].split() == names
+    text = " ".join(done.stdout.split())
+    for name in names:
+        motion = solve(Scene.load(name))
+        assert f"{name}: {motion.plan.scene.note}" in text
+        assert f"{motion.end.velocity:.2f} m/s" in text
+        assert f"{motion.end.displacement:.1f} m" in text
+    assert all(len(line.split("  ")) >= len(names) for line in lines if line.startswith(" velocity"))
+
+
+def test_the_table_shows_the_papers_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    """Printed and right coefficients side by side, each in its column."""
+    assert main(["run", *NAMES]) == 0
+    rows = {line[:26].strip(): line[26:].split("  ") for line in capsys.readouterr().out.splitlines()}
+    cells = {label: [c.strip() for c in columns if c.strip()] for label, columns in rows.items()}
+    theta_1, theta_2 = float(np.deg2rad(215.2)), float(np.deg2rad(276.9))
+    half = (theta_2 - theta_1) / 2
+    right = {
+        "Theta*": oracle.kernel("moment_of_inertia", half), "A": oracle.kernel("dynamic_coefficient", half),
+        "J_r": oracle.whole("radial_weight", theta_1, theta_2)[0], "lambda": oracle.kernel("resistance_factor", half),
+        "J_theta": oracle.whole("weight_moment", theta_1, theta_2)[0],
+    }  # fmt: skip
+    printed = {"Theta*": "0.43760", "A": "0.46800", "J_r": "0.08700", "lambda": "0.15230", "J_theta": "0.03870"}
+    for label, value in right.items():
+        assert cells[label] == [printed[label], f"{float(value):.5f}"]
+    assert cells["limit friction angle"] == ["23.98 deg", "22.74 deg"]
+    assert cells["friction angle"] == ["10.00 deg", "10.00 deg"]
+    assert cells["normal stress at start"] == ["2.413 MPa", "2.413 MPa"]
+    assert cells["effects"] == ["centripetal", "centripetal"]
+
+
+def check_record(record: dict[str, Any], motion: Motion) -> None:
+    """Full precision, SI units and radians: the very numbers of `solve`."""
+    scene = motion.plan.scene
+    assert record["scene"] == scene.name
+    assert record["effects"] == ["centripetal"]
+    assert record["friction"] == float(np.tan(np.deg2rad(10.0)))
+    assert record["limit_friction"] == scene.arc.dimensionless.limit_friction
+    assert record["dimensionless"] == asdict(scene.arc.dimensionless)
+    assert (record["moves"], record["arrested"]) == (True, False)
+    assert record["duration"] == motion.duration == 30.0
+    assert record["run_out"] == motion.run_out
+    for moment in ("peak", "end"):
+        assert record[moment] == asdict(getattr(motion, moment))
+        assert list(record[moment]) == [f.name for f in fields(State)]
+        assert record[moment]["displacement"] == 1492.6 * record[moment]["rotation"]  # m and rad
+    energy = motion.energy
+    assert record["energy"] == asdict(energy) | {"residual": energy.residual}
+
+
+def test_run_json() -> None:
+    done = command("run", "vaiont-frozen", "--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    check_record(strict(done.stdout), solve(Scene.load("vaiont-frozen")))
+
+
+def test_run_json_of_several_scenes_is_a_list(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "--json", *NAMES]) == 0
+    records = strict(capsys.readouterr().out)
+    assert len(records) == 2
+    for record, name in zip(records, NAMES, strict=True):
+        check_record(record, solve(Scene.load(name)))
+
+
+def test_a_scene_at_rest_prints_too(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(SCENES, "still", lambda: Scene(Scene.load("vaiont-frozen").arc, 0.9, name="still"))
+    assert main(["run", "still", "--json"]) == 0
+    record = strict(capsys.readouterr().out)
+    assert (record["moves"], record["arrested"], record["duration"], record["run_out"]) == (False, True, 0.0, 0.0)
+    assert main(["run", "still"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"moves +no\b", shown)
+    assert re.search(r"comes to rest +yes\b", shown)
+
+
+# --- terminals -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("colour", [{}, {"NO_COLOR": "1"}], ids=["colour", "NO_COLOR"])
+@pytest.mark.parametrize("columns", [80, 160])
+def test_in_a_terminal(columns: int, colour: dict[str, str]) -> None:
+    """As wide as the terminal, up to 100 columns; no colour where none is wanted."""
+    pty = pytest.importorskip("pty")
+    reader, writer = pty.openpty()
+    with os.fdopen(reader, "rb", buffering=0) as terminal:
+        done = subprocess.run(
+            [sys.executable, "-m", "slipcircle", "run", "vaiont-frozen"],
+            cwd=ROOT,
+            env=environment(TERM="xterm-256color", COLUMNS=str(columns), **colour),
+            stdin=subprocess.DEVNULL,
+            stdout=writer,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+        os.close(writer)
+        shown = b""
+        try:
+            while block := terminal.read(65536):
+                shown += block
+        except OSError:  # how Linux says that the other side is closed
+            pass
+    assert (done.returncode, done.stderr) == (0, b"")
+    text = shown.decode()
+    if colour:
+        assert not COLOUR.search(text)
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", text)
+    assert "vaiont-frozen" in plain
+    assert max(len(line.rstrip("\r")) for line in plain.split("\n")) <= min(columns, 100)
+
+
+def test_no_environment_variable_makes_a_pipe_wide_or_narrow() -> None:
+    plain = command("run", *NAMES).stdout
+    for changes in ({"COLUMNS": "40"}, {"COLUMNS": "400"}, {"NO_COLOR": "1"}, {"TERM": "dumb"}):
+        assert command("run", *NAMES, **changes).stdout == plain
+
+
+# --- errors --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("argv", "status", "said"),
+    [
+        (["run", "viaont"], 1, "scene 'viaont' is unknown; known are vaiont-as-printed, vaiont-frozen"),
+        (["run", "vaiont-frozen", "viaont"], 1, "scene 'viaont' is unknown"),
+        (["run", "viaont", "--json"], 1, "scene 'viaont' is unknown"),
+        (["cost", "polar"], 1, "function 'polar' is unknown; known are polar_moment, moment_of_inertia"),
+        ([], 2, "required: COMMAND"),
+        (["run"], 2, "required: NAME"),
+        (["ruin"], 2, "'ruin'"),
+        (["run", "vaiont-frozen", "--jsno"], 2, "--jsno"),
+        (["info", "all"], 2, "all"),
+    ],
+)
+def test_errors(argv: list[str], status: int, said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Status 1 for input that is refused, 2 for a wrong call; stdout stays empty, there is no traceback."""
+    try:
+        found = main(argv)
+    except SystemExit as leaving:
+        found = int(str(leaving.code))
+    assert found == status
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert said in err
+    if status == 1:
+        assert err.startswith("slipcircle: ")
+        assert err.count("\n") == 1
+
+
+def test_the_exit_status_reaches_the_shell() -> None:
+    for argv, status in ((("run", "viaont"), 1), (("run",), 2), (("info", "--json"), 0), (("--help",), 0)):
+        done = command(*argv)
+        assert done.returncode == status
+        assert (done.stdout == "") == (status != 0)
+        assert (done.stderr == "") == (status == 0)
+        assert "Traceback" not in done.stderr
+
+
+def test_without_rich_there_is_one_error_with_the_line_to_type() -> None:
+    without = f"sys.modules['rich'] = None; {MAIN}; sys.exit(status)"
+    for argv in (["run", "vaiont-frozen"], ["info"]):
+        done = python(without, *argv)
+        assert (done.returncode, done.stdout) == (1, "")
+        assert done.stderr.startswith("slipcircle: tables need rich: pip install 'slipcircle[scenes]'")
+        assert "--json" in done.stderr
+        assert done.stderr.count("\n") == 1
+        assert strict(python(without, *argv, "--json").stdout)
+
+
+def test_without_mpmath_cost_says_what_to_type() -> None:
+    done = python(f"sys.modules['mpmath'] = None; {MAIN}; sys.exit(status)", "cost", "--json")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == "slipcircle: the reference needs mpmath: pip install 'slipcircle[derive]'\n"
+
+
+# --- what is loaded ------------------------------------------------------------------------------------------------
+
+
+def loaded(code: str, *argv: str) -> set[str]:
+    """Top-level modules that are loaded after the code."""
+    done = python(f"{code}; print(*sys.modules, file=sys.stderr)", *argv)
+    assert done.returncode == 0, done.stderr
+    return {name.partition(".")[0] for name in done.stderr.split()} - sys.stdlib_module_names
+
+
+def test_solving_a_frozen_scene_loads_numpy_alone() -> None:
+    ours = {"slipcircle", "generated", "__main__"}
+    bare = loaded("import numpy")
+    assert loaded(MAIN, "run", "vaiont-frozen", "--json") <= bare | ours
+    solving = "from slipcircle import Scene, solve; m = solve(Scene.load('vaiont-frozen')); m.at([0, 1]); m.energy"
+    assert loaded(solving) <= bare | ours
+    assert loaded(MAIN, "info", "--json") <= bare | ours
+    assert "rich" in loaded(MAIN, "run", "vaiont-frozen")  # this test would see it
+
+
+# --- info and cost -------------------------------------------------------------------------------------------------
+
+
+def test_info() -> None:
+    done = command("info", "--json")
+    facts = strict(done.stdout)
+    assert facts["slipcircle"] == slipcircle.__version__
+    assert facts["numpy"] == np.__version__
+    assert facts["python"] == sys.version.split()[0]
+    for path in Path(generated.__path__[0]).glob("*.py"):
+        digest = hashlib.sha256(path.read_bytes()).hexdigest()
+        assert facts[f"generated/{path.name}"].startswith("sha256 ")
+        assert digest.startswith(facts[f"generated/{path.name}"].removeprefix("sha256 "))
+        assert len(facts[f"generated/{path.name}"]) >= 23
+    table = command("info")
+    assert table.returncode == 0
+    assert max(map(len, table.stdout.splitlines())) <= 100
+    for key, value in facts.items():
+        assert re.search(rf"{re.escape(key)} +{re.escape(value)}", table.stdout)
+
+
+def test_cost_of_a_way_that_fails_is_json_too(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fails = cost.Row("f", "printed form", float("inf"), (1.5,), 3.0, "frontier")
+    monkeypatch.setattr(cost, "measure", lambda names, progress: [fails])
+    assert main(["cost", "--json"]) == 0
+    assert strict(capsys.readouterr().out)["rows"][0]["error"] is None
+
+
+def test_cost(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["cost", "resistance_factor", "--json"]) == 0
+    out, err = capsys.readouterr()
+    assert err == "measuring resistance_factor\n"
+    found = strict(out)
+    assert np.__version__ in found["machine"]
+    ways = {row["way"] for row in found["rows"]}
+    assert ways == {"printed form", "stable form", "mpmath, 30 digits", "mpmath, 50 digits"}
+    assert {row["function"] for row in found["rows"]} == {"resistance_factor"}
+    assert main(["cost", "resistance_factor"]) == 0
+    table = capsys.readouterr().out
+    assert max(map(len, table.splitlines())) <= 100
+    assert all(re.search(rf"^ *{way} ", table, re.MULTILINE) for way in ways)

@@ -1,0 +1,110 @@
+"""The derivation: closed forms against quadrature of the raw definitions at 40 digits, and every link proved."""
+
+from functools import cache
+
+import mpmath
+import pytest
+import sympy as sp
+from mpmath import mpf
+
+from derive import dynamics, functions, stable
+from derive.integrate import PSI, Derivation, compare, derive, quadrature
+from derive.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
+from derive.symbols import a, alpha, b, omega_0, r, t, theta, theta_1
+
+each_moment = pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
+DIGITS = 40
+
+
+@cache
+def derivation(moment: Moment) -> Derivation:
+    return derive(moment)
+
+
+@cache
+def closed_forms() -> dict[str, sp.Expr]:
+    return functions.closed_amplitudes([derivation(m) for m in MOMENTS])
+
+
+@each_moment
+@pytest.mark.parametrize("half", ["0.001", "0.8", "pi/2 - 0.001"])
+def test_closed_form_equals_quadrature(moment: Moment, half: str) -> None:
+    """In r and theta, over the chord (2.6) as it stands, at 40 digits; the arc starts at an odd angle."""
+    with mpmath.workdps(DIGITS + 30):
+        start = mpf("3.4")
+        angle = mpf(half) if half[0] != "p" else mpmath.pi / 2 - mpf("0.001")
+        form = derivation(moment).closed.subs(PSI, 3 * sp.pi / 2 - theta_1 - alpha)
+        value = sp.lambdify((theta_1, alpha), form, "mpmath")(start, angle)
+        raw = quadrature(moment.weight, start, angle, DIGITS)
+        assert abs(raw / value - 1) < mpf(10) ** (1 - DIGITS)
+
+
+@each_moment
+def test_derivation(moment: Moment) -> None:
+    """Each moment comes out as an amplitude in alpha times a direction, shorter than what was integrated."""
+    found = derivation(moment)
+    assert found.amplitude.free_symbols == {alpha}
+    assert found.direction == {"radial_weight": sp.cos(PSI), "weight_moment": sp.sin(PSI)}.get(moment.name, 1)
+    assert found.operations[1] < found.operations[0]
+    assert moment.weight.free_symbols <= {r, theta}
+    assert "40 digits" in compare(found, DIGITS)
+
+
+def test_the_chord_is_the_paper_s() -> None:
+    """(2.6) passes through both ends of the arc and is straight: r cos(theta - theta_m) is constant."""
+    for end in (theta_1, theta_1 + 2 * alpha):
+        assert sp.simplify(CHORD.subs(theta, end)) == 1
+    assert sp.diff(CHORD * sp.cos(theta - theta_1 - alpha), theta) == 0
+
+
+@pytest.mark.parametrize("name", stable.BASE_NAMES)
+def test_stable_form_is_proved(name: str) -> None:
+    stable.prove_kernel(name, closed_forms()[name])
+
+
+@pytest.mark.parametrize("quotient", QUOTIENTS, ids=lambda q: q.name)
+@pytest.mark.parametrize("half", ["0.001", "0.8", "1.5697"])
+def test_stable_quotient_equals_the_ratio_of_closed_forms(quotient: object, half: str) -> None:
+    name, numerator, denominator = (getattr(quotient, x) for x in ("name", "numerator", "denominator"))
+    with mpmath.workdps(80):
+        ours = sp.lambdify(alpha, stable.unfold(stable.QUOTIENT_FORMS[name]), "mpmath")(mpf(half))
+        ratio = closed_forms()[numerator] / closed_forms()[denominator]
+        assert abs(ours / sp.lambdify(alpha, ratio, "mpmath")(mpf(half)) - 1) < mpf(10) ** -DIGITS
+
+
+# --- the motion ----------------------------------------------------------------------------------------------------
+
+
+def test_balance_is_proved() -> None:
+    steps = dynamics.balance()
+    assert {"2.20", "3.8", "3.11", "3.16", "3.17", "3.18", "3.21"} <= set(steps)
+    assert steps["3.16"].right.free_symbols >= {a, b}
+
+
+def test_every_piece_of_every_motion_formula_is_proved() -> None:
+    claims = dynamics.prove_forms()
+    for name in ("angular_velocity", "angular_acceleration", "rotation"):
+        assert {f"{name}, a b t**2 > 1", f"{name}, a b t**2 <= 1"} <= set(claims)
+    assert any("arrest" in c for c in claims)
+
+
+@pytest.mark.parametrize("point", [(0.7, 0.4, 0.2), (0.7, -0.4, 0.2), (-0.7, 0.4, 0.9), (-0.7, -0.4, -0.3)], ids=str)
+def test_solution_satisfies_the_equation_of_motion(point: tuple[float, ...]) -> None:
+    """Differentiated numerically in time, at 30 digits, for every pair of signs."""
+    ways = dynamics.solution()
+    symbols = (a, b, omega_0, t)
+    root = {x: sp.sqrt(a * b) for x in ways["y"].free_symbols - set(symbols)}
+    with mpmath.workdps(60):
+        drive, brake, start = map(mpf, point)
+        omega, phi, rate = (
+            sp.lambdify(symbols, ways[x].subs(root), "mpmath")
+            for x in ("angular_velocity", "rotation", "angular_acceleration")
+        )
+        for time in (mpf("0.3"), mpf("0.9")):
+            now = omega(drive, brake, start, time)
+            slope = mpmath.diff(lambda x: omega(drive, brake, start, x), time)
+            assert abs(slope - (drive - brake * now**2)) < mpf(10) ** -28
+            assert abs(slope - rate(drive, brake, start, time)) < mpf(10) ** -28
+            assert abs(mpmath.diff(lambda x: phi(drive, brake, start, x), time) - now) < mpf(10) ** -28
+        assert abs(omega(drive, brake, start, mpf(0)) - start) < mpf(10) ** -50
+        assert abs(phi(drive, brake, start, mpf(0))) < mpf(10) ** -50

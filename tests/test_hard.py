@@ -1,0 +1,79 @@
+"""The table of hard cases: run through `generated` against independent references, and printed."""
+
+import json
+import math
+
+import numpy as np
+import oracle
+import pytest
+from test_motion_formulas import BOUND as MOTION_BOUND
+
+from derive import dynamics
+from derive.__main__ import main
+from derive.hard import CASES, HardCase, Result, measured, report
+from generated import kernels, motion
+
+
+@pytest.fixture(scope="module")
+def results() -> list[Result]:
+    return measured()
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda c: f"{c.function}{c.arguments}")
+def test_case(case: HardCase) -> None:
+    """Within the function's own bound, by quadrature of its definition or by the equation of motion; no warning."""
+    module = kernels if case.function in kernels.__all__ else motion
+    with np.errstate(all="raise"):
+        value = float(getattr(module, case.function)(*case.arguments))
+    if module is motion:
+        reference = oracle.motion(case.function, *case.arguments)
+        assert reference is not None
+        assert oracle.motion_error(value, reference) <= MOTION_BOUND
+    elif case.function == "limit_friction":
+        assert oracle.ulps(value, oracle.limit_friction(*case.arguments)) <= 16
+    elif case.function in oracle.WHOLE:
+        assert oracle.ulps(value, *oracle.whole(case.function, *case.arguments)) <= 16 + 2
+    else:
+        assert oracle.ulps(value, oracle.kernel(case.function, *case.arguments)) <= 16
+
+
+def test_every_kernel_and_motion_formula_has_one() -> None:
+    wanted = {*kernels.__all__, *(f.name for f in dynamics.FORMS), "frozen_drive", "frozen_centripetal_drive"}
+    assert wanted == {c.function for c in CASES}
+
+
+def test_the_naive_form_fails_at_each(results: list[Result]) -> None:
+    """By a factor of five at least, or without a number; the one case where it does not says so."""
+    for x in results:
+        fails = not x.naive_error <= 5 * x.our_error
+        assert fails == ("better here" not in x.case.naive), x
+
+
+def test_the_printed_numbers_are_those_of_the_tests(results: list[Result]) -> None:
+    """The table's own reference, the closed form at many digits, agrees with the independent one."""
+    for x in results:
+        if x.case.function in oracle.BASE or x.case.function in oracle.QUOTIENTS:
+            value = float(getattr(kernels, x.case.function)(*x.case.arguments))
+            error = oracle.ulps(value, oracle.kernel(x.case.function, *x.case.arguments))
+            assert error == pytest.approx(x.our_ulp, rel=1e-6, abs=1e-9), x
+
+
+def test_table(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["hard"]) == 0
+    text = capsys.readouterr().out
+    assert max(map(len, text.splitlines())) <= 100
+    for case in CASES:
+        assert f"\n{case.function}\n" in text
+        assert repr(case.arguments[0]) in text
+
+
+def test_json() -> None:
+    """Strict JSON: what is no number is a word."""
+    rows = json.loads(report("json"), parse_constant=lambda x: pytest.fail(f"{x} is not JSON"))
+    assert [(r["function"], tuple(r["arguments"]), r["why"]) for r in rows] == [
+        (c.function, c.arguments, c.why) for c in CASES
+    ]
+    for row in rows:
+        assert row["naive_error"] in ("inf", "NaN") or row["naive_error"] >= 0
+        assert math.isfinite(row["our_error"])
+        assert math.isfinite(row["our_ulp"])

@@ -1,0 +1,191 @@
+"""Bugs planted on purpose, one at a time: each must turn a named check red, and the text without it must not."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import oracle
+import pytest
+import sympy as sp
+import test_generated
+import test_kernels
+import test_motion_formulas
+
+from derive import dynamics, functions, integrate, quantities, stable, write
+from derive.integrate import PSI, Derivation, ProofError
+from derive.quantities import MOMENTS
+from derive.symbols import a, alpha, omega_0, r
+
+FOLDER = test_generated.FOLDER
+
+
+def accurate(module: ModuleType, name: str) -> None:
+    test_kernels.check_accuracy(getattr(module, name), name)
+
+
+def weighs_right(module: ModuleType, name: str) -> None:
+    test_kernels.check_weight(getattr(module, name), getattr(module, oracle.WHOLE[name]), name)
+
+
+def has_limits(module: ModuleType, name: str) -> None:
+    test_kernels.check_landmarks(getattr(module, name), name)
+
+
+def moves_right(module: ModuleType, name: str) -> None:
+    test_motion_formulas.check_accuracy(getattr(module, name), name)
+
+
+def ends(module: ModuleType, name: str) -> None:
+    test_motion_formulas.check_ended(getattr(module, name), name)
+
+
+@dataclass(frozen=True)
+class Bug:
+    """What is changed in the private function or the public one, and the check that it turns red."""
+
+    what: str
+    function: str
+    pattern: str
+    replacement: str
+    check: Callable[[ModuleType, str], None]
+
+    @property
+    def module(self) -> str:
+        return "motion" if self.function.startswith("frozen") else "kernels"
+
+
+LOGARITHM = r"np\.where\((v\d+) < 0\.4, (.*), (\(0\.5 \* np\.log1p.*)\)$"
+ALPHA = r"np\.minimum\(1\.5707963267948966, alpha\)"
+VELOCITY, ROTATION, ACCELERATION = test_motion_formulas.RIDE
+BUGS = (
+    Bug("a sign", "moment_of_inertia", r"\+ -0\.008333333333333333", "+ 0.008333333333333333", accurate),
+    Bug("a coefficient's last digits", "weight_moment_amplitude", "0.6666666666666666 ", "0.66666666666666 ", accurate),
+    Bug("a series cut short", "weight_moment_amplitude", "8.22063524662433e-18", "0.0", accurate),
+    Bug("swapped branches", "radial_weight_amplitude", LOGARITHM, r"np.where(\1 < 0.4, \3, \2)", accurate),
+    Bug("a seam out of place", "polar_moment", r"(v\d+) < 0\.4,", r"\1 < 0.44,", accurate),
+    Bug("2 alpha for alpha", "radial_weight_amplitude", ALPHA, "np.minimum(1.5707963267948966, 2.0 * alpha)", accurate),
+    Bug("2 alpha for alpha, in a quotient", "dynamic_coefficient", ALPHA, "np.minimum(1.6, 2.0 * alpha)", accurate),
+    Bug("alpha not clipped at pi/2", "radial_weight_amplitude", ALPHA, "alpha", has_limits),
+    Bug("theta_1 for theta_m, J_r", "radial_weight", r"np\.sin\(v\d+\)", "np.sin(theta_1)", weighs_right),
+    Bug("theta_1 for theta_m, J_theta", "weight_moment", r"np\.cos\(v\d+\) -", "np.cos(theta_1) -", weighs_right),
+    Bug("the sign of J_theta", "weight_moment", r"return (v\d+)", r"return -\1", weighs_right),
+    Bug("theta_m's rounding error lost", "weight_moment", r"0\.5 \* \(theta_1 - ", "0.0 * (theta_1 - ", weighs_right),
+    Bug("negative alpha let in", "polar_moment", r"alpha >= 0\.0", "alpha >= -2.0", test_generated.check_domain),
+    Bug("too large an alpha let in", "polar_moment", r"4\.0 \* eps", "64.0 * eps", test_generated.check_domain),
+    Bug("a sign of b", VELOCITY, r"(v\d+ = b) \* omega_0", r"\1 * -omega_0", moves_right),
+    Bug("swapped branches, a b t**2 = 1", ROTATION, r"(v\d+) = 1\.0 < (v\d+)", r"\1 = 1.0 >= \2", moves_right),
+    Bug("a sign, omega_0**2", ACCELERATION, r"a - (\w+) \* omega_0", r"a + \1 * omega_0", moves_right),
+    Bug("the pole overlooked", VELOCITY, r"(v\d+) = 0\.0 < np\.minimum\((v\d+), .*\)$", r"\1 = 1e9 > \2", ends),
+    Bug("half the arrest", "frozen_centripetal_arrest_rotation", r"-\(0\.5 \* ", "-(", moves_right),
+    Bug("t for -t", "frozen_arrest_time", r"-\(omega_0 / a\)", "omega_0 / a", moves_right),
+)
+
+
+def build(name: str, text: str) -> ModuleType:
+    """A module of `generated` from its text."""
+    module = ModuleType(f"planted_{name}")
+    exec(compile(text, f"<planted {name}>", "exec"), module.__dict__)
+    return module
+
+
+def plant(bug: Bug) -> str:
+    """The module's text with the bug in the one function, body and domain."""
+    text = (FOLDER / f"{bug.module}.py").read_text("utf-8")
+    start = text.index(f"def _{bug.function}(")
+    end = text.find("\n\n\ndef _", start)
+    before, own, after = text[:start], text[start:end], text[end:] if end != -1 else ""
+    own = own if end != -1 else text[start:]
+    changed, count = re.subn(bug.pattern, bug.replacement, own, flags=re.MULTILINE)
+    assert count, f"{bug.what}: nothing to change in {bug.function}"
+    return before + changed + after
+
+
+@pytest.mark.parametrize("bug", BUGS, ids=lambda b: f"{b.what}, {b.function}")
+def test_a_bug_in_the_text_turns_its_check_red(bug: Bug) -> None:
+    right = build(bug.module, (FOLDER / f"{bug.module}.py").read_text("utf-8"))
+    bug.check(right, bug.function)
+    with pytest.raises((AssertionError, FloatingPointError, pytest.fail.Exception)):
+        bug.check(build(bug.module, plant(bug)), bug.function)
+
+
+@pytest.mark.parametrize("bug", [
+    Bug("a coefficient's last bit", "polar_moment", "0.16666666666666666", "0.1666666666666667", accurate),
+    # alpha's rounding error is worth 1.5 ulp of the amplitude at most, less than the bound allows for.
+    Bug("alpha's rounding error dropped", "radial_weight", r"0\.5 \* \(theta_2 - ", "0.0 * (theta_2 - ", weighs_right),
+    Bug("a coefficient's last bit", VELOCITY, "0.16666666666666666", "0.1666666666666667", moves_right),
+    Bug("a word of a docstring", "weight_moment", "Domain: 0 <=", "Domain: 0 <", accurate),
+], ids=lambda b: f"{b.what}, {b.function}")  # fmt: skip
+def test_what_stays_within_the_bounds_is_still_found(bug: Bug, tmp_path: Path) -> None:
+    """A last bit may be worth less than an ulp: the digest and `python -m derive --check` see it."""
+    texts = write.present(FOLDER)
+    test_generated.check_digests(texts)
+    write.write(texts, tmp_path)
+    texts[f"{bug.module}.py"] = plant(bug)
+    with pytest.raises(AssertionError, match=f"{bug.module}.py was edited by hand"):
+        test_generated.check_digests(texts)
+    write.write(texts, tmp_path)
+    with pytest.raises(AssertionError, match="run `python -m derive`"):
+        test_generated.check_up_to_date(tmp_path)
+
+
+# --- before the text: the derivation -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", stable.BASE_NAMES)
+def test_a_wrong_stable_form_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    closed = functions.closed_amplitudes([integrate.derive(m) for m in MOMENTS])[name]
+    stable.prove_kernel(name, closed)
+    right = stable.REDUCED[name]
+    for wrong in (-right, right.subs(alpha, 2 * alpha), right + alpha**2 / 10**6, right * sp.cos(alpha)):
+        monkeypatch.setitem(stable.REDUCED, name, wrong)
+        with pytest.raises(ProofError, match=name):
+            stable.prove_kernel(name, closed)
+
+
+@pytest.mark.parametrize("name", sorted(stable.SLOPES))
+def test_a_wrong_slope_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    closed = functions.closed_amplitudes([integrate.derive(m) for m in MOMENTS])[name]
+    monkeypatch.setitem(stable.SLOPES, name, stable.SLOPES[name] * 2)
+    with pytest.raises(ProofError, match="slope"):
+        stable.prove_kernel(name, closed)
+
+
+def test_a_wrong_antiderivative_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    right: Callable[..., Any] = sp.integrate
+    monkeypatch.setattr(sp, "integrate", lambda e, x: right(e, x) + x)
+    with pytest.raises(ProofError, match="antiderivative"):
+        integrate.derive(MOMENTS[0])
+
+
+@pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
+def test_a_wrong_closed_form_is_found_by_quadrature(moment: quantities.Moment) -> None:
+    right = integrate.derive(moment)
+    turned = {sp.Integer(1): sp.cos(PSI), sp.cos(PSI): sp.sin(PSI), sp.sin(PSI): sp.cos(PSI)}[right.direction]
+    amplitude = right.amplitude
+    wrongs: tuple[Derivation, ...] = (
+        replace(right, amplitude=-amplitude),
+        replace(right, amplitude=amplitude.subs(alpha, 2 * alpha)),  # as the paper's tables evaluate (2.24) and (3.15)
+        replace(right, amplitude=amplitude * (1 + sp.Rational(1, 10**18))),
+        replace(right, direction=turned),
+        replace(right, moment=replace(moment, weight=moment.weight / r)),  # as its Appendix II integrates (3.13)
+    )
+    for wrong in wrongs:
+        with pytest.raises(ProofError, match=moment.name):
+            integrate.compare(wrong, 20)
+
+
+@pytest.mark.parametrize("name", [f.name for f in dynamics.FORMS])
+def test_a_wrong_motion_formula_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sign of a or of omega_0 in the result, and a factor."""
+    (form,) = (f for f in dynamics.FORMS if f.name == name)
+    swaps = [form.result.subs(x, -x) for x in (a, omega_0)] + [2 * form.result]
+    for wrong in (replace(form, result=x) for x in swaps):
+        if wrong == form:
+            continue  # even in it
+        monkeypatch.setattr(dynamics, "FORMS", tuple(wrong if f.name == name else f for f in dynamics.FORMS))
+        with pytest.raises(ProofError):
+            dynamics.prove_forms()
+        monkeypatch.undo()
