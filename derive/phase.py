@@ -21,7 +21,7 @@ _HALF_SINE = sp.sin(X / 2)
 
 
 class ExpDefect(Stable):
-    """(exp(-x) - 1 + x)/x**2 for x >= 0."""
+    """(exp(-x) - 1 + x)/x**2."""
 
     def definition(self) -> sp.Expr:
         x = self.args[0]
@@ -29,18 +29,18 @@ class ExpDefect(Stable):
 
     def lower(self) -> sp.Expr:
         x = self.args[0]
-        near, far = sp.Min(x, 1), sp.Max(x, 1)
-        return Select(x, 1, Horner.of(exp_series(2), near), (Expm1(-far) + far) / far**2)
+        near, far = sp.Max(sp.Min(x, 1), -1), Select(sp.Abs(x), 1, sp.Integer(1), x)
+        return Select(sp.Abs(x), 1, Horner.of(exp_series(2), near), (Expm1(-far) + far) / far**2)
 
 
 class ExpRatio(Stable):
-    """(1 - exp(-x))/x for x >= 0, 1 at x = 0."""
+    """(1 - exp(-x))/x, 1 at x = 0."""
 
     def definition(self) -> sp.Expr:
         return (1 - sp.exp(-self.args[0])) / self.args[0]
 
     def lower(self) -> sp.Expr:
-        x = sp.Max(self.args[0], sp.Float("1e-300"))
+        x = Select(sp.Abs(self.args[0]), sp.Float("1e-300"), sp.Float("1e-300"), self.args[0])
         return -Expm1(-x) / x
 
 

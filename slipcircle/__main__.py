@@ -1,4 +1,4 @@
-"""Command line: `slipcircle run NAME...`, `slipcircle cost`, `slipcircle info`, also as `python -m slipcircle`.
+"""Command line: `slipcircle run SCENE...`, `schema`, `cost`, `info`, also as `python -m slipcircle`.
 
 Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was refused, 2 a wrong call.
 """
@@ -14,7 +14,9 @@ import numpy as np
 
 import slipcircle
 from slipcircle import Motion, Scene, solve
-from slipcircle.scenes import SCENES
+from slipcircle.friction import friction
+from slipcircle.scenefile import shipped
+from slipcircle.scenekeys import schema
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -22,7 +24,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="slipcircle", description=str(slipcircle.__doc__).partition("\n")[0])
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     run = commands.add_parser("run", help="solve scenes and print their motion side by side")
-    run.add_argument("scenes", nargs="+", metavar="NAME", help=f"one of {', '.join(SCENES)}")
+    run.add_argument("scenes", nargs="+", metavar="SCENE", help=f"one of {', '.join(shipped())}, or a TOML file")
+    commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
     cost = commands.add_parser("cost", help="measure here what each way to compute a function costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="FUNCTION", help="by default all")
     info = commands.add_parser("info", help="versions and digests of what is installed")
@@ -30,7 +33,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
     try:
-        {"run": _run, "cost": _cost, "info": _info}[options.command](options)
+        {"run": _run, "schema": _schema, "cost": _cost, "info": _info}[options.command](options)
     except (ValueError, ImportError) as error:
         print(f"slipcircle: {error}", file=sys.stderr)
         return 1
@@ -44,7 +47,8 @@ def _run(options: argparse.Namespace) -> None:
         found = [motion_record(m) for m in motions]
         print(json.dumps(found[0] if len(found) == 1 else found, indent=2))
         return
-    rows = zip(*(_column(m) for m in motions), strict=True)
+    alike = len({m.duration for m in motions}) == 1
+    rows = zip(*(_column(m, alike) for m in motions), strict=True)
     table(
         ["", *(m.plan.scene.name for m in motions)],
         ([column[0][0], *(cell for _, cell in column)] for column in rows),
@@ -52,25 +56,29 @@ def _run(options: argparse.Namespace) -> None:
     )
 
 
-def _column(motion: Motion) -> list[tuple[str, str]]:
-    """The table of one motion: label and value of each row."""
-    arc = motion.plan.scene.arc
-    d, mu = arc.dimensionless, float(np.asarray(motion.plan.scene.friction))
+def _schema(options: argparse.Namespace) -> None:
+    print(json.dumps(schema(), indent=2))
+
+
+def _column(motion: Motion, alike: bool) -> list[tuple[str, str]]:
+    """The table of one motion: label and value of each row; labels name times if all motions last alike."""
+    arc, law = motion.plan.scene.arc, friction(motion.plan.scene.friction)
+    d, mu = arc.dimensionless, float(law.coefficient(0.0))
     shared = [
         ("Theta*", f"{d.moment_of_inertia:.5f}"), ("J_r", f"{d.radial_weight:.5f}"),
         ("J_theta", f"{d.weight_moment:.5f}"), ("lambda", f"{d.resistance_factor:.5f}"),
         ("A", f"{d.dynamic_coefficient:.5f}"),
-        ("method", f"{motion.plan.method}, frozen geometry"),
+        ("method", motion.plan.method + ("" if "rotation" in motion.plan.effects else ", frozen geometry")),
         ("effects", ", ".join(motion.plan.effects) or "none"),
         ("left out", ", ".join(motion.plan.left_out) or "none"),
-        ("friction angle", f"{np.degrees(np.arctan(mu)):.2f} deg"),
-        ("limit friction angle", f"{np.degrees(arc.limit_friction_angle):.2f} deg"),
+        ("friction angle", f"{np.degrees(np.arctan(mu)):.2f} deg" + ("" if law.constant else f" at first, {law.law}")),
+        ("limit friction angle", f"{np.degrees(np.arctan(motion.limit_friction)):.2f} deg"),
         ("normal stress at start", f"{arc.static_normal_stress / 1e6:.3f} MPa"),
         ("moves", "yes" if motion.moves else "no"),
+        ("duration", f"{motion.duration:.2f} s"),
     ]  # fmt: skip
-    states = [
-        (f"after {share * motion.duration:.4g} s", motion.at(share * motion.duration)) for share in (1 / 3, 2 / 3)
-    ]
+    times = {"1/3": 1 / 3 * motion.duration, "2/3": 2 / 3 * motion.duration}
+    states = [(f"after {t:.4g} s" if alike else f"after {part}", motion.at(t)) for part, t in times.items()]
     for label, state in [*states, ("at the end", motion.end)]:
         shared += [
             (f"velocity {label}", f"{state.velocity:.2f} m/s"),
@@ -80,22 +88,21 @@ def _column(motion: Motion) -> list[tuple[str, str]]:
     return [
         *shared,
         ("peak velocity", f"{motion.peak.velocity:.2f} m/s"),
-        ("duration", f"{motion.duration:.2f} s"),
         ("comes to rest", "yes" if motion.arrested else "no, still moving at the end"),
     ]
 
 
 def motion_record(motion: Motion) -> dict[str, Any]:
     """A motion as JSON holds it: SI units, radians, full precision."""
-    scene = motion.plan.scene
+    scene, law = motion.plan.scene, friction(motion.plan.scene.friction)
     return {
         "scene": scene.name,
         "note": scene.note,
         "effects": list(motion.plan.effects),
         "left_out": list(motion.plan.left_out),
         "method": motion.plan.method,
-        "friction": float(np.asarray(scene.friction)),
-        "limit_friction": float(scene.arc.dimensionless.limit_friction),
+        "friction": float(law.coefficient(0.0)) if law.constant else {"law": law.law} | dict(law.parameters),
+        "limit_friction": motion.limit_friction,
         "dimensionless": {k: float(v) for k, v in asdict(scene.arc.dimensionless).items()},
         "moves": motion.moves,
         "arrested": motion.arrested,

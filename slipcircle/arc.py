@@ -134,17 +134,17 @@ class Arc:
             ]
         return []
 
-    @property
+    @cached_property
     def half_angle(self) -> Any:
         """alpha, half the opening angle (1.1), rad."""
         return np.subtract(self.theta_2, self.theta_1) / 2
 
-    @property
+    @cached_property
     def dip(self) -> Any:
         """psi, the dip of the chord, rad."""
         return 1.5 * np.pi - np.add(self.theta_1, self.theta_2) / 2
 
-    @property
+    @cached_property
     def time_scale(self) -> Any:
         """t_c = sqrt(R/g) (3.9), s."""
         return np.sqrt(np.divide(self.radius, self.gravity))
@@ -165,7 +165,7 @@ class Arc:
         # Quotients come from reduced functions, so that thin arcs do not underflow.
         towards = self._towards()
         dynamic = kernels.dynamic_coefficient(alpha)
-        per_inertia = kernels.radial_weight_per_inertia(alpha) * towards
+        per_inertia = self.amplitudes_per_inertia[1] * towards
         polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
         return Dimensionless(
             moment_of_inertia=kernels.moment_of_inertia(alpha),
@@ -180,6 +180,12 @@ class Arc:
             polar_moment_per_inertia=polar_per_inertia,
         )
 
+    @cached_property
+    def amplitudes_per_inertia(self) -> tuple[Any, Any]:
+        """C_theta/Theta* and C_r/Theta*, of which the weights over Theta* are made at any dip."""
+        alpha = self.half_angle
+        return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
+
     def _towards(self) -> Any:
         """cos(psi) = -sin(theta_m), with the rounding error of theta_1 + theta_2 (TwoSum), which a steep dip shows."""
         first, second = np.asarray(self.theta_1, dtype=np.float64), np.asarray(self.theta_2, dtype=np.float64)
@@ -188,39 +194,39 @@ class Arc:
         lost = (first - (total - part)) + (second - part)
         return -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
 
-    @property
+    @cached_property
     def polar_moment(self) -> Any:
         """I_p, polar surface moment of inertia (2.16), m^3."""
         d = self.dimensionless
         return np.power(self.radius, 3.0) * (d.resistance_factor * d.dynamic_coefficient)
 
-    @property
+    @cached_property
     def moment_of_inertia(self) -> Any:
         """Theta, mass moment of inertia about the centre (3.1), kg m^2."""
         density = np.divide(self.unit_weight, self.gravity)
         return np.multiply(self.width, density) * np.power(self.radius, 4.0) * self.dimensionless.moment_of_inertia
 
-    @property
+    @cached_property
     def weight_moment(self) -> Any:
         """Moment of the weight about the centre (3.7), N m."""
         return np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3.0) * self.dimensionless.weight_moment
 
-    @property
+    @cached_property
     def depth(self) -> Any:
         """f, the largest depth of the mass below its chord (2.12), m."""
         return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
 
-    @property
+    @cached_property
     def reference_stress(self) -> Any:
         """sigma_ref (2.13), Pa."""
         return np.multiply(self.unit_weight, self.depth)
 
-    @property
+    @cached_property
     def static_normal_stress(self) -> Any:
         """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
         return self.reference_stress * self.dimensionless.static_normal_stress
 
-    @property
+    @cached_property
     def limit_friction_angle(self) -> Any:
         """Friction angle at limit equilibrium (3.21), rad."""
         return np.arctan(self.dimensionless.limit_friction)

@@ -1,5 +1,6 @@
 """A scene's balance of momentum: the specialised functions of its combination of effects, bound to its values."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -7,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from generated import balance as functions
-from generated import kernels
 from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
 from slipcircle.scene import Scene
 
@@ -56,20 +56,36 @@ class Balance:
         known = {**self.values, **local}
         return getattr(functions, name)(*[known[a] for a in ARGUMENTS[name]])
 
+    def drive(self, at: Mapping[str, float], mu: float) -> float:
+        """The drive at a position, less the resistance at rest: made of the limit friction, unless water carries the mass.
+
+        There friction is a small part, and none where the mass is lifted, mu = 0.
+        """
+        normal = float(self.get("normal", **at))
+        if normal <= 1e-6 * at["press"]:
+            return float(at["fall"] - self.get("constant", mu=0.0) - mu * normal)
+        return float(self.get("drive", **at, mu=mu, limit_friction=self.get("limit_friction", **at)))
+
+    def press_at(self, rotation: Any) -> Any:
+        """J_r/Theta* after any rotation of the mass."""
+        if not self.turns:
+            return self.press + 0.0 * rotation
+        return self.press * np.cos(rotation) + self.radial * np.sin(self.dip) * np.sin(rotation)
+
     def position(self, rotation: float, direction: int) -> dict[str, float]:
         """What the balance needs of the position, seen in the direction of travel (a mirror, where it is negative)."""
         if rotation == 0.0 or not self.turns:
             fall, press, limit, dip = self.fall, self.press, self.static_limit, self.dip
         else:
             dip = self.dip - rotation
-            fall, press = self.weight * np.sin(dip), self.radial * np.cos(dip)
+            fall, press = self.weight * math.sin(dip), self.radial * math.cos(dip)
             limit = fall / press
         return {
             "fall": direction * fall,
             "press": press,
             "static_limit": direction * limit,
-            "fall_slope": self.weight * np.cos(dip),
-            "press_slope": -direction * self.radial * np.sin(dip),
+            "fall_slope": self.weight * math.cos(dip),
+            "press_slope": -direction * self.radial * math.sin(dip),
             "dip": direction * dip,
         }
 
@@ -77,7 +93,8 @@ class Balance:
 def bind(scene: Scene) -> Balance:
     """The balance of a scene of plain numbers."""
     arc, d = scene.arc, scene.arc.dimensionless
-    chosen = tuple(e for e in EFFECTS if e in scene.called)
+    called = scene.called
+    chosen = tuple(e for e in EFFECTS if e in called)
     alpha = float(arc.half_angle)
     scales = {
         "half_angle": alpha,
@@ -86,18 +103,19 @@ def bind(scene: Scene) -> Balance:
         "Theta": float(d.moment_of_inertia),
     }
     press = float(d.radial_weight_per_inertia)
+    weight, radial = arc.amplitudes_per_inertia
     level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
     values = {"level": level, "polar": float(d.polar_moment_per_inertia)}
     for effect in chosen:
-        given = scene.called[effect]
+        given = called[effect]
         for p in EFFECTS[effect].parameters:
             values[p.symbol] = p.dimensionless(float(given.get(p.name, 0.0)), scales)
     limit = float(d.limit_friction)
     return Balance(
         COMBINATIONS[chosen].functions,
         values,
-        float(kernels.weight_moment_per_inertia(alpha)),
-        float(kernels.radial_weight_per_inertia(alpha)),
+        float(weight),
+        float(radial),
         float(arc.dip),
         limit * press,
         press,

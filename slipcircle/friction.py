@@ -51,7 +51,7 @@ def law_mistakes(given: Any) -> list[str]:
     if callable(given):
         return []
     if not isinstance(given, Mapping):
-        return mistakes({"friction": given}, {"friction": (-5e-324, np.inf, "a friction coefficient of at least 0")})
+        return mistakes({"friction": given}, {"friction": (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")})
     name = given.get("law")
     if name not in LAWS:
         return [f"friction.law = {name!r}: must be one of {', '.join(LAWS)}"]
@@ -120,8 +120,23 @@ def _tabulated(slip: Floats, values: Floats, parameters: Mapping[str, Any]) -> F
         left = values[k] + rise[k] * z**2 * (3 - 2 * z)
         return left + step[k] * z * (1 - z) * (slope[k] * (1 - z) - slope[k + 1] * z)
 
-    return Friction("tabulated", coefficient, lambda s, more: coefficient(s) - coefficient(s + more),
-                    float(step.min()), tuple(slip[1:].tolist()), parameters)  # fmt: skip
+    def drop(s: Any, more: Any) -> Any:
+        """From the cubic's own derivatives at s within its piece, so that no digit is lost; then piece by piece."""
+        first = int(np.clip(np.searchsorted(slip, s, side="right") - 1, 0, slip.size - 1))
+        if first == slip.size - 1:
+            return 0.0 * np.asarray(more)
+        h, z = step[first], (s - slip[first]) / step[first]
+        a, b = slope[first], slope[first + 1]
+        bend, twist = 3 * secant[first] - 2 * a - b, a + b - 2 * secant[first]
+        rates = a + z * (2 * bend + 3 * twist * z), (bend + 3 * twist * z) / h, twist / h**2
+        y = np.minimum(more, slip[first + 1] - s)
+        fallen = -y * (rates[0] + y * (rates[1] + y * rates[2]))
+        for k in range(first + 1, slip.size - 1):
+            z = np.clip((s + more - slip[k]) / step[k], 0.0, 1.0)
+            fallen -= rise[k] * z**2 * (3 - 2 * z) + step[k] * z * (1 - z) * (slope[k] * (1 - z) - slope[k + 1] * z)
+        return fallen
+
+    return Friction("tabulated", coefficient, drop, float(step.min()), tuple(slip[1:].tolist()), parameters)
 
 
 def _end(near: float, next_: float, first: float, second: float) -> float:

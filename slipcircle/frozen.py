@@ -11,7 +11,7 @@ from generated import motion as formulas
 from slipcircle.balance import Balance
 from slipcircle.chebyshev import Piecewise, accumulate, resolve
 from slipcircle.friction import Friction
-from slipcircle.phaseplane import EPS, ROUNDING, Start
+from slipcircle.phaseplane import EPS, ROUNDING, Start, scalar
 
 Floats = NDArray[np.float64]
 
@@ -23,11 +23,7 @@ class Frozen:
         self.balance, self.start, self.longest = balance, start, longest
         self.at = balance.position(start.rotation, start.direction)
         self.mu = 0.0 if start.lifted else float(law.coefficient(start.slip))
-        limit = balance.get("limit_friction", **self.at)
-        if start.lifted:
-            self.a = self.at["fall"] - float(balance.get("constant", mu=0.0))
-        else:
-            self.a = float(balance.get("drive", **self.at, mu=self.mu, limit_friction=limit))
+        self.a = balance.drive(self.at, self.mu)
         self.omega_0 = math.sqrt(start.energy)
         braked = balance.has("brake")
         self.prefix = "frozen_centripetal" if braked else "frozen"
@@ -37,12 +33,21 @@ class Frozen:
         self.end = float(self._formula("arrest_rotation")) if self.stops else math.inf
 
     def _formula(self, name: str, *t: Any) -> Any:
-        return getattr(formulas, f"{self.prefix}_{name}")(*self.coefficients, self.omega_0, *t)
+        """A formula of the motion; its bare text on plain floats, where the arguments are known to be good."""
+        bare = not t or isinstance(t[0], float)
+        function = getattr(formulas, f"{'_' if bare else ''}{self.prefix}_{name}")
+        return (scalar(function) if bare else function)(*self.coefficients, self.omega_0, *t)
 
-    def peak_time(self) -> float:
-        """When the speed is greatest: it is monotone."""
+    def fastest(self) -> tuple[float, float, float, float]:
+        """Time, x, omega and d(omega)/dt at the greatest speed, which is monotone: at the start, or at the longest time."""
         b = (*self.coefficients, 0.0)[1]
-        return math.inf if self.a > b * self.start.energy else 0.0
+        t = 0.0 if self.a <= b * self.start.energy or math.isinf(self.longest) else self.longest
+        return t, *self.state(t)
+
+    def state(self, t: float) -> tuple[float, float, float]:
+        """x, omega and d(omega)/dt at one time."""
+        x, omega, rate = (self._formula(n, t) for n in ("rotation", "angular_velocity", "angular_acceleration"))
+        return float(x), float(omega), float(rate)
 
     @property
     def uncertainty(self) -> float:

@@ -1,6 +1,7 @@
 """The motion of a scene: phases of one direction each, solved by the planned method, and read off at any time."""
 
 import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -91,6 +92,8 @@ class Motion:
         At the greatest speed, and at the end.
     limit_friction : float
         Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
+    yield_coefficient : float
+        k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
     factor_of_safety : float
         Limit of resistance over drive at the start; infinite without a drive.
     lift_off : tuple of float
@@ -105,19 +108,76 @@ class Motion:
         self.plan, self.balance, self.phases = plan, balance, phases
         self.moves = bool(phases) and duration > 0.0
         self.arrested, self.duration = arrested, duration
-        self.end = self.at(duration)
-        self.run_out = float(self.end.displacement)
-        self.peak = max((self.at(t) for t in self._peak_times()), key=lambda s: abs(float(s.velocity)))
-        side = int(np.sign(balance.fall)) or 1
-        at = balance.position(0.0, side)
-        self.limit_friction = float(balance.get("limit_friction", **at))
-        mu = float(friction(plan.scene.friction).coefficient(0.0))
-        resistance = float(balance.get("resistance", **at, mu=mu, omega_2=0.0))
-        self.factor_of_safety = resistance / at["fall"] if at["fall"] != 0.0 else math.inf
-        scale = float(self._arc.time_scale)
-        self.lift_off = tuple(p.start * scale for p in phases if p.solved.start.lifted)
-        self.error_estimate = max((p.solved.uncertainty for p in phases), default=0.0) * max(1, len(phases))
-        self.warnings = tuple(self._warnings())
+
+    @cached_property
+    def end(self) -> State:  # noqa: D102, described with the class
+        if not self.phases:
+            return self._state(self.duration, 0.0, 0.0, 0.0)
+        last = self.phases[-1]
+        x, omega, rate = (last.solved.end, 0.0, 0.0) if self.arrested else last.solved.state(last.end - last.start)
+        side = last.direction
+        return self._state(self.duration, last.rotation + side * x, side * omega, side * rate)
+
+    @property
+    def run_out(self) -> float:  # noqa: D102
+        return float(self.end.displacement)
+
+    @cached_property
+    def peak(self) -> State:  # noqa: D102
+        best, speed = self.end, abs(float(self.end.angular_velocity)) * self._scale
+        for p in self.phases:
+            for t, x, omega, rate in ((0.0, *p.solved.state(0.0)), p.solved.fastest()):
+                if omega > speed and p.start + t <= p.end:
+                    speed, side = omega, p.direction
+                    time = min((p.start + t) * self._scale, self.duration)
+                    best = self._state(time, p.rotation + side * x, side * omega, side * rate)
+        return best
+
+    @cached_property
+    def _start(self) -> dict[str, float]:
+        """The position at the start, seen in the direction in which gravity pulls."""
+        return self.balance.position(0.0, -1 if self.balance.fall < 0.0 else 1)
+
+    @property
+    def limit_friction(self) -> float:  # noqa: D102
+        if float(self.balance.get("normal", **self._start)) <= 0.0:  # lifted: no friction holds it, or none is needed
+            return math.inf if self.balance.drive(self._start, 0.0) > 0.0 else -math.inf
+        return float(self.balance.get("limit_friction", **self._start))
+
+    @property
+    def factor_of_safety(self) -> float:  # noqa: D102
+        resistance = float(self.balance.get("resistance", **self._start, mu=self._friction, omega_2=0.0))
+        return resistance / self._start["fall"] if self._start["fall"] > 0.0 else math.inf
+
+    @property
+    def yield_coefficient(self) -> float:
+        """k_y: horizontal acceleration over g, down-slope, that the mass just stands at the start; negative if it moves."""
+        at, get = self._start, self.balance.get
+        excess = -self.balance.drive(at, self._friction)
+        yields = excess / (at["fall_slope"] - self._friction * at["press_slope"])
+        if get("normal", **at) + yields * at["press_slope"] < 0.0:  # tilted so far, it would lift off
+            yields = -self.balance.drive(at, 0.0) / at["fall_slope"]
+        return float(yields) + 0.0
+
+    @property
+    def _friction(self) -> float:
+        """Friction at the start, 0 where nothing presses on the slip surface."""
+        if float(self.balance.get("normal", **self._start)) <= 0.0:
+            return 0.0
+        return float(friction(self.plan.scene.friction).coefficient(0.0))
+
+    @property
+    def lift_off(self) -> tuple[float, ...]:  # noqa: D102
+        lifted = [False, *(p.solved.start.lifted for p in self.phases)]
+        return tuple(p.start * self._scale for p, was in zip(self.phases, lifted, strict=False) if p.solved.start.lifted > was)
+
+    @cached_property
+    def error_estimate(self) -> float:  # noqa: D102
+        return max((p.solved.uncertainty for p in self.phases), default=0.0) * max(1, len(self.phases))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:  # noqa: D102
+        return tuple(self._warnings())
 
     def _warnings(self) -> list[str]:
         found = [f"nothing presses on the slip surface from {t:.6g} s (lift-off)" for t in self.lift_off]
@@ -132,13 +192,17 @@ class Motion:
     def _arc(self) -> Any:
         return self.plan.scene.arc
 
-    def _peak_times(self) -> list[float]:
-        """Candidates for the greatest speed: starts and peaks of the phases, and the end."""
-        scale, found = float(self._arc.time_scale), [self.duration]
-        for p in self.phases:
-            at = p.start + p.solved.peak_time()
-            found += [p.start * scale, *([at * scale] if at < p.end else [])]
-        return [min(t, self.duration) for t in found]
+    @property
+    def _scale(self) -> float:
+        return float(self._arc.time_scale)
+
+    def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
+        """A state from its dimensionless numbers, or arrays of them."""
+        scale, radius = self._scale, float(self._arc.radius)
+        press = self.balance.press_at(rotation)
+        stress = self.balance.get("normal_stress", press=press, omega_2=omega * omega) * float(self._arc.reference_stress)
+        speed = omega / scale
+        return State(time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.
@@ -154,26 +218,18 @@ class Motion:
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
         time = self._times(times)
-        scale, radius = float(self._arc.time_scale), float(self._arc.radius)
-        rotation, omega, rate = self._followed(time / scale)
-        position = self.balance.position
-        press = np.vectorize(lambda x: position(x, 1)["press"], otypes=[float])(rotation) if self.phases else None
-        if press is None or not self.balance.turns:
-            press = np.full(time.shape, self.balance.press)
-        stress = self.balance.get("normal_stress", press=press, omega_2=omega**2) * float(self._arc.reference_stress)
-        return State(
-            time[()], rotation[()], (omega / scale)[()], (radius * omega / scale)[()], (radius * rotation)[()],
-            (radius * rate / scale**2)[()], np.broadcast_to(stress, time.shape)[()],
-        )  # fmt: skip
+        followed = self._followed(time / self._scale)
+        return self._state(time[()], *(x[()] for x in followed))
 
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
         late = time[time > self.duration]
         if late.size and not self.arrested:
+            end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
             raise ValueError(
-                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {float(self.duration)!r} s, the end of "
-                "this motion, as the mass does not rest there"
+                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {end}, {float(self.duration)!r} s, as the "
+                "mass does not rest there"
             )
         return time
 
@@ -186,12 +242,16 @@ class Motion:
         rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
             for phase, mask, local in self._lanes(t):
-                x, speed, change = phase.solved.when(local)
+                single = local.size == 1  # the same numbers as `end` and `peak`, to the last bit
+                x, speed, change = phase.solved.state(float(local[0])) if single else phase.solved.when(local)
                 rotation[mask] = phase.rotation + phase.direction * x
                 omega[mask], rate[mask] = phase.direction * speed, phase.direction * change
         if self.arrested:
             rest = t >= (self.phases[-1].end if self.phases else 0.0)
             omega[rest], rate[rest] = 0.0, 0.0
+            if self.phases:
+                last = self.phases[-1]
+                rotation[rest] = last.rotation + last.direction * last.solved.end
         return rotation, omega, rate
 
     def energy_at(self, times: ArrayLike) -> Energy:
@@ -245,16 +305,20 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     resistance, and turns back if not. A mass that nothing brings to rest (no friction, no cohesion) is followed to
     its first standstill.
     """
-    chosen = plan(scene, accuracy)
     numbers = {n: getattr(scene, n) for n in ("initial_velocity", "end_time")}
     numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
-    numbers |= {} if callable(scene.friction) or isinstance(scene.friction, dict) else {"friction": scene.friction}
+    numbers |= {} if callable(scene.friction) or isinstance(scene.friction, Mapping) else {"friction": scene.friction}
     for name, value in numbers.items():
-        if np.ndim(value) != 0:
+        if not isinstance(value, (int, float)) and np.ndim(value) != 0:  # type: ignore[arg-type]
             raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
+    chosen = plan(scene, accuracy)
     try:
         with np.errstate(over="raise", invalid="raise", under="ignore"):
-            return _solve(chosen)
+            motion = _solve(chosen)
+            end = motion.end
+        if not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
+            raise OverflowError
+        return motion
     except (FloatingPointError, OverflowError) as error:
         raise ValueError(
             f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}: the motion overflows; give "
@@ -269,14 +333,15 @@ def _solve(chosen: Plan) -> Motion:
     end = math.inf if scene.end_time is None else scene.end_time / scale
     direction = int(np.sign(omega))
     time = rotation = slip = 0.0
-    energy, phases, arrested = omega**2, [], False
+    energy, phases, arrested, change = omega**2, [], False, None
     while time < end:
         if energy == 0.0:
             direction = _way(balance, law, rotation, slip)
             if direction == 0:
                 arrested = True
                 break
-        lifted = _lifted(balance, rotation, direction, energy)
+        # Just after a change nothing presses, to rounding: from then on it is the other way.
+        lifted = _lifted(balance, rotation, direction, energy) if change is None else not phases[-1].solved.start.lifted
         start = Start(rotation, direction, energy, slip, lifted)
         if chosen.method == CLOSED_IN_TIME:
             solved: Course | Frozen = Frozen(balance, law, start, end - time)
@@ -292,7 +357,7 @@ def _solve(chosen: Plan) -> Motion:
             _refuse(scene, solved, stop * scale)
         x, energy = (solved.end, 0.0) if change is None else change[1:]
         time, rotation, slip = stop, rotation + direction * x, slip + radius * x
-        if energy == 0.0 and math.isinf(end) and _never_rests(balance, law):
+        if energy == 0.0 and math.isinf(end) and balance.turns and _never_rests(balance, law):
             return Motion(chosen, balance, phases, time * scale, False)
         if len(phases) >= _MOST_PHASES:
             raise ValueError(f"end_time: this mass turns back {_MOST_PHASES} times without resting; give one in s")
@@ -312,7 +377,7 @@ def _refuse(scene: Scene, solved: Course | Frozen, time: float) -> None:
             f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
             "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
         )
-    raise ValueError("end_time: this slide never rests, as its geometry is frozen; give one in s, or add rotation")
+    raise ValueError("end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s")
 
 
 def _way(balance: Balance, law: Friction, rotation: float, slip: float) -> int:
@@ -334,12 +399,16 @@ def _lifted(balance: Balance, rotation: float, direction: int, energy: float) ->
 
 
 def _never_rests(balance: Balance, law: Friction) -> bool:
-    return law.constant and float(law.coefficient(0.0)) == 0.0 and not balance.values.get("cohesion", 0.0)
+    """No cohesion, and no friction, or water that carries the mass even where it would press most."""
+    if balance.values.get("cohesion", 0.0):
+        return False
+    most = balance.radial if balance.turns else balance.press
+    return (law.constant and float(law.coefficient(0.0)) == 0.0) or balance.get("normal", press=most) <= 0.0
 
 
 def _change(solved: Course | Frozen, balance: Balance) -> tuple[float, float, float] | None:
     """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
-    if balance.names["normal"] == "normal":
+    if balance.get("normal", press=0.0) == 0.0:  # no water that could carry the mass
         return None
     last = min(solved.duration, solved.longest)
 
@@ -350,12 +419,38 @@ def _change(solved: Course | Frozen, balance: Balance) -> tuple[float, float, fl
     times = last * np.sin(np.linspace(0.0, np.pi / 2, 65)) ** 2
     x, omega, _ = solved.when(times)
     sign = 1.0 if solved.start.lifted else -1.0
-    beyond = np.flatnonzero(sign * solved.pressing(x, omega**2) > 0.0)
-    beyond = beyond[beyond > 0]
-    if not len(beyond):
-        return None
-    low, high = float(times[beyond[0] - 1]), float(times[beyond[0]])
-    at_low, at_high = pressing(low), pressing(high)
-    t = root(pressing, low, high, at_low, at_high) if at_low * at_high < 0.0 else high
-    x, omega, _ = solved.when(np.array([t]))
-    return t, float(x[0]), float(omega[0]) ** 2
+    over = sign * solved.pressing(x, omega**2)
+    for k in range(1, len(times)):
+        low, high = float(times[k - 1]), float(times[k])
+        if k + 1 < len(times) and over[k - 1] < over[k] >= over[k + 1]:
+            if 0.0 <= -over[k] < over[k] - min(over[k - 1], over[k + 1]):  # perhaps there and back between the samples
+                high = _highest(lambda t: sign * pressing(t), low, float(times[k + 1]))
+        if (at_high := sign * pressing(high)) <= 0.0:
+            continue
+        while (at_low := sign * pressing(low)) >= 0.0 and high > 1e-15 * last:  # zero, to rounding, at the start
+            low = high / 2
+            if sign * pressing(low) > 0.0:
+                high, at_high = low, sign * pressing(low)
+        t = root(lambda t: sign * pressing(t), low, high, at_low, at_high) if at_low < 0.0 else high
+        x, omega, _ = solved.when(np.array([t]))
+        return t, float(x[0]), float(omega[0]) ** 2
+    return None
+
+
+def _highest(function: Callable[[float], float], low: float, high: float) -> float:
+    """Where a function with one hump is greatest, by golden section, or where it is first seen above zero."""
+    share = (math.sqrt(5.0) - 1) / 2
+    one, two = high - share * (high - low), low + share * (high - low)
+    at_one, at_two = function(one), function(two)
+    for _ in range(40):
+        if max(at_one, at_two) > 0.0:
+            break
+        if at_one >= at_two:
+            high, two, at_two = two, one, at_one
+            one = high - share * (high - low)
+            at_one = function(one)
+        else:
+            low, one, at_one = one, two, at_two
+            two = low + share * (high - low)
+            at_two = function(two)
+    return one if at_one >= at_two else two

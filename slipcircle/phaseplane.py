@@ -7,7 +7,7 @@ exponential softening without brake, on a turning mass; otherwise by collocation
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from types import FunctionType, SimpleNamespace
 from typing import Any
 
@@ -39,6 +39,17 @@ def _mean(z: Floats) -> Floats:
 _MEAN, _MEAN_TO_END = _mean(_Z), _mean(np.ones(1))[0]
 
 
+def _rules() -> tuple[Floats, Floats]:
+    """Nodes on [0, 1] of two Gauss-Legendre rules, and a row of weights for each."""
+    rules = [np.polynomial.legendre.leggauss(n) for n in (14, 22)]
+    weights = np.zeros((2, 36))
+    weights[0, :14], weights[1, 14:] = rules[0][1] / 2, rules[1][1] / 2
+    return (np.concatenate([r[0] for r in rules]) + 1) / 2, weights
+
+
+_RULES = _rules()
+
+
 @dataclass(frozen=True)
 class Start:
     """Where a phase begins: in the direction of travel, dimensionless; slip in m."""
@@ -52,14 +63,41 @@ class Start:
 
 # The generated text computes on plain floats too, with the standard library in NumPy's place: 20 times faster there.
 _MATH = SimpleNamespace(
-    sin=math.sin, cos=math.cos, exp=math.exp, expm1=math.expm1, abs=abs, minimum=min, maximum=max,
+    sin=math.sin, cos=math.cos, exp=math.exp, expm1=math.expm1, log=math.log, log1p=math.log1p, sqrt=math.sqrt,
+    arctan=math.atan, abs=abs, minimum=min, maximum=max, nan=math.nan, sign=lambda x: float((x > 0.0) - (x < 0.0)),
     where=lambda condition, yes, no: yes if condition else no,
 )  # fmt: skip
 
 
+@cache
 def scalar(function: Any) -> Callable[..., float]:
     """A generated function over plain floats."""
     return FunctionType(function.__code__, {"np": _MATH}, function.__name__)
+
+
+def halley(function: Callable[[float], tuple[float, float, float]], x: float, low: float, high: float) -> float:
+    """A zero of a function that falls through it in the bracket, from value, slope and curvature: Halley's steps.
+
+    Where a step leaves the bracket, halving.
+    """
+    for _ in range(2000):
+        value, slope, curvature = function(x)
+        if value > 0.0:
+            low = x
+        else:
+            high = x
+        following = low
+        if slope < 0.0:
+            step = value / slope
+            following = x - step / max(1.0 - step * curvature / (2 * slope), 0.5)
+            if abs(step) <= 4e-6 * x:  # the error of Halley's step is its cube
+                return following
+        if not low < following < high:
+            following = 0.5 * (low + high)
+            if following in (low, high):
+                return following
+        x = following
+    return x
 
 
 def root(function: Callable[[float], float], low: float, high: float, at_low: float, at_high: float) -> float:
@@ -118,10 +156,7 @@ class Course:
         self.mu = 0.0 if start.lifted else float(law.coefficient(start.slip))
         get = balance.get
         self.constant = float(get("constant", mu=self.mu))
-        if start.lifted:
-            self.drive = self.at["fall"] - self.constant
-        else:
-            self.drive = float(get("drive", **self.at, mu=self.mu, limit_friction=get("limit_friction", **self.at)))
+        self.drive = balance.drive(self.at, self.mu)
         self.tilt = float(get("tilt", **self.at, mu=self.mu))
         self.brake = float(get("brake", mu=self.mu))
         self.steady = law.constant or start.lifted
@@ -131,6 +166,8 @@ class Course:
         if closed:
             self.energy, self._scalar = self._closed_form()
             self.end, self.stops = self._first_zero()
+            if self.steady and self.stops:
+                self._both_ways = self._from_both_ends()
         else:
             self.energy, self.end, self.stops = self._collocate(longest)
             self._scalar = lambda x: float(self.energy(np.array([x]))[0])
@@ -209,6 +246,25 @@ class Course:
         plain = scalar(function)
         return (lambda x: function(x, *rest)), (lambda x: plain(x, *rest))
 
+    def _from_both_ends(self) -> Callable[[Any, Any], Any]:
+        """E by the same closed form, from the start in the first half and back from the standstill in the second.
+
+        With y = end - x the equation keeps its form: drive, constant and brake change their signs.
+        """
+        drive = float(self.driving(self.end))
+        tilt = (self.drive + self.constant) * math.sin(self.end) + self.tilt * math.cos(self.end)
+        pairs = {"start": (self.start.energy, 0.0), "drive": (self.drive, -drive), "tilt": (self.tilt, tilt),
+                 "constant": (self.constant, -self.constant), "brake": (self.brake, -self.brake)}  # fmt: skip
+        name = self.balance.names["energy"]
+        function, either = getattr(functions, name), np.array([pairs[a] for a in ARGUMENTS[name][1:]])
+
+        def energy(x: Any, left: Any) -> Any:
+            # Backwards a brake lets errors grow, by exp(2 brake left).
+            back = (left < x) & (2 * self.brake * left < 1.0)
+            return function(np.where(back, left, x), *either[:, back.view(np.int8)])
+
+        return energy
+
     def _first_zero(self) -> tuple[float, bool]:
         """The first x > 0 with E = 0.
 
@@ -218,20 +274,25 @@ class Course:
         """
         E, far = self._scalar, self.furthest
         if self.steady:
-            # Near the end of the parabola 2 drive x - tilt x**2 + start; a bracket within a factor keeps tiny ends exact.
-            tilt = max(self.tilt, 1e-300)
-            guess = self.drive / tilt + math.sqrt((self.drive / tilt) ** 2 + self.start.energy / tilt)
-            if self.drive < 0.0:
-                guess = max(guess, self.start.energy / (-2 * self.drive) / 4)
-            low = high = min(max(guess / 2, 1e-300), far)
-            at_low = at_high = E(low)
-            while at_high > 0.0 and high < far:
-                low, at_low, high = high, at_high, min(2 * high, far)
-                at_high = E(high)
-            while at_low <= 0.0:
-                high, at_high, low = low, at_low, low / 2
-                at_low = E(low)
-            return (far, False) if at_high > 0.0 else (root(E, low, high, at_low, at_high), True)
+            # The end of the parabola with E's slope and curvature at the start; where nothing but the drive moves the
+            # mass, E falls to zero before the end of the path, and just after the start it is positive.
+            curvature = max(self.tilt + 2 * self.brake * self.drive, 1e-300)
+            if self.start.energy == 0.0:
+                if self.constant < 0.0 and E(far) > 0.0:
+                    return far, False
+                return halley(self._energy_and_rates, min(2 * self.drive / curvature, far / 2), 0.0, far), True
+            slope = self.drive - self.brake * self.start.energy
+            root_of = math.sqrt(max(slope * slope + curvature * self.start.energy, 0.0))
+            if slope < 0.0:
+                guess = self.start.energy / (root_of - slope)
+            else:
+                guess = (slope + root_of) / curvature if curvature * far > slope else far
+            low, high = 0.0, min(max(guess, 1e-300), far)
+            while E(high) > 0.0 and high < far:
+                low, high = high, min(2 * high, far)
+            if E(high) > 0.0:
+                return far, False
+            return halley(self._energy_and_rates, min(max(guess, low), high), low, high), True
         grid = np.concatenate([np.geomspace(min(1e-20, far * 1e-6), far * 0.01, 200), np.linspace(far * 0.01, far, 300)[1:]])
         values = self.energy(grid)
         below = np.flatnonzero(values <= 0.0)
@@ -252,14 +313,28 @@ class Course:
         left = float(grid[k - 1]) if k else 0.0
         return root(E, left, float(grid[k]), E(left) if k else 1.0, float(values[k])), True
 
+    def _energy_and_rates(self, x: float) -> tuple[float, float, float]:
+        """E and its first two derivatives at x, with constant friction on a turning mass."""
+        energy, sine, cosine = self._scalar(x), math.sin(x), math.cos(x)
+        turned = self.drive * cosine - self.tilt * sine - 2 * self.constant * math.sin(x / 2) ** 2
+        rate = 2 * (turned - self.brake * energy)
+        return energy, rate, -2 * ((self.drive + self.constant) * sine + self.tilt * cosine + self.brake * rate)
+
+    def _rates(self, x: float) -> tuple[float, float, float]:
+        """The first three derivatives of E at x."""
+        _, rate, change = self._energy_and_rates(x)
+        turned = (self.drive + self.constant) * math.cos(x) - self.tilt * math.sin(x)
+        return rate, change, -2 * (turned + self.brake * change)
+
     def _peak(self) -> float:
         """Where E is greatest on [0, end]."""
         rate = lambda x: float(self.slope(x, self._scalar(x)))  # noqa: E731
         if self.steady:
             if self.drive <= self.brake * self.start.energy:
                 return 0.0
-            at_end = rate(self.end)
-            return self.end if at_end >= 0.0 else root(rate, 0.0, self.end, self.drive, at_end)
+            if not self.stops and rate(self.end) >= 0.0:
+                return self.end
+            return halley(self._rates, self.end / 2, 0.0, self.end)
         grid = self.end * np.sin(np.linspace(0.0, np.pi / 2, 400)) ** 2
         values = self.energy(grid)
         k = int(np.argmax(values))
@@ -289,10 +364,12 @@ class Course:
             rate = np.linalg.solve(matrix, drive - brake * value)
             mean = _BACK @ (_MEAN @ rate)
             tail = np.abs((_BACK @ rate)[-2:]).sum()
-            if tail > 4e-15 * np.abs(rate).max() and half > 1e-13 * right:
+            # Where a strong brake holds the drive, their difference is rounded, and E is as good as the drive.
+            size = max(np.abs(rate).max(), np.abs(drive).max(), 1e-300)
+            if tail > 4e-15 * size and half > 1e-13 * right:
                 width = half / 2
                 continue
-            self.unresolved = max(self.unresolved, tail / max(np.abs(rate).max(), 1e-300))
+            self.unresolved = max(self.unresolved, tail / size)
             following = value + half * float(_MEAN_TO_END @ rate)
             edges.append(right)
             values.append(following)
@@ -314,15 +391,17 @@ class Course:
 
     # -- time
 
-    def _place(self, s: Any) -> tuple[Any, Any]:
-        """x and the distance to the end, for a variable s in which the time is smooth: square roots at both ends."""
+    def _place(self, s: Any) -> tuple[Any, Any, Any]:
+        """x, the distance to the end and dx/ds, for a variable s in which the time is smooth: roots at both ends."""
         if self.stops:
-            return self.end * np.sin(s) ** 2, self.end * np.cos(s) ** 2
-        return self.end * s**2, self.end * (1.0 - s**2)
+            sine, cosine = np.sin(s), np.cos(s)
+            return self.end * sine * sine, self.end * cosine * cosine, (2 * self.end) * sine * cosine
+        return self.end * s * s, self.end * (1.0 - s * s), (2 * self.end) * s
 
-    def speed_squared(self, s: Any) -> Any:
-        """E, relatively accurate also next to the standstill, where it is integrated from the end."""
-        x, left = self._place(np.asarray(s, dtype=np.float64))
+    def speed_squared(self, x: Any, left: Any) -> Any:
+        """E at x, relatively accurate also next to the standstill, where it is integrated from the end."""
+        if self.stops and self.steady and self.balance.turns:
+            return np.maximum(self._both_ways(x, left), 0.0)
         found = np.asarray(self.energy(x))
         if self.stops:
             near = left < 0.05 * self.end
@@ -339,29 +418,58 @@ class Course:
         """dt/ds."""
         last = np.pi / 2 if self.stops else 1.0
         inner = [k for k in ((q - self.start.slip) / self.radius for q in self.law.kinks) if 0.0 < k < self.end]
-        places = [math.asin(math.sqrt(k / self.end)) if self.stops else math.sqrt(k / self.end) for k in inner]
+        places = [self._variable(k) for k in inner]
         scale = self.law.scale / self.radius / self.end
         first = [math.sqrt(scale) * 2.0**k for k in range(0, 60, 2) if scale < 0.01 and math.sqrt(scale) * 2.0**k < last / 2]
 
-        def rate(s: Floats) -> Floats:
-            stretch = np.sin(s) * np.cos(s) if self.stops else s
-            return np.asarray(2 * self.end * stretch / np.sqrt(self.speed_squared(s)))
-
-        return resolve(rate, np.array(sorted({0.0, *places, *first, last})), 4e-15)
+        return resolve(self._rate, np.array(sorted({0.0, *places, *first, last})), 4e-15)
 
     @cached_property
     def clock(self) -> Piecewise:
         """t(s)."""
         return self.pace.integral()
 
+    def _rate(self, s: Floats) -> Floats:
+        x, left, stretch = self._place(s)
+        return np.asarray(stretch / np.sqrt(self.speed_squared(x, left)))
+
+    def _variable(self, x: float) -> float:
+        """The variable s at x."""
+        share = math.sqrt(min(max(x / self.end, 0.0), 1.0))
+        return math.asin(share) if self.stops else share
+
+    @cached_property
+    def _times(self) -> tuple[float, float, float]:
+        """Times to the end and to the peak, and what is estimated to be missing from them.
+
+        Two Gauss-Legendre rules in one evaluation; where they differ, the series on refined panels.
+        """
+        last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
+        if self.steady and self.balance.turns and self.start.energy == 0.0:
+            values = self._rate(np.concatenate([last * _RULES[0], top * _RULES[0]]))
+            coarse, fine = _RULES[1] @ values.reshape(2, -1).T
+            missing = abs(coarse[0] - fine[0]) + abs(coarse[1] - fine[1])
+            if missing * last <= 4e-14 * fine[0] * last:
+                return float(fine[0] * last), float(fine[1] * top), float(missing * last)
+        at_top = max(float(self.clock(np.array([top]))[0]), 0.0) if top < last else self.clock.end
+        return self.clock.end, at_top, self.clock.tail
+
     @property
     def duration(self) -> float:
         """Time from the start of the phase to its end."""
-        return self.clock.end
+        return self._times[0]
 
-    def peak_time(self) -> float:
-        """When the speed is greatest, since the start of the phase."""
-        return self.time_to(self.peak)
+    def fastest(self) -> tuple[float, float, float, float]:
+        """Time, x, omega and d(omega)/dt at the greatest speed."""
+        energy = max(self._scalar(self.peak), 0.0)
+        inside = 0.0 < self.peak < self.end
+        rate = 0.0 if inside else float(self.slope(self.peak, energy)) / 2
+        return self._times[1], self.peak, math.sqrt(energy), rate
+
+    def state(self, t: float) -> tuple[float, float, float]:
+        """x, omega and d(omega)/dt at one time."""
+        x, omega, rate = self.when(np.array([t]))
+        return float(x[0]), float(omega[0]), float(rate[0])
 
     @property
     def uncertainty(self) -> float:
@@ -378,17 +486,11 @@ class Course:
         slope = abs(float(self.slope(x, 0.0))) if self.stops else math.inf
         top = self._scalar(self.peak) or math.inf
         at_peak = ROUNDING * EPS * (2 * terms * self.peak + self.tilt * self.peak**2 + self.start.energy)
-        return max(noise / (slope * x), at_peak / top / 2, ROUNDING * EPS) + self.clock.tail / self.duration + self.unresolved
-
-    def time_to(self, x: float) -> float:
-        """Time from the start of the phase to x."""
-        share = math.sqrt(min(max(x / self.end, 0.0), 1.0))
-        return max(float(self.clock(np.array([math.asin(share) if self.stops else share]))[0]), 0.0)
+        return max(noise / (slope * x), at_peak / top / 2, ROUNDING * EPS) + self._times[2] / self.duration + self.unresolved
 
     def _loss(self, s: Floats) -> Floats:
-        x = self._place(s)[0]
-        stretch = self.end * (np.sin(2 * s) if self.stops else 2 * s)
-        return np.asarray(self.resistance(x, self.speed_squared(s)) * stretch)
+        x, left, stretch = self._place(s)
+        return np.asarray(self.resistance(x, self.speed_squared(x, left)) * stretch)
 
     @cached_property
     def _losses(self) -> Piecewise:
@@ -401,6 +503,6 @@ class Course:
     def when(self, t: Floats) -> tuple[Floats, Floats, Floats]:
         """x, omega and d(omega)/dt at times since the start of the phase."""
         s = self.clock.inverse(t, self.pace)
-        x = self._place(s)[0]
-        energy = self.speed_squared(s)
+        x, left, _ = self._place(s)
+        energy = self.speed_squared(x, left)
         return x, np.sqrt(energy), self.slope(x, energy) / 2

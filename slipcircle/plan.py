@@ -88,7 +88,8 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     """
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
     raise_all("plan", mistakes({"accuracy": wanted}, {"accuracy": ACCURACY}))
-    effects = tuple(e for e in EFFECTS if e in scene.called)
+    called = scene.called
+    effects = tuple(e for e in EFFECTS if e in called)
     chosen, law = COMBINATIONS[effects], friction(scene.friction)
     turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
     if law.constant:

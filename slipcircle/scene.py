@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from os import PathLike
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -77,19 +78,19 @@ class Scene:
         return self.effects
 
     @staticmethod
-    def load(name: str) -> "Scene":
-        """A scene that ships with the package, by name.
+    def load(name: str | PathLike[str]) -> "Scene":
+        """A scene that ships with the package, by name, or one's own, by the path of its TOML file.
 
         Raises
         ------
         ValueError
-            If there is none of that name; lists those that there are.
+            If there is none, or if the file has mistakes; lists every one with its path in the file.
+        ImportError
+            If a file is to be checked and pydantic is missing.
         """
-        from slipcircle.scenes import SCENES
+        from slipcircle.scenefile import load
 
-        if name not in SCENES:
-            raise ValueError(f"scene {name!r} is unknown; known are {', '.join(SCENES)}")
-        return SCENES[name]()
+        return load(name)
 
 
 def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:

@@ -1,187 +1,155 @@
-"""Scenes as TOML files: read, checked with every mistake listed at once, and their JSON Schema for editors.
-
-Tables and keys follow from the declarations in `generated.effects`, so that a new effect needs nothing here.
-"""
+"""Scenes read from TOML files, every mistake listed at once, and the scenes that ship."""
 
 import json
-import math
+import os
 import tomllib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
 from pathlib import Path
-from typing import Annotated, Any, Literal, NamedTuple, Union
+from typing import Any
 
-import numpy as np
-
-from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Law, Parameter
-from slipcircle.arc import GIVEN, Arc
+from generated.effects import EFFECTS, LAWS
+from slipcircle.arc import Arc
 from slipcircle.friction import law_mistakes
 from slipcircle.scene import Scene
+from slipcircle.scenekeys import Key, Table, model_of, tables_of
+
+_FOLDER = resources.files("slipcircle") / "scenes"
 
 
-class Key(NamedTuple):
-    """A key of a scene file: the argument that it stands for, what it is and may be, and how it becomes SI units."""
-
-    name: str
-    title: str
-    allowed: str = "text"
-    required: bool = False
-    type: Any = str
-    limits: Mapping[str, float] = {}  # noqa: RUF012
-    convert: Callable[[Any], Any] = str
+def shipped() -> tuple[str, ...]:
+    """Names of the scenes that ship."""
+    return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
-class Table(NamedTuple):
-    """A table of a scene file; exactly one key of each of ``one_of`` is needed, at least one of ``any_of``."""
-
-    title: str
-    keys: Mapping[str, Key]
-    one_of: tuple[tuple[str, ...], ...] = ()
-    any_of: tuple[str, ...] = ()
-
-
-def _number(
-    name: str, title: str, unit: str = "", lower: float = 0.0, upper: float = INFINITY, *, required: bool = True,
-    many: bool = False, to_si: Callable[[float], Any] = float, to_file: Callable[[float], float] = float,
-) -> Key:  # fmt: skip
-    """The key of a number, or of a list of them: unit in the file, open bounds in SI units, and what converts them."""
-    limits, words = {}, []
-    if lower == -5e-324:  # just below zero: zero is allowed
-        limits["ge"], words = 0.0, ["at least 0"]
-    elif lower > -INFINITY:
-        limits["gt"], words = to_file(lower), [f"above {to_file(lower):g}"]
-    if to_file(upper) < INFINITY:
-        limits["lt"], words = to_file(upper), [*words, f"below {to_file(upper):g}"]
-    allowed = " ".join(["a list of numbers" if many else "a number", " and ".join(words), f"({unit})"])
-
-    def convert(given: Any) -> Any:
-        return [float(to_si(v)) for v in given] if many else float(to_si(given))
-
-    allowed = allowed.replace("  ", " ").removesuffix(" ()")
-    return Key(name, title, allowed, required, list if many else float, limits, convert)
+def load(name: str | PathLike[str]) -> Scene:
+    """A scene that ships, by name, or one's own, by the path of its file; see `Scene.load`."""
+    if name in (names := shipped()):
+        return _scene(_FOLDER / f"{name}.toml", f"{name}.toml", check=False)
+    path = Path(name)
+    if os.path.exists(path) and not os.path.isdir(path):  # no error for names that no file can have
+        return read(path)
+    near = get_close_matches(path.stem, names, 1)
+    is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
+    said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
+    raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
 
-def _keys(p: Parameter, many: bool) -> dict[str, Key]:
-    """The keys of a declared parameter; friction has two, for its angle and for the coefficient itself."""
-    if not p.unit and p.key.endswith("_deg"):
-        angle = _number(
-            p.name, f"{p.help}, as an angle", "deg", p.lower, p.upper, required=False, many=many,
-            to_si=lambda v: np.tan(np.deg2rad(v)), to_file=lambda v: math.degrees(math.atan(v)),
-        )  # fmt: skip
-        return {p.key: angle, p.name: _number(p.name, p.help, "", p.lower, p.upper, required=False, many=many)}
-    unit = p.unit if p.per_unit == 1.0 else p.key.removeprefix(f"{p.name}_")
-    return {p.key: _number(
-        p.name, p.help, unit, p.lower, p.upper, required=not p.optional, many=many,
-        to_si=lambda v: v * p.per_unit, to_file=lambda v: v / p.per_unit,
-    )}  # fmt: skip
+def read(path: str | PathLike[str]) -> Scene:
+    """The scene that a TOML file describes.
+
+    Parameters
+    ----------
+    path : str or path-like
+
+    Raises
+    ------
+    ValueError
+        If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
+    ImportError
+        If pydantic is missing.
+    """
+    return _scene(Path(path), str(path), check=True)
 
 
-def _declared(declared: Effect | Law) -> Table:
-    keys = {p: _keys(p, many=declared.name == "tabulated") for p in declared.parameters}
-    merged = {k: key for of_one in keys.values() for k, key in of_one.items()}
-    pairs = tuple(tuple(of_one) for p, of_one in keys.items() if len(of_one) > 1 and not p.optional)
-    table = Table(declared.help, merged, pairs, tuple(k for p, of_one in keys.items() if p.optional for k in of_one))
-    if declared.name not in LAWS:
-        return table
-    law = Key("law", "friction law", f"one of {', '.join(LAWS)}", declared.name != "constant", Literal[declared.name])
-    return table._replace(keys={"law": law} | merged)
-
-
-def _tables(law: str) -> dict[str, Table]:
-    """Every table that a scene file may have, by its path."""
-    top = {
-        "name": Key("name", "name of the scene, by default the file's"),
-        "note": Key("note", "what it is, and where its numbers come from"),
-        "initial_velocity_m_s": _number("initial_velocity", "velocity along the arc at the start, positive down-slope, "
-                                        "by default 0", "m/s", -INFINITY, required=False),
-        "end_time_s": _number("end_time", "end, by default when the mass rests", "s", required=False),
-        "accuracy": _number("accuracy", "relative error asked for", upper=1.0, required=False),
-    }  # fmt: skip
-    arc = {
-        "radius_m": _number("radius", "radius of the slip circle", "m"),
-        "theta_1_deg": _number("theta_1", "polar angle of the arc's first end about its centre, where 270 is straight "
-                               "below", "deg", -INFINITY, to_si=np.deg2rad),
-        "theta_2_deg": _number("theta_2", "polar angle of the arc's second end", "deg", -INFINITY, to_si=np.deg2rad),
-        "unit_weight_kN_m3": _number("unit_weight", "unit weight", "kN/m^3", to_si=lambda v: v * 1e3),
-        "gravity_m_s2": _number("gravity", f"gravity, by default {Arc.gravity}", "m/s^2", required=False),
-        "width_m": _number("width", f"length across the section, by default {Arc.width}", "m", required=False),
-    }  # fmt: skip
-    lower = {"weight_moment": -INFINITY}  # the only one that may be negative
-    given = {n: _number(n, n.replace("_", " ") + ", dimensionless", lower=lower.get(n, 0.0)) for n in GIVEN}
-    return {
-        "": Table("a scene of slipcircle", top),
-        "arc": Table("the failed section", arc),
-        "arc.given": Table("coefficients of the equation of motion, taken as they are", given),
-        "friction": _declared(LAWS[law]),
-        **{name: _declared(effect) for name, effect in EFFECTS.items()},
-    }
-
-
-def _model(*laws: str) -> Any:
-    """The pydantic model of a scene file whose friction law is one of these."""
+def _scene(source: Any, file: str, check: bool) -> Scene:
+    """The scene of a file; those that ship are checked by the tests, so that they need NumPy alone."""
     try:
-        from pydantic import ConfigDict, Field, create_model
-    except ImportError as error:
-        raise ImportError("scene files need pydantic: pip install 'slipcircle[scenes]'") from error
+        document = tomllib.loads(source.read_bytes().decode("utf-8-sig"))
+    except OSError as error:
+        raise ValueError(f"{file}: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"{file}: is not TOML: {error}") from error
+    friction: Any = document.get("friction")
+    wanted = friction.get("law", "constant") if isinstance(friction, dict) else "constant"
+    law = "".join(get_close_matches(str(wanted), LAWS, 1))  # itself, where it is known
+    tables = tables_of(law or "constant")
+    found: list[str] = []
+    wrong: set[str] = set()
+    if check:
+        # Of a law that is anybody's guess nothing else can be judged.
+        judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
+        found, wrong = _mistakes(judged, tables, model_of(law or "constant"))
+    if "arc" not in wrong:
+        given = _arguments(document["arc"].get("given", {}), tables["arc.given"])
+        try:
+            arc = Arc(**_arguments(document["arc"], tables["arc"]), given=given or None)
+        except ValueError as error:
+            found.append(str(error).replace("Arc: ", "arc."))
+    if "friction" not in wrong:
+        friction = {"law": law} | _arguments(document["friction"], tables["friction"])
+        found += law_mistakes(friction)
+    if found:
+        raise ValueError("\n".join(f"{file}: {m}" for m in found))
+    effects = {name: _arguments(document[name], tables[name]) for name in EFFECTS if name in document}
+    more = {"name": Path(file).stem} | _arguments(document, tables[""])
+    try:
+        return Scene(arc, friction["coefficient"] if law == "constant" else friction, effects, **more)
+    except ValueError as error:
+        raise ValueError(f"{file}: {error}") from error
 
-    def optional(is_required: bool) -> dict[str, Any]:
-        """A factory, unlike a default, does not show in the schema."""
-        return {} if is_required else {"default_factory": lambda: None}
 
-    def model(name: str, table: Table, **tables: Any) -> Any:
-        fields = {}
-        for k, key in table.keys.items():
-            number = Annotated[float, Field(**key.limits)]
-            kind = {float: number, list: list[number]}.get(key.type, key.type)  # type: ignore[valid-type]
-            fields[k] = (kind, Field(title=key.title, description=key.allowed, **optional(key.required)))
-        needs = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
-        needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
-        config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, title=table.title,
-                            json_schema_extra={"allOf": needs} if needs else {})  # fmt: skip
-        return create_model(name, __config__=config, **fields, **tables)
-
-    tables = _tables(laws[0])
-    given = model("given", tables["arc.given"])
-    nested = {
-        "arc": (model("arc", tables["arc"], given=(given, Field(**optional(False)))), ...),
-        "friction": (Union[tuple(model(f"friction_{law}", _declared(LAWS[law])) for law in laws)], ...),  # noqa: UP007
-    }
-    effects = {name: (model(name, tables[name]), Field(**optional(False))) for name in EFFECTS}
-    return model("scene", tables[""], **nested, **effects)
+def _arguments(given: Mapping[str, Any], table: Table) -> dict[str, Any]:
+    """A table as arguments in SI units, without the tables in it."""
+    return {table.keys[k].name: table.keys[k].convert(v) for k, v in given.items() if k in table.keys}
 
 
-def schema() -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of a scene file."""
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **_model(*LAWS).model_json_schema()}
-
-
-def _mistakes(document: dict[str, Any], law: str | None) -> list[str]:
-    """A sentence for each mistake in a scene file, with its path, its value and what is allowed."""
-    tables, model = _tables(law or "constant"), _model(law or "constant")
+def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table], model: Any) -> tuple[list[str], set[str]]:
+    """A sentence for each mistake, with its path, its value and what is allowed; and the tables that have one."""
     from pydantic import ValidationError
 
     try:
         errors = model.model_validate(document) and []
     except ValidationError as error:
         errors = error.errors()
-    paths = [*(f"{table}.{k}".lstrip(".") for table in tables for k in tables[table].keys), *tables]
-    unknown = [".".join(e["loc"]) for e in errors if e["type"] == "extra_forbidden"]
-    near = {path: (get_close_matches(path, paths, 1, 0.7) or [""])[0] for path in unknown}
-    found = []
-    for e in errors:
+    found, meant = [], set()
+    for e in sorted(errors, key=lambda e: e["type"] == "missing"):  # what is misspelt is not missing as well
         *parents, last = (x for x in e["loc"] if isinstance(x, str))
         table, path = ".".join(parents), ".".join((*parents, last))
-        key = Key("", tables[path].title, f"a table [{path}]") if path in tables else tables[table].keys.get(last)
         shown = path + "".join(f"[{x}]" for x in e["loc"] if isinstance(x, int)) + f" = {_shown(e['input'])}"
-        if key is None or path in near:
-            found.append(f"{shown}: is unknown; {_advice(near[path], table, paths)}")
-        elif e["type"] != "missing":
-            guess = get_close_matches(str(e["input"]), LAWS, 1) if last == "law" else []
-            found.append(f"{shown}: must be {key.allowed}: {key.title}" + "".join(f"; did you mean {g}?" for g in guess))
-        elif path not in near.values():  # what is misspelt is not missing as well
+        if e["type"] == "extra_forbidden":
+            near, advice = _advice(table, last, tables)
+            meant.add(near)
+            found.append(f"{shown}: is unknown; {advice}")
+            continue
+        key = Key("", tables[path].title, f"a table [{path}]") if path in tables else tables[table].keys[last]
+        if e["type"] != "missing":
+            guess = get_close_matches(str(e["input"]), LAWS, 1) if path == "friction.law" else []
+            asked = "".join(f"; did you mean {g}?" for g in guess)
+            found.append(f"{shown}: must be {key.allowed}: {key.title}{asked}")
+        elif path not in meant:
             found.append(f"{path}: is missing: {key.title}, {key.allowed}")
-    for path in tables:
-        if path in document and isinstance(document[path], dict) and 
-    return found
+    wrong = {str(e["loc"][0]) for e in errors}
+    for path, t in tables.items():
+        held: Any = document.get(path)
+        for choice in filter(None, (*t.one_of, t.any_of)) if isinstance(held, dict) else ():
+            given = [k for k in choice if k in held]
+            if choice in t.one_of and len(given) > 1:
+                found.append(f"{path}: {' and '.join(given)} exclude each other; leave one out")
+            elif not given and not meant & {f"{path}.{k}" for k in choice}:
+                found.append(f"{path}: {' or '.join(choice)} is missing: {t.keys[choice[-1]].title}")
+            wrong |= set() if given else {path}
+    return found, wrong
+
+
+def _advice(table: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:
+    """The path of the key that an unknown one in a table may stand for, and what to say about it."""
+    within = {t: list(tables[t].keys) for t in tables}
+    for path in filter(None, tables):
+        parent, _, key = path.rpartition(".")
+        within[parent].append(key)
+    for t in (table, *tables):
+        for key in get_close_matches(unknown, within[t], 1):
+            place = "" if t == table else f" in [{t}]" if t else " above the first table"
+            return f"{t}.{key}".lstrip("."), f"did you mean {key}{place}?"
+    return "", f"known are {', '.join(within[table])}" if within[table] else "this table has no keys"
+
+
+def _shown(value: Any) -> str:
+    """A value as the file has it."""
+    text = str(value).lower() if isinstance(value, bool | float) else json.dumps(value, default=str, ensure_ascii=False)
+    return text if len(text) <= 60 else f"{text[:57]}..."

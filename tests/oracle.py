@@ -181,19 +181,15 @@ CENTRIPETAL: dict[str, Callable[..., mpf]] = {
     "frozen_centripetal_arrest_time": arrest_time,
     "frozen_centripetal_arrest_rotation": arrest_rotation,
 }
-# Without the centripetal term b is zero; the coefficients are what (3.17), (3.18) and (2.20) say.
+# Without the centripetal term b is zero; the drive is what (3.17) says.
 MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
     "frozen_angular_velocity": lambda a, w, t: angular_velocity(a, mpf(0), w, t),
     "frozen_rotation": lambda a, w, t: rotation(a, mpf(0), w, t),
     "frozen_angular_acceleration": lambda a, w, t: angular_acceleration(a, mpf(0), w, t),
     "frozen_arrest_time": lambda a, w: arrest_time(a, mpf(0), w),
     "frozen_arrest_rotation": lambda a, w: arrest_rotation(a, mpf(0), w),
-    "frozen_drive": lambda limit, mu, radial: limit * radial - mu * radial,
-    "frozen_centripetal_drive": lambda limit, mu, radial: limit * radial - mu * radial,
-    "frozen_centripetal_brake": lambda mu, polar: mu * polar,
-    "frozen_mean_normal_stress": lambda static: static,
-    "frozen_centripetal_mean_normal_stress": lambda static, share, omega: static + share * omega**2,
 }
+BALANCE: dict[str, Callable[..., mpf]] = {"drive": lambda press, mu, limit: press * limit - press * mu}
 _STEP = mpf(2) ** -90  # relative, for the derivatives: 27 digits
 
 
@@ -203,7 +199,7 @@ def motion(name: str, *arguments: float) -> Reference | None:
 
     The working precision grows until two of them agree.
     """
-    function = MOTION[name]
+    function = (MOTION | BALANCE)[name]
     previous: Reference | None = None
     # Small arguments cost as many digits as their product is below 1: log(1 + tiny). None is silently lost.
     start = 120 + sum(int(2 * abs(np.log10(abs(x)))) for x in arguments if x)

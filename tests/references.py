@@ -171,7 +171,6 @@ class Segment:
     """One series: from a time, in a direction, from a rotation; x and omega in the direction of travel."""
 
     start: arb
-    length: arb
     direction: int
     rotation: arb
     x: list[arb]
@@ -258,20 +257,24 @@ def expand(p: Problem, piece: Piece, lifted: bool, dip: arb, slip: arb, omega: a
 
 def reach(series: Sequence[arb], digits: int) -> float:
     """How far the series goes: until its last terms are that many digits below its largest one."""
-    size = [float(abs(c).log()) if c != 0 else -math.inf for c in series]
-    last, far = len(series) - 1, math.inf
-    for n in (last, last - 1):
-        if size[n] > -math.inf:
-            low = [(size[k] - size[n] - digits * math.log(10.0)) / (n - k) for k in range(5) if size[k] > -math.inf]
-            far = min(far, max(low))
-    return math.exp(min(far, 27.0))
+
+    def size(n: int) -> float:
+        return float(abs(series[n]).log()) if series[n] != 0 else -math.inf
+
+    far = 27.0
+    first = [(k, size(k)) for k in range(5)]
+    for n in (len(series) - 2, len(series) - 1):
+        last = size(n)
+        if last > -math.inf:
+            far = min(far, max((s - last - digits * math.log(10.0)) / (n - k) for k, s in first))
+    return math.exp(far)
 
 
 _AT = np.linspace(0.0, 1.0, 65)[1:]
 
 
-def crossing(series: Sequence[arb], h: arb) -> float | None:
-    """The first share of h at which a series that is positive at first is not so any more."""
+def zero(series: Sequence[arb], h: arb) -> arb | None:
+    """The first zero in (0, h] of a series that is positive at first; None if it stays so."""
     power, scaled = arb(1), []
     for c in series:
         scaled.append(float(c * power))
@@ -281,22 +284,14 @@ def crossing(series: Sequence[arb], h: arb) -> float | None:
         return None
     k = int(low[0])
     left, right = (float(_AT[k - 1]) if k else 0.0), float(_AT[k])
-    for _ in range(60):
+    for _ in range(50):
         middle = (left + right) / 2
         if np.polynomial.polynomial.polyval(middle, scaled) > 0.0:
             left = middle
         else:
             right = middle
-    return left
-
-
-def zero(series: Sequence[arb], h: arb) -> arb | None:
-    """Its first zero in (0, h], by Newton's steps at full precision; None if it stays positive."""
-    share = crossing(series, h)
-    if share is None:
-        return None
-    at, slope = (h * share).mid(), derivative(series)
-    for _ in range(12):
+    at, slope = (h * right).mid(), derivative(series)
+    for _ in range(12):  # Newton
         step = (horner(series, at) / horner(slope, at)).mid()
         at = (at - step).mid()
         if abs(step) <= abs(at) * arb(2) ** (8 - ctx.prec):
@@ -314,21 +309,26 @@ class Solution:
     """Series one after the other, where the speed may be greatest, and how it ends."""
 
     segments: list[Segment] = field(default_factory=list)
-    peaks: list[arb] = field(default_factory=list)
     phases: int = 0
     lifted: bool = False
     arrested: bool = False
     duration: arb = field(default_factory=arb)
+    tops: list[arb] = field(default_factory=list)
 
     def state(self, t: arb) -> tuple[arb, arb]:
         """Rotation and angular velocity at a time, at rest after an arrest."""
         if not self.segments:
             return arb(0), arb(0)
-        last = self.segments[-1]
         if t >= self.duration:
-            rotation, omega = last.state(self.duration)
+            rotation, omega = self.segments[-1].state(self.duration)
             return rotation, arb(0) if self.arrested else omega
         return next(s for s in reversed(self.segments) if s.start <= t).state(t)
+
+    def peak(self) -> tuple[arb, arb]:
+        """Time and angular velocity of the greatest speed."""
+        times = [*(s.start for s in self.segments), *self.tops, self.duration]
+        time = max(times, key=lambda t: abs(self.state(t)[1]))
+        return time, self.state(time)[1]
 
 
 def way(p: Problem, rotation: arb, mu: arb) -> int:
@@ -343,68 +343,240 @@ def motion(p: Problem, order: int, digits: int) -> Solution:
     """Follow the mass until it rests, or until its end."""
     found = Solution()
     time, rotation, slip, omega = arb(0), arb(0), arb(0), abs(p.omega)
-    direction = 0 if p.omega == 0 else 1 if p.omega > 0 else -1
-    steps = 0
-    while True:
+    direction = 1 if p.omega > 0 else -1
+    while True:  # over phases of one direction
         if omega == 0:
-            piece = next(k for k in p.pieces if k.end is None or slip < k.end)
-            direction = way(p, rotation, next(friction_series(piece, slip, [], [])))
+            direction = way(p, rotation, next(friction_series(piece_at(p, slip), slip, [], [])))
             if direction == 0:
                 found.arrested, found.duration = True, time
                 return found
         found.phases += 1
-        origin, x, fresh = rotation, arb(0), True
         dip = direction * (p.dip - rotation) if p.turns else direction * p.dip
         lifted = bool(p.press * dip.cos() + p.polar * omega**2 < p.water)
-        while True:  # over series, until a standstill
-            steps += 1
-            if steps > MOST_STEPS or time > LONGEST:
+        last = "start"
+        while last != "stop":  # over series
+            if len(found.segments) > MOST_STEPS or time > LONGEST:
                 raise Unfit
             found.lifted |= lifted
-            if omega > 0 or fresh:
-                found.peaks.append(time)
-            piece = next(k for k in p.pieces if k.end is None or slip < k.end)
-            xs, ws, normal = expand(p, piece, lifted, dip - x if p.turns else dip, slip, omega, order)
-            h = arb(reach(ws, digits))
-            last = "step"
-            if p.end is not None and time + h >= p.end:
-                h, last = p.end - time, "end"
-            # whichever comes first ends the series
+            piece = piece_at(p, slip)
+            x, w, normal = expand(p, piece, lifted, dip, slip, omega, order)
+            h = arb(reach(w, digits))
+            events = {"step": h}
+            if p.end is not None:
+                events["end"] = p.end - time
             if piece.end is not None:
-                far = zero([piece.end - slip, *(-c for c in xs[1:])], h)
-                if far is not None:
-                    h, last = far, "kink"
+                events["kink"] = zero([piece.end - slip, *(-c for c in x[1:])], h)
             if p.water != 0:
-                sign = 1 if lifted else -1
-                # just after a change the force is zero, and grows away from it
-                far = zero([-sign * c for c in (arb(0), *normal[1:])] if last_change(found, time) else
-                           [-sign * c for c in normal], h)  # fmt: skip
-                if far is not None:
-                    h, last = far, "change"
-            far = zero(ws if omega > 0 else ws[1:], h)
-            if far is not None:
-                h, last = far, "stop"
-            rates = derivative(ws)
-            if horner(rates, arb(0)) > 0:
-                top = zero(rates, h)
-                if top is not None:
-                    found.peaks.append(time + top)
-            found.segments.append(Segment(time, h, direction, origin + direction * x, xs, ws))
-            more, omega = horner(xs, h), horner(ws, h)
-            x, time, fresh = (x + more).mid(), (time + h).mid(), False
-            slip = piece.end if last == "kink" and piece.end is not None else (slip + more).mid()
-            if p.turns and dip - x < -arb.pi() / 2:
-                raise Unfit
+                # What is zero at first is divided by the time.
+                gap = [-c if lifted else c for c in normal]
+                events["change"] = zero(gap[1:] if last == "change" else gap, h)
+            events["stop"] = zero(w if omega > 0 else w[1:], h)
+            last, h = min(((e, t) for e, t in events.items() if t is not None), key=lambda event: float(event[1]))
+            rate = derivative(w)
+            top = zero(rate, h) if rate[0] > 0 else None
+            if top is not None:
+                found.tops.append(time + top)
+            found.segments.append(Segment(time, direction, rotation, x, w))
+            more, omega = horner(x, h), horner(w, h)
+            rotation, time, slip = (rotation + direction * more).mid(), (time + h).mid(), (slip + more).mid()
+            if p.turns:
+                dip = (dip - more).mid()
+                if dip < -arb.pi() / 2:
+                    raise Unfit
             if last == "end":
-                assert p.end is not None
-                found.duration = p.end
+                found.duration = time
                 return found
+            if last == "kink" and piece.end is not None:
+                slip = piece.end
             if last == "change":
                 lifted = not lifted
-                found.changes.append(time)
-            if last == "stop":
-                break
-        rotation, omega = (origin + direction * x).mid(), arb(0)
+        omega = arb(0)
         if p.end is None and p.frictionless:
             found.duration = time
             return found
+
+
+def piece_at(p: Problem, slip: arb) -> Piece:
+    """The piece of friction that begins at this slip, or holds it."""
+    return next(k for k in p.pieces if k.end is None or slip < k.end)
+
+
+# --- the answer ------------------------------------------------------------------------------------------------------
+
+
+def text(value: arb) -> str:
+    """30 digits."""
+    return value.mid().str(DIGITS, radius=False)
+
+
+def answer(scene: Mapping[str, Any], shares: Sequence[float], bits: int, order: int, digits: int) -> dict[str, Any]:
+    """The motion of a scene: full texts to 30 digits, and the times, at these shares of the duration, as doubles."""
+    with ctx.workprec(bits):
+        p = problem(scene)
+        found = motion(p, order, digits)
+        second, speed = (p.radius / p.gravity).sqrt(), (p.radius * p.gravity).sqrt()
+        top, fastest = found.peak()
+        duration = float(found.duration * second)
+        times = [duration * share for share in shares] if found.segments else []
+        states = [found.state(oracle.exact(t) / second) for t in times]
+        return {
+            "moves": bool(found.segments),
+            "arrested": found.arrested,
+            "phases": found.phases,
+            "lifted": found.lifted,
+            "duration": text(found.duration * second),
+            "run_out": text(found.state(found.duration)[0] * p.radius),
+            "peak_velocity": text(fastest * speed),
+            "peak_time": text(top * second),
+            "times": times,
+            "displacement": [text(s[0] * p.radius) for s in states],
+            "velocity": [text(s[1] * speed) for s in states],
+        }
+
+
+PLAIN = {"bits": 256, "order": 48, "digits": 42}
+LONGER = {"bits": 320, "order": 60, "digits": 50}
+
+
+def solve(scene: Mapping[str, Any], shares: Sequence[float]) -> dict[str, Any]:
+    """The motion of a scene to 30 digits."""
+    return answer(scene, shares, **PLAIN)
+
+
+def agree(one: Any, two: Any) -> bool:
+    """Whether two answers are the same to within their last digit."""
+    if isinstance(one, dict):
+        return one.keys() == two.keys() and all(agree(one[k], two[k]) for k in one)
+    if isinstance(one, list):
+        return len(one) == len(two) and all(map(agree, one, two))
+    if isinstance(one, str):
+        with ctx.workprec(256):
+            return bool(abs(arb(one) - arb(two)) <= abs(arb(one)) * arb(10) ** (2 - DIGITS))
+    return bool(one == two)
+
+
+# --- the scenes ------------------------------------------------------------------------------------------------------
+
+EFFECTS = list(product((False, True), ("", "ratio", "pressure"), (False, True), (False, True)))
+GROUPS = {"frozen": 60, "constant": 100, "exponential": 50, "linear": 28, "hyperbolic": 28, "tabulated": 34}
+NEAR = {"frozen": 4, "constant": 10, "exponential": 4, "tabulated": 2}  # the first of each, next to the limit
+
+
+def names() -> list[tuple[str, int]]:
+    """Each scene's group and number in it."""
+    return [(group, k) for group, count in GROUPS.items() for k in range(count)]
+
+
+def draw(group: str, number: int, rng: np.random.Generator) -> dict[str, Any]:
+    """A random scene of a group, whose effects go through all combinations."""
+    near = number < NEAR.get(group, 0)
+    arc = _arc(rng)
+    m = {k: float(v) for k, v in moments(arc).items()}
+    centripetal, water, cohesive, dragged = EFFECTS[number % len(EFFECTS)]
+    turns = group != "frozen" and (group in ("constant", "exponential") or rng.random() < 0.8)
+    if group == "exponential" and number % 2:
+        centripetal = dragged = False
+    fall, press = m["fall"] * abs(math.sin(m["dip"])), m["press"] * math.cos(m["dip"])
+    effects: dict[str, dict[str, float]] = {}
+    if turns:
+        effects["rotation"] = {}
+    if centripetal:
+        effects["centripetal"] = {}
+    held = 1.0
+    if water == "ratio":
+        effects["pore_pressure"] = {"ratio": rng.uniform(0.02, 0.7)}
+        held -= effects["pore_pressure"]["ratio"]
+    if water == "pressure":
+        share = rng.uniform(0.02, 0.7)
+        effects["pore_pressure"] = {"pressure": share * press / m["level"] * m["reference_stress"]}
+        held -= share
+    strength = 0.0
+    if cohesive:
+        strength = rng.uniform(0.02, 0.5)
+        effects["cohesion"] = {"cohesion": strength * fall / m["level"] * m["reference_stress"]}
+    if dragged:
+        size = 2 * m["half_angle"] * arc["gravity"] / m["inertia"]
+        effects["drag"] = {"xi": size / 10 ** rng.uniform(-2.0, 2.0)}
+    limit = fall * (1 - strength) / (press * held)
+
+    speed = math.sqrt(arc["radius"] * arc["gravity"]) * 10 ** rng.uniform(-2.0, -0.2)
+    start = rng.choice([0.0, speed, -speed], p=[0.8, 0.1, 0.1] if near else [0.55, 0.25, 0.2])
+    if near:
+        friction = limit * (1 - 10 ** rng.uniform(-6.0, -3.0))
+    elif start == 0.0:
+        friction = limit * rng.choice([rng.uniform(0.0, 0.98), rng.uniform(0.0, 0.3), 0.0, 1.2], p=[0.7, 0.2, 0.05, 0.05])
+    else:
+        friction = limit * rng.choice([rng.uniform(0.0, 2.0), 0.0], p=[0.95, 0.05])
+    period = math.sqrt(arc["radius"] / arc["gravity"])
+    ends = rng.random() < (0.35 if turns else 0.8)
+    return {
+        "arc": arc,
+        "friction": _law(group, friction, arc["radius"], rng),
+        "effects": effects,
+        "initial_velocity": float(start),
+        "end_time": period * 10 ** rng.uniform(-1.0, 1.0) if ends else None,
+    }
+
+
+def _arc(rng: np.random.Generator) -> dict[str, float]:
+    opening = 10 ** rng.uniform(-3.0, 0.0) if rng.random() < 0.3 else rng.uniform(0.2, 3.13)
+    dip = math.radians(rng.uniform(3.0, 85.0)) * (-1.0 if rng.random() < 0.2 else 1.0)
+    middle = 1.5 * math.pi - dip
+    return {
+        "radius": 10 ** rng.uniform(0.7, 3.5),
+        "theta_1": middle - opening / 2,
+        "theta_2": middle + opening / 2,
+        "unit_weight": rng.uniform(15e3, 27e3),
+        "gravity": 9.81 if rng.random() < 0.7 else rng.uniform(1.6, 25.0),
+    }
+
+
+def _law(group: str, friction: float, radius: float, rng: np.random.Generator) -> Any:
+    """Friction that starts at this number and mostly falls with slip."""
+    if group in ("frozen", "constant"):
+        return float(friction)
+    if group == "tabulated":
+        count = int(rng.integers(2, 8))
+        slip = np.cumsum([0.0, *(radius * 10 ** rng.uniform(-2.5, -0.5, count - 1))])
+        values = friction * np.array([1.0, *rng.uniform(0.3, 1.0, count - 1)])
+        if rng.random() < 0.6:
+            values = np.sort(values)[::-1]
+        return {"law": group, "slip": slip.tolist(), "coefficient": values.tolist()}
+    change = rng.uniform(0.1, 0.95) if rng.random() < 0.85 else rng.uniform(1.0, 1.6)
+    length = radius * 10 ** rng.uniform(-3.0, -0.3)
+    return {"law": group, "peak": float(friction), "residual": float(friction * change), "length": float(length)}
+
+
+def make(name: tuple[str, int]) -> dict[str, Any]:
+    """The first scene of this name that comes to an end, its motion, and a check with longer series."""
+    group, number = name
+    for attempt in range(1000):
+        rng = np.random.default_rng([SEED, list(GROUPS).index(group), number, attempt])
+        scene = draw(group, number, rng)
+        shares = rng.uniform(0.0, 1.0, 3).tolist()
+        try:
+            found = solve(scene, shares)
+        except Unfit:
+            continue
+        if not agree(found, answer(scene, shares, **LONGER)):
+            raise ArithmeticError(f"{name}: no {DIGITS} digits")
+        return {"group": group, "scene": scene, "shares": shares, "reference": found}
+    raise ArithmeticError(f"{name}: no scene that ends")
+
+
+def main() -> int:
+    """Write the file."""
+    rows = []
+    with ProcessPoolExecutor() as pool:
+        for row in pool.map(make, names()):
+            rows.append(json.dumps(row))
+            print(f"\r{len(rows)} of {len(names())} scenes", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    temporary = FILE.with_suffix(".tmp")
+    temporary.write_text("[\n" + ",\n".join(rows) + "\n]\n", encoding="utf-8")
+    os.replace(temporary, FILE)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -22,7 +22,6 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from slipcircle import Arc, Motion, Scene, solve
-from slipcircle.scenes import SCENES
 
 Floats = NDArray[np.float64]
 
@@ -479,7 +478,7 @@ def test_nothing_is_nan() -> None:
 
 
 def test_times_of_any_shape() -> None:
-    motion = solve(SCENES["vaiont-frozen"]())
+    motion = solve(Scene.load("vaiont-frozen"))
     times = np.linspace(0.0, 30.0, 12)
     flat = motion.at(times)
     for shape in ((3, 4), (2, 2, 3), (12, 1)):
@@ -511,7 +510,7 @@ def test_times_of_any_shape() -> None:
     ],
 )
 def test_times_that_are_refused(times: Any, said: str) -> None:
-    motion = solve(SCENES["vaiont-frozen"]())
+    motion = solve(Scene.load("vaiont-frozen"))
     with pytest.raises(ValueError, match=r"^Motion.at: ") as caught:
         motion.at(times)
     assert said in str(caught.value)
@@ -546,7 +545,7 @@ def test_scenes_that_cannot_be_solved(scene: Scene, said: str) -> None:
 
 def test_vaiont_as_printed_is_the_papers_motion() -> None:
     """(4.4) and (4.5) with c1 = 165 m/s and c2 = 0.00317 1/s, each known to half a unit of its last place."""
-    motion = solve(SCENES["vaiont-as-printed"]())
+    motion = solve(Scene.load("vaiont-as-printed"))
     for time in (5.0, 10.0, 20.0, 30.0):
         state = motion.at(time)
         low, high = ((165 + s * 0.5, 0.00317 + s * 0.000005) for s in (-1, 1))
@@ -565,7 +564,7 @@ def test_vaiont_as_printed_is_the_papers_motion() -> None:
 
 
 def test_vaiont_frozen_runs_a_kilometre_in_half_a_minute() -> None:
-    scene = SCENES["vaiont-frozen"]()
+    scene = Scene.load("vaiont-frozen")
     motion = solve(scene)
     compare(motion, Integration(scene, 30.0), np.linspace(0.0, 30.0, 61), 2e-12)
     assert 900.0 < motion.run_out < 1100.0

@@ -1,0 +1,424 @@
+"""Scene files: what they may say, what is said when they are wrong, their schema, and the scenes that ship."""
+
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import slipcircle
+from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
+from slipcircle import Arc, Scene, solve
+from slipcircle.__main__ import main
+from slipcircle.arc import QUANTITIES
+from slipcircle.scenefile import read, shipped
+from slipcircle.scenekeys import schema, tables_of
+
+jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
+ROOT = Path(__file__).parents[1]
+FOLDER = Path(slipcircle.__file__).parent / "scenes"
+ARC = "[arc]\nradius_m = 1492.6\ntheta_1_deg = 215.2\ntheta_2_deg = 276.9\nunit_weight_kN_m3 = 20\n"
+FRICTION = "[friction]\nangle_deg = 10\n"
+GIVEN = """[arc.given]
+moment_of_inertia = 0.4376
+radial_weight = 0.0870
+weight_moment = 0.0387
+resistance_factor = 0.1523
+dynamic_coefficient = 0.468
+"""
+TABLE = "[friction]\nlaw = 'tabulated'\nslip_m = [0, 2, 5]\n"
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    return tmp_path / "slope.toml"
+
+
+def written(file: Path, text: str) -> Scene:
+    file.write_text(text, "utf-8")
+    return read(file)
+
+
+def sentences(file: Path, text: str) -> list[str]:
+    """What is wrong with a file, without its name, which each sentence must begin with."""
+    with pytest.raises(ValueError, match=re.escape(str(file))) as caught:
+        written(file, text)
+    lines = str(caught.value).split("\n")
+    assert all(line.startswith(f"{file}: ") for line in lines)
+    return [line.removeprefix(f"{file}: ") for line in lines]
+
+
+def tan(degrees: float) -> float:
+    return float(np.tan(np.deg2rad(degrees)))
+
+
+# --- scenes that ship ----------------------------------------------------------------------------------------------
+
+
+def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
+    assert shipped() == ("vaiont", "vaiont-as-printed", "vaiont-frozen", "vaiont-softening", "wet-slope")
+    motions = {name: solve(Scene.load(name)) for name in shipped()}
+    for name, motion in motions.items():
+        scene = Scene.load(name)
+        assert scene == read(FOLDER / f"{name}.toml")  # shipped files are not checked when they are loaded
+        assert (scene.name, bool(scene.note), motion.moves) == (name, True, True)
+        assert motion.arrested == ("rotation" in scene.called)
+    assert {name: round(m.run_out) for name, m in motions.items() if m.arrested} == {
+        "vaiont": 677, "vaiont-softening": 676, "wet-slope": 8,
+    }  # fmt: skip
+
+
+def test_the_papers_scenes_hold_the_papers_numbers() -> None:
+    arc = Arc(1492.6, float(np.deg2rad(215.2)), float(np.deg2rad(276.9)), 20e3)
+    frozen = Scene.load("vaiont-frozen")
+    assert frozen == Scene(arc, tan(10.0), ("centripetal",), 0.0, 30.0, None, "vaiont-frozen", frozen.note)
+    assert Scene.load("vaiont").called == {"rotation": {}, "centripetal": {}}
+    assert Scene.load("vaiont-as-printed").arc == Arc(**{f: getattr(arc, f) for f in QUANTITIES}, given={
+        "moment_of_inertia": 0.4376, "radial_weight": 0.0870, "weight_moment": 0.0387, "resistance_factor": 0.1523,
+        "dynamic_coefficient": 0.468,
+    })  # fmt: skip
+
+
+def test_softening_starts_below_the_limit_and_ends_at_the_residual() -> None:
+    scene = Scene.load("vaiont-softening")
+    assert scene.friction == {"law": "exponential", "peak": tan(22.5), "residual": tan(10.0), "length": 1.0}
+    assert tan(22.5) < scene.arc.dimensionless.limit_friction < tan(22.75)
+
+
+def test_values_that_are_not_the_papers_say_so() -> None:
+    """Every number has a comment, or stands in a table whose header has one."""
+    for path in FOLDER.glob("*.toml"):
+        head = ""
+        for line in path.read_text("utf-8").splitlines():
+            head = line if line.startswith("[") else head
+            if re.match(r"\w+ = (?!\")", line):
+                assert re.search(r"# .*(Table|section|\(\d|assumed|belongs|integral)", line + head), (path.name, line)
+
+
+# --- what a file may say -------------------------------------------------------------------------------------------
+
+
+def test_units_are_converted(file: Path) -> None:
+    scene = written(file, f"""
+        note = "all of it"
+        initial_velocity_m_s = -2
+        end_time_s = 60
+        accuracy = 1e-6
+        {ARC}
+        gravity_m_s2 = 9.80665
+        width_m = 12.5
+        {FRICTION}
+        [pore_pressure]
+        ratio = 0.3
+        pressure_kPa = 40
+        [cohesion]
+        cohesion_kPa = 0
+        [drag]
+        xi_m_s2 = 500
+    """)  # fmt: skip
+    arc = Arc(1492.6, float(np.deg2rad(215.2)), float(np.deg2rad(276.9)), 20e3, 9.80665, 12.5)
+    effects = {"pore_pressure": {"ratio": 0.3, "pressure": 40e3}, "cohesion": {"cohesion": 0.0}, "drag": {"xi": 500.0}}
+    assert scene == Scene(arc, tan(10.0), effects, -2.0, 60.0, 1e-6, "slope", "all of it")
+
+
+def test_only_arc_and_friction_are_needed(file: Path) -> None:
+    scene = written(file, ARC + FRICTION)
+    assert (scene.name, scene.called, scene.end_time, scene.accuracy) == ("slope", {}, None, None)
+    assert (scene.initial_velocity, scene.arc.gravity, scene.arc.width) == (0.0, 9.81, 1.0)
+
+
+def test_a_byte_order_mark_and_windows_line_ends(file: Path) -> None:
+    expected = written(file, ARC + FRICTION)
+    file.write_bytes(("\ufeff" + ARC + FRICTION).replace("\n", "\r\n").encode())
+    assert read(file) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "friction"),
+    [
+        ("angle_deg = 20", tan(20.0)),
+        ("coefficient = 0.5", 0.5),
+        ("law = 'constant'\nangle_deg = 0", 0.0),
+        *(
+            (f"law = '{law}'\n{text}", {"law": law, "peak": peak, "residual": residual, "length": 2.0})
+            for law in ("exponential", "linear", "hyperbolic")
+            for text, peak, residual in (
+                ("peak_deg = 25\nresidual_deg = 10\nlength_m = 2", tan(25.0), tan(10.0)),
+                ("peak = 0.4\nresidual_deg = 10\nlength_m = 2", 0.4, tan(10.0)),
+            )
+        ),
+        *(
+            (f"law = 'tabulated'\nslip_m = [0, 2.5]\n{text}", {"law": "tabulated", "slip": [0, 2.5], "coefficient": mu})
+            for text, mu in (("angle_deg = [20, 8]", [tan(20.0), tan(8.0)]), ("coefficient = [0.5, 0]", [0.5, 0.0]))
+        ),
+    ],
+)  # fmt: skip
+def test_friction_is_an_angle_or_a_coefficient(file: Path, text: str, friction: Any) -> None:
+    assert written(file, f"{ARC}[friction]\n{text}\n").friction == friction
+
+
+def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
+    """A file written from nothing but the schema."""
+    found = schema()
+    kinds = {"number": "0.5", "array": "[0, 0.5]"}
+
+    def table(path: str, part: dict[str, Any]) -> str:
+        needed = [
+            *part.get("required", []),
+            *((c.get("oneOf") or c["anyOf"])[0]["required"][0] for c in part.get("allOf", [])),
+        ]
+        rows = (part["properties"][k] for k in needed)
+        lines = (
+            f"{k} = {json.dumps(row['const']) if 'const' in row else kinds[row['type']]}"
+            for k, row in zip(needed, rows, strict=True)
+        )
+        return "\n".join([f"[{path}]", *lines, ""])
+
+    def follow(part: dict[str, Any]) -> dict[str, Any]:
+        return dict(found["$defs"][part["$ref"].rpartition("/")[2]])
+
+    laws = [follow(part) for part in found["properties"]["friction"]["anyOf"]]
+    effects = [table(name, follow(found["properties"][name])) for name in EFFECTS]
+    for law in laws:
+        scene = written(file, "\n".join([ARC, table("friction", law), *effects]))
+        assert list(scene.called) == list(EFFECTS)
+
+
+# --- what is refused -----------------------------------------------------------------------------------------------
+
+MISTAKES = [
+    (ARC.replace("radius_m", "radius_mm") + FRICTION, "arc.radius_mm = 1492.6: is unknown; did you mean radius_m?"),
+    (ARC.replace("radius_m", "radius") + FRICTION, "arc.radius = 1492.6: is unknown; did you mean radius_m?"),
+    (ARC + "end_time_s = 30\n" + FRICTION,
+     "arc.end_time_s = 30: is unknown; did you mean end_time_s above the first table?"),
+    ("unit_weight_kN_m3 = 20\n" + ARC.replace("unit_weight_kN_m3 = 20\n", "") + FRICTION,
+     "unit_weight_kN_m3 = 20: is unknown; did you mean unit_weight_kN_m3 in [arc]?"),
+    (ARC + FRICTION + "[rotatoin]\n", "rotatoin = {}: is unknown; did you mean rotation?"),
+    (ARC + FRICTION + "[rotation]\nspeed = 1\n", "rotation.speed = 1: is unknown; this table has no keys"),
+    (ARC + FRICTION + "[zzz]\n", "zzz = {}: is unknown; known are name, note, initial_velocity_m_s"),
+    (ARC + FRICTION + "[drag]\nxi_m_s2 = 1\nqqq = 1979-05-27\n",
+     'drag.qqq = "1979-05-27": is unknown; known are xi_m_s2'),
+    (ARC.replace("radius_m = 1492.6\n", "") + FRICTION,
+     "arc.radius_m: is missing: radius of the slip circle, a number above 0 (m)"),
+    (ARC, "friction: is missing: friction on the slip surface, a table [friction]"),
+    (ARC + "[friction]\n", "friction: angle_deg or coefficient is missing: friction coefficient, tan(phi)"),
+    (ARC + FRICTION + "coefficient = 0.2\n", "friction: angle_deg and coefficient exclude each other; leave one out"),
+    (ARC + "[friction]\nangle = 20\n", "friction.angle = 20: is unknown; did you mean angle_deg?"),
+    (ARC + "[friction]\nangle_deg = 95\n", "friction.angle_deg = 95: must be a number at least 0 and below 90 (deg): "),
+    (ARC + "[friction]\nangle_deg = -1e-9\n", "friction.angle_deg = -1e-09: must be a number at least 0 and below 90"),
+    (ARC + "[friction]\ncoefficient = -0.1\n", "friction.coefficient = -0.1: must be a number at least 0: "),
+    (ARC + "[friction]\nlaw = 'exponentail'\npeak = 1\nresidual = 0\nlength_m = 1\n",
+     'friction.law = "exponentail": must be one of constant, exponential, linear, hyperbolic, tabulated: friction law; '
+     "did you mean exponential?"),
+    (ARC + "[friction]\nlaw = 'magic'\npeak = 1\n", 'friction.law = "magic": must be one of constant, exponential'),
+    (ARC + "[friction]\nlaw = 7\n", "friction.law = 7: must be one of constant, exponential"),
+    (ARC + "[friction]\nlaw = 'linear'\npeak = 1\nresidual_deg = 8\n",
+     "friction.length_m: is missing: slip over which friction falls, a number above 0 (m)"),
+    (ARC + "[friction]\nlaw = 'linear'\nresidual = 1\nlength_m = 8\n", "friction: peak_deg or peak is missing: "),
+    (ARC + TABLE + "angle_deg = [20, 'x', 5]\n", 'friction.angle_deg[1] = "x": must be a list of numbers at least 0'),
+    (ARC + TABLE + "angle_deg = 20\n", "friction.angle_deg = 20: must be a list of numbers at least 0 and below 90"),
+    (ARC + TABLE + "angle_deg = [20, 10]\n", "friction.slip and friction.coefficient: must be two lists of equal"),
+    (ARC + TABLE.replace("2, 5", "5, 2") + "angle_deg = [20, 9, 8]\n", "friction.slip: must start at 0 and increase"),
+    ("friction = 0.2\n" + ARC, "friction = 0.2: must be a table [friction]: friction on the slip surface"),
+    ("rotation = true\n" + ARC + FRICTION, "rotation = true: must be a table [rotation]: the mass turns as it slides"),
+    (ARC.replace("1492.6", '"1492.6 m"') + FRICTION, 'arc.radius_m = "1492.6 m": must be a number above 0 (m): radius'),
+    (ARC.replace("1492.6", "true") + FRICTION, "arc.radius_m = true: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "nan") + FRICTION, "arc.radius_m = nan: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "inf") + FRICTION, "arc.radius_m = inf: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "[1, 2]") + FRICTION, "arc.radius_m = [1, 2]: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "1" * 400) + FRICTION, f"arc.radius_m = {'1' * 57}...: must be a number above 0 (m)"),
+    (ARC.replace("= 20\n", "= 0\n") + FRICTION, "arc.unit_weight_kN_m3 = 0: must be a number above 0 (kN/m3): unit"),
+    (ARC.replace("215.2", "276.9") + FRICTION, "arc.theta_2 = 276.9 deg: must be above theta_1 = 276.9 deg"),
+    (ARC.replace("215.2", "15.2").replace("276.9", "76.9") + FRICTION,
+     "arc.theta_1 = 15.2 deg, theta_2 = 76.9 deg: it presses on nothing"),
+    (ARC + GIVEN.replace("radial_weight = 0.0870\n", "") + FRICTION, "arc.given.radial_weight: is missing: radial wei"),
+    (ARC + GIVEN.replace("0.468", "-1") + FRICTION, "arc.given.dynamic_coefficient = -1: must be a number above 0"),
+    (ARC + GIVEN + FRICTION + "[rotation]\n", "Scene slope: arc.given: belongs to the initial position and cannot"),
+    (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa is missing"),
+    (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
+    (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n", "Scene slope: effects.cohesion.cohesion = inf: must be "),
+    ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: relative error asked for"),
+    ("end_time_s = 0\n" + ARC + FRICTION, "end_time_s = 0: must be a number above 0 (s): time of the end"),
+    ("initial_velocity_m_s = nan\n" + ARC + FRICTION, "initial_velocity_m_s = nan: must be a number (m/s): velocity"),
+    ("name = 3\n" + ARC + FRICTION, "name = 3: must be text: name of the scene"),
+    ('"" = 1\n' + ARC + FRICTION, " = 1: is unknown; known are name"),
+    ('"arc.given" = 1\n' + ARC + FRICTION, "arc.given = 1: is unknown; "),
+    ("[arc\n", "is not TOML: Expected ']' at the end of a table declaration (at line 1, column 5)"),
+    ("a = 1\na = 2\n", "is not TOML: Cannot overwrite a value (at line 2, column 6)"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "said"), MISTAKES, ids=[said[:40] for _, said in MISTAKES])
+def test_one_mistake_is_one_sentence(file: Path, text: str, said: str) -> None:
+    found = sentences(file, text)
+    assert len(found) == 1
+    assert found[0].startswith(said)
+
+
+def test_ten_mistakes_are_ten_sentences(file: Path) -> None:
+    found = sentences(file, """
+        end_time_s = "30 s"
+        accuracy = 2
+        [arc]
+        radius_mm = 1492.6
+        theta_1_deg = nan
+        unit_weight_kN_m3 = -20
+        [friction]
+        law = "exponential"
+        peak_deg = 95
+        peak = 0.4
+        residual_deg = 10
+        [pore_pressure]
+        [shaking]
+        [drag]
+        xi_m_s2 = true
+    """)  # fmt: skip
+    starts = (
+        'end_time_s = "30 s":', "accuracy = 2:", "arc.radius_mm = 1492.6:", "arc.theta_1_deg = nan:",
+        "arc.unit_weight_kN_m3 = -20:", "friction.peak_deg = 95:", "shaking = {}:", "drag.xi_m_s2 = true:",
+        "arc.theta_2_deg: is missing", "friction.length_m: is missing", "friction: peak_deg and peak exclude",
+        "pore_pressure: ratio or pressure_kPa is missing",
+    )  # fmt: skip
+    assert len(found) == len(starts)
+    assert sorted(found) == sorted(next(m for m in found if m.startswith(start)) for start in starts)
+
+
+def test_what_arc_and_law_find_is_listed_with_the_rest(file: Path) -> None:
+    text = "acuracy = 1\n" + ARC.replace("215.2", "300") + TABLE.replace("5]", "1]") + "angle_deg = [9, 8, 7]\n"
+    unknown, arc, friction = sentences(file, text)
+    assert unknown.startswith("acuracy = 1: is unknown; did you mean accuracy?")
+    assert arc.startswith("arc.theta_2 = 276.9 deg: must be above theta_1 = 300 deg")
+    assert friction.startswith("friction.slip: must start at 0 and increase")
+
+
+def test_a_misplaced_key_does_not_hide_what_is_missing_elsewhere(file: Path) -> None:
+    found = sentences(file, "radius_m = 5\n" + ARC.replace("radius_m = 1492.6\n", ""))
+    assert [m.partition(":")[0] for m in found] == ["radius_m = 5", "friction"]
+    assert [m.partition(" ")[0] for m in sentences(file, "")] == ["arc:", "friction:"]
+    assert sentences(file, FRICTION + "[ark]\n") == ["ark = {}: is unknown; did you mean arc?"]
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("viaont", "scene 'viaont' is unknown; known are vaiont, .*, wet-slope; did you mean vaiont?"),
+        ("", "scene '' is unknown; known are .*"),
+        ("wet_slope.toml", "wet_slope.toml: there is no such file; known are .*; did you mean wet-slope?"),
+        ("no/where", "no/where: there is no such file; known are .*"),
+        (".", "scene '.' is unknown; known are .*"),
+        ("a" * 5000, "scene 'a*' is unknown; known are .*"),
+    ],
+)
+def test_a_scene_that_is_not_there(name: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match=said.replace("?", r"\?") + "$"):
+        Scene.load(name)
+
+
+def test_a_file_that_is_no_text(file: Path) -> None:
+    file.write_bytes(b"name = '\xff'")
+    with pytest.raises(ValueError, match=r"is not UTF-8 text: invalid start byte at byte 8$"):
+        Scene.load(file)
+
+
+# --- schema --------------------------------------------------------------------------------------------------------
+
+
+def valid(document: Any) -> bool:
+    return bool(jsonschema.Draft202012Validator(schema()).is_valid(document))
+
+
+def test_the_schema_is_one_and_the_shipped_files_obey_it() -> None:
+    jsonschema.Draft202012Validator.check_schema(schema())
+    for path in FOLDER.glob("*.toml"):
+        assert valid(tomllib.loads(path.read_text("utf-8"))), path.name
+
+
+def test_the_schema_refuses_what_reading_refuses(file: Path) -> None:
+    """But for what needs the mechanics, and for numbers that JSON does not have."""
+    beyond = ("arc.theta", "Scene slope", "is not TOML", "friction.slip", "friction.slip and")
+    for text, said in MISTAKES:
+        if not said.startswith(beyond) and not re.search(r"= (nan|inf|1{57})", said):
+            assert not valid(tomllib.loads(text)), said
+
+
+def test_every_key_has_a_title_and_says_what_is_allowed() -> None:
+    for law in LAWS:
+        for path, table in tables_of(law).items():
+            for key, what in table.keys.items():
+                assert what.title, (path, key)
+                assert what.allowed, (path, key)
+                unit = re.search(r"_(deg|kPa|m|s|m_s|m_s2|kN_m3)$", key)
+                assert not unit or what.allowed.endswith(")"), (path, key)
+    xi = schema()["$defs"]["drag"]["properties"]["xi_m_s2"]
+    assert xi == {
+        "title": "turbulence coefficient of Voellmy", "description": "a number above 0 (m/s^2)", "type": "number",
+        "exclusiveMinimum": 0.0,
+    }  # fmt: skip
+
+
+def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    eta = Parameter("eta", "Pa s", 0.0, 1e9, "viscosity of the layer", "eta_kPa_s", 1e3, "e", lambda v, _: v, False)
+    slope = Parameter("slope", "", -5e-324, INFINITY, "friction there", "slope_deg", 1.0, "", lambda v, _: v, True)
+    monkeypatch.setitem(EFFECTS, "viscosity", Effect("viscosity", "9.9", (eta, slope), (), "a viscous layer", False))
+    part = schema()["$defs"]["viscosity"]
+    assert (part["title"], part["required"], list(part["properties"])) == (
+        "a viscous layer", ["eta_kPa_s"], ["eta_kPa_s", "slope_deg", "slope"],
+    )  # fmt: skip
+    assert part["properties"]["eta_kPa_s"]["exclusiveMaximum"] == 1e6
+    scene = written(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 2\nslope_deg = 45\n")
+    assert scene.called == {"viscosity": {"eta": 2000.0, "slope": tan(45.0)}}
+    assert sentences(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 1e6\nslope = 0\n") == [
+        "viscosity.eta_kPa_s = 1000000.0: must be a number above 0 and below 1e+06 (kPa s): viscosity of the layer"
+    ]
+
+
+# --- command line --------------------------------------------------------------------------------------------------
+
+
+def command(*argv: str | Path, code: str = "pass") -> subprocess.CompletedProcess[str]:
+    """The command in a fresh interpreter in which every warning is an error, after some code."""
+    run = f"import sys; {code}; from slipcircle.__main__ import main; sys.exit(main(sys.argv[1:]))"
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", run, *argv], cwd=ROOT, capture_output=True, text=True, encoding="utf-8",
+        stdin=subprocess.DEVNULL, check=False,
+    )  # fmt: skip
+
+
+def test_schema_and_a_file_from_the_shell(file: Path) -> None:
+    done = command("schema")
+    assert (done.returncode, done.stderr, json.loads(done.stdout)) == (0, "", schema())
+    file.write_text(ARC + FRICTION + "[rotation]\n", "utf-8")
+    done = command("run", file)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "slope" in done.stdout
+    file.write_text(ARC.replace("1492.6", "0"), "utf-8")
+    done = command("run", file)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.splitlines()[0].startswith(f"slipcircle: {file}: arc.radius_m = 0: must be ")
+    assert done.stderr.splitlines()[1].startswith(f"{file}: friction: is missing")
+
+
+def test_without_pydantic_shipped_scenes_run_and_files_say_what_to_type(file: Path) -> None:
+    file.write_text(ARC + FRICTION, "utf-8")
+    without = "sys.modules['pydantic'] = None"
+    for argv in (("run", file), ("schema",)):
+        done = command(*argv, code=without)
+        said = "slipcircle: scene files need pydantic: pip install 'slipcircle[scenes]'\n"
+        assert (done.returncode, done.stdout, done.stderr) == (1, "", said)
+    assert command("run", "vaiont", code=without).returncode == 0
+
+
+def test_scenes_of_different_lengths_stand_side_by_side(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "vaiont-softening", "wet-slope"]) == 0
+    shown = capsys.readouterr().out
+    assert "22.50 deg at first" in shown
+    assert re.search(r"velocity after 1/3 ", shown)
+    assert re.search(r"duration +40.79 s +6.11 s", shown)
+    assert "frozen geometry" not in shown
