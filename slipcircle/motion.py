@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -126,12 +126,15 @@ class Motion:
     def peak(self) -> State:  # noqa: D102
         best, speed = self.end, abs(float(self.end.angular_velocity)) * self._scale
         for p in self.phases:
-            for t, x, omega, rate in ((0.0, *p.solved.state(0.0)), p.solved.fastest()):
+            first = math.sqrt(p.solved.start.energy)
+            found = [p.solved.fastest()] if first <= speed else [(0.0, *p.solved.state(0.0)), p.solved.fastest()]
+            for t, x, omega, rate in found:
                 if omega > speed and p.start + t <= p.end:
                     speed, side = omega, p.direction
                     time = min((p.start + t) * self._scale, self.duration)
                     best = self._state(time, p.rotation + side * x, side * omega, side * rate)
-        return best
+        # Read off again where that costs nothing, so that the state is that of its rounded time.
+        return self._at(best.time) if self.plan.method == CLOSED_IN_TIME else best
 
     @cached_property
     def _start(self) -> dict[str, float]:
@@ -218,8 +221,20 @@ class Motion:
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
         time = self._times(times)
-        followed = self._followed(time / self._scale)
-        return self._state(time[()], *(x[()] for x in followed))
+        if time.ndim == 0:
+            return self._at(float(time))
+        return self._state(time, *self._followed(time / self._scale))
+
+    def _at(self, time: float) -> State:
+        """The state at one good time, by the same numbers as `end` and `peak`."""
+        if time >= self.duration:
+            return self.end if time == self.duration else replace(self.end, time=time)
+        t = time / self._scale
+        p = next((p for p in reversed(self.phases) if p.start <= t), None)
+        if p is None:
+            return self._state(time, 0.0, 0.0, 0.0)
+        x, omega, rate = p.solved.state(min(t, p.end) - p.start)
+        return self._state(time, p.rotation + p.direction * x, p.direction * omega, p.direction * rate)
 
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
@@ -242,12 +257,11 @@ class Motion:
         rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
             for phase, mask, local in self._lanes(t):
-                single = local.size == 1  # the same numbers as `end` and `peak`, to the last bit
-                x, speed, change = phase.solved.state(float(local[0])) if single else phase.solved.when(local)
+                x, speed, change = phase.solved.when(local)
                 rotation[mask] = phase.rotation + phase.direction * x
                 omega[mask], rate[mask] = phase.direction * speed, phase.direction * change
         if self.arrested:
-            rest = t >= (self.phases[-1].end if self.phases else 0.0)
+            rest = t >= self.duration / self._scale
             omega[rest], rate[rest] = 0.0, 0.0
             if self.phases:
                 last = self.phases[-1]
@@ -421,11 +435,12 @@ def _change(solved: Course | Frozen, balance: Balance) -> tuple[float, float, fl
     sign = 1.0 if solved.start.lifted else -1.0
     over = sign * solved.pressing(x, omega**2)
     for k in range(1, len(times)):
-        low, high = float(times[k - 1]), float(times[k])
+        low, high, at_high = float(times[k - 1]), float(times[k]), float(over[k])
         if k + 1 < len(times) and over[k - 1] < over[k] >= over[k + 1]:
             if 0.0 <= -over[k] < over[k] - min(over[k - 1], over[k + 1]):  # perhaps there and back between the samples
                 high = _highest(lambda t: sign * pressing(t), low, float(times[k + 1]))
-        if (at_high := sign * pressing(high)) <= 0.0:
+                at_high = sign * pressing(high)
+        if at_high <= 0.0:
             continue
         while (at_low := sign * pressing(low)) >= 0.0 and high > 1e-15 * last:  # zero, to rounding, at the start
             low = high / 2

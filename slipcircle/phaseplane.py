@@ -403,15 +403,19 @@ class Course:
         if self.stops and self.steady and self.balance.turns:
             return np.maximum(self._both_ways(x, left), 0.0)
         found = np.asarray(self.energy(x))
-        if self.stops:
-            near = left < 0.05 * self.end
-            if np.any(near):
-                y = left[near][:, None] * _GAUSS[0]
-                back = self.end - y
-                rate = self.slope(back, np.maximum(self.energy(back), 0.0))
-                found = found.copy()
-                found[near] = -(rate @ _GAUSS[1]) * left[near]
+        if self.stops and np.any(left < 0.05 * self.end):
+            found, begins, held = found.copy(), 0.0, 0.0
+            kinks = [self.end - (k - self.start.slip) / self.radius for k in reversed(self.law.kinks)]
+            for stops in [*(k for k in kinks if 0.0 < k < 0.05 * self.end), 0.05 * self.end]:  # from the end
+                near = (left >= begins) & (left < stops)
+                found[near] = held + self._gained(begins, left[near])
+                begins, held = stops, held + float(self._gained(begins, np.array([stops]))[0])
         return np.maximum(found, 0.0)
+
+    def _gained(self, near: float, far: Floats) -> Floats:
+        """What E grows by from one distance before the standstill to others, further from it."""
+        back = self.end - (near + (far - near)[:, None] * _GAUSS[0])
+        return -(self.slope(back, np.maximum(self.energy(back), 0.0)) @ _GAUSS[1]) * (far - near)
 
     @cached_property
     def pace(self) -> Piecewise:

@@ -4,9 +4,13 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
+from slipcircle.friction import friction
 from slipcircle.frozen import Frozen
 from slipcircle.phaseplane import EPS, Course
+
+Floats = NDArray[np.float64]
 
 if TYPE_CHECKING:
     from slipcircle.motion import Motion, Phase
@@ -15,14 +19,19 @@ ROUNDING = 4.0  # units in which a term is uncertain: kernels, products and sums
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
-class Part(NamedTuple):
-    """What one phase adds, dimensionless and absolute: errors of its end in rotation and time, and of its speed.
+class Doubt(NamedTuple):
+    """Absolute errors, dimensionless, of where a phase begins or ends: rotation, accumulated slip, time, E."""
 
-    The greatest speed and its rate say what an error in time does at a given time.
-    """
+    rotation: float = 0.0
+    slip: float = 0.0
+    time: float = 0.0
+    energy: float = 0.0
+
+
+class Inside(NamedTuple):
+    """Greatest errors in a phase of rotation and speed at a given time, and the greatest speed and its rate."""
 
     rotation: float
-    time: float
     speed: float
     top: float
     rate: float
@@ -33,108 +42,116 @@ def estimate(motion: "Motion") -> float:
 
     States are relative to peak velocity and run-out. 1 where rounding decides whether the mass rests.
     """
-    rotation = time = worst = 0.0
-    radius, scale = float(motion.plan.scene.arc.radius), float(motion.plan.scene.arc.time_scale)
+    radius, scale = float(np.asarray(motion.plan.scene.arc.radius)), float(motion.plan.scene.arc.time_scale)
     run_out, peak = abs(float(motion.end.rotation)), abs(float(motion.peak.velocity)) / radius * scale
+    doubt, worst = Doubt(), 0.0
     for phase in motion.phases:
-        # The dip of a turned mass is rounded, as a difference of angles.
-        shift = rotation + (4 * EPS if phase.rotation else 0.0)
-        solved = phase.solved
-        part = _frozen(solved, phase) if isinstance(solved, Frozen) else _course(solved, phase, shift)
-        time += part.time
-        place, speed = rotation + part.rotation + part.top * time, part.speed + part.rate * time
+        before = doubt
+        if isinstance(phase.solved, Frozen):
+            doubt, inside = _frozen(phase.solved, phase, before)
+        else:
+            doubt, inside = _course(phase.solved, phase, before)
+        # An error in the time at which the phase begins moves all of it.
+        place = max(before.rotation, doubt.rotation) + inside.rotation + inside.top * before.time
+        speed = inside.speed + inside.rate * before.time
         worst = max(worst, place / max(run_out, 1e-300), speed / max(peak, 1e-300))
-        rotation += part.rotation
-    if motion.phases:
-        last = motion.phases[-1].end
-        worst = max(worst, time / last if last > 0.0 else 0.0) + ROUNDING * EPS
-    if motion.arrested and _undecided(motion, rotation):
-        return 1.0
-    return min(worst, 1.0)
+    if motion.moves:
+        worst = max(worst, doubt.time / motion.phases[-1].end) + ROUNDING * EPS
+    return 1.0 if motion.arrested and _undecided(motion, doubt) else min(worst, 1.0)
 
 
-def _undecided(motion: "Motion", shift: float) -> bool:
+def _undecided(motion: "Motion", doubt: Doubt) -> bool:
     """Whether the mass rests by less than the rounding of drive and resistance."""
-    balance = motion.balance
-    slip, at = 0.0, motion._start
+    balance, rotation, slip = motion.balance, 0.0, 0.0
     if motion.phases:
         last = motion.phases[-1]
         rotation = last.rotation + last.direction * last.solved.end
-        side = -1 if balance.position(rotation, 1)["fall"] < 0.0 else 1
-        slip, at = last.solved.start.slip + motion.radius * last.solved.end, balance.position(rotation, side)
-    mu = float(motion.law.coefficient(slip))
+        slip = last.solved.start.slip + float(np.asarray(motion.plan.scene.arc.radius)) * last.solved.end
+    at = balance.position(rotation, -1 if balance.position(rotation, 1)["fall"] < 0.0 else 1)
+    mu = float(friction(motion.plan.scene.friction).coefficient(slip))
     held = float(balance.get("resistance", **at, mu=mu, omega_2=0.0))
     noise = ROUNDING * EPS * (at["fall"] + mu * at["press"] + held)
     if balance.turns:
-        noise += shift * (balance.weight + mu * balance.radial)
+        noise += doubt.rotation * (balance.weight + mu * balance.radial)
     return abs(at["fall"] - held) < noise
 
 
-def _frozen(solved: Frozen, phase: "Phase") -> Part:
+def _frozen(solved: Frozen, phase: "Phase", before: Doubt) -> tuple[Doubt, Inside]:
     """By the drive, a small difference near the limit, and the formulas' rounding."""
     unit, at, a = ROUNDING * EPS, solved.at, abs(solved.a)
     b = (*solved.coefficients, 0.0)[1]
     terms = abs(at["fall"]) + abs(solved.balance.get("constant", mu=solved.mu))
     terms += solved.mu * abs(solved.balance.get("normal", **at))
-    elapsed = phase.end - phase.start
-    omega_0 = solved.omega_0
+    elapsed, omega_0 = phase.end - phase.start, solved.omega_0
     rate = a + b * omega_0**2
     if solved.stops and elapsed >= solved.duration:
         growth = unit * (1.0 + terms / a)
-        return Part(growth * solved.end, growth * elapsed, unit * omega_0, omega_0, rate)
+        x, time = growth * solved.end, growth * elapsed
+        inside = Inside(omega_0 * time, unit * omega_0 + rate * time, omega_0, rate)
+        return Doubt(before.rotation + x, before.slip + x, before.time + time), inside
     # A brake forgets what happened longer ago than this.
     memory = min(elapsed, 1 / math.sqrt(a * b)) if a * b > 0.0 else elapsed
-    x, energy, _ = solved.state(elapsed)
-    top = max(omega_0, math.sqrt(energy))
-    return Part(
-        unit * (terms * memory * elapsed + x), unit * elapsed, unit * (terms * memory + top), top, rate
-    )
+    x, omega, _ = solved.state(elapsed)
+    top = max(omega_0, omega)
+    speed = unit * (terms * memory + top + rate * elapsed)
+    x = unit * (terms * memory * elapsed + x + top * elapsed)
+    return Doubt(before.rotation + x, before.slip + x, before.time, 2 * omega * speed), Inside(x, speed, top, rate)
 
 
-def _course(solved: Course, phase: "Phase", shift: float) -> Part:
+def _course(solved: Course, phase: "Phase", before: Doubt) -> tuple[Doubt, Inside]:
     """By the noise in E: its zero and its top move, and the time is the integral of E**-0.5.
 
     Rounding of E's terms is as large as their sum without signs; a start near the limit makes the drive a small
-    difference, which this shows. ``shift``: the error in rotation at the start of the phase.
+    difference, which this shows.
     """
-    unit, at, balance, end = ROUNDING * EPS, solved.at, solved.balance, solved.end
-    terms = abs(at["fall"]) + abs(solved.constant) + solved.mu * abs(balance.get("normal", **at))
-    terms *= unit
+    unit, at, balance, end, law = ROUNDING * EPS, solved.at, solved.balance, solved.end, solved.law
+    normal = abs(balance.get("normal", **at))
+    terms = unit * (abs(at["fall"]) + abs(solved.constant) + solved.mu * normal)
+    carried = 1.0  # of an error in where the phase begins, at its end
+    brakes = solved.braking(np.array([0.0, end]))
+    steep = abs(float(solved.slope(end, 0.0)))
+    shift = before.rotation
     if balance.turns:
-        terms += shift * (balance.weight + solved.mu * balance.radial)
-    tilt, brake = unit * abs(solved.tilt), float(np.max(solved.braking(np.array([0.0, end]))))
-    left_out = solved.unresolved
+        shift += 4 * EPS if phase.rotation else 0.0  # the dip of a turned mass is a rounded difference of angles
+        if solved.stops:
+            carried = 2 * abs(solved.drive) * math.exp(-2 * float(brakes.min()) * end) / steep
+    if not solved.steady:
+        step = 1e-6 * min(law.scale, solved.radius)
+        terms += before.slip * solved.radius * abs(float(law.drop(solved.start.slip, step))) / step * normal
+    moved = terms + (shift * (balance.weight + solved.mu * balance.radial) if balance.turns else 0.0)
+    tilt, brake = abs(solved.tilt), float(brakes.max())
+
+    def noise(x: Floats | float, terms: float) -> Floats:
+        back = np.minimum(x, 1 / (2 * brake)) if brake > 0.0 else np.asarray(x)  # a brake forgets what is further back
+        return 2 * terms * back + unit * tilt * back * np.minimum(x, 1.0) + unit * solved.start.energy + before.energy
+
     elapsed = phase.end - phase.start
     whole = elapsed >= solved.duration
-
-    def reach(x: np.ndarray) -> np.ndarray:  # a brake forgets what happened further back
-        return np.minimum(x, 1 / (2 * brake)) if brake > 0.0 else x
-
-    def noise(x: np.ndarray) -> np.ndarray:
-        return 2 * terms * reach(x) + tilt * reach(x) * np.minimum(x, 1.0) + unit * solved.start.energy
-
-    def energy(x: float) -> float:
-        return max(solved._scalar(x), 0.0)
-
-    rotation = 0.0
-    steep = abs(float(solved.slope(end, 0.0)))
-    if solved.stops and steep > 0.0:
-        rotation = float(noise(np.array(end))) / steep + (unit + left_out) * end
-    x_last = end if whole else solved.state(elapsed)[0]
+    own = 0.0
+    if solved.stops:
+        own = float(noise(end, terms)) / steep + (unit + solved.unresolved) * end
+    last = end if whole else solved.state(elapsed)[0]
     edges = solved.clock.edges
     if not whole:
-        edges = np.append(edges[edges < solved._variable(x_last)], solved._variable(x_last))
+        edges = np.append(edges[edges < solved._variable(last)], solved._variable(last))
     half = np.diff(edges) / 2
-    x, left, stretch = solved._place((edges[:-1] + half)[:, None] + half[:, None] * _NODES)
-    found = np.maximum(solved.speed_squared(x.ravel(), left.ravel()).reshape(x.shape), 1e-300)
-    doubt = noise(x)
+    place = ((edges[:-1] + half)[:, None] + half[:, None] * _NODES).ravel()
+    x, left, stretch = solved._place(place)
+    energy = np.maximum(solved.speed_squared(x, left), 1e-300)
+    error = noise(x, moved)
     if solved.stops:  # near the standstill E is integrated from there
-        doubt = np.minimum(doubt, (2 * (terms + tilt * min(end, 1.0)) + abs(solved.tilt) * rotation) * left)
-    doubt = np.minimum(doubt / found + left_out, 1.0)
-    lasts = (stretch / np.sqrt(found)) * (half[:, None] * _WEIGHTS)
-    time = float((lasts * doubt).sum()) / 2 + solved._times[2] + unit * elapsed
-    summit = min(solved.peak, x_last)
-    top = math.sqrt(energy(summit))
-    speed = float(noise(np.array(summit))) / (2 * max(top, 1e-300)) + (unit + left_out) * top
-    rate = float(np.abs(solved.slope(x, found)).max()) / 2
-    return Part(rotation if whole else 0.0, time, speed, top, rate)
+        error = np.minimum(error, (2 * moved + (2 * unit + own + shift * carried) * tilt) * left)
+    relative = np.minimum(error / energy + solved.unresolved, 1.0) / 2
+    share = np.sqrt(energy)
+    time = np.cumsum((half[:, None] * _WEIGHTS).ravel() * stretch / share * relative)
+    time += solved._times[2] * x / end + unit * elapsed
+    rates = np.abs(solved.slope(x, energy)) / 2
+    summit = min(solved.peak, last)
+    top = math.sqrt(max(solved._scalar(summit), 0.0))
+    high = float(noise(summit, moved)) / (2 * max(top, 1e-300)) + (unit + solved.unresolved) * top
+    inside = Inside(float((time * share).max()), high + float((time * rates).max()), top, float(rates.max()))
+    if solved.stops and whole:
+        after = Doubt(carried * shift + own, before.slip + own + shift * (1.0 + carried), before.time + float(time[-1]))
+    else:  # it lifts off or lands, or its time is over
+        after = Doubt(shift, before.slip + shift, before.time + float(time[-1]), float(noise(last, moved)))
+    return after, inside
