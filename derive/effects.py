@@ -130,6 +130,7 @@ def prove_laws() -> list[str]:
             claims.append(claim)
     return claims
 
+
 _COHESION, _RATIO, _PRESSURE, _DRAG = sp.symbols("cohesion pore_ratio pore_pressure drag", real=True)
 
 EFFECTS = (
@@ -168,8 +169,9 @@ class Variant:
         return "_".join((self.what, *self.effects))
 
 
-ORDER = ("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega_2", "pore_ratio", "pore_pressure",
-         "cohesion", "drag")  # of arguments  # fmt: skip
+# Order of arguments.
+ORDER = ("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega_2", "pore_ratio",
+         "pore_pressure", "cohesion", "drag")  # fmt: skip
 
 
 def terms(chosen: tuple[Effect, ...]) -> dict[str, sp.Expr]:

@@ -158,5 +158,7 @@ def plain_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str
     for p, words in programs:
         code = body(p).replace("Array", "Any").replace(f"def _{p.name}", f"def {p.name}", 1)
         head, rest = code.split("\n", 1)
-        text += f'\n\n{head}\n    """{words.capitalize()}. Operations: {operations(p.operations()) or "none"}."""\n{rest}'
+        text += (
+            f'\n\n{head}\n    """{words.capitalize()}. Operations: {operations(p.operations()) or "none"}."""\n{rest}'
+        )
     return text

@@ -201,7 +201,11 @@ def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str
         for energy in ENERGIES:
             if energy.braked != ("brake" in served):
                 continue
-            gone = [n for n, x in (("constant", CONSTANT), ("water", WATER)) if x in absent or x not in energy.form.free_symbols]
+            gone = [
+                n
+                for n, x in (("constant", CONSTANT), ("water", WATER))
+                if x in absent or x not in energy.form.free_symbols
+            ]
             name = "_".join((energy.name, *(n for n in ("constant", "water") if n not in gone)))
             served["energy_softening" if "softening" in energy.name else "energy"] = name
             if name not in known:
@@ -253,9 +257,8 @@ def _parameter(p: Parameter) -> str:
     convert = sp.pycode(p.dimensionless)
     for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
         convert = convert.replace(name, f"scales[{name!r}]")
-    values = (p.name, p.unit, _bound(p.lower), _bound(p.upper), p.help, p.key, p.per_unit, symbol)
-    words = ", ".join(v if n in (2, 3) else repr(v) for n, v in enumerate(values))
-    return f"Parameter({words}, lambda value, scales: {convert}, {p.optional!r})"
+    words = f"{p.name!r}, {p.unit!r}, {_bound(p.lower)}, {_bound(p.upper)}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
+    return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r})"
 
 
 def _bound(value: float) -> str:

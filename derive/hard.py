@@ -17,6 +17,7 @@ import sympy as sp
 
 from derive import functions, measure
 from derive.integrate import PSI, derive
+from derive.phase import BRAKE, CONSTANT, DECAY, DRIVE, DROP, PRESS, PRESS_RISE, START, TILT, X
 from derive.program import Program, program
 from derive.quantities import MOMENTS, QUOTIENTS
 from derive.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
@@ -112,6 +113,18 @@ CASES = (
              "(J_theta - J_r mu)/Theta*"),
     HardCase("drive", (1.2, 0.4192 * (1 - 1e-12), 0.4192), "friction just below its limit",
              "(J_theta - J_r mu)/Theta*"),
+    HardCase("energy_braked", (1e-7, 0.0, 1.1e-7, 1.1, 0.2), "the peak of a slide next to its limit",
+             "P(x) - P(0) exp(-qx), the textbook solution"),
+    HardCase("energy_braked", (1e-9, 0.0, 0.24, 1.0, 1e6), "drag so strong that the speed follows at once",
+             "P(x) - P(0) exp(-qx), the textbook solution"),
+    HardCase("energy_braked_constant", (0.2, 0.0, 0.2, 1.0, 0.1, 1e-14), "cohesion, and hardly any brake: constant/q",
+             "P(x) - P(0) exp(-qx), the textbook solution"),
+    HardCase("energy", (1e-7, 0.0, 1.1e-7, 1.1), "the peak of a slide next to its limit",
+             "S sin x - B (1 - cos x)"),
+    HardCase("energy_softening", (1e-3, 0.0, 1e-6, 1.1, 0.2, 1e-9, 0.9, 0.4), "softening over 1e12 m",
+             "its integrals, each by itself"),
+    HardCase("drop_exponential", (0.0, 1e-9, 0.41, 0.18, 1.0), "the first nanometre of slip",
+             "mu(slip) - mu(slip + more)"),
 )  # fmt: skip
 
 
@@ -152,7 +165,31 @@ def _forms() -> dict[str, Forms]:
     limit, mu, press = sp.symbols("limit_friction mu press", real=True)
     drive = next(p for p, _ in functions.balance()[0] if p.name == "drive")
     found["drive"] = Forms(drive, program("drive", drive.inputs, limit * press - press * mu), press * (limit - mu))
+    ours = {p.name: p for p, _ in functions.balance()[0]}
+    for name, form in _phase_plane().items():
+        found[name] = Forms(ours[name], program(name, ours[name].inputs, form), form)
     return found
+
+
+def _phase_plane() -> dict[str, sp.Expr]:
+    """Textbook forms of the energy in the phase plane, and of friction's fall, by name."""
+    x, s, c, q = X, sp.sin(X), sp.cos(X), 2 * BRAKE
+    turning = DRIVE + CONSTANT
+    steady = 2 * ((q * turning + TILT) * c + (turning - q * TILT) * s) / (1 + q**2) - 2 * CONSTANT / q
+    braked = steady + (START - steady.subs(x, 0)) * sp.exp(-q * x)
+    plain = START + 2 * (DRIVE * s - TILT * (1 - c))
+    p, rest = DECAY, sp.exp(-DECAY * x)
+    along = s - (p - rest * (p * c - s)) / (1 + p**2)
+    across = 1 - c - (1 - rest * (p * s + c)) / (1 + p**2)
+    slip, more, peak, residual, length = sp.symbols("slip more peak residual length", real=True)
+    law = residual + (peak - residual) * sp.exp(-slip / length)
+    return {
+        "energy": plain,
+        "energy_braked": braked.subs(CONSTANT, 0),
+        "energy_braked_constant": braked,
+        "energy_softening": plain + 2 * DROP * (PRESS * along + PRESS_RISE * across),
+        "drop_exponential": law - law.subs(slip, slip + more),
+    }
 
 
 def _motion() -> dict[str, tuple[sp.Expr, sp.Expr]]:

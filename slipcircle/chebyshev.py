@@ -60,7 +60,9 @@ class Piecewise:
             gradient = slope._at(panel, x)
             step = miss / np.where(gradient > 0.0, gradient, np.inf)
             following = x - step
-            following = np.where((following >= low) & (following <= high) & (gradient > 0.0), following, (low + high) / 2)
+            following = np.where(
+                (following >= low) & (following <= high) & (gradient > 0.0), following, (low + high) / 2
+            )
             done = np.abs(following - x) <= 4e-16 * np.abs(x)
             x = following
             if np.all(done):

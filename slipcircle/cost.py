@@ -3,11 +3,12 @@
 Ratios within one run mean something; absolute times belong to the machine that the report names.
 """
 
+import math
 import platform
 import statistics
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, TextIO
 
@@ -22,7 +23,8 @@ ELEMENTS = 10_000  # an array that stays in cache
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 MP_DIGITS = (30, 50)
 REFERENCE_DIGITS = 50
-COLUMNS = ("way", "worst relative error", "seen at", "ns/element", "times stable", "verdict")
+COLUMNS = ("way", "worst relative error", "seen at", "time", "times ours", "verdict")
+OURS = ("stable form", "slipcircle, 1e-09")  # ways that the others are compared with
 BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
 
 
@@ -136,7 +138,7 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     Parameters
     ----------
     names : sequence of str
-        Keys of `FUNCTIONS`.
+        Keys of `FUNCTIONS` or `SOLVERS`.
     progress : text file, optional
         Where to say what is being measured.
 
@@ -147,9 +149,10 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     ImportError
         Without mpmath, which gives the reference.
     """
-    unknown = [n for n in names if n not in FUNCTIONS]
+    known = {**FUNCTIONS, **SOLVERS}
+    unknown = [n for n in names if n not in known]
     if unknown:
-        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join(FUNCTIONS)}")
+        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join(known)}")
     try:
         import mpmath
     except ImportError as error:
@@ -158,7 +161,8 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     for name in names:
         if progress:
             print(f"measuring {name}", file=progress, flush=True)
-        found += _judged(_measure_one(name, FUNCTIONS[name](), mpmath))
+        rows = _solved(name, mpmath, progress) if name in SOLVERS else _measure_one(name, FUNCTIONS[name](), mpmath)
+        found += _judged(rows)
     return found
 
 
@@ -183,6 +187,114 @@ def _measure_one(name: str, subject: Subject, mpmath: Any) -> list[Row]:
         values = [mp.mpf(subject.mp(at, *map(at.mpf, p))) for p in subject.points.T.tolist()]
         rows.append(_row(name, f"mpmath, {digits} digits", subject, values, exact, _time(work, len(few))))
     return rows
+
+
+# --- solvers: one scene, to its run-out, peak velocity and duration
+
+ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12)
+SOLVERS = {
+    "closed form in time": ("vaiont-frozen", False),
+    "closed form in the phase plane": ("vaiont", False),
+    "energy equation": ("vaiont", True),  # the same scene, its friction given as a function, so its solution is known
+}
+
+
+def _solved(name: str, mpmath: Any, progress: TextIO | None) -> list[Row]:
+    """This package at each accuracy, beside SciPy's solve_ivp with a hand-written right-hand side and events."""
+    from slipcircle import Scene, solve
+
+    shipped, as_function = SOLVERS[name]
+    scene = Scene.load(shipped)
+    mu = float(np.asarray(scene.friction))
+    if as_function:
+        scene = replace(scene, friction=lambda slip: mu + 0.0 * slip)
+    exact = _reference(scene, mu, mpmath)
+
+    def row(way: str, work: Callable[[], tuple[float, float, float]]) -> Row:
+        errors = [abs(v / float(e) - 1) if e else abs(v) for v, e in zip(work(), exact, strict=True)]
+        return Row(name, way, max(errors), (), _time(work, 1, repeats=15), "")
+
+    def ours(accuracy: float) -> tuple[float, float, float]:
+        motion = solve(scene, accuracy)
+        return motion.run_out, float(motion.peak.velocity), motion.duration
+
+    rows = [row(f"slipcircle, {accuracy:.0e}", partial(ours, accuracy)) for accuracy in ACCURACIES]
+    try:
+        import scipy.integrate  # noqa: F401
+    except ImportError:
+        if progress:
+            print("solve_ivp is missing: pip install 'slipcircle[scenes]'", file=progress)
+        return rows
+    for method in ("RK45", "DOP853", "LSODA"):
+        rows += [row(f"{method}, rtol {a:.0e}", partial(_integrated, scene, mu, method, a)) for a in ACCURACIES]
+    return rows
+
+
+def _integrated(scene: Any, mu: float, method: str, tolerance: float) -> tuple[float, float, float]:
+    """Run-out, peak velocity and duration by solve_ivp, with events for the peak and the standstill."""
+    from scipy.integrate import solve_ivp
+
+    arc, d = scene.arc, scene.arc.dimensionless
+    scale, radius, dip = float(arc.time_scale), float(arc.radius), float(arc.dip)
+    turns, polar = "rotation" in scene.called, float(d.polar_moment_per_inertia)
+    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
+
+    def rate(_: float, y: Any) -> tuple[float, float]:
+        psi = dip - y[0] if turns else dip
+        return y[1], weight * math.sin(psi) - mu * (radial * math.cos(psi) + polar * y[1] * y[1])
+
+    def stands(_: float, y: Any) -> float:
+        return float(y[1])
+
+    def turns_slower(t: float, y: Any) -> float:
+        return rate(t, y)[1]
+
+    events: list[Any] = [stands, turns_slower]
+    for event in events:
+        event.terminal, event.direction = event is stands, -1.0
+    end = scene.end_time / scale if scene.end_time else 1e3
+    found = solve_ivp(
+        rate, (0.0, end), (0.0, 0.0), method, rtol=tolerance, atol=tolerance * 1e-3, events=(stands, turns_slower)
+    )
+    peak = found.y_events[1][0][1] if len(found.y_events[1]) else found.y[1, -1]
+    return radius * found.y[0, -1], radius * peak / scale, found.t[-1] * scale
+
+
+def _reference(scene: Any, mu: float, mpmath: Any) -> tuple[Any, Any, Any]:
+    """The same three numbers at 30 digits, with constant friction, by textbook formulas and adaptive quadrature."""
+    mp = mpmath.mp.clone()
+    mp.dps = 40
+    arc = scene.arc
+    alpha = (mp.mpf(float(arc.theta_2)) - mp.mpf(float(arc.theta_1))) / 2
+    psi = 3 * mp.pi / 2 - (mp.mpf(float(arc.theta_2)) + mp.mpf(float(arc.theta_1))) / 2
+    base = {n: _CLOSED[n][1](mp, alpha) for n in ("polar_moment", "moment_of_inertia", "radial_weight_amplitude",
+                                                  "weight_moment_amplitude")}  # fmt: skip
+    inertia = base["moment_of_inertia"]
+    weight, radial = base["weight_moment_amplitude"] / inertia, mu * base["radial_weight_amplitude"] / inertia
+    brake, radius = mu * base["polar_moment"] / inertia, mp.mpf(float(arc.radius))
+    scale = mp.sqrt(radius / mp.mpf(float(arc.gravity)))
+    if "rotation" not in scene.called:
+        drive, end = weight * mp.sin(psi) - radial * mp.cos(psi), mp.mpf(scene.end_time) / scale
+        k = mp.sqrt(drive * brake)
+        return (
+            radius * mp.log(mp.cosh(k * end)) / brake,
+            radius * mp.sqrt(drive / brake) * mp.tanh(k * end) / scale,
+            end * scale,
+        )
+    q, length = 2 * brake, mp.hypot(weight, radial)
+    tilted = psi - mp.atan(radial / weight)
+
+    def steady(y: Any) -> Any:  # the solution of E' + q E = 2 K sin(y) that does not decay, y = tilted - phi
+        return 2 * length * (q * mp.sin(y) + mp.cos(y)) / (1 + q * q)
+
+    def energy(phi: Any) -> Any:
+        return steady(tilted - phi) - steady(tilted) * mp.exp(-q * phi)
+
+    end = mp.findroot(energy, 2 * tilted * (1 - q / 8))
+    top = mp.findroot(lambda x: 2 * length * mp.sin(tilted - x) - q * energy(x), end / 2)
+    pace = lambda s: end * mp.sin(2 * s) / mp.sqrt(energy(end * mp.sin(s) ** 2))  # noqa: E731
+    time = mp.quad(pace, [0, mp.pi / 4, mp.pi / 2], method="gauss-legendre")
+    return radius * end, radius * mp.sqrt(energy(top)) / scale, time * scale
 
 
 def _row(name: str, way: str, subject: Subject, values: Iterable[Any], exact: list[Any], nanoseconds: float) -> Row:
@@ -217,13 +329,19 @@ def _judged(rows: list[Row]) -> list[Row]:
     return judged
 
 
+def _shown(nanoseconds: float) -> str:
+    """A time of one element or one solution, with its unit."""
+    scale, unit = next((s, u) for s, u in ((1e6, "ms"), (1e3, "us"), (1.0, "ns")) if nanoseconds >= s or s == 1.0)
+    return f"{nanoseconds / scale:.3g} {unit}"
+
+
 def cells(rows: Sequence[Row]) -> Iterable[list[str]]:
     """Rows of one function as text."""
-    stable = next(r.nanoseconds for r in rows if r.way == "stable form")
+    stable = next(r.nanoseconds for r in rows if r.way in OURS)
     for row in rows:
         at = ", ".join(f"{x:.3g}" for x in row.worst_input)
         ratio = f"{row.nanoseconds / stable:.2g}"
-        yield [row.way, f"{row.error:.1e}", at, f"{row.nanoseconds:.3g}", ratio, row.verdict]
+        yield [row.way, f"{row.error:.1e}", at, _shown(row.nanoseconds), ratio, row.verdict]
 
 
 def machine() -> str:

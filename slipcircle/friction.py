@@ -51,7 +51,10 @@ def law_mistakes(given: Any) -> list[str]:
     if callable(given):
         return []
     if not isinstance(given, Mapping):
-        return mistakes({"friction": given}, {"friction": (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")})
+        return mistakes(
+            {"friction": given},
+            {"friction": (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")},
+        )
     name = given.get("law")
     if name not in LAWS:
         return [f"friction.law = {name!r}: must be one of {', '.join(LAWS)}"]
@@ -64,7 +67,9 @@ def law_mistakes(given: Any) -> list[str]:
     if name == "tabulated" and not found:
         slip, values = np.asarray(given["slip"], dtype=float), np.asarray(given["coefficient"], dtype=float)
         if slip.ndim != 1 or slip.shape != values.shape or slip.size < 2:
-            found.append("friction.slip and friction.coefficient: must be two lists of equal length, two values at least")
+            found.append(
+                "friction.slip and friction.coefficient: must be two lists of equal length, two values at least"
+            )
         elif slip[0] != 0.0 or np.any(np.diff(slip) <= 0.0):
             found.append("friction.slip: must start at 0 and increase")
     return found
@@ -86,7 +91,9 @@ def friction(given: Any) -> Friction:
         value = float(parameters["coefficient"])
         return Friction(name, lambda s: value, lambda s, more: 0.0 * more, np.inf, (), parameters)
     if name == "tabulated":
-        return _tabulated(np.asarray(given["slip"], dtype=float), np.asarray(given["coefficient"], dtype=float), parameters)
+        return _tabulated(
+            np.asarray(given["slip"], dtype=float), np.asarray(given["coefficient"], dtype=float), parameters
+        )
     law, numbers = LAWS[name], {k: float(v) for k, v in parameters.items()}
     coefficient, drop = getattr(balance, f"friction_{name}"), getattr(balance, f"drop_{name}")
     return Friction(

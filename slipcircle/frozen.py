@@ -11,7 +11,7 @@ from generated import motion as formulas
 from slipcircle.balance import Balance
 from slipcircle.chebyshev import Piecewise, accumulate, resolve
 from slipcircle.friction import Friction
-from slipcircle.phaseplane import EPS, ROUNDING, Start, scalar
+from slipcircle.phaseplane import Start, scalar
 
 Floats = NDArray[np.float64]
 
@@ -49,17 +49,13 @@ class Frozen:
         x, omega, rate = (self._formula(n, t) for n in ("rotation", "angular_velocity", "angular_acceleration"))
         return float(x), float(omega), float(rate)
 
-    @property
-    def uncertainty(self) -> float:
-        """Estimated relative error: that of the drive, a small difference near the limit, and of the formulas."""
-        terms = abs(self.at["fall"]) + abs(self.balance.get("constant", mu=self.mu))
-        terms += self.mu * abs(self.balance.get("normal", **self.at))
-        drive = ROUNDING * EPS * terms / max(abs(self.a), 1e-300)
-        return ROUNDING * EPS + drive * (1.0 if self.stops else min(1.0, abs(self.a) / max(self.start.energy, 1e-300)))
-
     def when(self, t: Floats) -> tuple[Floats, Floats, Floats]:
         """x, omega and d(omega)/dt at times since the start of the phase."""
-        return self._formula("rotation", t), self._formula("angular_velocity", t), self._formula("angular_acceleration", t)
+        return (
+            self._formula("rotation", t),
+            self._formula("angular_velocity", t),
+            self._formula("angular_acceleration", t),
+        )
 
     def press(self, x: Any) -> Any:
         """J_r/Theta*, frozen."""

@@ -17,6 +17,7 @@ from slipcircle.frozen import Frozen
 from slipcircle.phaseplane import Course, Start, root
 from slipcircle.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.scene import Scene
+from slipcircle.uncertainty import estimate
 
 Floats = NDArray[np.float64]
 _MOST_PHASES = 10_000
@@ -99,7 +100,7 @@ class Motion:
     lift_off : tuple of float
         Times at which water carries the mass, so that nothing presses on the slip surface, s.
     error_estimate : float
-        Estimated relative error of peak velocity, run-out and duration.
+        Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
         What a user should know; empty where all is well.
     """
@@ -110,7 +111,7 @@ class Motion:
         self.arrested, self.duration = arrested, duration
 
     @cached_property
-    def end(self) -> State:  # noqa: D102, described with the class
+    def end(self) -> State:
         if not self.phases:
             return self._state(self.duration, 0.0, 0.0, 0.0)
         last = self.phases[-1]
@@ -119,11 +120,11 @@ class Motion:
         return self._state(self.duration, last.rotation + side * x, side * omega, side * rate)
 
     @property
-    def run_out(self) -> float:  # noqa: D102
+    def run_out(self) -> float:
         return float(self.end.displacement)
 
     @cached_property
-    def peak(self) -> State:  # noqa: D102
+    def peak(self) -> State:
         best, speed = self.end, abs(float(self.end.angular_velocity)) * self._scale
         for p in self.phases:
             first = math.sqrt(p.solved.start.energy)
@@ -142,13 +143,13 @@ class Motion:
         return self.balance.position(0.0, -1 if self.balance.fall < 0.0 else 1)
 
     @property
-    def limit_friction(self) -> float:  # noqa: D102
+    def limit_friction(self) -> float:
         if float(self.balance.get("normal", **self._start)) <= 0.0:  # lifted: no friction holds it, or none is needed
             return math.inf if self.balance.drive(self._start, 0.0) > 0.0 else -math.inf
         return float(self.balance.get("limit_friction", **self._start))
 
     @property
-    def factor_of_safety(self) -> float:  # noqa: D102
+    def factor_of_safety(self) -> float:
         resistance = float(self.balance.get("resistance", **self._start, mu=self._friction, omega_2=0.0))
         return resistance / self._start["fall"] if self._start["fall"] > 0.0 else math.inf
 
@@ -170,24 +171,27 @@ class Motion:
         return float(friction(self.plan.scene.friction).coefficient(0.0))
 
     @property
-    def lift_off(self) -> tuple[float, ...]:  # noqa: D102
+    def lift_off(self) -> tuple[float, ...]:
         lifted = [False, *(p.solved.start.lifted for p in self.phases)]
-        return tuple(p.start * self._scale for p, was in zip(self.phases, lifted, strict=False) if p.solved.start.lifted > was)
+        return tuple(
+            p.start * self._scale for p, was in zip(self.phases, lifted, strict=False) if p.solved.start.lifted > was
+        )
 
     @cached_property
-    def error_estimate(self) -> float:  # noqa: D102
-        return max((p.solved.uncertainty for p in self.phases), default=0.0) * max(1, len(self.phases))
+    def error_estimate(self) -> float:
+        return estimate(self)
 
     @property
-    def warnings(self) -> tuple[str, ...]:  # noqa: D102
+    def warnings(self) -> tuple[str, ...]:
         return tuple(self._warnings())
 
     def _warnings(self) -> list[str]:
         found = [f"nothing presses on the slip surface from {t:.6g} s (lift-off)" for t in self.lift_off]
         if self.error_estimate > self.plan.accuracy:
+            cause = "the friction is next to its limit" if len(self.phases) < 100 else "the mass turns back many times"
             found.append(
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
-                f"{self.plan.accuracy:.1e}; the friction is next to its limit"
+                f"{self.plan.accuracy:.1e}; {cause}"
             )
         return found
 
@@ -203,7 +207,9 @@ class Motion:
         """A state from its dimensionless numbers, or arrays of them."""
         scale, radius = self._scale, float(self._arc.radius)
         press = self.balance.press_at(rotation)
-        stress = self.balance.get("normal_stress", press=press, omega_2=omega * omega) * float(self._arc.reference_stress)
+        stress = self.balance.get("normal_stress", press=press, omega_2=omega * omega) * float(
+            self._arc.reference_stress
+        )
         speed = omega / scale
         return State(time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
 

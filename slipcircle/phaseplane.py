@@ -22,7 +22,6 @@ from slipcircle.friction import Friction
 
 Floats = NDArray[np.float64]
 EPS = 2.0**-52
-ROUNDING = 8.0  # units in which a term of E is uncertain: kernels, products and sums
 
 # Collocation on [0, 1]: nodes, node values -> series, and node values of f -> the mean of f on [0, z] at the nodes z
 # and at 1. Means, not integrals, so that E grows from zero without losing digits.
@@ -293,7 +292,9 @@ class Course:
             if E(high) > 0.0:
                 return far, False
             return halley(self._energy_and_rates, min(max(guess, low), high), low, high), True
-        grid = np.concatenate([np.geomspace(min(1e-20, far * 1e-6), far * 0.01, 200), np.linspace(far * 0.01, far, 300)[1:]])
+        grid = np.concatenate(
+            [np.geomspace(min(1e-20, far * 1e-6), far * 0.01, 200), np.linspace(far * 0.01, far, 300)[1:]]
+        )
         values = self.energy(grid)
         below = np.flatnonzero(values <= 0.0)
         inner = values[1:-1]
@@ -424,7 +425,9 @@ class Course:
         inner = [k for k in ((q - self.start.slip) / self.radius for q in self.law.kinks) if 0.0 < k < self.end]
         places = [self._variable(k) for k in inner]
         scale = self.law.scale / self.radius / self.end
-        first = [math.sqrt(scale) * 2.0**k for k in range(0, 60, 2) if scale < 0.01 and math.sqrt(scale) * 2.0**k < last / 2]
+        first = [
+            math.sqrt(scale) * 2.0**k for k in range(0, 60, 2) if scale < 0.01 and math.sqrt(scale) * 2.0**k < last / 2
+        ]
 
         return resolve(self._rate, np.array(sorted({0.0, *places, *first, last})), 4e-15)
 
@@ -474,23 +477,6 @@ class Course:
         """x, omega and d(omega)/dt at one time."""
         x, omega, rate = self.when(np.array([t]))
         return float(x[0]), float(omega[0]), float(rate[0])
-
-    @property
-    def uncertainty(self) -> float:
-        """Estimated relative error of the run-out, the peak velocity and the duration.
-
-        Rounding of E's terms, as large as their sum without signs, moves its zero and its peak; what the series leave
-        out is added. A start near the limit makes the drive a small difference, which this shows.
-        """
-        at, x = self.at, self.end
-        normal = abs(self.balance.get("normal", **at))
-        terms = abs(at["fall"]) + abs(self.constant) + self.mu * normal
-        sizes = 2 * terms * x + self.tilt * x * min(x, 1.0) + self.start.energy
-        noise = ROUNDING * EPS * sizes
-        slope = abs(float(self.slope(x, 0.0))) if self.stops else math.inf
-        top = self._scalar(self.peak) or math.inf
-        at_peak = ROUNDING * EPS * (2 * terms * self.peak + self.tilt * self.peak**2 + self.start.energy)
-        return max(noise / (slope * x), at_peak / top / 2, ROUNDING * EPS) + self._times[2] / self.duration + self.unresolved
 
     def _loss(self, s: Floats) -> Floats:
         x, left, stretch = self._place(s)

@@ -66,8 +66,14 @@ class Scene:
         found += [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
         found += law_mistakes(self.friction)
-        if isinstance(self.arc, Arc) and self.arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
-            found.append("arc.given: belongs to the initial position and cannot be combined with rotation; leave one out")
+        if (
+            isinstance(self.arc, Arc)
+            and self.arc.given is not None
+            and any(EFFECTS[e].turns for e in effects if e in EFFECTS)
+        ):
+            found.append(
+                "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
+            )
         found += [m for name, parameters in effects.items() for m in _effect_mistakes(name, parameters)]
         raise_all(f"Scene {self.name}".rstrip(), found)
 

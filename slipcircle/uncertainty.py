@@ -84,7 +84,7 @@ def _frozen(solved: Frozen, phase: "Phase", before: Doubt) -> tuple[Doubt, Insid
     terms += solved.mu * abs(solved.balance.get("normal", **at))
     elapsed, omega_0 = phase.end - phase.start, solved.omega_0
     rate = a + b * omega_0**2
-    if solved.stops and elapsed >= solved.duration:
+    if solved.stops and elapsed >= solved.duration - 8 * EPS * phase.end:
         growth = unit * (1.0 + terms / a)
         x, time = growth * solved.end, growth * elapsed
         inside = Inside(omega_0 * time, unit * omega_0 + rate * time, omega_0, rate)
@@ -126,14 +126,16 @@ def _course(solved: Course, phase: "Phase", before: Doubt) -> tuple[Doubt, Insid
         return 2 * terms * back + unit * tilt * back * np.minimum(x, 1.0) + unit * solved.start.energy + before.energy
 
     elapsed = phase.end - phase.start
-    whole = elapsed >= solved.duration
+    whole = elapsed >= solved.duration - 8 * EPS * phase.end
     own = 0.0
     if solved.stops:
         own = float(noise(end, terms)) / steep + (unit + solved.unresolved) * end
     last = end if whole else solved.state(elapsed)[0]
     edges = solved.clock.edges
+    panel = min(int(np.searchsorted(edges, solved._variable(last))), len(edges) - 1)
+    rounded = unit * float(solved.clock.coefficients[:, max(panel - 1, 0)].sum())  # of a series by its panel's size
     if not whole:
-        edges = np.append(edges[edges < solved._variable(last)], solved._variable(last))
+        edges = np.append(edges[:panel], solved._variable(last))
     half = np.diff(edges) / 2
     place = ((edges[:-1] + half)[:, None] + half[:, None] * _NODES).ravel()
     x, left, stretch = solved._place(place)
@@ -144,7 +146,7 @@ def _course(solved: Course, phase: "Phase", before: Doubt) -> tuple[Doubt, Insid
     relative = np.minimum(error / energy + solved.unresolved, 1.0) / 2
     share = np.sqrt(energy)
     time = np.cumsum((half[:, None] * _WEIGHTS).ravel() * stretch / share * relative)
-    time += solved._times[2] * x / end + unit * elapsed
+    time += solved._times[2] * x / end + rounded
     rates = np.abs(solved.slope(x, energy)) / 2
     summit = min(solved.peak, last)
     top = math.sqrt(max(solved._scalar(summit), 0.0))

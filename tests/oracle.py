@@ -181,6 +181,7 @@ CENTRIPETAL: dict[str, Callable[..., mpf]] = {
     "frozen_centripetal_arrest_time": arrest_time,
     "frozen_centripetal_arrest_rotation": arrest_rotation,
 }
+_ZERO = mpf(0)
 # Without the centripetal term b is zero; the drive is what (3.17) says.
 MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
     "frozen_angular_velocity": lambda a, w, t: angular_velocity(a, mpf(0), w, t),
@@ -189,7 +190,34 @@ MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
     "frozen_arrest_time": lambda a, w: arrest_time(a, mpf(0), w),
     "frozen_arrest_rotation": lambda a, w: arrest_rotation(a, mpf(0), w),
 }
-BALANCE: dict[str, Callable[..., mpf]] = {"drive": lambda press, mu, limit: press * limit - press * mu}
+
+
+def _energy(x: mpf, start: mpf, q: mpf, drive: Callable[[mpf], mpf]) -> mpf:
+    """E(x) of E' = 2 drive(x) - q E by quadrature with the integrating factor."""
+    return mpmath.exp(-q * x) * start + mpmath.quad(lambda y: 2 * drive(y) * mpmath.exp(q * (y - x)), [0, x])
+
+
+def _turned(x: mpf, drive: mpf, tilt: mpf, constant: mpf = _ZERO) -> mpf:
+    """The drive of a turning mass at x."""
+    return (drive + constant) * mpmath.cos(x) - tilt * mpmath.sin(x) - constant
+
+
+# Functions of the balance that have a hard case.
+BALANCE: dict[str, Callable[..., mpf]] = {
+    "drive": lambda press, mu, limit: press * limit - press * mu,
+    "energy": lambda x, e, a, tilt: _energy(x, e, _ZERO, lambda y: _turned(y, a, tilt)),
+    "energy_braked": lambda x, e, a, tilt, b: _energy(x, e, 2 * b, lambda y: _turned(y, a, tilt)),
+    "energy_braked_constant": lambda x, e, a, tilt, k, b: _energy(x, e, 2 * b, lambda y: _turned(y, a, tilt, k)),
+    "energy_softening": lambda x, e, a, tilt, drop, p, press, rise: _energy(
+        x,
+        e,
+        _ZERO,
+        lambda y: _turned(y, a, tilt) - drop * mpmath.expm1(-p * y) * (press * mpmath.cos(y) + rise * mpmath.sin(y)),
+    ),
+    "drop_exponential": lambda slip, more, peak, residual, length: (
+        (peak - residual) * (mpmath.exp(-slip / length) - mpmath.exp(-(slip + more) / length))
+    ),
+}
 _STEP = mpf(2) ** -90  # relative, for the derivatives: 27 digits
 
 

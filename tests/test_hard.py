@@ -38,7 +38,7 @@ def test_case(case: HardCase) -> None:
 
 
 def test_every_kernel_and_motion_formula_has_one() -> None:
-    wanted = {*kernels.__all__, *(f.name for f in dynamics.FORMS), "drive"}
+    wanted = {*kernels.__all__, *(f.name for f in dynamics.FORMS), *oracle.BALANCE}
     assert wanted == {c.function for c in CASES}
 
 

@@ -1,0 +1,144 @@
+"""What the command line shows of motions, plans and ladders: records for machines, tables for people."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from generated.effects import COMBINATIONS
+from slipcircle.friction import friction
+from slipcircle.ladder import Rung
+from slipcircle.motion import Motion
+from slipcircle.plan import Plan
+
+
+def motion_record(motion: Motion) -> dict[str, Any]:
+    """A motion as JSON holds it: SI units, radians, full precision; null for a factor of safety without a drive."""
+    scene, law = motion.plan.scene, friction(motion.plan.scene.friction)
+    safety = motion.factor_of_safety
+    return {
+        "scene": scene.name,
+        "note": scene.note,
+        "effects": list(motion.plan.effects),
+        "left_out": list(motion.plan.left_out),
+        "method": motion.plan.method,
+        "friction": float(law.coefficient(0.0)) if law.constant else {"law": law.law} | dict(law.parameters),
+        "limit_friction": motion.limit_friction,
+        "factor_of_safety": safety if np.isfinite(safety) else None,
+        "yield_coefficient": motion.yield_coefficient,
+        "dimensionless": {k: float(v) for k, v in asdict(scene.arc.dimensionless).items()},
+        "moves": motion.moves,
+        "arrested": motion.arrested,
+        "duration": motion.duration,
+        "run_out": motion.run_out,
+        "peak": {k: float(v) for k, v in asdict(motion.peak).items()},
+        "end": {k: float(v) for k, v in asdict(motion.end).items()},
+        "energy": {k: float(v) for k, v in asdict(motion.energy).items()} | {"residual": float(motion.energy.residual)},
+        "error_estimate": motion.error_estimate,
+        "warnings": list(motion.warnings),
+    }
+
+
+def motion_column(motion: Motion, alike: bool) -> list[tuple[str, str]]:
+    """The table of one motion: label and value of each row; labels name times if all motions last alike."""
+    arc, law = motion.plan.scene.arc, friction(motion.plan.scene.friction)
+    d, mu = arc.dimensionless, float(law.coefficient(0.0))
+    shared = [
+        ("Theta*", f"{d.moment_of_inertia:.5f}"), ("J_r", f"{d.radial_weight:.5f}"),
+        ("J_theta", f"{d.weight_moment:.5f}"), ("lambda", f"{d.resistance_factor:.5f}"),
+        ("A", f"{d.dynamic_coefficient:.5f}"),
+        ("method", motion.plan.method + ("" if "rotation" in motion.plan.effects else ", frozen geometry")),
+        ("effects", ", ".join(motion.plan.effects) or "none"),
+        ("left out", ", ".join(motion.plan.left_out) or "none"),
+        ("friction angle", f"{np.degrees(np.arctan(mu)):.2f} deg" + ("" if law.constant else f" at first, {law.law}")),
+        ("limit friction angle", f"{np.degrees(np.arctan(motion.limit_friction)):.2f} deg"),
+        ("factor of safety", f"{motion.factor_of_safety:.4f}"),
+        ("yield coefficient k_y", f"{motion.yield_coefficient:.4f}"),
+        ("normal stress at start", f"{arc.static_normal_stress / 1e6:.3f} MPa"),
+        ("moves", "yes" if motion.moves else "no"),
+        ("duration", f"{motion.duration:.2f} s"),
+    ]  # fmt: skip
+    times = {"1/3": 1 / 3 * motion.duration, "2/3": 2 / 3 * motion.duration}
+    states = [(f"after {t:.4g} s" if alike else f"after {part}", motion.at(t)) for part, t in times.items()]
+    for label, state in [*states, ("at the end", motion.end)]:
+        shared += [
+            (f"velocity {label}", f"{state.velocity:.2f} m/s"),
+            (f"displacement {label}", f"{state.displacement:.1f} m"),
+            (f"rotation {label}", f"{np.degrees(state.rotation):.2f} deg"),
+        ]
+    return [
+        *shared,
+        ("peak velocity", f"{motion.peak.velocity:.2f} m/s"),
+        ("comes to rest", "yes" if motion.arrested else "no, still moving at the end"),
+        ("estimated error", f"{motion.error_estimate:.1e}"),
+    ]
+
+
+def plan_record(plan: Plan) -> dict[str, Any]:
+    """A plan as JSON holds it."""
+    return {
+        "scene": plan.scene.name,
+        "effects": list(plan.effects),
+        "left_out": list(plan.left_out),
+        "law": plan.law,
+        "method": plan.method,
+        "functions": list(plan.functions),
+        "operations": plan.operations,
+        "cost": plan.cost,
+        "error_estimate": plan.error_estimate,
+        "accuracy": plan.accuracy,
+    }
+
+
+def plan_rows(plan: Plan) -> list[tuple[str, str]]:
+    """A plan as rows of a table."""
+    return [
+        ("effects", ", ".join(plan.effects) or "none"),
+        ("left out", ", ".join(plan.left_out) or "none"),
+        ("friction law", plan.law),
+        ("method", plan.method),
+        ("functions", "\n".join(plan.functions)),
+        ("operations, all of them once", plan.operations),
+        ("expected cost", f"about {plan.cost} floating-point operations"),
+        ("error to expect", f"{plan.error_estimate:.1e} (asked for {plan.accuracy:.1e})"),
+    ]
+
+
+LADDER = ("effect added", "time", "operations", "peak", "run-out", "duration", "rests", "to the fullest")
+
+
+def ladder_rows(rungs: Iterable[Rung]) -> list[list[str]]:
+    """A ladder as rows of a table."""
+    return [
+        [f"+ {r.added}" if r.added else "none", f"{r.seconds * 1e6:.0f} us", f"{r.cost}", f"{r.peak_velocity:.2f} m/s",
+         f"{r.run_out:.1f} m", f"{r.duration:.2f} s", "yes" if r.arrested else "no", f"{100 * r.difference:.3g} %"]
+        for r in rungs
+    ]  # fmt: skip
+
+
+ALL = ("effects", "operations", "of these")
+
+
+def combination_rows() -> list[list[str]]:
+    """Operation counts of every combination of effects."""
+    return [[", ".join(c) or "none", str(f.count), f.operations] for c, f in COMBINATIONS.items()]
+
+
+def show(head: Sequence[str], rows: Iterable[Sequence[str]], title: str = "", caption: str = "") -> None:
+    """Print a table on stdout, at most 100 columns wide; plain text where stdout is no terminal."""
+    try:
+        from rich import box
+        from rich.console import Console
+        from rich.table import Table
+    except ImportError as error:
+        raise ImportError("tables need rich: pip install 'slipcircle[scenes]', or ask for --json") from error
+    shown = Table(
+        *head, title=title or None, title_justify="left", title_style="bold", caption=caption or None,
+        caption_justify="left", caption_style="", box=box.SIMPLE_HEAD, show_header=any(head),
+    )  # fmt: skip
+    for row in rows:
+        shown.add_row(*row)
+    console = Console(highlight=False)
+    console.width = min(console.width, 100) if console.is_terminal else 100
+    console.print(shown)

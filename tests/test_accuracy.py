@@ -1,0 +1,154 @@
+"""Accuracy is what the user gets: 300 random scenes against their motion to 30 digits, and the estimated error."""
+
+import hashlib
+import json
+from functools import cache
+from typing import Any, NamedTuple
+
+import mpmath
+import numpy as np
+import pytest
+import references
+from mpmath import mpf
+
+import slipcircle
+from slipcircle import Arc, Motion, Scene
+
+DATA = references.FILE.read_bytes()
+ROWS: list[dict[str, Any]] = json.loads(DATA)
+NUMBERS = range(len(ROWS))
+MANY = 100  # phases: each adds its error to the next
+
+
+class Error(NamedTuple):
+    """True relative errors; absolute where the reference is 0."""
+
+    peak: float
+    run_out: float
+    duration: float
+    displacement: float
+    velocity: float
+
+
+def scene(row: dict[str, Any]) -> Scene:
+    """A row's scene."""
+    s = row["scene"]
+    return Scene(Arc(**s["arc"]), s["friction"], s["effects"], s["initial_velocity"], s["end_time"])
+
+
+@cache
+def solved(number: int) -> Motion:
+    """Its motion, by default accuracy."""
+    return slipcircle.solve(scene(ROWS[number]))
+
+
+def off(value: float, reference: str, scale: str) -> float:
+    """Error of a value, relative to a scale where that is not 0."""
+    with mpmath.workdps(50):
+        error = abs(mpf(float(value)) - mpf(reference))
+        return float(error / abs(mpf(scale)) if mpf(scale) else error)
+
+
+def true_error(motion: Motion, reference: dict[str, Any]) -> Error:
+    """Errors of a motion; those at given times are relative to the run-out and to the peak."""
+    peak, run_out, duration = reference["peak_velocity"], reference["run_out"], reference["duration"]
+    places = speeds = [0.0]
+    if reference["times"]:
+        state = motion.at(reference["times"])
+        places = [off(v, r, run_out) for v, r in zip(state.displacement, reference["displacement"], strict=True)]
+        speeds = [off(v, r, peak) for v, r in zip(state.velocity, reference["velocity"], strict=True)]
+    return Error(
+        off(float(motion.peak.velocity), peak, peak),
+        off(motion.run_out, run_out, run_out),
+        off(motion.duration, duration, duration),
+        max(places),
+        max(speeds),
+    )
+
+
+@cache
+def error(number: int) -> Error:
+    """Errors of a scene's motion."""
+    return true_error(solved(number), ROWS[number]["reference"])
+
+
+def near_limit(number: int) -> bool:
+    """Whether its friction is meant to be next to its limit: the first scenes of a group."""
+    group = ROWS[number]["group"]
+    return number - next(k for k in NUMBERS if ROWS[k]["group"] == group) < references.NEAR.get(group, 0)
+
+
+def test_the_file_holds_300_scenes_of_every_kind() -> None:
+    assert len(ROWS) == 300
+    assert {row["group"] for row in ROWS} == set(references.GROUPS)
+    assert len({solved(k).plan.method for k in NUMBERS}) == 3
+    assert sum(near_limit(k) for k in NUMBERS) >= 20
+    motions = [row["reference"] for row in ROWS]
+    assert {(m["moves"], m["arrested"]) for m in motions} == {(True, True), (True, False), (False, True)}
+    assert sum(m["phases"] > 1 for m in motions) > 50
+    assert [bool(solved(k).lift_off) for k in NUMBERS] == [m["lifted"] for m in motions]
+    assert sum(m["lifted"] for m in motions) >= references.LIFTED
+
+
+@pytest.mark.parametrize("group", references.GROUPS)
+def test_estimate_is_at_least_the_true_error(group: str) -> None:
+    for k in (k for k in NUMBERS if ROWS[k]["group"] == group):
+        motion, reference = solved(k), ROWS[k]["reference"]
+        assert (motion.moves, motion.arrested) == (reference["moves"], reference["arrested"]), f"scene {k}"
+        assert motion.error_estimate >= max(error(k)), f"scene {k}: {motion.error_estimate:.1e} < {error(k)}"
+
+
+def test_estimate_is_at_most_the_accuracy_unless_a_warning_says_so() -> None:
+    for k in NUMBERS:
+        motion = solved(k)
+        warned = any("ill-conditioned" in w for w in motion.warnings)
+        assert warned == (motion.error_estimate > motion.plan.accuracy), f"scene {k}"
+        assert not warned or near_limit(k) or ROWS[k]["reference"]["phases"] > MANY, f"scene {k}"
+
+
+def test_estimate_is_not_much_above_the_true_error() -> None:
+    ratios = [solved(k).error_estimate / max(*error(k), 1e-17) for k in NUMBERS if ROWS[k]["reference"]["moves"]]
+    assert np.median(ratios) < 100
+
+
+def test_true_errors_are_rounding() -> None:
+    # of what is not next to its limit: far below any accuracy that may be asked for
+    plain = np.array([error(k) for k in NUMBERS if not near_limit(k) and ROWS[k]["reference"]["phases"] < MANY])
+    assert np.median(plain, axis=0).max() < 2e-15
+    assert plain.max() < 1e-11
+
+
+@pytest.mark.parametrize("accuracy", [1e-4, 1e-12])
+def test_other_accuracies(accuracy: float) -> None:
+    for k in range(0, len(ROWS), 7):
+        motion = slipcircle.solve(scene(ROWS[k]), accuracy)
+        assert motion.error_estimate >= max(true_error(motion, ROWS[k]["reference"])), f"scene {k}"
+        assert motion.error_estimate <= accuracy or motion.warnings, f"scene {k}"
+
+
+@pytest.mark.parametrize("near", [0.0, 1e-15, -1e-15])
+def test_a_decision_that_rounding_makes_is_not_silent(near: float) -> None:
+    arc = Arc(100.0, np.radians(190.0), np.radians(280.0), 2e4)
+    limit = slipcircle.solve(Scene(arc, 1.0, {"rotation": {}})).limit_friction
+    motion = slipcircle.solve(Scene(arc, limit * (1.0 + near), {"rotation": {}}))
+    assert motion.error_estimate > 0.01
+    assert any("ill-conditioned" in w for w in motion.warnings)
+
+
+def test_ten_references_are_derived_again() -> None:
+    seed = int.from_bytes(hashlib.sha256(DATA).digest()[:8])
+    few = [k for k in NUMBERS if ROWS[k]["reference"]["phases"] < MANY]
+    for k in np.random.default_rng(seed).choice(few, 10, replace=False):
+        row = ROWS[int(k)]
+        again = references.solve(row["scene"], row["shares"])
+        assert references.agree(again, row["reference"]), f"scene {k} of seed {seed}: {again}"
+
+
+@pytest.mark.parametrize("group", references.GROUPS)
+def test_references_notice_a_small_change(group: str) -> None:
+    row = next(r for r in ROWS[150:] + ROWS[30:] if r["group"] == group and r["reference"]["phases"] == 1)
+    changed = row["scene"] | {"arc": row["scene"]["arc"] | {"theta_2": row["scene"]["arc"]["theta_2"] * (1 + 1e-10)}}
+    assert references.agree(references.solve(row["scene"], row["shares"]), row["reference"])
+    assert not references.agree(references.solve(changed, row["shares"]), row["reference"])
+    motion = slipcircle.solve(scene({"scene": changed}))
+    assert max(true_error(motion, row["reference"] | {"times": []})) > motion.error_estimate
