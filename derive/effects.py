@@ -103,16 +103,16 @@ _EXP, _HYPERBOLA = sp.exp(-SLIP / _L), 1 / (1 + SLIP / _L)
 LAWS = (
     Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)", "angle_deg"),), (),
         "friction does not change"),
-    Law("exponential", "4.1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
+    Law("exponential", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * _EXP,
         (_P - _R) * _EXP * -Expm1(-MORE / _L), "length"),
-    Law("linear", "4.1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
+    Law("linear", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "falls from peak to residual over the length, then stays", _P + (_R - _P) * sp.Min(SLIP / _L, 1),
         (_P - _R) * (sp.Min((SLIP + MORE) / _L, 1) - sp.Min(SLIP / _L, 1)), "length", ("length",)),
-    Law("hyperbolic", "4.1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
+    Law("hyperbolic", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "residual + (peak - residual)/(1 + slip/length)", _R + (_P - _R) * _HYPERBOLA,
         (_P - _R) * _HYPERBOLA * (MORE / _L) / (1 + (SLIP + MORE) / _L), "length"),
-    Law("tabulated", "4.1", (
+    Law("tabulated", "Fig. 4-1", (
         Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m"),
         _friction("coefficient", "friction coefficients at these slips", "angle_deg")),
         ("slip",), "monotone cubic interpolation in a table, its last value beyond"),

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6ca5979336ab6bf7206270a4e1c0fbee0930f9ff4f61b5d617fcfccd47a85988
+# sha256 of the text below: 6c86344ce67557e43a90a4b30d8757d8815d011c97fe412297204d39afc20edf
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from collections.abc import Callable, Mapping
@@ -62,22 +62,22 @@ LAWS = {
     'constant': Law('constant', '1.14', (
         Parameter('coefficient', '', -5e-324, INFINITY, 'friction coefficient, tan(phi)', 'angle_deg', 1.0, '', lambda value, scales: value, False),
     ), (), 'friction does not change', '', ()),
-    'exponential': Law('exponential', '4.1', (
+    'exponential': Law('exponential', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, INFINITY, 'friction coefficient at the start', 'peak_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('residual', '', -5e-324, INFINITY, 'friction coefficient after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('length', 'm', 0.0, INFINITY, 'slip over which friction falls', 'length_m', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'residual + (peak - residual) exp(-slip/length)', 'length', ()),
-    'linear': Law('linear', '4.1', (
+    'linear': Law('linear', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, INFINITY, 'friction coefficient at the start', 'peak_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('residual', '', -5e-324, INFINITY, 'friction coefficient after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('length', 'm', 0.0, INFINITY, 'slip over which friction falls', 'length_m', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'falls from peak to residual over the length, then stays', 'length', ('length',)),
-    'hyperbolic': Law('hyperbolic', '4.1', (
+    'hyperbolic': Law('hyperbolic', 'Fig. 4-1', (
         Parameter('peak', '', -5e-324, INFINITY, 'friction coefficient at the start', 'peak_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('residual', '', -5e-324, INFINITY, 'friction coefficient after much slip', 'residual_deg', 1.0, '', lambda value, scales: value, False),
         Parameter('length', 'm', 0.0, INFINITY, 'slip over which friction falls', 'length_m', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)', 'length', ()),
-    'tabulated': Law('tabulated', '4.1', (
+    'tabulated': Law('tabulated', 'Fig. 4-1', (
         Parameter('slip', 'm', -5e-324, INFINITY, 'slips of the table, increasing, from 0', 'slip_m', 1.0, '', lambda value, scales: value, False),
         Parameter('coefficient', '', -5e-324, INFINITY, 'friction coefficients at these slips', 'angle_deg', 1.0, '', lambda value, scales: value, False),
     ), ('slip',), 'monotone cubic interpolation in a table, its last value beyond', '', ()),

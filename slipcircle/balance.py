@@ -74,18 +74,19 @@ class Balance:
 
     def position(self, rotation: float, direction: int) -> dict[str, float]:
         """What the balance needs of the position, seen in the direction of travel (a mirror, where it is negative)."""
-        if rotation == 0.0 or not self.turns:
-            fall, press, limit, dip = self.fall, self.press, self.static_limit, self.dip
-        else:
-            dip = self.dip - rotation
-            fall, press = self.weight * math.sin(dip), self.radial * math.cos(dip)
-            limit = fall / press
+        dip, fall, press, limit = self.dip, self.fall, self.press, self.static_limit
+        slope, rise = self.weight * math.cos(dip), self.radial * math.sin(dip)
+        if self.turns and rotation != 0.0:  # from the start, so that the limit falls with every turn, however small
+            cos, sin = math.cos(rotation), math.sin(rotation)
+            limit = (limit - slope / press * math.tan(rotation)) / (1.0 + rise / press * math.tan(rotation))
+            fall, slope = fall * cos - slope * sin, slope * cos + fall * sin
+            press, rise, dip = press * cos + rise * sin, rise * cos - press * sin, dip - rotation
         return {
             "fall": direction * fall,
             "press": press,
             "static_limit": direction * limit,
-            "fall_slope": self.weight * math.cos(dip),
-            "press_slope": -direction * self.radial * math.sin(dip),
+            "fall_slope": slope,
+            "press_slope": -direction * rise,
             "dip": direction * dip,
         }
 

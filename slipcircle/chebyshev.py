@@ -83,7 +83,7 @@ def accumulate(rate: Callable[[Floats], Floats], total: Piecewise, x: Floats) ->
 
 
 def resolve(function: Callable[[Floats], Floats], edges: Floats, tolerance: float) -> Piecewise:
-    """Series of a function on panels that are halved until what they leave out adds less than tolerance to the integral.
+    """Series of a function on panels, halved until what they leave out adds less than tolerance to the integral.
 
     Parameters
     ----------

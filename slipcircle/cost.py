@@ -253,9 +253,7 @@ def _integrated(scene: Any, mu: float, method: str, tolerance: float) -> tuple[f
     for event in events:
         event.terminal, event.direction = event is stands, -1.0
     end = scene.end_time / scale if scene.end_time else 1e3
-    found = solve_ivp(
-        rate, (0.0, end), (0.0, 0.0), method, rtol=tolerance, atol=tolerance * 1e-3, events=(stands, turns_slower)
-    )
+    found = solve_ivp(rate, (0.0, end), (0.0, 0.0), method, rtol=tolerance, atol=tolerance * 1e-3, events=events)
     peak = found.y_events[1][0][1] if len(found.y_events[1]) else found.y[1, -1]
     return radius * found.y[0, -1], radius * peak / scale, found.t[-1] * scale
 

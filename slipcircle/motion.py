@@ -156,10 +156,9 @@ class Motion:
     @property
     def yield_coefficient(self) -> float:
         """k_y: horizontal acceleration over g, down-slope, that the mass just stands at the start; negative if it moves."""
-        at, get = self._start, self.balance.get
-        excess = -self.balance.drive(at, self._friction)
-        yields = excess / (at["fall_slope"] - self._friction * at["press_slope"])
-        if get("normal", **at) + yields * at["press_slope"] < 0.0:  # tilted so far, it would lift off
+        at, mu = self._start, float(friction(self.plan.scene.friction).coefficient(0.0))
+        yields = -self.balance.drive(at, mu) / (at["fall_slope"] - mu * at["press_slope"])
+        if self.balance.get("normal", **at) + yields * at["press_slope"] < 0.0:  # tilted so far, water carries it
             yields = -self.balance.drive(at, 0.0) / at["fall_slope"]
         return float(yields) + 0.0
 

@@ -100,7 +100,7 @@ def halley(function: Callable[[float], tuple[float, float, float]], x: float, lo
 
 
 def root(function: Callable[[float], float], low: float, high: float, at_low: float, at_high: float) -> float:
-    """A zero in a bracket with a sign change (Chandrupatla 1997: inverse quadratic steps where safe, else bisection)."""
+    """A zero in a bracket with a sign change (Chandrupatla 1997): inverse quadratic steps where safe, else halving."""
     a, b, c, fa, fb, fc = high, low, high, at_high, at_low, at_high
     share = 0.5
     for _ in range(200):
@@ -134,6 +134,15 @@ def _energy(edges: Floats, values: Floats, means: Floats) -> Callable[[Any], Any
         return values[k] + past * np.polynomial.chebyshev.chebval(z, means[:, k], tensor=False)
 
     return energy
+
+
+def _zero(function: Callable[[Any], Any], low: float, high: float) -> float:
+    """A zero of a function of arrays that is positive at low and not at high."""
+
+    def at(x: float) -> float:
+        return float(function(np.array([x]))[0])
+
+    return root(at, low, high, max(at(low), 1e-300), min(at(high), -1e-300))
 
 
 class Course:
@@ -268,17 +277,15 @@ class Course:
         """The first x > 0 with E = 0.
 
         With constant friction E rises at most once and falls at most once before it (E'' < 0 wherever E' = 0), so
-        any point with E > 0 and the end of the path bracket it. Softening may bring E near zero more than once, so
-        there the path is searched.
+        any point with E > 0 and the end of the path bracket it. Softening, or water that would carry the mass further
+        on, may bring E near zero more than once, so there the path is searched.
         """
         E, far = self._scalar, self.furthest
-        if self.steady:
+        if self.steady and not (self.constant < 0.0 and (E(far) > 0.0 or self.drive < 0.0)):
             # The end of the parabola with E's slope and curvature at the start; where nothing but the drive moves the
             # mass, E falls to zero before the end of the path, and just after the start it is positive.
             curvature = max(self.tilt + 2 * self.brake * self.drive, 1e-300)
             if self.start.energy == 0.0:
-                if self.constant < 0.0 and E(far) > 0.0:
-                    return far, False
                 return halley(self._energy_and_rates, min(2 * self.drive / curvature, far / 2), 0.0, far), True
             slope = self.drive - self.brake * self.start.energy
             root_of = math.sqrt(max(slope * slope + curvature * self.start.energy, 0.0))
@@ -302,17 +309,16 @@ class Course:
         for k in dips:  # between the samples E may fall below zero and rise again
             if len(below) and k > below[0]:
                 break
-            rate = lambda x: float(self.slope(x, E(x)))  # noqa: E731
             left, right = float(grid[k - 1]), float(grid[k + 1])
-            if rate(left) < 0.0 < rate(right):
-                lowest = root(rate, left, right, rate(left), rate(right))
+            if self._slope_at(left) < 0.0 < self._slope_at(right):
+                lowest = root(self._slope_at, left, right, self._slope_at(left), self._slope_at(right))
                 if E(lowest) <= 0.0:
                     return root(E, left, lowest, E(left), E(lowest)), True
         if not len(below):
             return far, False
-        k = int(below[0])
-        left = float(grid[k - 1]) if k else 0.0
-        return root(E, left, float(grid[k]), E(left) if k else 1.0, float(values[k])), True
+        first = int(below[0])
+        left = float(grid[first - 1]) if first else 0.0
+        return root(E, left, float(grid[first]), E(left) if first else 1.0, float(values[first])), True
 
     def _energy_and_rates(self, x: float) -> tuple[float, float, float]:
         """E and its first two derivatives at x, with constant friction on a turning mass."""
@@ -327,10 +333,14 @@ class Course:
         turned = (self.drive + self.constant) * math.cos(x) - self.tilt * math.sin(x)
         return rate, change, -2 * (turned + self.brake * change)
 
+    def _slope_at(self, x: float) -> float:
+        """E' at x."""
+        return float(self.slope(x, self._scalar(x)))
+
     def _peak(self) -> float:
         """Where E is greatest on [0, end]."""
-        rate = lambda x: float(self.slope(x, self._scalar(x)))  # noqa: E731
-        if self.steady:
+        rate = self._slope_at
+        if self.steady and self.constant >= 0.0:
             if self.drive <= self.brake * self.start.energy:
                 return 0.0
             if not self.stops and rate(self.end) >= 0.0:
@@ -384,11 +394,10 @@ class Course:
             found = _energy(np.array(edges), np.array(values), np.array(means).T)
             if not ended:
                 return found, right, False
-            inside = lambda z: float(found(np.array([z]))[0])  # noqa: E731
             grid = np.append((left + half * _Z)[::-1], right)
             below = int(np.argmax(np.append(energy[::-1], following) <= 0.0))
             low, high = (float(grid[below - 1]) if below else left), float(grid[below])
-            return found, root(inside, low, high, max(inside(low), 1e-300), min(inside(high), -1e-300)), True
+            return found, _zero(found, low, high), True
 
     # -- time
 

@@ -85,7 +85,7 @@ def test_progress_and_unknown_functions() -> None:
     said = io.StringIO()
     cost.measure(["resistance_factor"], progress=said)
     assert said.getvalue() == "measuring resistance_factor\n"
-    with pytest.raises(ValueError, match=r"^function 'polar' is unknown; known are polar_moment, .*rotation$"):
+    with pytest.raises(ValueError, match=r"^function 'polar' is unknown; known are polar_moment, .*rotation, .*energy equation$"):
         cost.measure(["resistance_factor", "polar"])
 
 
@@ -150,3 +150,16 @@ def test_cells_are_relative_to_the_stable_form(rows: list[Row]) -> None:
     nanoseconds = {r.way: r.nanoseconds for r in rows}
     assert ratios["mpmath, 50 digits"] == f"{nanoseconds['mpmath, 50 digits'] / nanoseconds['stable form']:.2g}"
     assert np.__version__ in cost.machine()
+
+
+@pytest.mark.parametrize("name", list(cost.SOLVERS))
+def test_solvers(name: str) -> None:
+    """Ours against textbook formulas at 40 digits; SciPy's error falls with its tolerance, and is never smaller."""
+    rows = {r.way: r for r in cost.measure([name])}
+    ours = [r for way, r in rows.items() if way.startswith("slipcircle")]
+    assert len(ours) == len(cost.ACCURACIES)
+    assert all(r.error < 1e-14 for r in ours)
+    for method in ("RK45", "DOP853", "LSODA"):
+        errors = [rows[f"{method}, rtol {a:.0e}"].error for a in cost.ACCURACIES]
+        assert max(r.error for r in ours) < errors[-1] < 1e-11
+        assert errors[-1] < errors[0]

@@ -378,9 +378,12 @@ def combined_scene(effects: tuple[str, ...], friction_name: str, seed: int = 31)
 
 
 def residual(motion: Motion, count: int = 21) -> float:
-    """The worst energy residual at any time, relative to all energy there was until then."""
+    """The worst energy residual at any time, relative to all energy there was until then.
+
+    Until then, not just then: a pendulum at its far standstill has neither speed nor work.
+    """
     energy = motion.energy_at(np.linspace(0.0, motion.duration, count))
-    total = energy.kinetic_start + np.abs(energy.work) + energy.dissipation
+    total = np.maximum.accumulate(energy.kinetic_start + np.abs(energy.work) + energy.dissipation)
     assert np.all(energy.dissipation >= 0.0)
     return size(np.asarray(energy.residual)[total > 0.0] / total[total > 0.0])
 

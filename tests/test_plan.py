@@ -1,0 +1,133 @@
+"""The planner and the ladder: what they choose, what they print, and that they keep to what the scene calls for."""
+
+import json
+import subprocess
+import sys
+from dataclasses import replace
+from itertools import combinations, pairwise
+
+import numpy as np
+import pytest
+
+from generated import balance, motion
+from generated.effects import COMBINATIONS, EFFECTS
+from slipcircle import Scene, plan, solve
+from slipcircle.__main__ import main
+from slipcircle.plan import CLOSED_IN_PHASE_PLANE, CLOSED_IN_TIME, ENERGY_EQUATION
+
+ARC = Scene.load("vaiont").arc
+SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}
+PARAMETERS = {"pore_pressure": {"ratio": 0.2}, "cohesion": {"cohesion": 5e4}, "drag": {"xi": 500.0}}
+
+
+def scene(effects: tuple[str, ...], friction: object = 0.2, **more: object) -> Scene:
+    called = {e: PARAMETERS.get(e, {}) for e in effects}
+    return Scene(ARC, friction, called, **more)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("effects", "friction", "method"),
+    [
+        ((), 0.2, CLOSED_IN_TIME),
+        (("centripetal", "pore_pressure", "cohesion", "drag"), 0.2, CLOSED_IN_TIME),
+        (("rotation",), 0.2, CLOSED_IN_PHASE_PLANE),
+        (tuple(EFFECTS), 0.2, CLOSED_IN_PHASE_PLANE),
+        (("rotation", "cohesion"), SOFTENING, CLOSED_IN_PHASE_PLANE),
+        (("rotation", "centripetal"), SOFTENING, ENERGY_EQUATION),
+        (("rotation", "drag"), SOFTENING, ENERGY_EQUATION),
+        (("rotation",), SOFTENING | {"law": "hyperbolic"}, ENERGY_EQUATION),
+        ((), SOFTENING, ENERGY_EQUATION),
+        (("rotation",), lambda slip: 0.2 + 0.0 * slip, ENERGY_EQUATION),
+    ],
+)
+def test_the_cheapest_exact_method(effects: tuple[str, ...], friction: object, method: str) -> None:
+    assert plan(scene(effects, friction)).method == method
+
+
+def test_a_plan_depends_on_what_is_called_for_never_on_values() -> None:
+    for count in range(len(EFFECTS) + 1):
+        for effects in combinations(EFFECTS, count):
+            one, other = plan(scene(effects, 0.2)), plan(scene(effects, 0.4, initial_velocity=3.0))
+            assert (one.method, one.functions, one.operations, one.cost) == (
+                other.method, other.functions, other.operations, other.cost,
+            )  # fmt: skip
+            assert one.effects == effects
+            assert set(one.left_out) == set(EFFECTS) - set(effects)
+
+
+def test_its_functions_exist_and_are_of_the_effects_called_for() -> None:
+    for effects in COMBINATIONS:
+        for name in plan(scene(effects)).functions:
+            module, function = name.split(".")
+            assert hasattr({"balance": balance, "motion": motion}[module], function)
+            assert module == "motion" or all(e in effects for e in EFFECTS if e in function)
+
+
+def test_none_of_the_methods_imports_scipy() -> None:
+    code = (
+        "import sys\nfrom slipcircle import Scene, solve\n"
+        "from dataclasses import replace\n"
+        "for name in ('vaiont-frozen', 'vaiont', 'vaiont-softening', 'wet-slope'):\n"
+        "    m = solve(Scene.load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
+        "assert not {'scipy', 'sympy', 'mpmath', 'matplotlib', 'pydantic'} & set(sys.modules), 'heavy import'\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
+
+
+@pytest.mark.parametrize("name", ["vaiont", "wet-slope", "vaiont-softening"])
+def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
+    full = solve(Scene.load(name))
+    rungs = plan(full.plan.scene).ladder()
+    assert [len(r.effects) for r in rungs] == list(range(len(full.plan.effects) + 1))
+    assert set(rungs[-1].effects) == set(full.plan.effects)
+    for before, after in pairwise(rungs):
+        assert set(after.effects) - set(before.effects) == {after.added}
+        assert after.cost >= before.cost or name == "vaiont-softening"  # its methods change on the way
+        assert after.seconds > 0.0
+    last = rungs[-1]
+    assert (last.run_out, last.peak_velocity, last.duration) == (full.run_out, full.peak.velocity, full.duration)
+    assert last.difference == 0.0
+
+
+def test_each_step_of_the_ladder_comes_as_close_as_one_effect_can() -> None:
+    """Its order is found again by solving every alternative."""
+    called = Scene.load("wet-slope")
+    rungs = plan(called).ladder()
+    full = solve(called)
+    for before, after in pairwise(rungs):
+        for other in set(full.plan.effects) - set(before.effects):
+            effects = {e: called.called[e] for e in (*before.effects, other)}
+            part = Scene(called.arc, called.friction, effects)
+            try:
+                found = solve(part)
+            except ValueError:  # never rests
+                found = solve(replace(part, end_time=full.duration))
+            numbers = zip((found.run_out, found.peak.velocity, found.duration),
+                          (full.run_out, full.peak.velocity, full.duration), strict=True)  # fmt: skip
+            assert after.difference <= max(abs(a - b) / abs(b) for a, b in numbers) * (1 + 1e-12)
+
+
+def test_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["plan", "vaiont"]) == 0
+    text = capsys.readouterr().out
+    assert all(word in text for word in (*plan(Scene.load("vaiont")).functions, CLOSED_IN_PHASE_PLANE, "left out"))
+    assert main(["plan", "--ladder", "vaiont", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert [r["added"] for r in found["ladder"]] == ["", "rotation", "centripetal"]
+    assert found["ladder"][-1]["run_out"] == pytest.approx(677.3, abs=0.1)
+    assert main(["plan", "--all", "--json"]) == 0
+    assert [r["operations"] for r in json.loads(capsys.readouterr().out)] == [
+        str(c.count) for c in COMBINATIONS.values()
+    ]
+    assert main(["plan", "--all"]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 100
+    with pytest.raises(SystemExit, match="2"):
+        main(["plan"])
+
+
+def test_the_error_to_expect_grows_next_to_the_limit() -> None:
+    limit = solve(scene(("rotation",), 0.5)).limit_friction
+    far, near = (plan(scene(("rotation",), limit * (1 - gap))).error_estimate for gap in (0.5, 1e-9))
+    assert far < 1e-12
+    assert near > 1e-7
+    assert np.isfinite(plan(scene(("rotation",), limit)).error_estimate)
