@@ -57,7 +57,7 @@ class Balance:
         return getattr(functions, name)(*[known[a] for a in ARGUMENTS[name]])
 
     def drive(self, at: Mapping[str, float], mu: float) -> float:
-        """The drive at a position, less the resistance at rest: made of the limit friction, unless water carries the mass.
+        """The drive at a position less the resistance at rest: from the limit friction, unless water carries the mass.
 
         There friction is a small part, and none where the mass is lifted, mu = 0.
         """

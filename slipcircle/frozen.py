@@ -39,7 +39,7 @@ class Frozen:
         return (scalar(function) if bare else function)(*self.coefficients, self.omega_0, *t)
 
     def fastest(self) -> tuple[float, float, float, float]:
-        """Time, x, omega and d(omega)/dt at the greatest speed, which is monotone: at the start or at the longest time."""
+        """Time, x, omega and d(omega)/dt at the greatest speed, which is monotone: at the start or the longest time."""
         b = (*self.coefficients, 0.0)[1]
         t = 0.0 if self.a <= b * self.start.energy or math.isinf(self.longest) else self.longest
         return t, *self.state(t)

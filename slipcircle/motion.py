@@ -20,7 +20,7 @@ from slipcircle.scene import Scene
 from slipcircle.uncertainty import estimate
 
 Floats = NDArray[np.float64]
-_MOST_PHASES = 10_000
+_MOST_PHASES = 2000
 
 
 @dataclass(frozen=True)
@@ -155,7 +155,7 @@ class Motion:
 
     @property
     def yield_coefficient(self) -> float:
-        """k_y: horizontal acceleration over g, down-slope, that the mass just stands at the start; negative if it moves."""
+        """k_y: horizontal acceleration over g, down-slope, that the mass just stands at first; below 0 if it moves."""
         at, mu = self._start, float(friction(self.plan.scene.friction).coefficient(0.0))
         yields = -self.balance.drive(at, mu) / (at["fall_slope"] - mu * at["press_slope"])
         if self.balance.get("normal", **at) + yields * at["press_slope"] < 0.0:  # tilted so far, water carries it
@@ -248,8 +248,8 @@ class Motion:
         if late.size and not self.arrested:
             end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
             raise ValueError(
-                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {end}, {float(self.duration)!r} s, as the "
-                "mass does not rest there"
+                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {end}, {float(self.duration)!r} s, as "
+                "the mass does not rest there"
             )
         return time
 
@@ -328,7 +328,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
     numbers |= {} if callable(scene.friction) or isinstance(scene.friction, Mapping) else {"friction": scene.friction}
     for name, value in numbers.items():
-        if not isinstance(value, (int, float)) and np.ndim(value) != 0:  # type: ignore[arg-type]
+        if not isinstance(value, (int, float)) and np.ndim(value) != 0:
             raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
     chosen = plan(scene, accuracy)
     try:
@@ -379,7 +379,10 @@ def _solve(chosen: Plan) -> Motion:
         if energy == 0.0 and math.isinf(end) and balance.turns and _never_rests(balance, law):
             return Motion(chosen, balance, phases, time * scale, False)
         if len(phases) >= _MOST_PHASES:
-            raise ValueError(f"end_time: this mass turns back {_MOST_PHASES} times without resting; give one in s")
+            raise ValueError(
+                f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times in {time * scale:.6g} s "
+                "without resting; give an earlier end in s"
+            )
     else:
         time = end
     if not arrested:
@@ -441,10 +444,10 @@ def _change(solved: Course | Frozen, balance: Balance) -> tuple[float, float, fl
     over = sign * solved.pressing(x, omega**2)
     for k in range(1, len(times)):
         low, high, at_high = float(times[k - 1]), float(times[k]), float(over[k])
-        if k + 1 < len(times) and over[k - 1] < over[k] >= over[k + 1]:
-            if 0.0 <= -over[k] < over[k] - min(over[k - 1], over[k + 1]):  # perhaps there and back between the samples
-                high = _highest(lambda t: sign * pressing(t), low, float(times[k + 1]))
-                at_high = sign * pressing(high)
+        highest = k + 1 < len(times) and over[k - 1] < over[k] >= over[k + 1]
+        if highest and 0.0 <= -over[k] < over[k] - min(over[k - 1], over[k + 1]):  # perhaps there and back in between
+            high = _highest(lambda t: sign * pressing(t), low, float(times[k + 1]))
+            at_high = sign * pressing(high)
         if at_high <= 0.0:
             continue
         while (at_low := sign * pressing(low)) >= 0.0 and high > 1e-15 * last:  # zero, to rounding, at the start

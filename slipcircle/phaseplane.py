@@ -365,6 +365,7 @@ class Course:
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
         left, width, value, least = 0.0, scale / 16, self.start.energy, 0.0
         edges, values, means = [0.0], [value], []
+        never = 1e7 * max(1.0, self.law.scale / self.radius if math.isfinite(self.law.scale) else 0.0)
         while True:
             right = min([left + width, self.furthest, *(k for k in kinks if k > left)])
             half = right - left
@@ -388,7 +389,7 @@ class Course:
             energy = value + half * _Z * (_MEAN @ rate)
             ended = energy.min() <= 0.0 or following <= 0.0
             least += half / math.sqrt(max(float(energy.max()), value, following, 1e-300))
-            if not (ended or right >= self.furthest or least > longest or right > 1e7):
+            if not (ended or right >= self.furthest or least > longest or (math.isinf(longest) and right > never)):
                 left, value, width = right, following, 2 * half
                 continue
             found = _energy(np.array(edges), np.array(values), np.array(means).T)
@@ -497,11 +498,26 @@ class Course:
 
     def dissipated(self, t: Floats) -> Floats:
         """Energy over Theta* that the resistance has taken since the start, by quadrature of its own."""
-        return accumulate(self._loss, self._losses, self.clock.inverse(t, self.pace))
+        return accumulate(self._loss, self._losses, self._reached(t))
+
+    def _reached(self, t: Floats) -> Floats:
+        """The variable s at times since the start of the phase, with all its digits also just after it."""
+        s = self.clock.inverse(t, self.pace)
+        early = (t > 0.0) & (s < self.clock.edges[1])
+        if not np.any(early):
+            return s
+        at = t[early]
+        x = math.sqrt(self.start.energy) * at + max(self.drive, 0.0) / 2 * at**2
+        z = np.where(at < 1e-6 * self.clock.end, np.sqrt(np.minimum(x / self.end, 1.0)), s[early])
+        for _ in range(4):  # Newton's method; the series' error is relative to the whole time, a new integral's is not
+            following = z - (accumulate(self._rate, self.clock, z) - at) / self._rate(z)
+            z = np.where(following > 0.0, following, z / 2)
+        s = s.copy()
+        s[early] = z
+        return s
 
     def when(self, t: Floats) -> tuple[Floats, Floats, Floats]:
         """x, omega and d(omega)/dt at times since the start of the phase."""
-        s = self.clock.inverse(t, self.pace)
-        x, left, _ = self._place(s)
+        x, left, _ = self._place(self._reached(t))
         energy = self.speed_squared(x, left)
         return x, np.sqrt(energy), self.slope(x, energy) / 2

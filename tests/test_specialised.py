@@ -8,6 +8,7 @@ import ast
 import inspect
 import itertools
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import mpmath
@@ -179,8 +180,6 @@ def test_the_energies_and_laws_are_proved() -> None:
 
 @pytest.mark.parametrize("index", range(len(phase.ENERGIES)), ids=lambda k: phase.ENERGIES[k].name)
 def test_a_wrong_energy_is_not_proved(index: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    from dataclasses import replace
-
     right = phase.ENERGIES[index]
     for wrong in (
         right.form.subs(phase.TILT, -phase.TILT),
