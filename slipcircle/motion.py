@@ -332,7 +332,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
             raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
     chosen = plan(scene, accuracy)
     try:
-        with np.errstate(over="raise", invalid="raise", under="ignore"):
+        with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
             motion = _solve(chosen)
             end = motion.end
         if not math.isfinite(end.displacement) or not math.isfinite(end.velocity):

@@ -88,8 +88,9 @@ def halley(function: Callable[[float], tuple[float, float, float]], x: float, lo
         following = low
         if slope < 0.0:
             step = value / slope
-            following = x - step / max(1.0 - step * curvature / (2 * slope), 0.5)
-            if abs(step) <= 4e-6 * x:  # the error of Halley's step is its cube
+            bend = step * curvature / slope
+            following = x - step / max(1.0 - bend / 2, 0.5)
+            if abs(step) * (bend * bend + (step / x) ** 2) <= 6e-17 * x:  # the error of Halley's step is its cube
                 return following
         if not low < following < high:
             following = 0.5 * (low + high)
@@ -143,6 +144,9 @@ def _zero(function: Callable[[Any], Any], low: float, high: float) -> float:
         return float(function(np.array([x]))[0])
 
     return root(at, low, high, max(at(low), 1e-300), min(at(high), -1e-300))
+
+
+_MOST_PANELS = 4000  # of the collocation, halvings counted
 
 
 class Course:
@@ -362,11 +366,15 @@ class Course:
         scale = min(self.law.scale / self.radius, 1.0, self.furthest)
         if self.drive > 0.0:
             scale = min(scale, self.drive)
+        elif self.drive < 0.0:  # the way to a standstill
+            scale = min(scale, self.start.energy / -self.drive)
+        if self.law.law == "callable":  # whose scale is not known: panels that double find it, if it is at the start
+            scale *= 1e-9
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
         left, width, value, least = 0.0, scale / 16, self.start.energy, 0.0
         edges, values, means = [0.0], [value], []
         never = 1e7 * max(1.0, self.law.scale / self.radius if math.isfinite(self.law.scale) else 0.0)
-        while True:
+        for _ in range(_MOST_PANELS):
             right = min([left + width, self.furthest, *(k for k in kinks if k > left)])
             half = right - left
             drive, brake = 2 * self.driving(left + half * _Z), 2 * self.braking(left + half * _Z)
@@ -378,10 +386,12 @@ class Course:
             tail = np.abs((_BACK @ rate)[-2:]).sum()
             # Where a strong brake holds the drive, their difference is rounded, and E is as good as the drive.
             size = max(np.abs(rate).max(), np.abs(drive).max(), 1e-300)
-            if tail > 4e-15 * size and half > 1e-13 * right:
+            # What rounding of the slip leaves of a narrow table is no more than that: its part of E is what counts.
+            missing = min(tail / size, tail * half / max(value, 1e-300))
+            if tail > 4e-15 * size and missing > 1e-16 and half > 1e-13 * right:
                 width = half / 2
                 continue
-            self.unresolved = max(self.unresolved, tail / size)
+            self.unresolved = max(self.unresolved, missing)
             following = value + half * float(_MEAN_TO_END @ rate)
             edges.append(right)
             values.append(following)
@@ -399,6 +409,10 @@ class Course:
             below = int(np.argmax(np.append(energy[::-1], following) <= 0.0))
             low, high = (float(grid[below - 1]) if below else left), float(grid[below])
             return found, _zero(found, low, high), True
+        raise ValueError(
+            f"friction: changes too sharply for {_MOST_PANELS} panels of the energy equation, near a slip of "
+            f"{self.start.slip + self.radius * left:.6g} m; give a smoother law"
+        )
 
     # -- time
 
@@ -434,10 +448,11 @@ class Course:
         last = np.pi / 2 if self.stops else 1.0
         inner = [k for k in ((q - self.start.slip) / self.radius for q in self.law.kinks) if 0.0 < k < self.end]
         places = [self._variable(k) for k in inner]
-        scale = self.law.scale / self.radius / self.end
-        first = [
-            math.sqrt(scale) * 2.0**k for k in range(0, 60, 2) if scale < 0.01 and math.sqrt(scale) * 2.0**k < last / 2
-        ]
+        # Over what E first changes: softening, a strong brake, a slow start. Panels grow from there.
+        slow = self.start.energy / max(abs(self.drive), 1e-300)
+        paces = (self.law.scale / self.radius, 1.0 / max(2 * self.brake, 1e-300), slow)
+        scales = [p / self.end for p in paces if 0.0 < p < 0.01 * self.end]
+        first = [math.sqrt(p) * 2.0**k for p in scales for k in range(0, 600, 2) if math.sqrt(p) * 2.0**k < last / 2]
 
         return resolve(self._rate, np.array(sorted({0.0, *places, *first, last})), 4e-15)
 

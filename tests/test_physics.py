@@ -239,7 +239,7 @@ class Integration:
             terminal(lambda _, y: math.pi / 2 - abs(self.angle(float(y[0]))), -1)
         for kink in self.law.kinks:
             if kink > slip * (1 + 1e-9):
-                terminal(lambda _, y, k=kink: slid(float(y[0])) - k, 1)
+                terminal(lambda _, y, k=kink: slid(float(y[0])) - k, 1)  # type: ignore[misc]
         done = solve_ivp(rates, (time, end), [phi, omega], method="DOP853", events=events, rtol=1e-13, atol=1e-20)
         assert done.success, done.message
         stop, (phi, omega) = float(done.t[-1]), done.y[:, -1].tolist()
@@ -440,7 +440,7 @@ def test_rest_and_the_printed_limit_agree_to_the_last_bit() -> None:
 
 
 def test_limit_safety_and_yield_from_the_definitions() -> None:
-    """F = lambda (c + mu (sigma - u))/|J_theta|; k_y where the tilted balance just holds, by bisection of its definition."""
+    """F = lambda (c + mu (sigma - u))/|J_theta|; k_y where the tilted balance just holds, by bisection."""
     for scene in rested_scenes():
         c, motion = coefficients(scene.arc), solve(replace(scene, end_time=1.0))
         reference = Integration(replace(scene, end_time=1e-3))
@@ -504,7 +504,7 @@ DIPS = (1e-6, 1e-3, 0.1, 0.5, 1.0, 1.3, 1.57)
 @pytest.mark.parametrize("half", [1e-6, 0.01, 0.54, 1.5])
 @pytest.mark.parametrize("dip", [*DIPS, -0.7])
 def test_without_friction_it_is_a_pendulum(dip: float, half: float) -> None:
-    """Half a period of the pendulum of length Theta*/C_theta, by the complete elliptic integral; to the mirrored dip."""
+    """Half a period of the pendulum of length Theta*/C_theta, by the elliptic integral; to the mirrored dip."""
     arc = dipping(dip, half)
     motion, c = solve(Scene(arc, 0.0, ("rotation",))), coefficients(arc)
     with mpmath.workdps(40):
@@ -595,8 +595,11 @@ def scaled(scene: Scene, density: float, gravity: float, length: float) -> Scene
     speed = math.sqrt(gravity * length)
     end = scene.end_time and scene.end_time * math.sqrt(length / gravity)
     larger = replace(
-        arc, radius=arc.radius * length, unit_weight=arc.unit_weight * weight, gravity=arc.gravity * gravity
-    )  # type: ignore[operator]
+        arc,
+        radius=np.multiply(arc.radius, length),
+        unit_weight=np.multiply(arc.unit_weight, weight),
+        gravity=np.multiply(arc.gravity, gravity),
+    )
     return replace(scene, arc=larger, friction=friction, effects=called, end_time=end,
                    initial_velocity=np.multiply(scene.initial_velocity, speed))  # fmt: skip
 
@@ -633,7 +636,7 @@ def test_without_friction_the_motion_runs_back(effects: tuple[str, ...], velocit
     there = solve(Scene(arc, 0.0, effects, velocity, end_time=9.0))
     for time in (0.5, 3.0, 9.0):
         state = there.at(time)
-        turned = replace(arc, theta_1=arc.theta_1 + state.rotation, theta_2=arc.theta_2 + state.rotation)  # type: ignore[operator]
+        turned = replace(arc, theta_1=np.add(arc.theta_1, state.rotation), theta_2=np.add(arc.theta_2, state.rotation))
         back = solve(Scene(turned, 0.0, effects, -float(state.velocity), end_time=time))
         assert back.run_out == pytest.approx(-float(state.displacement), rel=1e-12)
         assert back.end.velocity == pytest.approx(-velocity, abs=1e-11)
