@@ -183,7 +183,10 @@ class Arc:
     @cached_property
     def amplitudes_per_inertia(self) -> tuple[Any, Any]:
         """C_theta/Theta* and C_r/Theta*, of which the weights over Theta* are made at any dip."""
-        alpha = self.half_angle
+        alpha, dip = self.half_angle, self.dip
+        if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
+            press = self.dimensionless.radial_weight_per_inertia
+            return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
         return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
 
     def _towards(self) -> Any:
