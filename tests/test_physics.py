@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import mpmath
@@ -239,7 +239,7 @@ class Integration:
             terminal(lambda _, y: math.pi / 2 - abs(self.angle(float(y[0]))), -1)
         for kink in self.law.kinks:
             if kink > slip * (1 + 1e-9):
-                terminal(lambda _, y, k=kink: slid(float(y[0])) - k, 1)  # type: ignore[misc]
+                terminal(partial(lambda k, _, y: slid(float(y[0])) - k, kink), 1)
         done = solve_ivp(rates, (time, end), [phi, omega], method="DOP853", events=events, rtol=1e-13, atol=1e-20)
         assert done.success, done.message
         stop, (phi, omega) = float(done.t[-1]), done.y[:, -1].tolist()
@@ -440,7 +440,7 @@ def test_rest_and_the_printed_limit_agree_to_the_last_bit() -> None:
 
 
 def test_limit_safety_and_yield_from_the_definitions() -> None:
-    """F = lambda (c + mu (sigma - u))/|J_theta|; k_y where the tilted balance just holds, by bisection."""
+    """F = lambda (c + mu (sigma - u))/|J_theta|; k_y where the tilted balance just holds, by its definition."""
     for scene in rested_scenes():
         c, motion = coefficients(scene.arc), solve(replace(scene, end_time=1.0))
         reference = Integration(replace(scene, end_time=1e-3))
@@ -636,7 +636,8 @@ def test_without_friction_the_motion_runs_back(effects: tuple[str, ...], velocit
     there = solve(Scene(arc, 0.0, effects, velocity, end_time=9.0))
     for time in (0.5, 3.0, 9.0):
         state = there.at(time)
-        turned = replace(arc, theta_1=np.add(arc.theta_1, state.rotation), theta_2=np.add(arc.theta_2, state.rotation))
+        first, last = (np.add(theta, state.rotation) for theta in (arc.theta_1, arc.theta_2))
+        turned = replace(arc, theta_1=first, theta_2=last)
         back = solve(Scene(turned, 0.0, effects, -float(state.velocity), end_time=time))
         assert back.run_out == pytest.approx(-float(state.displacement), rel=1e-12)
         assert back.end.velocity == pytest.approx(-velocity, abs=1e-11)

@@ -277,7 +277,7 @@ def drawn(name: str, rng: np.random.Generator) -> dict[str, float]:
 
 @pytest.mark.parametrize("name", ENERGY_NAMES)
 def test_energies_are_accurate(name: str) -> None:
-    """16 ulp of the sum of the terms' sizes; at E = 0 nothing but that can be asked for, and the end needs it."""
+    """16 ulp of the sum of the terms' sizes: at E = 0 no more can be asked for, and the end needs no more."""
     rng, worst = np.random.default_rng(11), 0.0
     for _ in range(1200):
         values = drawn(name, rng)
@@ -305,7 +305,7 @@ def test_single_terms_are_relatively_accurate(name: str, term: str) -> None:
 
 @pytest.mark.parametrize("name", ENERGY_NAMES)
 def test_the_reference_is_what_quadrature_gives(name: str) -> None:
-    """E = start exp(-q x) + int exp(-q (x - y)) right(y) dy at 30 digits, on panels that resolve the exponentials."""
+    """E = start exp(-q x) + int exp(-q (x - y)) right(y) dy at 30 digits, on panels fine enough for exp."""
     rng = np.random.default_rng(13)
     for _ in range(6):
         values = drawn(name, rng)
