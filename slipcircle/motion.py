@@ -452,7 +452,7 @@ def _change(solved: Course | Frozen, balance: Balance) -> tuple[float, float, fl
             continue
         while (at_low := sign * pressing(low)) >= 0.0 and high > 1e-15 * last:  # zero, to rounding, at the start
             low = high / 2
-            if sign * pressing(low) > 0.0:
+            if sign * pressing(low) >= 0.0:  # also where nothing presses exactly there, or neither bound would move
                 high, at_high = low, sign * pressing(low)
         t = root(lambda t: sign * pressing(t), low, high, at_low, at_high) if at_low < 0.0 else high
         x, omega, _ = solved.when(np.array([t]))
