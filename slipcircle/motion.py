@@ -15,7 +15,10 @@ from slipcircle.plan import CLOSED_IN_TIME, Plan
 
 if TYPE_CHECKING:
     from slipcircle.frozen import Frozen
+    from slipcircle.integrate import Integrated
     from slipcircle.phaseplane import Course
+
+    Solved = Course | Frozen | Integrated
 
 Floats = NDArray[np.float64]
 
@@ -46,7 +49,7 @@ class Energy:
     Attributes
     ----------
     kinetic_start, kinetic_end, work, dissipation
-        Kinetic energies, work of gravity, and what all resistance took, by a quadrature of its own.
+        Kinetic energies, work of gravity and shaking, and what all resistance took, by a quadrature of its own.
     """
 
     kinetic_start: Any
@@ -69,6 +72,7 @@ class Start:
     energy: float  # E = omega**2
     slip: float
     lifted: bool  # nothing presses on the slip surface
+    excess: float = 0.0  # pore pressure that heat has added, over sigma_ref
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,7 @@ class Phase:
     end: float
     rotation: float
     direction: int
-    solved: "Course | Frozen"
+    solved: "Solved"
 
 
 class Motion:
@@ -123,7 +127,8 @@ class Motion:
         if not self.phases:
             return self._state(self.duration, 0.0, 0.0, 0.0)
         last = self.phases[-1]
-        x, omega, rate = (last.solved.end, 0.0, 0.0) if self.arrested else last.solved.state(last.end - last.start)
+        rests = self.arrested or last.end * self._scale < self.duration
+        x, omega, rate = (last.solved.end, 0.0, 0.0) if rests else last.solved.state(last.end - last.start)
         side = last.direction
         return self._state(self.duration, last.rotation + side * x, side * omega, side * rate)
 
@@ -216,10 +221,11 @@ class Motion:
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
         """A state from its dimensionless numbers, or arrays of them."""
         scale, radius = self._scale, float(self._arc.radius)
-        press = self.balance.press_at(rotation)
-        stress = self.balance.get("normal_stress", press=press, omega_2=omega * omega) * float(
-            self._arc.reference_stress
-        )
+        at = self.balance.given(time / scale) if self.balance.forcing else {}
+        at |= {"press": self.balance.press_at(rotation), "omega_2": omega * omega}
+        if "k_h" in at:
+            at["press_slope"] = self.balance.press_slope_at(rotation)
+        stress = self.balance.get("normal_stress", **at) * float(self._arc.reference_stress)
         speed = omega / scale
         return State(time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
 
@@ -249,7 +255,7 @@ class Motion:
         p = next((p for p in reversed(self.phases) if p.start <= t), None)
         if p is None:
             return self._state(time, 0.0, 0.0, 0.0)
-        x, omega, rate = p.solved.state(min(t, p.end) - p.start)
+        x, omega, rate = p.solved.state(t - p.start) if t <= p.end else (p.solved.end, 0.0, 0.0)
         return self._state(time, p.rotation + p.direction * x, p.direction * omega, p.direction * rate)
 
     def _times(self, times: ArrayLike) -> Floats:
@@ -275,7 +281,8 @@ class Motion:
             for phase, mask, local in self._lanes(t):
                 x, speed, change = phase.solved.when(local)
                 rotation[mask] = phase.rotation + phase.direction * x
-                omega[mask], rate[mask] = phase.direction * speed, phase.direction * change
+                moves = t[mask] <= phase.end  # or rests until the next phase
+                omega[mask], rate[mask] = phase.direction * speed * moves, phase.direction * change * moves
         if self.arrested:
             rest = t >= self.duration / self._scale
             omega[rest], rate[rest] = 0.0, 0.0
@@ -296,7 +303,7 @@ class Motion:
         work, lost = np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
             for phase, mask, local in self._lanes(t):
-                work[mask] += phase.solved.work(phase.solved.when(local)[0])
+                work[mask] += phase.solved.worked(local)
                 lost[mask] += phase.solved.dissipated(local)
         omega = self._followed(t)[1]
         first = self.phases[0].solved.start.energy if self.phases else 0.0

@@ -37,7 +37,7 @@ class Table(NamedTuple):
 
 def _declare(name: str, key: str, unit: str, help: str, lower: float = 0.0, upper: float = INFINITY,
              per_unit: float = 1.0, optional: bool = False) -> Parameter:  # fmt: skip
-    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional)
+    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, "number")
 
 
 _ANGLE: Any = {"lower": -INFINITY, "per_unit": math.pi / 180}

@@ -10,13 +10,12 @@ from slipcircle.arc import QUANTITIES
 from slipcircle.balance import Balance, bind
 from slipcircle.friction import Friction, friction
 from slipcircle.motion import Motion, Phase, Start
-from slipcircle.plan import CLOSED_IN_TIME, Plan, plan
-from slipcircle.roots import highest, root
+from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, Plan, plan
+from slipcircle.rest import Rest, never_rests, next_start
 from slipcircle.scene import Scene
 
 if TYPE_CHECKING:
-    from slipcircle.frozen import Frozen
-    from slipcircle.phaseplane import Course
+    from slipcircle.motion import Solved
 
 _MOST_PHASES = 2000
 
@@ -67,26 +66,35 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
         ) from error
 
 
-def _solve(chosen: Plan) -> Motion:
+def _solve(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
+    """The motion; an integration to another tolerance, or with weights changed by a share, tells its error."""
     scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
+    balance = balance.nudged(nudge) if nudge else balance
     scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
-    follow = _follower(chosen.method)
+    follow = _follower(chosen, balance, law, tolerance)
+    two_way = bool(scene.called.get("shaking", {}).get("two_way", False))
     omega = float(np.asarray(scene.initial_velocity)) / radius * scale
     end = math.inf if scene.end_time is None else scene.end_time / scale
     direction = int(np.sign(omega))
-    time = rotation = slip = 0.0
+    time = rotation = slip = excess = 0.0
     energy, phases, arrested, change = omega**2, [], False, None
     while time < end:
         if energy == 0.0:
-            direction = _way(balance, law, rotation, slip)
-            if direction == 0:
+            found = next_start(balance, law, Rest(rotation, slip, excess), time, math.inf, two_way)
+            if found is None:
                 arrested = True
                 break
+            time, direction = found
+            if time >= end:
+                break
         # Just after a change nothing presses, to rounding: from then on it is the other way.
-        lifted = _lifted(balance, rotation, direction, energy) if change is None else not phases[-1].solved.start.lifted
-        start = Start(rotation, direction, energy, slip, lifted)
-        solved = follow(balance, law, start, end - time)
-        change = _change(solved, balance)
+        if change is None:
+            lifted = _lifted(balance, rotation, direction, energy, time, excess)
+        else:
+            lifted = not phases[-1].solved.start.lifted
+        start = Start(rotation, direction, energy, slip, lifted, excess)
+        solved = follow(start, end - time, time)
+        change = solved.change
         duration = solved.duration if change is None else change[0]
         stop = time + duration
         phases.append(Phase(time, min(stop, end), rotation, direction, solved))
@@ -95,8 +103,8 @@ def _solve(chosen: Plan) -> Motion:
         if change is None and not solved.stops:
             _refuse(scene, solved, stop * scale)
         x, energy = (solved.end, 0.0) if change is None else change[1:]
-        time, rotation, slip = stop, rotation + direction * x, slip + radius * x
-        if energy == 0.0 and math.isinf(end) and balance.turns and _never_rests(balance, law):
+        time, rotation, slip, excess = stop, rotation + direction * x, slip + radius * x, solved.excess
+        if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law):
             return Motion(chosen, balance, phases, time * scale, False)
         if len(phases) >= _MOST_PHASES:
             raise ValueError(
@@ -113,18 +121,27 @@ def _solve(chosen: Plan) -> Motion:
     return Motion(chosen, balance, phases, duration, arrested)
 
 
-def _follower(method: str) -> "Callable[[Balance, Friction, Start, float], Course | Frozen]":
-    """What solves one phase; only this method's module is imported."""
-    if method == CLOSED_IN_TIME:
+def _follower(
+    chosen: Plan, balance: Balance, law: Friction, tolerance: float | None
+) -> "Callable[[Start, float, float], Solved]":
+    """What solves one phase, from its start, its longest duration and its time; only its module is imported."""
+    if chosen.method == CLOSED_IN_TIME:
         from slipcircle.frozen import Frozen
 
-        return Frozen
+        return lambda start, longest, time: Frozen(balance, law, start, longest)
+    if chosen.method == INTEGRATION:
+        try:
+            from slipcircle.integrate import Integrated
+        except ImportError as error:
+            raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
+        wanted = chosen.tolerance if tolerance is None else tolerance
+        return lambda start, longest, time: Integrated(balance, law, start, longest, time, wanted)
     from slipcircle.phaseplane import Course
 
-    return Course
+    return lambda start, longest, time: Course(balance, law, start, longest)
 
 
-def _refuse(scene: Scene, solved: "Course | Frozen", time: float) -> None:
+def _refuse(scene: Scene, solved: "Solved", time: float) -> None:
     if solved.balance.turns:
         raise ValueError(
             f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
@@ -133,59 +150,6 @@ def _refuse(scene: Scene, solved: "Course | Frozen", time: float) -> None:
     raise ValueError("end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s")
 
 
-def _way(balance: Balance, law: Friction, rotation: float, slip: float) -> int:
-    """The direction in which a mass at rest moves, 0 if it stays: by the limit friction, of which the drive is made."""
-    for side in (1, -1):
-        at = balance.position(rotation, side)
-        if balance.get("normal", **at) <= 0.0:
-            moving = at["fall"] > balance.get("constant", mu=0.0)
-        else:
-            moving = balance.get("limit_friction", **at) > float(law.coefficient(slip))
-        if moving:
-            return side
-    return 0
-
-
-def _lifted(balance: Balance, rotation: float, direction: int, energy: float) -> bool:
-    at = balance.position(rotation, direction)
-    return bool(balance.get("effective_stress", **at, omega_2=energy) < 0.0)
-
-
-def _never_rests(balance: Balance, law: Friction) -> bool:
-    """No cohesion, and no friction, or water that carries the mass even where it would press most."""
-    if balance.values.get("cohesion", 0.0):
-        return False
-    most = balance.radial if balance.turns else balance.press
-    return (law.constant and float(law.coefficient(0.0)) == 0.0) or balance.get("normal", press=most) <= 0.0
-
-
-def _change(solved: "Course | Frozen", balance: Balance) -> tuple[float, float, float] | None:
-    """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
-    if balance.get("normal", press=0.0) == 0.0:  # no water that could carry the mass
-        return None
-    last = min(solved.duration, solved.longest)
-
-    def pressing(t: float) -> float:
-        x, omega, _ = solved.when(np.array([t]))
-        return float(solved.pressing(x, omega**2)[0])
-
-    times = last * np.sin(np.linspace(0.0, np.pi / 2, 65)) ** 2
-    x, omega, _ = solved.when(times)
-    sign = 1.0 if solved.start.lifted else -1.0
-    over = sign * solved.pressing(x, omega**2)
-    for k in range(1, len(times)):
-        low, high, at_high = float(times[k - 1]), float(times[k]), float(over[k])
-        summit = k + 1 < len(times) and over[k - 1] < over[k] >= over[k + 1]
-        if summit and 0.0 <= -over[k] < over[k] - min(over[k - 1], over[k + 1]):  # perhaps there and back in between
-            high = highest(lambda t: sign * pressing(t), low, float(times[k + 1]))
-            at_high = sign * pressing(high)
-        if at_high <= 0.0:
-            continue
-        while (at_low := sign * pressing(low)) >= 0.0 and high > 1e-15 * last:  # zero, to rounding, at the start
-            low = high / 2
-            if sign * pressing(low) >= 0.0:  # also where nothing presses exactly there, or neither bound would move
-                high, at_high = low, sign * pressing(low)
-        t = root(lambda t: sign * pressing(t), low, high, at_low, at_high) if at_low < 0.0 else high
-        x, omega, _ = solved.when(np.array([t]))
-        return t, float(x[0]), float(omega[0]) ** 2
-    return None
+def _lifted(balance: Balance, rotation: float, direction: int, energy: float, time: float, excess: float) -> bool:
+    at = balance.position(rotation, direction) | balance.given(np.nextafter(time, np.inf), direction)
+    return bool(balance.get("effective_stress", **at, omega_2=energy, excess=excess) < 0.0)
