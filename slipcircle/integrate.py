@@ -135,7 +135,7 @@ class Integrated:
             rate = self._equation(left, right)
             band = self._band(rate, t, y, speeds)
             method: Any = DOP853
-            solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=_TINY), steps
+            solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, top)), steps
             while solver.status == "running":
                 solver.step()
                 if solver.status == "failed" or not np.all(np.isfinite(solver.y)):
@@ -156,9 +156,10 @@ class Integrated:
                             "end_time: viscosity lets this mass creep to its rest ever more slowly, and it never "
                             "quite reaches it; give end_time in s"
                         )
+                    solver.atol = self._floor(tolerance, top)
                     if method is DOP853 and steps - since > _STIFF_STEPS:
                         method = LSODA
-                        solver = method(rate, t, y, right - self.time, rtol=tolerance, atol=_TINY)
+                        solver = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, top))
                     continue
                 which, t = found
                 y = np.array(dense(t))
@@ -172,7 +173,7 @@ class Integrated:
                 else:
                     y[1] = speeds[band if which == "faster" else band - 1]
                     band = self._band(rate, t, y, speeds)
-                solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=_TINY), steps
+                solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, top)), steps
             if which in ("stands", "presses", "over"):
                 break
             left = right
@@ -181,6 +182,10 @@ class Integrated:
         self.duration = t if which in ("stands", "presses") or (which == "over" and self.balance.turns) else math.inf
         if which == "presses":
             self.change = t, self.end, self.speed**2
+
+    def _floor(self, tolerance: float, top: float) -> list[float]:
+        """Absolute tolerances: of the speed relative to the greatest so far, of the rest none, as it only grows."""
+        return [_TINY, max(0.1 * tolerance * top, _TINY), _TINY][: 2 + self.heats]
 
     def _band(self, rate: Callable[[float, Any], list[float]], t: float, y: Floats, speeds: list[float]) -> int:
         """Which piece of a table of speeds holds from here on."""

@@ -84,6 +84,7 @@ class Phase:
     rotation: float
     direction: int
     solved: "Solved"
+    rests: bool = False  # at its end, at least for a moment
 
 
 class Motion:
@@ -127,7 +128,7 @@ class Motion:
         if not self.phases:
             return self._state(self.duration, 0.0, 0.0, 0.0)
         last = self.phases[-1]
-        rests = self.arrested or last.end * self._scale < self.duration
+        rests = self.arrested or last.rests
         x, omega, rate = (last.solved.end, 0.0, 0.0) if rests else last.solved.state(last.end - last.start)
         side = last.direction
         return self._state(self.duration, last.rotation + side * x, side * omega, side * rate)
@@ -255,7 +256,8 @@ class Motion:
         p = next((p for p in reversed(self.phases) if p.start <= t), None)
         if p is None:
             return self._state(time, 0.0, 0.0, 0.0)
-        x, omega, rate = p.solved.state(t - p.start) if t <= p.end else (p.solved.end, 0.0, 0.0)
+        rests = p.rests and t > p.end
+        x, omega, rate = (p.solved.end, 0.0, 0.0) if rests else p.solved.state(min(t, p.end) - p.start)
         return self._state(time, p.rotation + p.direction * x, p.direction * omega, p.direction * rate)
 
     def _times(self, times: ArrayLike) -> Floats:
@@ -281,7 +283,7 @@ class Motion:
             for phase, mask, local in self._lanes(t):
                 x, speed, change = phase.solved.when(local)
                 rotation[mask] = phase.rotation + phase.direction * x
-                moves = t[mask] <= phase.end  # or rests until the next phase
+                moves = ~(phase.rests & (t[mask] > phase.end))  # or rests until the next phase
                 omega[mask], rate[mask] = phase.direction * speed * moves, phase.direction * change * moves
         if self.arrested:
             rest = t >= self.duration / self._scale

@@ -97,7 +97,7 @@ def _solve(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> 
         change = solved.change
         duration = solved.duration if change is None else change[0]
         stop = time + duration
-        phases.append(Phase(time, min(stop, end), rotation, direction, solved))
+        phases.append(Phase(time, min(stop, end), rotation, direction, solved, solved.stops and stop < end))
         if stop >= end:
             break
         if change is None and not solved.stops:
