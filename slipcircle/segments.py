@@ -159,10 +159,10 @@ def _crossings(shape: Shape, length: Floats) -> tuple[Integers, Floats, Floats]:
     perhaps = np.flatnonzero(np.abs(first) <= reach.sum(axis=0))
     found = []
     for k in perhaps:
-        h = float(length[k])
-        zeros = _zeros(shape.coefficients[:, k].tolist(), h, float(end[k]))
+        whole = float(length[k])
+        zeros = _zeros(shape.coefficients[:, k].tolist(), whole, float(end[k]))
         if zeros:
-            found.append((k, zeros[0], h - zeros[0]))
+            found.append((k, zeros[0], whole - zeros[0]))
     index = np.array([f[0] for f in found], dtype=np.intp)
     return index, np.array([f[1] for f in found]), np.array([f[2] for f in found])
 
