@@ -35,7 +35,8 @@ class Parameter:
     ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` is what stands
     for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
     other parameters, by their names. An ``optional`` one may be left out. ``kind`` is "number", "list" (of numbers),
-    "series" (a number, or a function of time), "text", "flag" or one of several words, "this|that".
+    "series" (a number, or a function of time), "text", "flag" or one of several words, "this|that". What has no
+    ``key`` cannot be written in a file.
     """
 
     name: str
@@ -57,8 +58,9 @@ class Effect:
 
     ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
     ``resistance`` is a moment that opposes the motion. ``fall`` and ``press`` are what it adds to J_theta and J_r.
-    ``turns`` lets the geometry move with the mass. ``given`` are symbols that have another value at each moment, and
-    ``growth`` is how one of them, a state, grows with the rotation. ``depends_on`` decides which methods can solve it.
+    ``turns`` lets the geometry move with the mass. ``given`` are states, which have another value at each moment, and
+    ``growth`` is how they grow with the rotation. At least one parameter of ``any_of`` is needed.
+    ``depends_on`` decides which methods can solve it.
     """
 
     name: str
@@ -74,6 +76,7 @@ class Effect:
     press: sp.Expr = sp.Integer(0)
     given: tuple[sp.Symbol, ...] = ()
     growth: sp.Expr = sp.Integer(0)
+    any_of: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -163,33 +166,69 @@ _COHESION, _RATIO, _PRESSURE, _DRAG, _VISCOSITY = sp.symbols(
 _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
+
+
+def _series(name: str, help: str, symbol: sp.Symbol) -> Parameter:
+    """A function of time, given in Python."""
+    return Parameter(name, "", -_INFINITY, _INFINITY, help, "", 1.0, symbol, optional=True, kind="series")
+
+
+def _optional(name: str, help: str, unit: str = "", key: str = "", kind: str = "number") -> Parameter:
+    """Any number, or a text, that may be left out."""
+    return Parameter(name, unit, -_INFINITY, _INFINITY, help, key or name, optional=True, kind=kind)
+
+
 EFFECTS = (
     Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
            turns=True),
-    Effect("centripetal", "2.20", (), ("speed",), "the mass presses harder on the slip surface the faster it turns",
+    Effect("centripetal", "2.20", (), ("speed squared",), "the mass presses harder on the slip surface the faster it turns",
            stress=A * OMEGA_2),
     Effect("pore_pressure", "2.20", (
         Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position",
                   "ratio", symbol=_RATIO, optional=True),
         Parameter("pressure", "Pa", _BELOW_0, _INFINITY, "mean pore pressure on the slip surface, constant "
                   "or a function of time", "pressure_kPa", 1e3, _PRESSURE, VALUE / REFERENCE, optional=True,
-                  kind="series")), (),
-           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE),
+                  kind="series"),
+        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a pressure that is a list, straight lines between them",
+                  "time_s", optional=True, kind="list")), (),
+           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE,
+           any_of=("ratio", "pressure")),
     Effect("cohesion", "3.11", (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
                   _COHESION, VALUE / REFERENCE),), (),
            "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
     Effect("drag", "3.11", (
         Parameter("xi", "m/s^2", 0.0, _INFINITY, "turbulence coefficient of Voellmy", "xi_m_s2", 1.0,
-                  _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed",),
+                  _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed squared",),
            "turbulent resistance, which grows with the square of the speed", resistance=THETA * _DRAG * OMEGA_2),
     Effect("viscosity", "3.11", (
         Parameter("viscosity", "Pa s", _BELOW_0, _INFINITY, "dynamic viscosity of the sheared layer", "viscosity_Pa_s",
                   1.0, _VISCOSITY, 2 * ALPHA * VALUE / (DENSITY * _THICKNESS * sp.sqrt(GRAVITY * RADIUS) * THETA)),
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
            "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
-    Effect("shaking", "3.11", (), ("time",),
-           "ground motion tilts and scales gravity", given=(_K_H, _K_V),
+    Effect("shaking", "3.11", (
+        _series("horizontal", "k_h(t), driving acceleration over g in the sense of positive rotation", _K_H),
+        _series("vertical", "k_v(t), acceleration over g that lightens the mass", _K_V),
+        _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
+        _optional("amplitude", "greatest k_h of the pulse, driving down-slope for a positive dip", key="amplitude_g"),
+        _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),
+        _optional("start", "time at which the shaking begins, by default 0 or the record's own", "s", "start_s"),
+        _optional("duration", "duration of the pulse", "s", "duration_s"),
+        _optional("cycles", "waves of a sine, by default 1"),
+        _optional("record", "file of an acceleration record, relative to the scene's", kind="text"),
+        _optional("holds", "what the record holds: acceleration of the ground, or its opposite, which drives",
+                  kind="ground|driving"),
+        _optional("units", "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2",
+                  kind="text"),
+        _optional("column", "name of the record's column, where there is a choice", kind="text"),
+        _optional("vertical_record", "file of the vertical acceleration, upwards where it holds that of the ground",
+                  kind="text"),
+        _optional("vertical_column", "name of its column, in the same file where no other is named", kind="text"),
+        _optional("step", "time between samples of a record without times", "s", "step_s"),
+        _optional("scale", "factor on the record's values, by default 1"),
+        _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
+        _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
+           ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
            fall=_K_H * THETA * FALL_SLOPE - _K_V * J_THETA, press=_K_H * THETA * PRESS_SLOPE - _K_V * J_R),
     Effect("thermal_pressurisation", "3.11", (
         Parameter("pressurisation", "Pa/K", _BELOW_0, _INFINITY, "Lambda, rise of the pore pressure in the undrained "

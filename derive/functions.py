@@ -259,7 +259,7 @@ def _combination(served: dict[str, str], programs: dict[str, Program]) -> str:
 def _effect(e: Effect | Law, kind: str) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
-    more = repr(e.turns) if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
+    more = f"{e.turns!r}, {e.any_of!r}" if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
     return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
 
 
@@ -300,7 +300,7 @@ class Parameter:
     symbol: str
     dimensionless: Callable[[float, Mapping[str, float]], float]
     optional: bool
-    kind: str
+    kind: str = "number"
 
 
 @dataclass(frozen=True, slots=True)
@@ -318,7 +318,10 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns."""
+    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns.
+
+    At least one parameter of ``any_of`` is needed.
+    """
 
     name: str
     equation: str
@@ -326,6 +329,7 @@ class Effect:
     depends_on: tuple[str, ...]
     help: str
     turns: bool
+    any_of: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: de154e04f72ecae724743dfad73584766f8d09d8b66b88795e947b4f36301b98
+# sha256 of the text below: 0ce32db9b956eb1f2edca47075d5cbd64d7e011beb57791f7b02156218fb9703
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from collections.abc import Callable, Mapping
@@ -23,7 +23,7 @@ class Parameter:
     symbol: str
     dimensionless: Callable[[float, Mapping[str, float]], float]
     optional: bool
-    kind: str
+    kind: str = "number"
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,10 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns."""
+    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns.
+
+    At least one parameter of ``any_of`` is needed.
+    """
 
     name: str
     equation: str
@@ -49,6 +52,7 @@ class Effect:
     depends_on: tuple[str, ...]
     help: str
     turns: bool
+    any_of: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,28 +103,48 @@ LAWS = {
 }
 
 EFFECTS = {
-    'rotation': Effect('rotation', '1.2', (), ('slip',), 'the mass turns as it slides, and its weight acts in its new position', True),
-    'centripetal': Effect('centripetal', '2.20', (), ('speed',), 'the mass presses harder on the slip surface the faster it turns', False),
+    'rotation': Effect('rotation', '1.2', (), ('slip',), 'the mass turns as it slides, and its weight acts in its new position', True, ()),
+    'centripetal': Effect('centripetal', '2.20', (), ('speed squared',), 'the mass presses harder on the slip surface the faster it turns', False, ()),
     'pore_pressure': Effect('pore_pressure', '2.20', (
         Parameter('ratio', '', -5e-324, 1.0, 'r_u, pore pressure over the static normal stress at the position', 'ratio', 1.0, 'pore_ratio', lambda value, scales: value, True, 'number'),
         Parameter('pressure', 'Pa', -5e-324, INFINITY, 'mean pore pressure on the slip surface, constant or a function of time', 'pressure_kPa', 1000.0, 'pore_pressure', lambda value, scales: value/scales['reference_stress'], True, 'series'),
-    ), (), 'water pressure on the slip surface relieves friction', False),
+        Parameter('time', 's', -5e-324, INFINITY, 'times of a pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value, scales: value, True, 'list'),
+    ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, INFINITY, 'shear strength without normal stress', 'cohesion_kPa', 1000.0, 'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),
-    ), (), 'the slip surface has strength without normal stress', False),
+    ), (), 'the slip surface has strength without normal stress', False, ()),
     'drag': Effect('drag', '3.11', (
         Parameter('xi', 'm/s^2', 0.0, INFINITY, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag', lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
-    ), ('speed',), 'turbulent resistance, which grows with the square of the speed', False),
+    ), ('speed squared',), 'turbulent resistance, which grows with the square of the speed', False, ()),
     'viscosity': Effect('viscosity', '3.11', (
         Parameter('viscosity', 'Pa s', -5e-324, INFINITY, 'dynamic viscosity of the sheared layer', 'viscosity_Pa_s', 1.0, 'viscosity', lambda value, scales: 2*scales['half_angle']*value/(scales['Theta']*scales['density']*scales['thickness']*sqrt(scales['gravity']*scales['radius'])), False, 'number'),
         Parameter('thickness', 'm', 0.0, INFINITY, 'thickness of the sheared layer', 'thickness_m', 1.0, '', lambda value, scales: value, False, 'number'),
-    ), ('speed',), 'viscous resistance of a sheared layer, which grows with the speed', False),
-    'shaking': Effect('shaking', '3.11', (), ('time',), 'ground motion tilts and scales gravity', False),
+    ), ('speed',), 'viscous resistance of a sheared layer, which grows with the speed', False, ()),
+    'shaking': Effect('shaking', '3.11', (
+        Parameter('horizontal', '', -INFINITY, INFINITY, 'k_h(t), driving acceleration over g in the sense of positive rotation', '', 1.0, 'k_h', lambda value, scales: value, True, 'series'),
+        Parameter('vertical', '', -INFINITY, INFINITY, 'k_v(t), acceleration over g that lightens the mass', '', 1.0, 'k_v', lambda value, scales: value, True, 'series'),
+        Parameter('pulse', '', -INFINITY, INFINITY, 'name of a pulse', 'pulse', 1.0, '', lambda value, scales: value, True, 'rectangular|half-sine|triangular|sine'),
+        Parameter('amplitude', '', -INFINITY, INFINITY, 'greatest k_h of the pulse, driving down-slope for a positive dip', 'amplitude_g', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('vertical_amplitude', '', -INFINITY, INFINITY, 'greatest k_v of the pulse, by default 0', 'vertical_amplitude_g', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('start', 's', -INFINITY, INFINITY, "time at which the shaking begins, by default 0 or the record's own", 'start_s', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('duration', 's', -INFINITY, INFINITY, 'duration of the pulse', 'duration_s', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('cycles', '', -INFINITY, INFINITY, 'waves of a sine, by default 1', 'cycles', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('record', '', -INFINITY, INFINITY, "file of an acceleration record, relative to the scene's", 'record', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('holds', '', -INFINITY, INFINITY, 'what the record holds: acceleration of the ground, or its opposite, which drives', 'holds', 1.0, '', lambda value, scales: value, True, 'ground|driving'),
+        Parameter('units', '', -INFINITY, INFINITY, "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2", 'units', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('vertical_record', '', -INFINITY, INFINITY, 'file of the vertical acceleration, upwards where it holds that of the ground', 'vertical_record', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('vertical_column', '', -INFINITY, INFINITY, 'name of its column, in the same file where no other is named', 'vertical_column', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('step', 's', -INFINITY, INFINITY, 'time between samples of a record without times', 'step_s', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('scale', '', -INFINITY, INFINITY, "factor on the record's values, by default 1", 'scale', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps', 1.0, '', lambda value, scales: value, True, 'refuse|linear'),
+        Parameter('two_way', '', -INFINITY, INFINITY, 'whether shaking may start it up-slope too; by default it may not', 'two_way', 1.0, '', lambda value, scales: value, True, 'flag'),
+    ), ('time',), 'ground motion tilts and scales gravity', False, ('horizontal', 'pulse', 'record')),
     'thermal_pressurisation': Effect('thermal_pressurisation', '3.11', (
         Parameter('pressurisation', 'Pa/K', -5e-324, INFINITY, 'Lambda, rise of the pore pressure in the undrained layer for each kelvin', 'pressurisation_MPa_K', 1000000.0, 'kappa', lambda value, scales: scales['radius']*value/(scales['heat_capacity']*scales['thickness']), False, 'number'),
         Parameter('heat_capacity', 'J/m^3 K', 0.0, INFINITY, 'rho c, heat capacity of the layer by volume', 'heat_capacity_MJ_m3_K', 1000000.0, '', lambda value, scales: value, False, 'number'),
         Parameter('thickness', 'm', 0.0, INFINITY, 'thickness of the sheared layer', 'thickness_m', 1.0, '', lambda value, scales: value, False, 'number'),
-    ), ('history',), 'friction heats a thin layer, whose pore water expands and relieves it: undrained (no water leaves the layer) and adiabatic (no heat does), so that for a layer of millimetres it holds for seconds to minutes; one mean pressure and temperature in the layer; constant Lambda, no phase change, and all work of friction is heat', False),
+    ), ('history',), 'friction heats a thin layer, whose pore water expands and relieves it: undrained (no water leaves the layer) and adiabatic (no heat does), so that for a layer of millimetres it holds for seconds to minutes; one mean pressure and temperature in the layer; constant Lambda, no phase change, and all work of friction is heat', False, ()),
 }
 
 # Arguments of the functions in `generated.balance`.

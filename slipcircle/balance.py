@@ -12,6 +12,10 @@ from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
 from slipcircle.scene import Scene
 
 
+# Without shaking and heat: what is given anew at each moment comes on top.
+_STILL = {"k_h": 0.0, "k_v": 0.0, "excess": 0.0, "omega": 0.0, "fall_slope": 0.0, "press_slope": 0.0}
+
+
 @dataclass(frozen=True)
 class Balance:
     """The functions of the balance for one combination of effects, all over Theta*, in the direction of travel.
@@ -142,8 +146,7 @@ def bind(scene: Scene) -> Balance:
     press = float(d.radial_weight_per_inertia)
     weight, radial = arc.amplitudes_per_inertia
     level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
-    # Seen at rest, without shaking and heat: what is given anew at each moment comes on top.
-    values = {"level": level, "polar": float(d.polar_moment_per_inertia), "k_h": 0.0, "k_v": 0.0, "excess": 0.0}
+    values = {"level": level, "polar": float(d.polar_moment_per_inertia), **_STILL}
     forcing: dict[str, tuple[Callable[[Any], Any], float]] = {}
     for effect in chosen:
         given = called[effect]
@@ -154,7 +157,7 @@ def bind(scene: Scene) -> Balance:
             value = given.get(p.name, 0.0)
             if callable(value):
                 forcing[p.symbol] = value, p.dimensionless(1.0, scales | own)
-                value = value(0.0)
+                value = 0.0 if p.symbol in _STILL else value(0.0)
             values[p.symbol] = p.dimensionless(float(value), scales | own)
     limit = float(d.limit_friction)
     return Balance(

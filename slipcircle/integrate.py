@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-_TINY = 1e-40  # absolute tolerance: what starts from zero is followed with all its digits
+EPS = 2.0**-52
 _STIFF_STEPS = 300  # explicit steps between two kinks, ten times what is usual, after which LSODA takes over
 _MOST_STEPS = 100_000  # of one phase, between two kinks
 _FURTHEST = 1e4  # rotation of a frozen slide after which it will never rest, rad
@@ -135,7 +135,7 @@ class Integrated:
             rate = self._equation(left, right)
             band = self._band(rate, t, y, speeds)
             method: Any = DOP853
-            solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, top)), steps
+            solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)), steps
             while solver.status == "running":
                 solver.step()
                 if solver.status == "failed" or not np.all(np.isfinite(solver.y)):
@@ -156,10 +156,10 @@ class Integrated:
                             "end_time: viscosity lets this mass creep to its rest ever more slowly, and it never "
                             "quite reaches it; give end_time in s"
                         )
-                    solver.atol = self._floor(tolerance, top)
+                    solver.atol = self._floor(tolerance, t, top)
                     if method is DOP853 and steps - since > _STIFF_STEPS:
                         method = LSODA
-                        solver = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, top))
+                        solver = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top))
                     continue
                 which, t = found
                 y = np.array(dense(t))
@@ -173,7 +173,7 @@ class Integrated:
                 else:
                     y[1] = speeds[band if which == "faster" else band - 1]
                     band = self._band(rate, t, y, speeds)
-                solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, top)), steps
+                solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)), steps
             if which in ("stands", "presses", "over"):
                 break
             left = right
@@ -183,9 +183,20 @@ class Integrated:
         if which == "presses":
             self.change = t, self.end, self.speed**2
 
-    def _floor(self, tolerance: float, top: float) -> list[float]:
-        """Absolute tolerances: of the speed relative to the greatest so far, of the rest none, as it only grows."""
-        return [_TINY, max(0.1 * tolerance * top, _TINY), _TINY][: 2 + self.heats]
+    def _floor(self, tolerance: float, t: float, top: float) -> list[float]:
+        """Absolute tolerances: what a rounded drive adds since the start, and of the speed a share of the greatest."""
+        since = min(max(t, 1e-4), 1.0, 1.0 / max(float(self.balance.get("damping")), 1.0))
+        noise = 2 * EPS * self._terms * since
+        return [noise * since, max(0.1 * tolerance * top, noise), max(tolerance * abs(self.start.excess), noise)][
+            : 2 + self.heats
+        ]
+
+    @cached_property
+    def _terms(self) -> float:
+        """The size of the terms of which the drive is a difference."""
+        given = self.balance.given(self.time + 1e-9, self.start.direction)
+        tilted = abs(given.get("k_h", 0.0)) * abs(self.at["fall_slope"])
+        return abs(self.at["fall"]) + abs(self.at["press"]) + float(tilted)
 
     def _band(self, rate: Callable[[float, Any], list[float]], t: float, y: Floats, speeds: list[float]) -> int:
         """Which piece of a table of speeds holds from here on."""

@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from slipcircle.frozen import Frozen
     from slipcircle.integrate import Integrated
     from slipcircle.phaseplane import Course
+    from slipcircle.stepping import Stepped
 
-    Solved = Course | Frozen | Integrated
+    Solved = Course | Frozen | Integrated | Stepped
 
 Floats = NDArray[np.float64]
 
@@ -145,8 +146,8 @@ class Motion:
             begins = [] if first <= speed else [(0.0, *p.solved.state(0.0))]
             summit = p.solved.fastest()
             for t, x, omega, rate in [*begins, summit] if summit else begins:
-                if omega > speed and p.start + t <= p.end:
-                    speed, side = omega, p.direction
+                if abs(omega) > speed and p.start + t <= p.end:
+                    speed, side = abs(omega), p.direction
                     time = min((p.start + t) * self._scale, self.duration)
                     best = self._state(time, p.rotation + side * x, side * omega, side * rate)
         # Read off again where that costs nothing, so that the state is that of its rounded time.
@@ -186,10 +187,12 @@ class Motion:
 
     @property
     def lift_off(self) -> tuple[float, ...]:
-        lifted = [False, *(p.solved.start.lifted for p in self.phases)]
-        return tuple(
-            p.start * self._scale for p, was in zip(self.phases, lifted, strict=False) if p.solved.start.lifted > was
-        )
+        lifted, times = False, []
+        for p in self.phases:
+            inside = [p.start + t for t in getattr(p.solved, "lifts", ())]
+            times += [p.start] if p.solved.start.lifted > lifted and not inside else inside
+            lifted = p.solved.start.lifted and not inside
+        return tuple(float(t) * self._scale for t in times)
 
     @cached_property
     def error_estimate(self) -> float:

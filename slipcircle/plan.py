@@ -19,8 +19,10 @@ CLOSED_IN_TIME = "closed form in time"
 CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
 ENERGY_EQUATION = "quadrature of the linear energy equation"
 INTEGRATION = "integration in time by SciPy (DOP853, Radau where stiff), events located"
+STEPPING = "exact steps along the record, frozen geometry"
 # Evaluations of the specialised functions that a solution typically takes.
-EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200, INTEGRATION: 3000}
+EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200, INTEGRATION: 3000,
+               STEPPING: 1000}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -108,10 +110,12 @@ def _choice(effects: tuple[str, ...], law: str, by: tuple[str, ...], series: tup
     """What a plan is made of but for the scene's values, so that it is chosen once."""
     chosen = COMBINATIONS[effects]
     turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
-    reasons = [f"{e} depends on the speed" for e in effects if e == "viscosity"]
+    reasons = [f"{e} depends on the speed" for e in effects if "speed" in EFFECTS[e].depends_on]
     reasons += [f"{e} depends on time" for e in dict.fromkeys(n.partition(".")[0] for n in series)]
     reasons += [f"friction depends on {'the speed' if x == 'speed' else x}" for x in by if x != "slip"]
-    if reasons:
+    if law == "constant" and not turns and reasons == ["shaking depends on time"]:
+        method = STEPPING
+    elif reasons:
         method = INTEGRATION
     elif law == "constant":
         method = CLOSED_IN_PHASE_PLANE if turns else CLOSED_IN_TIME

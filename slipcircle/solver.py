@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,12 +11,14 @@ from slipcircle.arc import QUANTITIES
 from slipcircle.balance import Balance, bind
 from slipcircle.friction import Friction, friction
 from slipcircle.motion import Motion, Phase, Start
-from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, Plan, plan
+from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, STEPPING, Plan, plan
 from slipcircle.rest import Rest, never_rests, next_start
 from slipcircle.scene import Scene
+from slipcircle.series import Pulse
 
 if TYPE_CHECKING:
     from slipcircle.motion import Solved
+    from slipcircle.stepping import Stepped
 
 _MOST_PHASES = 2000
 
@@ -51,10 +54,15 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     for name, value in numbers.items():
         if not isinstance(value, (int, float)) and np.ndim(value) != 0:
             raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
-    chosen = plan(scene, accuracy)
+    return solved_otherwise(plan(scene, accuracy))
+
+
+def solved_otherwise(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
+    """The motion; an integration to another tolerance, or with weights changed by a share, tells its error."""
+    scene = chosen.scene
     try:
         with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
-            motion = _solve(chosen)
+            motion = _solve(chosen, tolerance, nudge)
             end = motion.end
         if not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
             raise OverflowError
@@ -66,8 +74,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
         ) from error
 
 
-def _solve(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
-    """The motion; an integration to another tolerance, or with weights changed by a share, tells its error."""
+def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
     scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
     balance = balance.nudged(nudge) if nudge else balance
     scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
@@ -77,8 +84,22 @@ def _solve(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> 
     end = math.inf if scene.end_time is None else scene.end_time / scale
     direction = int(np.sign(omega))
     time = rotation = slip = excess = 0.0
-    energy, phases, arrested, change = omega**2, [], False, None
-    while time < end:
+    energy, phases, arrested, change = omega**2, list[Phase](), False, None
+    whole = balance
+    if chosen.method == STEPPING:
+        stepped = _stepped(balance, law, omega, end, two_way)
+        if stepped.moves:
+            phases.append(Phase(0.0, stepped.duration, 0.0, stepped.direction, stepped, stepped.stops))
+        if stepped.stops and math.isfinite(end):
+            arrested = next_start(balance, law, Rest(0.0, 0.0), end, math.inf, two_way) is None
+            time = stepped.duration if arrested else end
+        elif stepped.stops:
+            arrested, time = True, stepped.duration
+        else:
+            time, direction = stepped.duration, stepped.side * stepped.direction
+            rotation, energy = stepped.direction * stepped.end, stepped.speed**2
+        balance = replace(balance, forcing={})  # it is still from here on
+    while time < end and not arrested:
         if energy == 0.0:
             found = next_start(balance, law, Rest(rotation, slip, excess), time, math.inf, two_way)
             if found is None:
@@ -105,27 +126,25 @@ def _solve(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> 
         x, energy = (solved.end, 0.0) if change is None else change[1:]
         time, rotation, slip, excess = stop, rotation + direction * x, slip + radius * x, solved.excess
         if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law):
-            return Motion(chosen, balance, phases, time * scale, False)
+            return Motion(chosen, whole, phases, time * scale, False)
         if len(phases) >= _MOST_PHASES:
             raise ValueError(
                 f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times in {time * scale:.6g} s "
                 "without resting; give an earlier end in s"
             )
-    else:
-        time = end
     if not arrested:
         time = end
     if math.isinf(time):
         _refuse(scene, phases[-1].solved, math.inf)
     duration = time * scale if arrested or scene.end_time is None else scene.end_time
-    return Motion(chosen, balance, phases, duration, arrested)
+    return Motion(chosen, whole, phases, duration, arrested)
 
 
 def _follower(
     chosen: Plan, balance: Balance, law: Friction, tolerance: float | None
 ) -> "Callable[[Start, float, float], Solved]":
     """What solves one phase, from its start, its longest duration and its time; only its module is imported."""
-    if chosen.method == CLOSED_IN_TIME:
+    if chosen.method in (CLOSED_IN_TIME, STEPPING):
         from slipcircle.frozen import Frozen
 
         return lambda start, longest, time: Frozen(balance, law, start, longest)
@@ -139,6 +158,17 @@ def _follower(
     from slipcircle.phaseplane import Course
 
     return lambda start, longest, time: Course(balance, law, start, longest)
+
+
+def _stepped(balance: Balance, law: Friction, omega: float, end: float, two_way: bool) -> "Stepped":
+    """The motion of frozen geometry until the shaking is over."""
+    from slipcircle.series import Shaking
+    from slipcircle.stepping import Stepped
+
+    still = Pulse("rectangular", 0.0, 0.0, 1.0)
+    horizontal, vertical = (balance.forcing[n][0] if n in balance.forcing else still for n in ("k_h", "k_v"))
+    shaking = Shaking(horizontal, vertical if "k_v" in balance.forcing else None)
+    return Stepped(balance, float(law.coefficient(0.0)), omega, end, shaking, balance.time_scale, two_way)
 
 
 def _refuse(scene: Scene, solved: "Solved", time: float) -> None:
