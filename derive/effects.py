@@ -84,8 +84,8 @@ class Law:
     """A friction law: the friction coefficient as a function of the accumulated slip, of the speed, or of time.
 
     ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names; ``drop``, of a law of slip, is its fall from
-    `SLIP` to `SLIP` + `MORE`, without cancellation, proved equal to it. ``scale`` names the length over which it changes, ``kinks`` the slips
-    at which it is not smooth. A law without formula (a table) is computed by the runtime.
+    `SLIP` to `SLIP` + `MORE`, without cancellation, proved equal to it. ``scale`` names the length over which it
+    changes, ``kinks`` the slips at which it is not smooth. A law without formula (a table) is computed by the runtime.
     """
 
     name: str
@@ -167,7 +167,6 @@ _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
-
 def _series(name: str, help: str, symbol: sp.Symbol) -> Parameter:
     """A function of time, given in Python."""
     return Parameter(name, "", -_INFINITY, _INFINITY, help, "", 1.0, symbol, optional=True, kind="series")
@@ -181,8 +180,8 @@ def _optional(name: str, help: str, unit: str = "", key: str = "", kind: str = "
 EFFECTS = (
     Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
            turns=True),
-    Effect("centripetal", "2.20", (), ("speed squared",), "the mass presses harder on the slip surface the faster it turns",
-           stress=A * OMEGA_2),
+    Effect("centripetal", "2.20", (), ("speed squared",),
+           "the mass presses harder on the slip surface the faster it turns", stress=A * OMEGA_2),
     Effect("pore_pressure", "2.20", (
         Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position",
                   "ratio", symbol=_RATIO, optional=True),
@@ -237,9 +236,9 @@ EFFECTS = (
         Parameter("heat_capacity", "J/m^3 K", 0.0, _INFINITY, "rho c, heat capacity of the layer by volume",
                   "heat_capacity_MJ_m3_K", 1e6),
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("history",),
-           "friction heats a thin layer, whose pore water expands and relieves it: undrained (no water leaves the layer)"
-           " and adiabatic (no heat does), so that for a layer of millimetres it holds for seconds to minutes; one mean "
-           "pressure and temperature in the layer; constant Lambda, no phase change, and all work of friction is heat",
+           "friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the "
+           "layer) and adiabatic (no heat does), as in the seconds to minutes of a slide on millimetres or more of clay; "
+           "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
            pressure=_EXCESS, given=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 

@@ -1,7 +1,7 @@
 """A scene's balance of momentum: the specialised functions of its combination of effects, bound to its values."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -10,7 +10,6 @@ import numpy as np
 from generated import balance as functions
 from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
 from slipcircle.scene import Scene
-
 
 # Without shaking and heat: what is given anew at each moment comes on top.
 _STILL = {"k_h": 0.0, "k_v": 0.0, "excess": 0.0, "omega": 0.0, "fall_slope": 0.0, "press_slope": 0.0}
@@ -56,7 +55,7 @@ class Balance:
     turns: bool
     radius: float
     time_scale: float = 1.0
-    forcing: Mapping[str, tuple[Callable[[Any], Any], float]] = field(default_factory=dict)
+    forcing: Mapping[str, tuple[Any, float]] = field(default_factory=dict)
 
     def has(self, what: str) -> bool:
         """Whether this combination has such a term."""
@@ -147,7 +146,7 @@ def bind(scene: Scene) -> Balance:
     weight, radial = arc.amplitudes_per_inertia
     level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
     values = {"level": level, "polar": float(d.polar_moment_per_inertia), **_STILL}
-    forcing: dict[str, tuple[Callable[[Any], Any], float]] = {}
+    forcing: dict[str, tuple[Any, float]] = {}
     for effect in chosen:
         given = called[effect]
         own = {p.name: float(given.get(p.name, 0.0)) for p in EFFECTS[effect].parameters if p.kind == "number"}

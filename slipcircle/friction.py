@@ -152,7 +152,8 @@ def _named(given: Mapping[str, Any]) -> Friction:
         value = float(parameters["coefficient"])
         return Friction(name, lambda s, v=0.0, t=0.0: value, lambda s, more: 0.0 * more, np.inf, (), parameters, ())
     if law.parameters[0].kind == "list":
-        return _tabulated(name, *(np.asarray(given[p.name], dtype=float) for p in law.parameters), parameters)
+        place, values = (np.asarray(given[p.name], dtype=float) for p in law.parameters)
+        return _tabulated(name, place, values, parameters)
     numbers = {k: float(v) for k, v in parameters.items()}
     formula = getattr(balance, f"friction_{name}")
     if law.depends_on == ("speed",):

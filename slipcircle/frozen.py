@@ -67,6 +67,11 @@ class Frozen:
         """Excess pore pressure over sigma_ref at its end."""
         return self.start.excess
 
+    @property
+    def lifts(self) -> tuple[float, ...]:
+        """Times within the phase at which the mass lifts off; where it does, the phase ends."""
+        return ()
+
     def excess_when(self, t: Floats) -> Floats:
         """Excess pore pressure over sigma_ref at times since the start of the phase."""
         return np.full_like(t, self.start.excess)

@@ -90,4 +90,5 @@ class Heated(Course):
 
     def _keep(self, edges: Floats, known: list[tuple[Floats, Floats]]) -> None:
         super()._keep(edges, known)
+        self.breaks = edges[1:-1].tolist()
         self.excess_at = energy_on_panels(edges, *of_row(known, 1))[0]

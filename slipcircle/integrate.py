@@ -7,7 +7,7 @@ Steps never cross a kink in time, and what else ends a phase or bends its equati
 import math
 from bisect import bisect_right
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -19,6 +19,7 @@ from generated import balance as functions
 from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.friction import Friction
+from slipcircle.rest import kinks_of
 from slipcircle.roots import root, scalar
 
 if TYPE_CHECKING:
@@ -93,7 +94,10 @@ class Integrated:
             if turns:
                 sine, cosine = math.sin(x), math.cos(x)
                 local["fall"], local["fall_slope"] = fall_0 * cosine - slope_0 * sine, slope_0 * cosine + fall_0 * sine
-                local["press"], local["press_slope"] = press_0 * cosine - rise_0 * sine, rise_0 * cosine + press_0 * sine
+                local["press"], local["press_slope"] = (
+                    press_0 * cosine - rise_0 * sine,
+                    rise_0 * cosine + press_0 * sine,
+                )
             for name, function in given:
                 local[name] = function(t)
             local["omega"], local["omega_2"] = omega, omega * omega
@@ -119,8 +123,7 @@ class Integrated:
 
     def _kinks(self) -> list[float]:
         """Times from the start of the scene at which something given is not smooth, while this phase may last."""
-        kinks = [np.asarray(f.kinks) for f, _ in self.balance.forcing.values()] + [np.asarray(self.law.times)]
-        every = np.unique(np.concatenate(kinks)) / self.balance.time_scale
+        every = kinks_of(self.balance, self.law)
         return [float(k) for k in every if self.time < k < self.time + self.longest]
 
     # -- following it
@@ -135,7 +138,10 @@ class Integrated:
             rate = self._equation(left, right)
             band = self._band(rate, t, y, speeds)
             method: Any = DOP853
-            solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)), steps
+            solver, since = (
+                method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)),
+                steps,
+            )
             while solver.status == "running":
                 solver.step()
                 if solver.status == "failed" or not np.all(np.isfinite(solver.y)):
@@ -143,8 +149,8 @@ class Integrated:
                 steps += 1
                 if steps - since > _MOST_STEPS:
                     raise ValueError(
-                        f"end_time: more than {_MOST_STEPS} steps after {self.time * self.balance.time_scale:.6g} s; give "
-                        "an earlier end in s, or a smoother law"
+                        f"end_time: more than {_MOST_STEPS} steps after {self.time * self.balance.time_scale:.6g} s; "
+                        "give an earlier end in s, or a smoother law"
                     )
                 dense, before, now = solver.dense_output(), float(solver.t_old), float(solver.t)
                 found = _first(self._watched(slips, speeds, band), dense, before, now)
@@ -159,7 +165,9 @@ class Integrated:
                     solver.atol = self._floor(tolerance, t, top)
                     if method is DOP853 and steps - since > _STIFF_STEPS:
                         method = LSODA
-                        solver = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top))
+                        solver = method(
+                            rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)
+                        )
                     continue
                 which, t = found
                 y = np.array(dense(t))
@@ -173,7 +181,10 @@ class Integrated:
                 else:
                     y[1] = speeds[band if which == "faster" else band - 1]
                     band = self._band(rate, t, y, speeds)
-                solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)), steps
+                solver, since = (
+                    method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)),
+                    steps,
+                )
             if which in ("stands", "presses", "over"):
                 break
             left = right
@@ -249,6 +260,11 @@ class Integrated:
             found[:, inside] = self.pieces[k].dense(np.minimum(t[inside], self.pieces[k].end))
         found[:2] = np.maximum(found[:2], 0.0)
         return found
+
+    @property
+    def lifts(self) -> tuple[float, ...]:
+        """Times within the phase at which the mass lifts off; where it does, the phase ends."""
+        return ()
 
     def excess_when(self, t: Floats) -> Floats:
         """Excess pore pressure over sigma_ref at times since the start of the phase."""
@@ -356,7 +372,9 @@ def _between(left: float, right: float) -> tuple[float, float]:
     return math.nextafter(left, math.inf), math.nextafter(right, -math.inf) if right < math.inf else math.inf
 
 
-def _piece_of(function: Any, factor: float, scale: float, clock: float, early: float, late: float) -> Callable[[float], float]:  # fmt: skip
+def _piece_of(
+    function: Any, factor: float, scale: float, clock: float, early: float, late: float
+) -> Callable[[float], float]:
     """A function of time between two kinks, of local time: constant or straight where it is a series."""
     if math.isinf(late):
         value = factor * float(function((2 * early + 1.0) * scale))
@@ -368,7 +386,13 @@ def _piece_of(function: Any, factor: float, scale: float, clock: float, early: f
     return lambda t: factor * float(function(min(max(clock + t, early), late) * scale))
 
 
-def _first(watched: dict[str, Watch], dense: Callable[[Any], Any], before: float, now: float) -> tuple[str, float] | None:  # fmt: skip
+def _at(watch: Watch, dense: Callable[[Any], Any], t: float) -> float:
+    return float(watch(t, dense(t)))
+
+
+def _first(
+    watched: dict[str, Watch], dense: Callable[[Any], Any], before: float, now: float
+) -> tuple[str, float] | None:
     """Which watched function falls below zero first in a step, and when."""
     times = before + (now - before) * _INSIDE
     states = dense(times)
@@ -382,7 +406,7 @@ def _first(watched: dict[str, Watch], dense: Callable[[Any], Any], before: float
         low, high = float(times[k - 1]), float(times[k])
         t = low
         if values[k - 1] > 0.0:
-            t = root(lambda t: float(watch(t, dense(t))), low, high, float(values[k - 1]), float(values[k]))
+            t = root(partial(_at, watch, dense), low, high, float(values[k - 1]), float(values[k]))
         if found is None or t < found[1]:
             found = name, t
     return found

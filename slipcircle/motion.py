@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from slipcircle.phaseplane import Course
     from slipcircle.stepping import Stepped
 
-    Solved = Course | Frozen | Integrated | Stepped
+    Followed: TypeAlias = Course | Frozen | Integrated  # one phase
+    Solved: TypeAlias = Followed | Stepped
 
 Floats = NDArray[np.float64]
 
@@ -187,12 +188,12 @@ class Motion:
 
     @property
     def lift_off(self) -> tuple[float, ...]:
-        lifted, times = False, []
+        lifted, times = False, list[float]()
         for p in self.phases:
-            inside = [p.start + t for t in getattr(p.solved, "lifts", ())]
+            inside = [p.start + float(t) for t in p.solved.lifts]
             times += [p.start] if p.solved.start.lifted > lifted and not inside else inside
             lifted = p.solved.start.lifted and not inside
-        return tuple(float(t) * self._scale for t in times)
+        return tuple(t * self._scale for t in times)
 
     @cached_property
     def error_estimate(self) -> float:

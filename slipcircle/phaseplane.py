@@ -54,7 +54,9 @@ def _rules() -> tuple[Floats, Floats]:
 _RULES = _rules()
 
 
-def energy_on_panels(edges: Floats, values: Floats, means: Floats) -> tuple[Callable[[Any], Any], Callable[[float], float]]:
+def energy_on_panels(
+    edges: Floats, values: Floats, means: Floats
+) -> tuple[Callable[[Any], Any], Callable[[float], float]]:
     """E of arrays and of a float, from its values at the panels' left edges and the series of its mean slope there."""
 
     def energy(x: Any) -> Any:
@@ -112,7 +114,7 @@ class Course:
         self.furthest = self.at["dip"] + np.pi / 2 if balance.turns else math.inf  # beyond, the mass would hang over
         alone = balance.turns and not balance.has("pressurisation")  # E follows from the rotation alone
         self.closed = alone and (self.steady or (law.law == "exponential" and not balance.has("brake")))
-        self.unresolved = 0.0
+        self.unresolved, self.breaks = 0.0, list[float]()  # rotations between which all is smooth, where known
         if self.closed:
             self.energy, self._scalar = self._closed_form()
             self.end, self.stops = self._first_zero()
@@ -133,6 +135,11 @@ class Course:
     def excess(self) -> float:
         """Excess pore pressure over sigma_ref at its end."""
         return self.start.excess
+
+    @property
+    def lifts(self) -> tuple[float, ...]:
+        """Times within the phase at which the mass lifts off; where it does, the phase ends."""
+        return ()
 
     def excess_when(self, t: Floats) -> Floats:
         """Excess pore pressure over sigma_ref at times since the start of the phase."""
@@ -416,7 +423,7 @@ class Course:
         """dt/ds."""
         last = np.pi / 2 if self.stops else 1.0
         inner = [k for k in ((q - self.start.slip) / self.radius for q in self.law.kinks) if 0.0 < k < self.end]
-        places = [self._variable(k) for k in inner]
+        places = [self._variable(k) for k in (*inner, *self.breaks)]
         # Over what E first changes: softening, a strong brake, a slow start. Panels grow from there.
         slow = self.start.energy / max(abs(self.drive), 1e-300)
         paces = (self.law.scale / self.radius, 1.0 / max(2 * self.brake, 1e-300), slow)

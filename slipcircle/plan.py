@@ -19,11 +19,17 @@ CLOSED_IN_TIME = "closed form in time"
 CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
 ENERGY_EQUATION = "quadrature of the linear energy equation"
 LINEAR_SYSTEM = "linear system of energy and pore pressure in the phase plane by collocation, time by quadrature"
-INTEGRATION = "integration in time by SciPy (DOP853, Radau where stiff), events located"
+INTEGRATION = "integration in time by SciPy (DOP853, LSODA where stiff), events located"
 STEPPING = "exact steps along the record, frozen geometry"
 # Evaluations of the specialised functions that a solution typically takes.
-EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200, LINEAR_SYSTEM: 2500, INTEGRATION: 3000,
-               STEPPING: 1000}  # fmt: skip
+EVALUATIONS = {
+    CLOSED_IN_TIME: 3,
+    CLOSED_IN_PHASE_PLANE: 150,
+    ENERGY_EQUATION: 1200,
+    LINEAR_SYSTEM: 2500,
+    INTEGRATION: 3000,
+    STEPPING: 1000,
+}
 
 
 @dataclass(frozen=True)
@@ -103,7 +109,9 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     called = scene.called
     effects = tuple(e for e in EFFECTS if e in called)
     series = tuple(f"{e}.{p}" for e in effects for p, value in called[e].items() if callable(value))
-    return Plan(scene, **_choice(effects, law_name(scene.friction), law_depends(scene.friction), series), accuracy=wanted)
+    return Plan(
+        scene, **_choice(effects, law_name(scene.friction), law_depends(scene.friction), series), accuracy=wanted
+    )
 
 
 @cache
@@ -114,11 +122,12 @@ def _choice(effects: tuple[str, ...], law: str, by: tuple[str, ...], series: tup
     reasons = [f"{e} depends on the speed" for e in effects if "speed" in EFFECTS[e].depends_on]
     reasons += [f"{e} depends on time" for e in dict.fromkeys(n.partition(".")[0] for n in series)]
     reasons += [f"friction depends on {'the speed' if x == 'speed' else x}" for x in by if x != "slip"]
-    if law == "constant" and not turns and reasons == ["shaking depends on time"]:
+    heats = "pressurisation" in chosen.functions
+    if law == "constant" and not turns and not heats and reasons == ["shaking depends on time"]:
         method = STEPPING
     elif reasons:
         method = INTEGRATION
-    elif "pressurisation" in chosen.functions:
+    elif heats:
         method = LINEAR_SYSTEM
     elif law == "constant":
         method = CLOSED_IN_PHASE_PLANE if turns else CLOSED_IN_TIME

@@ -63,7 +63,9 @@ def down_slope(balance: Balance, rotation: float) -> int:
     return -1 if balance.position(rotation, 1)["fall"] < 0.0 else 1
 
 
-def _start(balance: Balance, law: Friction, rest: Rest, time: float, end: float, side: int, kinks: Floats) -> float | None:  # fmt: skip
+def _start(
+    balance: Balance, law: Friction, rest: Rest, time: float, end: float, side: int, kinks: Floats
+) -> float | None:
     excess = _excess_of_drive(balance, law, rest, side)
     bounds = np.concatenate([[time], kinks[(kinks > time) & (kinks < end)], [end]])
     straight = all(hasattr(f, "values") for f, _ in balance.forcing.values())

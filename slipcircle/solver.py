@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from slipcircle.scene import Scene
 from slipcircle.series import Pulse
 
 if TYPE_CHECKING:
-    from slipcircle.motion import Solved
+    from slipcircle.motion import Followed, Solved
     from slipcircle.stepping import Stepped
 
 _MOST_PHASES = 2000
@@ -143,7 +143,7 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
 
 def _follower(
     chosen: Plan, balance: Balance, law: Friction, tolerance: float | None
-) -> "Callable[[Start, float, float], Solved]":
+) -> "Callable[[Start, float, float], Followed]":
     """What solves one phase, from its start, its longest duration and its time; only its module is imported."""
     if chosen.method in (CLOSED_IN_TIME, STEPPING):
         from slipcircle.frozen import Frozen
@@ -170,9 +170,9 @@ def _stepped(balance: Balance, law: Friction, omega: float, end: float, two_way:
     from slipcircle.series import Shaking
     from slipcircle.stepping import Stepped
 
+    functions: dict[str, Any] = {name: function for name, (function, _) in balance.forcing.items()}
     still = Pulse("rectangular", 0.0, 0.0, 1.0)
-    horizontal, vertical = (balance.forcing[n][0] if n in balance.forcing else still for n in ("k_h", "k_v"))
-    shaking = Shaking(horizontal, vertical if "k_v" in balance.forcing else None)
+    shaking = Shaking(functions.get("k_h", still), functions.get("k_v"))
     return Stepped(balance, float(law.coefficient(0.0)), omega, end, shaking, balance.time_scale, two_way)
 
 

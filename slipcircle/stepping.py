@@ -463,6 +463,10 @@ class Stepped:
         lifted = self.rows.lifted
         return self.rows.start[lifted & ~np.append(False, lifted[:-1])]
 
+    def excess_when(self, t: Floats) -> Floats:
+        """Excess pore pressure over sigma_ref, of heat: none."""
+        return np.zeros_like(t)
+
     def _on_segments(self, name: str, row: Integers, since: Any) -> Floats:
         """A function of time, on parts of segments."""
         coefficients = self.segments.shapes[name].coefficients[:, self.rows.segment[row]]

@@ -13,11 +13,26 @@ from generated import balance
 from generated.effects import COMBINATIONS, EFFECTS
 from slipcircle import Scene, plan, solve
 from slipcircle.__main__ import main
-from slipcircle.plan import CLOSED_IN_PHASE_PLANE, CLOSED_IN_TIME, ENERGY_EQUATION
+from slipcircle.plan import (
+    CLOSED_IN_PHASE_PLANE,
+    CLOSED_IN_TIME,
+    ENERGY_EQUATION,
+    INTEGRATION,
+    LINEAR_SYSTEM,
+    STEPPING,
+)
+from slipcircle.series import Series
 
 ARC = Scene.load("vaiont").arc
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}
-PARAMETERS = {"pore_pressure": {"ratio": 0.2}, "cohesion": {"cohesion": 5e4}, "drag": {"xi": 500.0}}
+PARAMETERS = {
+    "pore_pressure": {"ratio": 0.2}, "cohesion": {"cohesion": 5e4}, "drag": {"xi": 500.0},
+    "viscosity": {"viscosity": 1e4, "thickness": 0.5},
+    "shaking": {"pulse": "half-sine", "amplitude": 0.2, "duration": 1.0},
+    "thermal_pressurisation": {"pressurisation": 1e4, "heat_capacity": 2.7e6, "thickness": 0.1},
+}  # fmt: skip
+STILL = ("rotation", "centripetal", "pore_pressure", "cohesion", "drag")
+RATE = {"law": "rate_weakening", "peak": 0.4, "residual": 0.1, "velocity": 0.5}
 
 
 def scene(effects: tuple[str, ...], friction: object = 0.2, **more: object) -> Scene:
@@ -31,7 +46,20 @@ def scene(effects: tuple[str, ...], friction: object = 0.2, **more: object) -> S
         ((), 0.2, CLOSED_IN_TIME),
         (("centripetal", "pore_pressure", "cohesion", "drag"), 0.2, CLOSED_IN_TIME),
         (("rotation",), 0.2, CLOSED_IN_PHASE_PLANE),
-        (tuple(EFFECTS), 0.2, CLOSED_IN_PHASE_PLANE),
+        (STILL, 0.2, CLOSED_IN_PHASE_PLANE),
+        ((*STILL, "thermal_pressurisation"), 0.2, LINEAR_SYSTEM),
+        (("thermal_pressurisation",), SOFTENING, LINEAR_SYSTEM),
+        (("thermal_pressurisation",), RATE, INTEGRATION),
+        (("rotation", "viscosity"), 0.2, INTEGRATION),
+        (("shaking",), 0.2, STEPPING),
+        (("centripetal", "pore_pressure", "cohesion", "drag", "shaking"), 0.2, STEPPING),
+        (("rotation", "shaking"), 0.2, INTEGRATION),
+        (("shaking",), SOFTENING, INTEGRATION),
+        (("shaking", "thermal_pressurisation"), 0.2, INTEGRATION),
+        ((), RATE, INTEGRATION),
+        ((), {"law": "prescribed", "time": [0.0, 1.0], "coefficient": [0.4, 0.1]}, INTEGRATION),
+        ((), SOFTENING | {"rate": RATE}, INTEGRATION),
+        (tuple(EFFECTS), SOFTENING | {"rate": RATE}, INTEGRATION),
         (("rotation", "cohesion"), SOFTENING, CLOSED_IN_PHASE_PLANE),
         (("rotation", "centripetal"), SOFTENING, ENERGY_EQUATION),
         (("rotation", "drag"), SOFTENING, ENERGY_EQUATION),
@@ -42,6 +70,15 @@ def scene(effects: tuple[str, ...], friction: object = 0.2, **more: object) -> S
 )
 def test_the_cheapest_exact_method(effects: tuple[str, ...], friction: object, method: str) -> None:
     assert plan(scene(effects, friction)).method == method
+
+
+def test_a_plan_says_what_asks_for_a_method() -> None:
+    assert plan(scene(STILL)).why == ""
+    assert plan(scene(("rotation", "viscosity", "shaking"), SOFTENING | {"rate": RATE})).why == (
+        "viscosity depends on the speed; shaking depends on time; friction depends on the speed"
+    )
+    wet = Scene(ARC, 0.2, {"pore_pressure": {"pressure": Series(np.array([0.0, 1.0]), np.array([0.0, 1e5]))}})
+    assert (plan(wet).method, plan(wet).why) == (INTEGRATION, "pore_pressure depends on time")
 
 
 def test_a_plan_depends_on_what_is_called_for_never_on_values() -> None:
@@ -61,7 +98,9 @@ def test_its_functions_exist_and_are_of_the_effects_called_for() -> None:
             module, function = name.split(".")
             assert module == "balance"
             assert hasattr(balance, function)
-            assert all(e in effects for e in EFFECTS if e in function)
+            named = function.replace("thermal_pressurisation", "heat")
+            assert all(e in effects for e in EFFECTS if e in named)
+            assert "heat" not in named or "thermal_pressurisation" in effects
 
 
 def test_none_of_the_methods_imports_scipy() -> None:

@@ -27,7 +27,7 @@ def test_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     motion = solve(Scene.load(str(path)))
     assert motion.moves
     assert motion.arrested
-    assert motion.plan.left_out == ()
+    assert motion.plan.left_out == ("viscosity", "shaking", "thermal_pressurisation")
     assert main(["run", str(path)]) == 0
     assert main(["plan", "--ladder", str(path)]) == 0
     assert "my-slope" in capsys.readouterr().out

@@ -167,6 +167,7 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
     """A file written from nothing but the schema."""
     found = schema()
     kinds = {"number": "0.5", "array": "[0, 0.5]"}
+    tables = {"speed_m_s": "[0.1, 0.5]"}  # of which the logarithm is taken
 
     def table(path: str, part: dict[str, Any]) -> str:
         needed = [
@@ -175,7 +176,7 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
         ]
         rows = (part["properties"][k] for k in needed)
         lines = (
-            f"{k} = {json.dumps(row['const']) if 'const' in row else kinds[row['type']]}"
+            f"{k} = {json.dumps(row['const']) if 'const' in row else tables.get(k) or kinds[row['type']]}"
             for k, row in zip(needed, rows, strict=True)
         )
         return "\n".join([f"[{path}]", *lines, ""])
@@ -184,7 +185,8 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
         return dict(found["$defs"][part["$ref"].rpartition("/")[2]])
 
     laws = [follow(part) for part in found["properties"]["friction"]["anyOf"]]
-    effects = [table(name, follow(found["properties"][name])) for name in EFFECTS]
+    pulse = "[shaking]\npulse = 'half-sine'\namplitude_g = 0.1\nduration_s = 2\n"  # a pulse needs more than its name
+    effects = [pulse if n == "shaking" else table(n, follow(found["properties"][n])) for n in EFFECTS]
     for law in laws:
         scene = written(file, "\n".join([ARC, table("friction", law), *effects]))
         assert list(scene.called) == list(EFFECTS)
@@ -214,8 +216,8 @@ MISTAKES = [
     (ARC + "[friction]\nangle_deg = -1e-9\n", "friction.angle_deg = -1e-09: must be a number at least 0 and below 90"),
     (ARC + "[friction]\ncoefficient = -0.1\n", "friction.coefficient = -0.1: must be a number at least 0: "),
     (ARC + "[friction]\nlaw = 'exponentail'\npeak = 1\nresidual = 0\nlength_m = 1\n",
-     'friction.law = "exponentail": must be one of constant, exponential, linear, hyperbolic, tabulated: friction law; '
-     "did you mean exponential?"),
+     'friction.law = "exponentail": must be one of constant, exponential, linear, hyperbolic, tabulated, '
+     "rate_weakening, rate_tabulated, prescribed: friction law; did you mean exponential?"),
     (ARC + "[friction]\nlaw = 'magic'\npeak = 1\n", 'friction.law = "magic": must be one of constant, exponential'),
     (ARC + "[friction]\nlaw = 7\n", "friction.law = 7: must be one of constant, exponential"),
     (ARC + "[friction]\nlaw = 'linear'\npeak = 1\nresidual_deg = 8\n",
@@ -275,13 +277,13 @@ def test_ten_mistakes_are_ten_sentences(file: Path) -> None:
         peak = 0.4
         residual_deg = 10
         [pore_pressure]
-        [shaking]
+        [shakin]
         [drag]
         xi_m_s2 = true
     """)  # fmt: skip
     starts = (
         'end_time_s = "30 s":', "accuracy = 2:", "arc.radius_mm = 1492.6:", "arc.theta_1_deg = nan:",
-        "arc.unit_weight_kN_m3 = -20:", "friction.peak_deg = 95:", "shaking = {}:", "drag.xi_m_s2 = true:",
+        "arc.unit_weight_kN_m3 = -20:", "friction.peak_deg = 95:", "shakin = {}:", "drag.xi_m_s2 = true:",
         "arc.theta_2_deg: is missing", "friction.length_m: is missing", "friction: peak_deg and peak exclude",
         "pore_pressure: ratio or pressure_kPa is missing",
     )  # fmt: skip
