@@ -40,9 +40,12 @@ class Row(NamedTuple):
 
 
 class Table(NamedTuple):
-    """For each segment: whether a mass at rest starts on it, the speed up to which one stops, and its step (`riccati`),
-    whose lean and swing are times b h."""
+    """For each segment the push, whether a mass at rest starts, the speed up to which one stops, and the step.
 
+    Lean and swing (`riccati`) are times b h.
+    """
+
+    a: list[list[float]]
     starts: list[bool]
     low: list[float]
     thrust: list[float]
@@ -91,8 +94,9 @@ class Stepped:
         self.direction = -1 if balance.fall < 0.0 else 1
         self.two_way = two_way
         self.at = balance.position(0.0, self.direction)
-        self.polar = float(balance.get("brake", mu=1.0)) - float(balance.get("brake", mu=0.0))
         self.drag = float(balance.get("brake", mu=0.0))
+        self.polar = balance.values["polar"] if float(balance.get("brake", mu=1.0)) > self.drag else 0.0
+        self.braked = bool(self.polar * mu + self.drag or viscosity)
         self.normal = float(balance.get("normal", **self.at))
         self.cohesion = float(balance.get("constant", mu=0.0))
         self.start = Start(0.0, self.direction, omega_0 * omega_0, 0.0, self.normal + self.polar * omega_0**2 < 0.0)
@@ -100,7 +104,6 @@ class Stepped:
         self._sides = (1, -1) if two_way or self._first[1] < 0 else (1,)
         self.segments = self._segments(shaking, scale)
         self.regime = self._regimes()
-        self.terms = 0  # of the series of a step; none without brakes
         self.rows = self._rows(*self._walk())
         self.rotation = self._rotation()
         moving = np.flatnonzero(self.rows.side)
@@ -137,9 +140,8 @@ class Stepped:
             made[f"pressing {side}"] = self._push(side, shapes, lifted=False)
             made[f"lifted {side}"] = self._push(side, shapes, lifted=True)
         segments = Segments(start, length, made)
-        brake = self.polar * self.mu + self.drag
-        if brake or self.viscosity:
-            segments = divide(segments, self._parts(segments, brake))
+        if self.braked:
+            segments = divide(segments, self._parts(segments, self.polar * self.mu + self.drag))
         normal = made["normal"]
         if len(normal.coefficients) > 2 or min(normal.coefficients[0].min(), normal.ends.min()) < 0.0:
             segments = cut(segments, "normal")
@@ -185,28 +187,30 @@ class Stepped:
         shape, h = self.segments.shapes[f"push {side}"], self.segments.length
         starts = shape.middle(h) > 0.0
         brake = self._brakes(self.regime == LIFTED)
-        if not (np.any(brake) or self.viscosity):
-            thrust, _ = advance(list(shape.coefficients), 0.0, 0.0, 0.0, h, 0)
+        if not self.braked:
+            thrust, _ = advance(list(shape.coefficients), 0.0, 0.0, 0.0, h, False)
             made, low = Step(thrust, None, None, None), -thrust
         else:
             parts = []
             for k in range(0, len(h), _CHUNK):
                 here = slice(k, k + _CHUNK)
-                found, terms = step(list(shape.coefficients[:, here]), brake[here], self.viscosity, h[here])
-                self.terms = max(self.terms, terms)
-                parts.append(found)
+                parts.append(step(list(shape.coefficients[:, here]), brake[here], self.viscosity, h[here]))
             made, bh = Step(*(np.concatenate(x) for x in zip(*parts, strict=True))), brake * h
             made = made._replace(lean=bh * made.lean, swing=bh * made.swing)
             low = -made.thrust / (1.0 + made.lean + made.change)
         low = np.where(starts, -1.0, low)
         low[self.regime == EITHER] = np.inf
-        return Table(starts.tolist(), low.tolist(), *([] if x is None else x.tolist() for x in made))
+        lists = ([] if x is None else x.tolist() for x in (low, *made))
+        return Table(shape.coefficients.tolist(), starts.tolist(), *lists)
 
     def _walk(self) -> tuple[list[tuple[int, int, int]], list[float], list[Row]]:
         """Runs of whole segments (from, to, side), the speeds at their starts, and the parts of segments between."""
         count = len(self.segments.length)
-        tables = {s: self._table(s) for s in self._sides}
-        following = [_next(t.starts) for s, t in tables.items() if s == 1 or self.two_way]
+        self.tables = tables = {s: self._table(s) for s in self._sides}
+        ways = [s for s in self._sides if s == 1 or self.two_way]
+        following = [_next(tables[s].starts) for s in ways]
+        either = np.flatnonzero(self.regime == EITHER).tolist()
+        unsure, lifted = set(either), (self.regime == LIFTED).tolist()
         (omega, side), k = self._first, 0
         runs: list[tuple[int, int, int]] = []
         speeds: list[float] = []
@@ -222,73 +226,70 @@ class Stepped:
             if k > first:
                 runs.append((first, k, side))
             if k < count:
-                found = self._irregular(k, omega, side) if self.regime[k] == EITHER else self._stop(k, omega, side)
+                found = self._irregular(k, omega, side) if k in unsure else self._stop(k, omega, side, lifted[k])
                 rows += found
                 last = found[-1]
                 side, omega = last.side, 0.0
                 if side:
-                    omega = self._advanced(last, last.length)[0]
+                    omega = self._advance(last, self._push_on(last), last.length)
                 k += 1
         self.side, self.speed = side, max(omega, 0.0) if side else 0.0
         return runs, speeds, rows
 
-    def _coefficients(self, row: Row) -> list[float]:
-        """Of the push on a part of a segment."""
-        shape = self.segments.shapes[f"push {row.side or 1}"]
-        column = shape.coefficients[:, row.segment]
-        if self.regime[row.segment] == EITHER and not row.lifted:
-            column = column - self.mu * self.segments.shapes["normal"].coefficients[:, row.segment]
-        moved = shifted(column[:, None], np.array([row.offset]))[:, 0] if row.offset else column
-        found: list[float] = moved.tolist()
+    def _push_on(self, row: Row) -> list[float]:
+        """The coefficients of the push on a part of a segment."""
+        found = [c[row.segment] for c in self.tables[row.side or 1].a]
+        if not row.lifted and self.regime[row.segment] == EITHER:
+            normal = self.segments.shapes["normal"].coefficients[:, row.segment].tolist()
+            found = [a - self.mu * n for a, n in zip(found, normal, strict=True)]
+        if row.offset and len(found) == 2:
+            return [found[0] + row.offset * found[1], found[1]]
+        if row.offset:
+            found = shifted(np.array(found)[:, None], np.array([row.offset]))[:, 0].tolist()
         return found
 
-    def _advanced(self, row: Row, t: float) -> tuple[float, float]:
-        """Speed and rotation on a part of a segment."""
-        brake = float(self._brakes(row.lifted))
-        omega, turn = advance(self._coefficients(row), brake, self.viscosity, row.omega, t, self.terms)
-        return float(omega), float(turn)
+    def _advance(self, row: Row, a: list[float], t: float) -> float:
+        """The speed on a part of a segment."""
+        brake = self.drag if row.lifted else self.polar * self.mu + self.drag
+        return float(advance(a, brake, self.viscosity, row.omega, t, self.braked)[0])
 
     def _starts(self, k: int, side: int) -> bool:
         """Whether a mass at rest on this segment starts in this direction."""
-        if side < 0 and not self.two_way:
-            return False
-        shape = self.segments.shapes[f"push {side}"]
-        return bool(shape.pick(np.array([k])).middle(self.segments.length[k])[0] > 0.0)
+        return (side == 1 or self.two_way) and self.tables[side].starts[k]
 
-    def _stop(self, k: int, omega: float, side: int) -> list[Row]:
+    def _stop(self, k: int, omega: float, side: int, lifted: bool) -> list[Row]:
         """A segment on which the mass stops, and perhaps turns back."""
-        length, lifted = float(self.segments.length[k]), bool(self.regime[k] == LIFTED)
+        length = float(self.segments.length[k])
         row = Row(k, 0.0, length, max(omega, 0.0), side, lifted)
         t = self._standstill(row)
-        after = Row(k, t, length - t, 0.0, -side if self._starts(k, -side) else 0, lifted)
-        return [row._replace(length=t), after]
+        back = -side if self._starts(k, -side) else 0
+        return [row._replace(length=t), Row(k, t, length - t, 0.0, back, lifted)]
 
     def _standstill(self, row: Row) -> float:
         """The time at which the mass stands still, where its speed falls steadily to zero."""
-        a, omega, h = self._coefficients(row), row.omega, row.length
+        a, omega, h = self._push_on(row), row.omega, row.length
         if omega == 0.0:
             return 0.0
         bend = a[1] if len(a) > 1 else 0.0
-        t = 2 * omega / (-a[0] + math.sqrt(max(a[0] * a[0] - 2 * bend * omega, 0.0)) or 1e-300)
-        if len(a) <= 2 and self.terms == 0:
-            return min(t, h)
-
-        def speed(t: float) -> float:
-            return self._advanced(row, t)[0]
-
-        low, high, t = 0.0, h, min(t, h)
+        t = min(2 * omega / (-a[0] + math.sqrt(max(a[0] * a[0] - 2 * bend * omega, 0.0)) or 1e-300), h)
+        if len(a) <= 2 and not self.braked:
+            return t
+        brake = self.drag if row.lifted else self.polar * self.mu + self.drag
+        low, high = 0.0, h
         for _ in range(6):  # Newton from the quadratic's root, inside the bracket
-            value = speed(t)
+            value = self._advance(row, a, t)
             low, high = (t, high) if value > 0.0 else (low, t)
-            rate = horner(a, t) - value * (self.viscosity + float(self._brakes(row.lifted)) * value)
+            rate = horner(a, t) - value * (self.viscosity + brake * value)
             following = t - value / rate if rate < 0.0 else math.inf
             if abs(following - t) <= 2 * EPS * t:
                 return min(max(following, low), high)
             if not low < following < high:
                 break
             t = following
-        at_low, at_high = speed(low), speed(high)
-        return root(speed, low, high, at_low, at_high) if at_low > 0.0 > at_high else (low if at_low <= 0.0 else high)
+        at_low, at_high = self._advance(row, a, low), self._advance(row, a, high)
+        if not at_low > 0.0 > at_high:
+            return low if at_low <= 0.0 else high
+        return root(lambda t: self._advance(row, a, t), low, high, at_low, at_high)
 
     def _irregular(self, k: int, omega: float, side: int) -> list[Row]:
         """A segment on which the speed decides whether the mass presses: part after part."""
@@ -309,8 +310,10 @@ class Stepped:
     def _change(self, row: Row, normal: list[float]) -> tuple[float, bool, float]:
         """When the mass stops, lifts off or lands on a part of a segment, and whether it is lifted then; its speed."""
 
+        a = self._push_on(row)
+
         def speed(t: float) -> float:
-            return self._advanced(row, t)[0]
+            return self._advance(row, a, t)
 
         def over(t: float) -> float:
             value = float(horner(normal, row.offset + t)) + self.polar * speed(t) ** 2
@@ -381,7 +384,7 @@ class Stepped:
     def _followed(self, row: Integers, t: Any) -> tuple[Floats, Floats]:
         """Speed and rotation since the start of each of these parts, in the direction of motion."""
         r = self.rows
-        omega, turn = advance(list(r.a[:, row]), r.brake[row], self.viscosity, r.omega[row], t, self.terms)
+        omega, turn = advance(list(r.a[:, row]), r.brake[row], self.viscosity, r.omega[row], t, self.braked)
         return np.maximum(omega, 0.0), turn
 
     # -- read off
@@ -420,7 +423,7 @@ class Stepped:
         r = self.rows
         best = int(moving[np.argmax(r.omega[moving])])
         time, speed = float(r.start[best]), float(r.omega[best])
-        if self.terms:  # brakes: between kinks, where the drive has fallen to what they take
+        if self.braked:  # brakes: between kinks, where the drive has fallen to what they take
             brake, h = r.brake[moving], r.length[moving]
             first = r.a[0, moving] - r.omega[moving] * (self.viscosity + brake * r.omega[moving])
             for k in moving[(first > 0.0) & (r.omega[moving] + first * h > speed)].tolist():
@@ -437,7 +440,7 @@ class Stepped:
 
         def rate(t: float) -> float:
             nonlocal omega
-            omega = float(advance(a, brake, self.viscosity, float(self.rows.omega[k]), t, self.terms)[0])
+            omega = float(advance(a, brake, self.viscosity, float(self.rows.omega[k]), t, self.braked)[0])
             return float(horner(a, t)) - omega * (self.viscosity + brake * omega)
 
         at_start, at_end = rate(0.0), rate(h)
@@ -488,12 +491,21 @@ class Stepped:
 
     def _gauss(self, row: Integers, t: Floats) -> Floats:
         """Work and loss on the first t of these parts, by Gauss points: exact without brakes."""
-        size = len(self.rows.a)
-        nodes, weights = np.polynomial.legendre.leggauss(size if self.terms == 0 else size + 6)
+        nodes, weights = np.polynomial.legendre.leggauss(self._points)
         total = np.zeros((2, len(row)))
         for node, weight in zip(nodes.tolist(), weights.tolist(), strict=True):
             total += weight / 2 * t * np.array(self._powers(row, t * (node + 1) / 2))
         return total
+
+    @cached_property
+    def _points(self) -> int:
+        """Gauss points a part: as many as a polynomial needs; with brakes omega has a pole 1/(b omega) before it."""
+        size, r = len(self.rows.a), self.rows
+        if not self.braked:
+            return size
+        fall = float(np.max(r.brake * r.omega * r.length))
+        wide = 1.0 + 2.0 / max(fall, 1e-3)
+        return min(size + 6 + math.ceil(9.0 / math.log10(wide + math.sqrt(wide * wide - 1.0))), 64)
 
     @cached_property
     def _work(self) -> tuple[Floats, Floats]:
