@@ -23,7 +23,7 @@ from slipcircle.series import Shaking
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
 PRESSING, LIFTED, EITHER = 0, 1, 2  # on a segment: friction acts, nothing presses, or the speed decides
-_MOST_STEPS = 20_000_000
+_MOST_STEPS = 50_000  # more than there are segments
 _CHUNK = 1 << 16
 _ROUNDING = 4.0  # units in which a term of the drive is uncertain
 
@@ -141,7 +141,7 @@ class Stepped:
             made[f"lifted {side}"] = self._push(side, shapes, lifted=True)
         segments = Segments(start, length, made)
         if self.braked:
-            segments = divide(segments, self._parts(segments, self.polar * self.mu + self.drag))
+            segments = divide(segments, self._parts(segments, max(float(s.largest().max()) for s in shapes)))
         normal = made["normal"]
         if len(normal.coefficients) > 2 or min(normal.coefficients[0].min(), normal.ends.min()) < 0.0:
             segments = cut(segments, "normal")
@@ -156,15 +156,15 @@ class Stepped:
             pressing = segments.shapes["normal"].middle(segments.length) >= 0.0
         return segments
 
-    def _parts(self, segments: Segments, brake: float) -> Integers:
+    def _parts(self, segments: Segments, peak: float) -> Integers:
         """Into how many steps each segment must be divided."""
         largest = np.max([s.largest() for n, s in segments.shapes.items() if n not in ("fall", "normal")], axis=0)
-        stiff = np.sqrt(brake * largest / REACH) * segments.length
+        stiff = np.sqrt((self.polar * self.mu + self.drag) * largest / REACH) * segments.length
         parts = np.ceil(np.maximum(np.maximum(stiff, self.viscosity * segments.length / REACH), 1.0))
-        if not parts.sum() < _MOST_STEPS:
+        if not parts.sum() < len(parts) + _MOST_STEPS:
             raise ValueError(
-                f"shaking: with the brakes of this scene it takes {float(parts.sum()):.3g} steps, more than "
-                f"{_MOST_STEPS:.0g}; give a weaker or shorter one"
+                f"shaking: with a peak of {peak:.4g} g the brakes of this scene take {float(parts.sum()):.3g} steps, "
+                f"more than {_MOST_STEPS} beyond the samples; give a weaker or shorter one"
             )
         return parts.astype(np.intp)
 
@@ -309,7 +309,6 @@ class Stepped:
 
     def _change(self, row: Row, normal: list[float]) -> tuple[float, bool, float]:
         """When the mass stops, lifts off or lands on a part of a segment, and whether it is lifted then; its speed."""
-
         a = self._push_on(row)
 
         def speed(t: float) -> float:
@@ -320,9 +319,13 @@ class Stepped:
             return value if row.lifted else -value
 
         grid = row.length * np.sin(np.linspace(0.0, np.pi / 2, 33)[1:]) ** 2
+        brake = self.drag if row.lifted else self.polar * self.mu + self.drag
+        speeds, _ = advance(a, brake, self.viscosity, row.omega, grid, self.braked)
+        sign = 1.0 if row.lifted else -1.0
+        overs = sign * (horner(normal, row.offset + grid) + self.polar * speeds**2)
         before = (0.0, row.omega, min(over(0.0), 0.0))
-        for j, t in enumerate(grid.tolist()):
-            now = (t, speed(t), over(t))
+        for j, now in enumerate(zip(grid.tolist(), speeds.tolist(), overs.tolist(), strict=True)):
+            t = now[0]
             if now[1] <= 0.0:
                 stop = root(speed, before[0], t, before[1], now[1]) if before[1] > 0.0 > now[1] else t
                 return row.offset + stop, True, 0.0
