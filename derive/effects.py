@@ -5,6 +5,7 @@ A new effect is one more `Effect` here. From it follow the specialised functions
 """
 
 from dataclasses import dataclass
+from functools import cache
 from itertools import combinations
 
 import sympy as sp
@@ -13,15 +14,18 @@ from derive.integrate import prove_zero
 from derive.stable import Expm1
 
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
-THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA_2 = sp.symbols("Theta J_r J_theta lambda A mu omega_2", real=True)
+THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
+    "Theta J_r J_theta lambda A mu omega omega_2", real=True
+)
 # The same over Theta*, as the functions take it: fall = J_theta/Theta*, press = J_r/Theta*, level = lambda/Theta*,
 # polar = I_p*/Theta*; fall_slope and press_slope are their derivatives by psi.
 FALL, PRESS, LEVEL, POLAR = sp.symbols("fall press level polar", real=True)
 FALL_SLOPE, PRESS_SLOPE = sp.symbols("fall_slope press_slope", real=True)
 STATIC_LIMIT = sp.Symbol("static_limit", real=True)  # fall/press, in one number: J_theta/J_r (3.21)
-_PSI = sp.Symbol("psi", real=True)
-# What parameters are converted with: half angle, gravity, Theta*, the reference stress (2.13).
-ALPHA, GRAVITY, REFERENCE, VALUE = sp.symbols("half_angle gravity reference_stress value", real=True)
+# What parameters are converted with: half angle, gravity, radius, density, Theta*, the reference stress (2.13).
+ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, VALUE = sp.symbols(
+    "half_angle gravity radius density reference_stress value", real=True
+)
 
 
 @dataclass(frozen=True)
@@ -29,7 +33,10 @@ class Parameter:
     """A number that an effect or a law needs: in SI units, with its open bounds, and as a scene file writes it.
 
     ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` is what stands
-    for it in the balance, and ``dimensionless`` how it is made of the value. An ``optional`` one may be left out.
+    for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
+    other parameters, by their names. An ``optional`` one may be left out. ``kind`` is "number", "list" (of numbers),
+    "series" (a number, or a function of time), "text", "flag" or one of several words, "this|that". What has no
+    ``key`` cannot be written in a file.
     """
 
     name: str
@@ -42,6 +49,7 @@ class Parameter:
     symbol: sp.Symbol | None = None
     dimensionless: sp.Expr = VALUE
     optional: bool = False
+    kind: str = "number"
 
 
 @dataclass(frozen=True)
@@ -49,7 +57,9 @@ class Effect:
     """A term that a scene may call for.
 
     ``stress`` is what it adds to the mean normal stress and ``pressure`` to the pore pressure, over sigma_ref;
-    ``resistance`` is a moment that opposes the motion. ``turns`` lets the geometry move with the mass.
+    ``resistance`` is a moment that opposes the motion. ``fall`` and ``press`` are what it adds to J_theta and J_r.
+    ``turns`` lets the geometry move with the mass. ``given`` are states, which have another value at each moment, and
+    ``growth`` is how they grow with the rotation. At least one parameter of ``any_of`` is needed.
     ``depends_on`` decides which methods can solve it.
     """
 
@@ -62,14 +72,19 @@ class Effect:
     pressure: sp.Expr = sp.Integer(0)
     resistance: sp.Expr = sp.Integer(0)
     turns: bool = False
+    fall: sp.Expr = sp.Integer(0)
+    press: sp.Expr = sp.Integer(0)
+    given: tuple[sp.Symbol, ...] = ()
+    growth: sp.Expr = sp.Integer(0)
+    any_of: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Law:
-    """A friction law: the friction coefficient as a function of the accumulated slip.
+    """A friction law: the friction coefficient as a function of the accumulated slip, of the speed, or of time.
 
-    ``coefficient`` is in `SLIP` and the parameters' names; ``drop`` is its fall from `SLIP` to `SLIP` + `MORE`,
-    without cancellation, proved equal to it. ``scale`` names the length over which it changes, ``kinks`` the slips
+    ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names; ``drop``, of a law of slip, is its fall from
+    `SLIP` to `SLIP` + `MORE`, without cancellation, proved equal to it. ``scale`` names the length over which it changes, ``kinks`` the slips
     at which it is not smooth. A law without formula (a table) is computed by the runtime.
     """
 
@@ -88,16 +103,16 @@ _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 
 
-def _friction(name: str, help: str, key: str = "") -> Parameter:
+def _friction(name: str, help: str, key: str = "", kind: str = "number") -> Parameter:
     """A friction coefficient: a key in degrees stands for its angle, and a scene file may name the number instead."""
-    return Parameter(name, "", _BELOW_0, _INFINITY, help, key or f"{name}_deg")
+    return Parameter(name, "", _BELOW_0, _INFINITY, help, key or f"{name}_deg", kind=kind)
 
 
 _LENGTH = Parameter("length", "m", 0.0, _INFINITY, "slip over which friction falls", "length_m")
 _PEAK = _friction("peak", "friction coefficient at the start")
 _RESIDUAL = _friction("residual", "friction coefficient after much slip")
 
-SLIP, MORE, _P, _R, _L = sp.symbols("slip more peak residual length", real=True)
+SLIP, MORE, SPEED, _P, _R, _L, _V = sp.symbols("slip more speed peak residual length velocity", real=True)
 _EXP, _HYPERBOLA = sp.exp(-SLIP / _L), 1 / (1 + SLIP / _L)
 
 LAWS = (
@@ -113,9 +128,23 @@ LAWS = (
         "residual + (peak - residual)/(1 + slip/length)", _R + (_P - _R) * _HYPERBOLA,
         (_P - _R) * _HYPERBOLA * (MORE / _L) / (1 + (SLIP + MORE) / _L), "length"),
     Law("tabulated", "Fig. 4-1", (
-        Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m"),
-        _friction("coefficient", "friction coefficients at these slips", "angle_deg")),
+        Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m", kind="list"),
+        _friction("coefficient", "friction coefficients at these slips", "angle_deg", kind="list")),
         ("slip",), "monotone cubic interpolation in a table, its last value beyond"),
+    Law("rate_weakening", "1.14", (
+        _friction("peak", "friction coefficient at rest"),
+        _friction("residual", "friction coefficient at great speed"),
+        Parameter("velocity", "m/s", 0.0, _INFINITY, "speed at which half of the change has happened",
+                  "velocity_m_s")), ("speed",),
+        "residual + (peak - residual)/(1 + speed/velocity)", _R + (_P - _R) / (1 + SPEED / _V), scale="velocity"),
+    Law("rate_tabulated", "1.14", (
+        Parameter("speed", "m/s", 0.0, _INFINITY, "speeds of the table, increasing", "speed_m_s", kind="list"),
+        _friction("coefficient", "friction coefficients at these speeds", "angle_deg", kind="list")),
+        ("speed",), "monotone cubic interpolation in the logarithm of the speed, the end values beyond"),
+    Law("prescribed", "1.14", (
+        Parameter("time", "s", _BELOW_0, _INFINITY, "times of the table, increasing", "time_s", kind="list"),
+        _friction("coefficient", "friction coefficients at these times", "angle_deg", kind="list")),
+        ("time",), "straight lines between the times of a table, the end values beyond"),
 )  # fmt: skip
 
 
@@ -131,27 +160,87 @@ def prove_laws() -> list[str]:
     return claims
 
 
-_COHESION, _RATIO, _PRESSURE, _DRAG = sp.symbols("cohesion pore_ratio pore_pressure drag", real=True)
+_COHESION, _RATIO, _PRESSURE, _DRAG, _VISCOSITY = sp.symbols(
+    "cohesion pore_ratio pore_pressure drag viscosity", real=True
+)
+_K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
+_THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
+
+
+
+def _series(name: str, help: str, symbol: sp.Symbol) -> Parameter:
+    """A function of time, given in Python."""
+    return Parameter(name, "", -_INFINITY, _INFINITY, help, "", 1.0, symbol, optional=True, kind="series")
+
+
+def _optional(name: str, help: str, unit: str = "", key: str = "", kind: str = "number") -> Parameter:
+    """Any number, or a text, that may be left out."""
+    return Parameter(name, unit, -_INFINITY, _INFINITY, help, key or name, optional=True, kind=kind)
+
 
 EFFECTS = (
     Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
            turns=True),
-    Effect("centripetal", "2.20", (), ("speed",), "the mass presses harder on the slip surface the faster it turns",
+    Effect("centripetal", "2.20", (), ("speed squared",), "the mass presses harder on the slip surface the faster it turns",
            stress=A * OMEGA_2),
     Effect("pore_pressure", "2.20", (
         Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position",
                   "ratio", symbol=_RATIO, optional=True),
-        Parameter("pressure", "Pa", _BELOW_0, _INFINITY, "constant mean pore pressure on the slip surface",
-                  "pressure_kPa", 1e3, _PRESSURE, VALUE / REFERENCE, optional=True)), (),
-           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE),
+        Parameter("pressure", "Pa", _BELOW_0, _INFINITY, "mean pore pressure on the slip surface, constant "
+                  "or a function of time", "pressure_kPa", 1e3, _PRESSURE, VALUE / REFERENCE, optional=True,
+                  kind="series"),
+        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a pressure that is a list, straight lines between them",
+                  "time_s", optional=True, kind="list")), (),
+           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE,
+           any_of=("ratio", "pressure")),
     Effect("cohesion", "3.11", (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
                   _COHESION, VALUE / REFERENCE),), (),
            "the slip surface has strength without normal stress", resistance=LAMBDA * _COHESION),
     Effect("drag", "3.11", (
         Parameter("xi", "m/s^2", 0.0, _INFINITY, "turbulence coefficient of Voellmy", "xi_m_s2", 1.0,
-                  _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed",),
+                  _DRAG, 2 * ALPHA * GRAVITY / (VALUE * THETA)),), ("speed squared",),
            "turbulent resistance, which grows with the square of the speed", resistance=THETA * _DRAG * OMEGA_2),
+    Effect("viscosity", "3.11", (
+        Parameter("viscosity", "Pa s", _BELOW_0, _INFINITY, "dynamic viscosity of the sheared layer", "viscosity_Pa_s",
+                  1.0, _VISCOSITY, 2 * ALPHA * VALUE / (DENSITY * _THICKNESS * sp.sqrt(GRAVITY * RADIUS) * THETA)),
+        Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
+           "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
+    Effect("shaking", "3.11", (
+        _series("horizontal", "k_h(t), driving acceleration over g in the sense of positive rotation", _K_H),
+        _series("vertical", "k_v(t), acceleration over g that lightens the mass", _K_V),
+        _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
+        _optional("amplitude", "greatest k_h of the pulse, driving down-slope for a positive dip", key="amplitude_g"),
+        _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),
+        _optional("start", "time at which the shaking begins, by default 0 or the record's own", "s", "start_s"),
+        _optional("duration", "duration of the pulse", "s", "duration_s"),
+        _optional("cycles", "waves of a sine, by default 1"),
+        _optional("record", "file of an acceleration record, relative to the scene's", kind="text"),
+        _optional("holds", "what the record holds: acceleration of the ground, or its opposite, which drives",
+                  kind="ground|driving"),
+        _optional("units", "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2",
+                  kind="text"),
+        _optional("column", "name of the record's column, where there is a choice", kind="text"),
+        _optional("vertical_record", "file of the vertical acceleration, upwards where it holds that of the ground",
+                  kind="text"),
+        _optional("vertical_column", "name of its column, in the same file where no other is named", kind="text"),
+        _optional("step", "time between samples of a record without times", "s", "step_s"),
+        _optional("scale", "factor on the record's values, by default 1"),
+        _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
+        _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
+           ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
+           fall=_K_H * THETA * FALL_SLOPE - _K_V * J_THETA, press=_K_H * THETA * PRESS_SLOPE - _K_V * J_R),
+    Effect("thermal_pressurisation", "3.11", (
+        Parameter("pressurisation", "Pa/K", _BELOW_0, _INFINITY, "Lambda, rise of the pore pressure in the undrained "
+                  "layer for each kelvin", "pressurisation_MPa_K", 1e6, _KAPPA,
+                  VALUE * RADIUS / (_CAPACITY * _THICKNESS)),
+        Parameter("heat_capacity", "J/m^3 K", 0.0, _INFINITY, "rho c, heat capacity of the layer by volume",
+                  "heat_capacity_MJ_m3_K", 1e6),
+        Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("history",),
+           "friction heats a thin layer, whose pore water expands and relieves it: undrained (no water leaves the layer)"
+           " and adiabatic (no heat does), so that for a layer of millimetres it holds for seconds to minutes; one mean "
+           "pressure and temperature in the layer; constant Lambda, no phase change, and all work of friction is heat",
+           pressure=_EXCESS, given=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip
 
 
@@ -170,48 +259,62 @@ class Variant:
 
 
 # Order of arguments.
-ORDER = ("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega_2", "pore_ratio",
-         "pore_pressure", "cohesion", "drag")  # fmt: skip
+ORDER = ("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega", "omega_2",
+         "pore_ratio", "pore_pressure", "excess", "cohesion", "drag", "viscosity", "k_h", "k_v", "kappa")  # fmt: skip
 
 
+@cache
 def terms(chosen: tuple[Effect, ...]) -> dict[str, sp.Expr]:
     """The balance with the chosen effects, split into what the methods need; all over Theta*.
 
     The drive is written with the limit friction, normal (mu_eq - mu), so that the decision whether the mass moves and
     the size of its drive come from one number.
     """
-    stress = J_R / LAMBDA + sum(e.stress for e in chosen)
-    effective = stress - sum(e.pressure for e in chosen)
-    rate = (J_THETA - sum(e.resistance for e in chosen) - LAMBDA * MU * effective) / THETA
     over_theta = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, A: POLAR / LEVEL}
-    rate, effective, stress = (sp.expand(sp.expand(e.subs(over_theta))) for e in (rate, effective, stress))
-    start, brake = rate.coeff(OMEGA_2, 0), -rate.coeff(OMEGA_2, 1)
-    prove_zero(rate - (start - brake * OMEGA_2), "the rate is linear in omega**2")
+
+    def scaled(e: sp.Expr) -> sp.Expr:
+        return sp.expand(sp.expand(e.subs(over_theta)))
+
+    stress = (J_R + sum(e.press for e in chosen)) / LAMBDA + sum(e.stress for e in chosen)
+    effective = stress - sum(e.pressure for e in chosen)
+    drives = J_THETA + sum(e.fall for e in chosen)
+    rate = scaled((drives - sum(e.resistance for e in chosen) - LAMBDA * MU * effective) / THETA)
+    effective, stress, fall = scaled(effective), scaled(stress), scaled(drives / THETA)
+    start, brake, damping = rate.subs({OMEGA: 0, OMEGA_2: 0}), -rate.coeff(OMEGA_2, 1), -rate.coeff(OMEGA, 1)
+    prove_zero(rate - (start - brake * OMEGA_2 - damping * OMEGA), "the rate is linear in omega**2 and omega")
     normal = sp.collect(sp.expand(LEVEL * effective.coeff(OMEGA_2, 0)), PRESS)
     limit = start.coeff(MU, 0) / normal
     drive = normal * (limit - MU)  # the limit friction is one number, and the drive is made of it
     prove_zero(drive - start, "the drive, written with the limit friction")
-    share = normal.coeff(PRESS)  # of the static normal stress that the water leaves
-    tilt = FALL_SLOPE - MU * PRESS_SLOPE * share
-    by_psi = {FALL: FALL_SLOPE * _PSI, PRESS: PRESS_SLOPE * _PSI}
-    prove_zero(sp.diff(start.subs(by_psi), _PSI) - tilt, "the drive's derivative by psi")
-    constant = sp.factor(-start.subs({FALL: 0, PRESS: 0}))
+    tilt = sum(sp.diff(start, x) * slope for x, slope in _BY_PSI.items())
+    tilt = sp.collect(sp.expand(tilt), (FALL_SLOPE, PRESS_SLOPE, FALL, PRESS), lambda e: sp.collect(e, MU))
+    still = dict.fromkeys(_BY_PSI, 0)
+    constant = sp.factor(-start.subs(still))
     dynamic = sp.expand(effective * LEVEL - normal)
-    prove_zero(dynamic - sp.expand(stress * LEVEL - PRESS), "water changes the static stress only")
-    constant_resistance = sp.expand(-start.subs({FALL: 0, PRESS: 0, MU: 0}))
-    growing = sp.expand(brake.subs(MU, 0) * OMEGA_2)
-    prove_zero(constant_resistance + MU * (normal + dynamic) + growing - (FALL - rate), "the resistance")
+    static = stress.coeff(OMEGA_2, 0)
+    prove_zero(dynamic - sp.expand((stress - static) * LEVEL), "water changes the static stress only")
+    constant_resistance = sp.expand(-start.subs(still | {MU: 0}))
+    growing = sp.expand(brake.subs(MU, 0) * OMEGA_2 + damping * OMEGA)
+    prove_zero(constant_resistance + MU * (normal + dynamic) + growing - (fall - rate), "the resistance")
+    effective = (normal + dynamic) / LEVEL
     return {
         "normal": normal,
-        "limit_friction": (STATIC_LIMIT * PRESS + start.coeff(MU, 0).subs(FALL, 0)) / normal,
+        "limit_friction": (start.coeff(MU, 0).subs(FALL, STATIC_LIMIT * PRESS)) / normal,
         "drive": normal * (sp.Symbol("limit_friction", real=True) - MU),
+        "fall": sp.collect(fall, FALL) if fall != FALL else sp.Integer(0),
         "brake": brake,
+        "damping": damping,
         "tilt": tilt,
         "constant": constant,
         "resistance": constant_resistance + MU * (normal + dynamic) + growing,
-        "effective_stress": (normal + dynamic) / LEVEL,
-        "normal_stress": (PRESS + dynamic) / LEVEL,
+        "effective_stress": effective,
+        "normal_stress": (sp.collect(sp.expand(static * LEVEL), PRESS) + dynamic) / LEVEL,
+        "pressurisation": sum((e.growth for e in chosen), sp.Integer(0)).subs(EFFECTIVE, effective),
     }
+
+
+# The derivatives by psi of what turns with the mass.
+_BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS}
 
 
 def specialised() -> tuple[dict[str, Variant], dict[tuple[str, ...], dict[str, str]]]:
@@ -225,7 +328,7 @@ def specialised() -> tuple[dict[str, Variant], dict[tuple[str, ...], dict[str, s
     for count in range(len(EFFECTS) + 1):
         for chosen in combinations(EFFECTS, count):
             served = {}
-            for what, expression in terms(chosen).items():
+            for what, expression in terms(tuple(e for e in chosen if not e.turns)).items():
                 if expression == 0 or (what == "tilt" and not any(e.turns for e in chosen)):
                     continue
                 present = tuple(e.name for e in chosen if symbols[e.name] & expression.free_symbols)
@@ -238,5 +341,5 @@ def specialised() -> tuple[dict[str, Variant], dict[tuple[str, ...], dict[str, s
 
 def _symbols(effect: Effect) -> set[sp.Symbol]:
     """What shows that an effect's term is present: its parameters, or omega**2's coefficient where it has none."""
-    own = {p.symbol for p in effect.parameters if p.symbol is not None}
+    own = {p.symbol for p in effect.parameters if p.symbol is not None} | set(effect.given)
     return own or ((effect.stress + effect.resistance).free_symbols and {POLAR})

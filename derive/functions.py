@@ -1,5 +1,6 @@
 """What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
 
+import re
 from collections import Counter
 
 import sympy as sp
@@ -189,13 +190,14 @@ def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str
     found = [_specialised(v.name, v.expression, v.what, ORDER) for v in variants.values()]
     for law in LAWS:
         if law.coefficient is not None:
-            order = ("slip", "more", *(p.name for p in law.parameters))
+            order = ("slip", "more", "speed", *(p.name for p in law.parameters))
             found.append(_specialised(f"friction_{law.name}", law.coefficient, f"friction: {law.help}", order))
+        if law.drop is not None:
             found.append(_specialised(f"drop_{law.name}", law.drop, "its fall over `more` slip, from `slip`", order))
     known = {v.name for v in variants.values()}
     for chosen, served in table.items():
-        if "rotation" not in chosen:
-            continue
+        if "rotation" not in chosen or {"damping", "fall", "pressurisation"} & set(served):
+            continue  # E obeys no linear equation in the rotation, or not alone
         absent = {} if "constant" in served else {CONSTANT: 0}
         absent |= {} if "pore_pressure" in chosen else {WATER: 0}
         for energy in ENERGIES:
@@ -257,18 +259,18 @@ def _combination(served: dict[str, str], programs: dict[str, Program]) -> str:
 def _effect(e: Effect | Law, kind: str) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
-    more = repr(e.turns) if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
+    more = f"{e.turns!r}, {e.any_of!r}" if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
     return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
 
 
 def _parameter(p: Parameter) -> str:
     """A parameter as data; its conversion to a dimensionless value is a lambda over the arc's scales."""
     symbol = p.symbol.name if p.symbol is not None else ""
-    convert = sp.pycode(p.dimensionless)
+    convert = sp.pycode(p.dimensionless, fully_qualified_modules=False)
     for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
-        convert = convert.replace(name, f"scales[{name!r}]")
+        convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
     words = f"{p.name!r}, {p.unit!r}, {_bound(p.lower)}, {_bound(p.upper)}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
-    return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r})"
+    return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
 
 
 def _bound(value: float) -> str:
@@ -279,13 +281,14 @@ _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for, and th
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from math import sqrt
 
 INFINITY = float("inf")
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A number that an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
+    """What an effect or a law needs: SI unit, open bounds, and how a scene file and the balance write it."""
 
     name: str
     unit: str
@@ -297,6 +300,7 @@ class Parameter:
     symbol: str
     dimensionless: Callable[[float, Mapping[str, float]], float]
     optional: bool
+    kind: str = "number"
 
 
 @dataclass(frozen=True, slots=True)
@@ -314,7 +318,10 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns."""
+    """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns.
+
+    At least one parameter of ``any_of`` is needed.
+    """
 
     name: str
     equation: str
@@ -322,6 +329,7 @@ class Effect:
     depends_on: tuple[str, ...]
     help: str
     turns: bool
+    any_of: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

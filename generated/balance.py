@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: ef9fb0b26205e84441cc303cdc44bdbce62500e46d8bb1dd274b99598bb86097
+# sha256 of the text below: fa915bfae785e43568b493b23ed2a7af2c9719ffcaa9dd0f45bd01d1dba40f11
 """The balance of momentum and the energy in the phase plane, specialised to the effects that are present."""
 
 from typing import Any
@@ -11,17 +11,40 @@ __all__ = [
     "brake_centripetal_drag",
     "brake_drag",
     "constant_cohesion",
+    "constant_cohesion_thermal_pressurisation",
     "constant_pore_pressure",
     "constant_pore_pressure_cohesion",
+    "constant_pore_pressure_cohesion_thermal_pressurisation",
+    "constant_pore_pressure_thermal_pressurisation",
+    "constant_thermal_pressurisation",
+    "damping_viscosity",
     "drive",
     "drive_pore_pressure",
+    "drive_pore_pressure_shaking",
+    "drive_pore_pressure_shaking_thermal_pressurisation",
+    "drive_pore_pressure_thermal_pressurisation",
+    "drive_shaking",
+    "drive_shaking_thermal_pressurisation",
+    "drive_thermal_pressurisation",
     "drop_exponential",
     "drop_hyperbolic",
     "drop_linear",
     "effective_stress",
     "effective_stress_centripetal",
     "effective_stress_centripetal_pore_pressure",
+    "effective_stress_centripetal_pore_pressure_shaking",
+    "effective_stress_centripetal_pore_pressure_shaking_thermal_pressurisation",
+    "effective_stress_centripetal_pore_pressure_thermal_pressurisation",
+    "effective_stress_centripetal_shaking",
+    "effective_stress_centripetal_shaking_thermal_pressurisation",
+    "effective_stress_centripetal_thermal_pressurisation",
     "effective_stress_pore_pressure",
+    "effective_stress_pore_pressure_shaking",
+    "effective_stress_pore_pressure_shaking_thermal_pressurisation",
+    "effective_stress_pore_pressure_thermal_pressurisation",
+    "effective_stress_shaking",
+    "effective_stress_shaking_thermal_pressurisation",
+    "effective_stress_thermal_pressurisation",
     "energy",
     "energy_braked",
     "energy_braked_constant",
@@ -29,37 +52,181 @@ __all__ = [
     "energy_softening",
     "energy_softening_constant",
     "energy_softening_constant_water",
+    "fall_shaking",
     "friction_exponential",
     "friction_hyperbolic",
     "friction_linear",
+    "friction_rate_weakening",
     "frozen_braked_state",
     "frozen_state",
     "limit_friction",
     "limit_friction_cohesion",
+    "limit_friction_cohesion_shaking",
+    "limit_friction_cohesion_shaking_thermal_pressurisation",
+    "limit_friction_cohesion_thermal_pressurisation",
     "limit_friction_pore_pressure",
     "limit_friction_pore_pressure_cohesion",
+    "limit_friction_pore_pressure_cohesion_shaking",
+    "limit_friction_pore_pressure_cohesion_shaking_thermal_pressurisation",
+    "limit_friction_pore_pressure_cohesion_thermal_pressurisation",
+    "limit_friction_pore_pressure_shaking",
+    "limit_friction_pore_pressure_shaking_thermal_pressurisation",
+    "limit_friction_pore_pressure_thermal_pressurisation",
+    "limit_friction_shaking",
+    "limit_friction_shaking_thermal_pressurisation",
+    "limit_friction_thermal_pressurisation",
     "normal",
     "normal_pore_pressure",
+    "normal_pore_pressure_shaking",
+    "normal_pore_pressure_shaking_thermal_pressurisation",
+    "normal_pore_pressure_thermal_pressurisation",
+    "normal_shaking",
+    "normal_shaking_thermal_pressurisation",
     "normal_stress",
     "normal_stress_centripetal",
+    "normal_stress_centripetal_shaking",
+    "normal_stress_shaking",
+    "normal_thermal_pressurisation",
+    "pressurisation_centripetal_pore_pressure_shaking_thermal_pressurisation",
+    "pressurisation_centripetal_pore_pressure_thermal_pressurisation",
+    "pressurisation_centripetal_shaking_thermal_pressurisation",
+    "pressurisation_centripetal_thermal_pressurisation",
+    "pressurisation_pore_pressure_shaking_thermal_pressurisation",
+    "pressurisation_pore_pressure_thermal_pressurisation",
+    "pressurisation_shaking_thermal_pressurisation",
+    "pressurisation_thermal_pressurisation",
     "resistance",
     "resistance_centripetal",
     "resistance_centripetal_cohesion",
     "resistance_centripetal_cohesion_drag",
+    "resistance_centripetal_cohesion_drag_shaking",
+    "resistance_centripetal_cohesion_drag_shaking_thermal_pressurisation",
+    "resistance_centripetal_cohesion_drag_thermal_pressurisation",
+    "resistance_centripetal_cohesion_drag_viscosity",
+    "resistance_centripetal_cohesion_drag_viscosity_shaking",
+    "resistance_centripetal_cohesion_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_cohesion_drag_viscosity_thermal_pressurisation",
+    "resistance_centripetal_cohesion_shaking",
+    "resistance_centripetal_cohesion_shaking_thermal_pressurisation",
+    "resistance_centripetal_cohesion_thermal_pressurisation",
+    "resistance_centripetal_cohesion_viscosity",
+    "resistance_centripetal_cohesion_viscosity_shaking",
+    "resistance_centripetal_cohesion_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_cohesion_viscosity_thermal_pressurisation",
     "resistance_centripetal_drag",
+    "resistance_centripetal_drag_shaking",
+    "resistance_centripetal_drag_shaking_thermal_pressurisation",
+    "resistance_centripetal_drag_thermal_pressurisation",
+    "resistance_centripetal_drag_viscosity",
+    "resistance_centripetal_drag_viscosity_shaking",
+    "resistance_centripetal_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_drag_viscosity_thermal_pressurisation",
     "resistance_centripetal_pore_pressure",
     "resistance_centripetal_pore_pressure_cohesion",
     "resistance_centripetal_pore_pressure_cohesion_drag",
+    "resistance_centripetal_pore_pressure_cohesion_drag_shaking",
+    "resistance_centripetal_pore_pressure_cohesion_drag_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_cohesion_drag_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_cohesion_drag_viscosity",
+    "resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking",
+    "resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_cohesion_shaking",
+    "resistance_centripetal_pore_pressure_cohesion_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_cohesion_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_cohesion_viscosity",
+    "resistance_centripetal_pore_pressure_cohesion_viscosity_shaking",
+    "resistance_centripetal_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_cohesion_viscosity_thermal_pressurisation",
     "resistance_centripetal_pore_pressure_drag",
+    "resistance_centripetal_pore_pressure_drag_shaking",
+    "resistance_centripetal_pore_pressure_drag_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_drag_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_drag_viscosity",
+    "resistance_centripetal_pore_pressure_drag_viscosity_shaking",
+    "resistance_centripetal_pore_pressure_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_drag_viscosity_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_shaking",
+    "resistance_centripetal_pore_pressure_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_viscosity",
+    "resistance_centripetal_pore_pressure_viscosity_shaking",
+    "resistance_centripetal_pore_pressure_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_pore_pressure_viscosity_thermal_pressurisation",
+    "resistance_centripetal_shaking",
+    "resistance_centripetal_shaking_thermal_pressurisation",
+    "resistance_centripetal_thermal_pressurisation",
+    "resistance_centripetal_viscosity",
+    "resistance_centripetal_viscosity_shaking",
+    "resistance_centripetal_viscosity_shaking_thermal_pressurisation",
+    "resistance_centripetal_viscosity_thermal_pressurisation",
     "resistance_cohesion",
     "resistance_cohesion_drag",
+    "resistance_cohesion_drag_shaking",
+    "resistance_cohesion_drag_shaking_thermal_pressurisation",
+    "resistance_cohesion_drag_thermal_pressurisation",
+    "resistance_cohesion_drag_viscosity",
+    "resistance_cohesion_drag_viscosity_shaking",
+    "resistance_cohesion_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_cohesion_drag_viscosity_thermal_pressurisation",
+    "resistance_cohesion_shaking",
+    "resistance_cohesion_shaking_thermal_pressurisation",
+    "resistance_cohesion_thermal_pressurisation",
+    "resistance_cohesion_viscosity",
+    "resistance_cohesion_viscosity_shaking",
+    "resistance_cohesion_viscosity_shaking_thermal_pressurisation",
+    "resistance_cohesion_viscosity_thermal_pressurisation",
     "resistance_drag",
+    "resistance_drag_shaking",
+    "resistance_drag_shaking_thermal_pressurisation",
+    "resistance_drag_thermal_pressurisation",
+    "resistance_drag_viscosity",
+    "resistance_drag_viscosity_shaking",
+    "resistance_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_drag_viscosity_thermal_pressurisation",
     "resistance_pore_pressure",
     "resistance_pore_pressure_cohesion",
     "resistance_pore_pressure_cohesion_drag",
+    "resistance_pore_pressure_cohesion_drag_shaking",
+    "resistance_pore_pressure_cohesion_drag_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_cohesion_drag_thermal_pressurisation",
+    "resistance_pore_pressure_cohesion_drag_viscosity",
+    "resistance_pore_pressure_cohesion_drag_viscosity_shaking",
+    "resistance_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation",
+    "resistance_pore_pressure_cohesion_shaking",
+    "resistance_pore_pressure_cohesion_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_cohesion_thermal_pressurisation",
+    "resistance_pore_pressure_cohesion_viscosity",
+    "resistance_pore_pressure_cohesion_viscosity_shaking",
+    "resistance_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_cohesion_viscosity_thermal_pressurisation",
     "resistance_pore_pressure_drag",
+    "resistance_pore_pressure_drag_shaking",
+    "resistance_pore_pressure_drag_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_drag_thermal_pressurisation",
+    "resistance_pore_pressure_drag_viscosity",
+    "resistance_pore_pressure_drag_viscosity_shaking",
+    "resistance_pore_pressure_drag_viscosity_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_drag_viscosity_thermal_pressurisation",
+    "resistance_pore_pressure_shaking",
+    "resistance_pore_pressure_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_thermal_pressurisation",
+    "resistance_pore_pressure_viscosity",
+    "resistance_pore_pressure_viscosity_shaking",
+    "resistance_pore_pressure_viscosity_shaking_thermal_pressurisation",
+    "resistance_pore_pressure_viscosity_thermal_pressurisation",
+    "resistance_shaking",
+    "resistance_shaking_thermal_pressurisation",
+    "resistance_thermal_pressurisation",
+    "resistance_viscosity",
+    "resistance_viscosity_shaking",
+    "resistance_viscosity_shaking_thermal_pressurisation",
+    "resistance_viscosity_thermal_pressurisation",
     "tilt",
     "tilt_pore_pressure",
+    "tilt_pore_pressure_shaking",
+    "tilt_shaking",
 ]
 
 
@@ -86,6 +253,12 @@ def constant_cohesion(level: Any, cohesion: Any) -> Any:
     return v2
 
 
+def constant_cohesion_thermal_pressurisation(level: Any, mu: Any, excess: Any, cohesion: Any) -> Any:
+    """Constant. Operations: 2 mul, 1 sub."""
+    v6 = (cohesion - excess * mu) * level
+    return v6
+
+
 def constant_pore_pressure(level: Any, mu: Any, pore_pressure: Any) -> Any:
     """Constant. Operations: 2 mul, 1 neg."""
     v5 = -(level * mu * pore_pressure)
@@ -98,6 +271,29 @@ def constant_pore_pressure_cohesion(level: Any, mu: Any, pore_pressure: Any, coh
     return v6
 
 
+def constant_pore_pressure_cohesion_thermal_pressurisation(level: Any, mu: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+    """Constant. Operations: 3 mul, 2 sub."""
+    v9 = (cohesion - excess * mu - mu * pore_pressure) * level
+    return v9
+
+
+def constant_pore_pressure_thermal_pressurisation(level: Any, mu: Any, pore_pressure: Any, excess: Any) -> Any:
+    """Constant. Operations: 2 mul, 1 add, 1 neg."""
+    v7 = -((excess + pore_pressure) * level * mu)
+    return v7
+
+
+def constant_thermal_pressurisation(level: Any, mu: Any, excess: Any) -> Any:
+    """Constant. Operations: 2 mul, 1 neg."""
+    v5 = -(excess * level * mu)
+    return v5
+
+
+def damping_viscosity(viscosity: Any) -> Any:
+    """Damping. Operations: none."""
+    return viscosity
+
+
 def drive(press: Any, mu: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 1 mul, 1 sub."""
     v4 = (limit_friction - mu) * press
@@ -108,6 +304,42 @@ def drive_pore_pressure(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_p
     """Drive. Operations: 3 mul, 3 sub."""
     v12 = (limit_friction - mu) * ((1.0 - pore_ratio) * press - level * pore_pressure)
     return v12
+
+
+def drive_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
+    """Drive. Operations: 4 mul, 1 add, 4 sub."""
+    v18 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure)
+    return v18
+
+
+def drive_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
+    """Drive. Operations: 5 mul, 1 add, 5 sub."""
+    v21 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
+    return v21
+
+
+def drive_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, limit_friction: Any) -> Any:
+    """Drive. Operations: 4 mul, 4 sub."""
+    v15 = (limit_friction - mu) * ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure)
+    return v15
+
+
+def drive_shaking(press: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
+    """Drive. Operations: 3 mul, 1 add, 2 sub."""
+    v12 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v) * press)
+    return v12
+
+
+def drive_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
+    """Drive. Operations: 4 mul, 1 add, 3 sub."""
+    v16 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v) * press - excess * level)
+    return v16
+
+
+def drive_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any, limit_friction: Any) -> Any:
+    """Drive. Operations: 2 mul, 2 sub."""
+    v8 = (limit_friction - mu) * (press - excess * level)
+    return v8
 
 
 def drop_exponential(slip: Any, more: Any, peak: Any, residual: Any, length: Any) -> Any:
@@ -146,10 +378,83 @@ def effective_stress_centripetal_pore_pressure(press: Any, level: Any, polar: An
     return v13
 
 
+def effective_stress_centripetal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 4 mul, 2 add, 3 sub, 1 div."""
+    v19 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) / level
+    return v19
+
+
+def effective_stress_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 5 mul, 2 add, 4 sub, 1 div."""
+    v21 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v22 = v21 / level
+    return v22
+
+
+def effective_stress_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+    """Effective_stress. Operations: 4 mul, 1 add, 3 sub, 1 div."""
+    v16 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level
+    return v16
+
+
+def effective_stress_centripetal_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 3 mul, 2 add, 1 sub, 1 div."""
+    v14 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) / level
+    return v14
+
+
+def effective_stress_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 4 mul, 2 add, 2 sub, 1 div."""
+    v17 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) / level
+    return v17
+
+
+def effective_stress_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, omega_2: Any, excess: Any) -> Any:
+    """Effective_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
+    v9 = (press + omega_2 * polar - excess * level) / level
+    return v9
+
+
 def effective_stress_pore_pressure(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
     """Effective_stress. Operations: 2 mul, 2 sub, 1 div."""
     v9 = ((1.0 - pore_ratio) * press - level * pore_pressure) / level
     return v9
+
+
+def effective_stress_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 3 mul, 1 add, 3 sub, 1 div."""
+    v15 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) / level
+    return v15
+
+
+def effective_stress_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 4 mul, 1 add, 4 sub, 1 div."""
+    v18 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) / level
+    return v18
+
+
+def effective_stress_pore_pressure_thermal_pressurisation(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+    """Effective_stress. Operations: 3 mul, 3 sub, 1 div."""
+    v12 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level
+    return v12
+
+
+def effective_stress_shaking(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
+    v10 = (k_h * press_slope + (1.0 - k_v) * press) / level
+    return v10
+
+
+def effective_stress_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Effective_stress. Operations: 3 mul, 1 add, 2 sub, 1 div."""
+    v13 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) / level
+    return v13
+
+
+def effective_stress_thermal_pressurisation(press: Any, level: Any, excess: Any) -> Any:
+    """Effective_stress. Operations: 1 mul, 1 sub, 1 div."""
+    v5 = (press - excess * level) / level
+    return v5
 
 
 def energy(x: Any, start: Any, drive: Any, tilt: Any) -> Any:
@@ -329,6 +634,12 @@ def energy_softening_constant_water(x: Any, start: Any, drive: Any, tilt: Any, c
     return v187
 
 
+def fall_shaking(fall: Any, fall_slope: Any, k_h: Any, k_v: Any) -> Any:
+    """Fall. Operations: 2 mul, 1 add, 1 sub."""
+    v8 = (1.0 - k_v) * fall + fall_slope * k_h
+    return v8
+
+
 def friction_exponential(slip: Any, peak: Any, residual: Any, length: Any) -> Any:
     """Friction: residual + (peak - residual) exp(-slip/length). Operations: 1 mul, 1 add, 1 sub, 1 div, 1 neg, 1 exp."""
     v9 = residual + (peak - residual) * np.exp(-(slip / length))
@@ -344,6 +655,12 @@ def friction_hyperbolic(slip: Any, peak: Any, residual: Any, length: Any) -> Any
 def friction_linear(slip: Any, peak: Any, residual: Any, length: Any) -> Any:
     """Friction: falls from peak to residual over the length, then stays. Operations: 1 mul, 1 add, 1 sub, 1 div, 1 min."""
     v9 = peak + (residual - peak) * np.minimum(1.0, slip / length)
+    return v9
+
+
+def friction_rate_weakening(speed: Any, peak: Any, residual: Any, velocity: Any) -> Any:
+    """Friction: residual + (peak - residual)/(1 + speed/velocity). Operations: 2 add, 1 sub, 2 div."""
+    v9 = residual + (peak - residual) / (1.0 + speed / velocity)
     return v9
 
 
@@ -411,6 +728,24 @@ def limit_friction_cohesion(static_limit: Any, press: Any, level: Any, cohesion:
     return v7
 
 
+def limit_friction_cohesion_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 7 mul, 2 add, 3 sub, 1 div."""
+    v21 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press)
+    return v21
+
+
+def limit_friction_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 8 mul, 2 add, 4 sub, 1 div."""
+    v24 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press - excess * level)
+    return v24
+
+
+def limit_friction_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, excess: Any, cohesion: Any) -> Any:
+    """Limit_friction. Operations: 3 mul, 2 sub, 1 div."""
+    v10 = (press * static_limit - cohesion * level) / (press - excess * level)
+    return v10
+
+
 def limit_friction_pore_pressure(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
     """Limit_friction. Operations: 3 mul, 2 sub, 1 div."""
     v11 = press / ((1.0 - pore_ratio) * press - level * pore_pressure) * static_limit
@@ -421,6 +756,60 @@ def limit_friction_pore_pressure_cohesion(static_limit: Any, press: Any, level: 
     """Limit_friction. Operations: 4 mul, 3 sub, 1 div."""
     v14 = (press * static_limit - cohesion * level) / ((1.0 - pore_ratio) * press - level * pore_pressure)
     return v14
+
+
+def limit_friction_pore_pressure_cohesion_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 8 mul, 2 add, 5 sub, 1 div."""
+    v26 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure)
+    return v26
+
+
+def limit_friction_pore_pressure_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 9 mul, 2 add, 6 sub, 1 div."""
+    v29 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
+    return v29
+
+
+def limit_friction_pore_pressure_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+    """Limit_friction. Operations: 5 mul, 4 sub, 1 div."""
+    v17 = (press * static_limit - cohesion * level) / ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure)
+    return v17
+
+
+def limit_friction_pore_pressure_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 7 mul, 2 add, 4 sub, 1 div."""
+    v23 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure)
+    return v23
+
+
+def limit_friction_pore_pressure_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 8 mul, 2 add, 5 sub, 1 div."""
+    v26 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
+    return v26
+
+
+def limit_friction_pore_pressure_thermal_pressurisation(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+    """Limit_friction. Operations: 4 mul, 3 sub, 1 div."""
+    v14 = press / ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * static_limit
+    return v14
+
+
+def limit_friction_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 6 mul, 2 add, 2 sub, 1 div."""
+    v17 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press)
+    return v17
+
+
+def limit_friction_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Limit_friction. Operations: 7 mul, 2 add, 3 sub, 1 div."""
+    v21 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press - excess * level)
+    return v21
+
+
+def limit_friction_thermal_pressurisation(static_limit: Any, press: Any, level: Any, excess: Any) -> Any:
+    """Limit_friction. Operations: 2 mul, 1 sub, 1 div."""
+    v7 = press / (press - excess * level) * static_limit
+    return v7
 
 
 def normal(press: Any) -> Any:
@@ -434,6 +823,36 @@ def normal_pore_pressure(press: Any, level: Any, pore_ratio: Any, pore_pressure:
     return v8
 
 
+def normal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """Normal. Operations: 3 mul, 1 add, 3 sub."""
+    v14 = k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure
+    return v14
+
+
+def normal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Normal. Operations: 4 mul, 1 add, 4 sub."""
+    v17 = k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    return v17
+
+
+def normal_pore_pressure_thermal_pressurisation(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+    """Normal. Operations: 3 mul, 3 sub."""
+    v11 = (1.0 - pore_ratio) * press - excess * level - level * pore_pressure
+    return v11
+
+
+def normal_shaking(press: Any, press_slope: Any, k_h: Any, k_v: Any) -> Any:
+    """Normal. Operations: 2 mul, 1 add, 1 sub."""
+    v8 = k_h * press_slope + (1.0 - k_v) * press
+    return v8
+
+
+def normal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Normal. Operations: 3 mul, 1 add, 2 sub."""
+    v12 = k_h * press_slope + (1.0 - k_v) * press - excess * level
+    return v12
+
+
 def normal_stress(press: Any, level: Any) -> Any:
     """Normal_stress. Operations: 1 div."""
     v2 = press / level
@@ -444,6 +863,75 @@ def normal_stress_centripetal(press: Any, level: Any, polar: Any, omega_2: Any) 
     """Normal_stress. Operations: 1 mul, 1 add, 1 div."""
     v6 = (press + omega_2 * polar) / level
     return v6
+
+
+def normal_stress_centripetal_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any, k_v: Any) -> Any:
+    """Normal_stress. Operations: 3 mul, 2 add, 1 sub, 1 div."""
+    v14 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) / level
+    return v14
+
+
+def normal_stress_shaking(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any) -> Any:
+    """Normal_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
+    v10 = (k_h * press_slope + (1.0 - k_v) * press) / level
+    return v10
+
+
+def normal_thermal_pressurisation(press: Any, level: Any, excess: Any) -> Any:
+    """Normal. Operations: 1 mul, 1 sub."""
+    v4 = press - excess * level
+    return v4
+
+
+def pressurisation_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 7 mul, 2 add, 4 sub, 1 div."""
+    v23 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v26 = v23 / level * kappa * mu
+    return v26
+
+
+def pressurisation_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 6 mul, 1 add, 3 sub, 1 div."""
+    v19 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level * kappa
+    v20 = v19 * mu
+    return v20
+
+
+def pressurisation_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 6 mul, 2 add, 2 sub, 1 div."""
+    v21 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) / level * kappa * mu
+    return v21
+
+
+def pressurisation_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 4 mul, 1 add, 1 sub, 1 div."""
+    v13 = (press + omega_2 * polar - excess * level) / level * kappa * mu
+    return v13
+
+
+def pressurisation_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 6 mul, 1 add, 4 sub, 1 div."""
+    v20 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) / level
+    v22 = v20 * kappa * mu
+    return v22
+
+
+def pressurisation_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 5 mul, 3 sub, 1 div."""
+    v16 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level * kappa * mu
+    return v16
+
+
+def pressurisation_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 5 mul, 1 add, 2 sub, 1 div."""
+    v17 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) / level * kappa * mu
+    return v17
+
+
+def pressurisation_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any, kappa: Any) -> Any:
+    """Pressurisation. Operations: 3 mul, 1 sub, 1 div."""
+    v9 = (press - excess * level) / level * kappa * mu
+    return v9
 
 
 def resistance(press: Any, mu: Any) -> Any:
@@ -470,10 +958,140 @@ def resistance_centripetal_cohesion_drag(press: Any, level: Any, polar: Any, mu:
     return v13
 
 
+def resistance_centripetal_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 4 add, 1 sub."""
+    v21 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
+    return v21
+
+
+def resistance_centripetal_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 2 sub."""
+    v24 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
+    return v24
+
+
+def resistance_centripetal_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v16 = cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
+    return v16
+
+
+def resistance_centripetal_cohesion_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 4 add."""
+    v17 = cohesion * level + drag * omega_2 + (press + omega_2 * polar) * mu + omega * viscosity
+    return v17
+
+
+def resistance_centripetal_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 5 add, 1 sub."""
+    v23 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
+    v25 = v23 + omega * viscosity
+    return v25
+
+
+def resistance_centripetal_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 8 mul, 5 add, 2 sub."""
+    v26 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
+    v28 = v26 + omega * viscosity
+    return v28
+
+
+def resistance_centripetal_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 6 mul, 4 add, 1 sub."""
+    v20 = cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
+    return v20
+
+
+def resistance_centripetal_cohesion_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v18 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
+    return v18
+
+
+def resistance_centripetal_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v21 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
+    return v21
+
+
+def resistance_centripetal_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v13 = cohesion * level + (press + omega_2 * polar - excess * level) * mu
+    return v13
+
+
+def resistance_centripetal_cohesion_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 4 mul, 3 add."""
+    v14 = cohesion * level + (press + omega_2 * polar) * mu + omega * viscosity
+    return v14
+
+
+def resistance_centripetal_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 4 add, 1 sub."""
+    v22 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu + omega * viscosity
+    return v22
+
+
+def resistance_centripetal_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 2 sub."""
+    v23 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
+    v25 = v23 + omega * viscosity
+    return v25
+
+
+def resistance_centripetal_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v17 = cohesion * level + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
+    return v17
+
+
 def resistance_centripetal_drag(press: Any, polar: Any, mu: Any, omega_2: Any, drag: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 add."""
     v9 = drag * omega_2 + (press + omega_2 * polar) * mu
     return v9
+
+
+def resistance_centripetal_drag_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v17 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
+    return v17
+
+
+def resistance_centripetal_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v21 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
+    return v21
+
+
+def resistance_centripetal_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, drag: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v13 = drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
+    return v13
+
+
+def resistance_centripetal_drag_viscosity(press: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 4 mul, 3 add."""
+    v13 = drag * omega_2 + (press + omega_2 * polar) * mu + omega * viscosity
+    return v13
+
+
+def resistance_centripetal_drag_viscosity_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 4 add, 1 sub."""
+    v21 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu + omega * viscosity
+    return v21
+
+
+def resistance_centripetal_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 2 sub."""
+    v23 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
+    v25 = v23 + omega * viscosity
+    return v25
+
+
+def resistance_centripetal_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v17 = drag * omega_2 + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
+    return v17
 
 
 def resistance_centripetal_pore_pressure(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
@@ -494,10 +1112,239 @@ def resistance_centripetal_pore_pressure_cohesion_drag(press: Any, level: Any, p
     return v20
 
 
+def resistance_centripetal_pore_pressure_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 3 sub."""
+    v25 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v26 = cohesion * level + drag * omega_2 + v25
+    return v26
+
+
+def resistance_centripetal_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 8 mul, 4 add, 4 sub."""
+    v27 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v29 = cohesion * level + drag * omega_2 + v27 * mu
+    return v29
+
+
+def resistance_centripetal_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 3 sub."""
+    v23 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v23
+
+
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 2 sub."""
+    v22 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu
+    v24 = v22 + omega * viscosity
+    return v24
+
+
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 8 mul, 5 add, 3 sub."""
+    v27 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v30 = cohesion * level + drag * omega_2 + v27 + omega * viscosity
+    return v30
+
+
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 9 mul, 5 add, 4 sub."""
+    v29 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v33 = cohesion * level + drag * omega_2 + v29 * mu + omega * viscosity
+    return v33
+
+
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 8 mul, 4 add, 3 sub."""
+    v25 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v27 = v25 + omega * viscosity
+    return v27
+
+
+def resistance_centripetal_pore_pressure_cohesion_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 3 sub."""
+    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v23 = cohesion * level + v22
+    return v23
+
+
+def resistance_centripetal_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 4 sub."""
+    v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v26 = cohesion * level + v24 * mu
+    return v26
+
+
+def resistance_centripetal_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 3 sub."""
+    v20 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v20
+
+
+def resistance_centripetal_pore_pressure_cohesion_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v21 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v21
+
+
+def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 3 sub."""
+    v24 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v27 = cohesion * level + v24 + omega * viscosity
+    return v27
+
+
+def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 8 mul, 4 add, 4 sub."""
+    v26 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v30 = cohesion * level + v26 * mu + omega * viscosity
+    return v30
+
+
+def resistance_centripetal_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 3 sub."""
+    v22 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v24 = v22 + omega * viscosity
+    return v24
+
+
 def resistance_centripetal_pore_pressure_drag(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
     v17 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu
     return v17
+
+
+def resistance_centripetal_pore_pressure_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 3 sub."""
+    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v23 = drag * omega_2 + v22
+    return v23
+
+
+def resistance_centripetal_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 4 sub."""
+    v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v26 = drag * omega_2 + v24 * mu
+    return v26
+
+
+def resistance_centripetal_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 3 sub."""
+    v20 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v20
+
+
+def resistance_centripetal_pore_pressure_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v21 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v21
+
+
+def resistance_centripetal_pore_pressure_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 3 sub."""
+    v24 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v27 = drag * omega_2 + v24 + omega * viscosity
+    return v27
+
+
+def resistance_centripetal_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 8 mul, 4 add, 4 sub."""
+    v26 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v30 = drag * omega_2 + v26 * mu + omega * viscosity
+    return v30
+
+
+def resistance_centripetal_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 3 sub."""
+    v22 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v24 = v22 + omega * viscosity
+    return v24
+
+
+def resistance_centripetal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 3 sub."""
+    v20 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    return v20
+
+
+def resistance_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 4 sub."""
+    v22 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v23 = v22 * mu
+    return v23
+
+
+def resistance_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+    """Resistance. Operations: 5 mul, 1 add, 3 sub."""
+    v17 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v17
+
+
+def resistance_centripetal_pore_pressure_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 2 sub."""
+    v18 = (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v18
+
+
+def resistance_centripetal_pore_pressure_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 3 sub."""
+    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v24 = v22 + omega * viscosity
+    return v24
+
+
+def resistance_centripetal_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 4 sub."""
+    v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
+    v27 = v24 * mu + omega * viscosity
+    return v27
+
+
+def resistance_centripetal_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 3 sub."""
+    v21 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
+    return v21
+
+
+def resistance_centripetal_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega_2: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v14 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
+    return v14
+
+
+def resistance_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 2 sub."""
+    v18 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
+    return v18
+
+
+def resistance_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any) -> Any:
+    """Resistance. Operations: 3 mul, 1 add, 1 sub."""
+    v10 = (press + omega_2 * polar - excess * level) * mu
+    return v10
+
+
+def resistance_centripetal_viscosity(press: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 3 mul, 2 add."""
+    v10 = (press + omega_2 * polar) * mu + omega * viscosity
+    return v10
+
+
+def resistance_centripetal_viscosity_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v18 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu + omega * viscosity
+    return v18
+
+
+def resistance_centripetal_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
+    return v22
+
+
+def resistance_centripetal_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v14 = (press + omega_2 * polar - excess * level) * mu + omega * viscosity
+    return v14
 
 
 def resistance_cohesion(press: Any, level: Any, mu: Any, cohesion: Any) -> Any:
@@ -512,10 +1359,137 @@ def resistance_cohesion_drag(press: Any, level: Any, mu: Any, omega_2: Any, cohe
     return v10
 
 
+def resistance_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v18 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu
+    return v18
+
+
+def resistance_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v21 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
+    return v21
+
+
+def resistance_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v13 = cohesion * level + drag * omega_2 + (press - excess * level) * mu
+    return v13
+
+
+def resistance_cohesion_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 4 mul, 3 add."""
+    v14 = cohesion * level + drag * omega_2 + mu * press + omega * viscosity
+    return v14
+
+
+def resistance_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 4 add, 1 sub."""
+    v22 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
+    return v22
+
+
+def resistance_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 2 sub."""
+    v23 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
+    v25 = v23 + omega * viscosity
+    return v25
+
+
+def resistance_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v17 = cohesion * level + drag * omega_2 + (press - excess * level) * mu + omega * viscosity
+    return v17
+
+
+def resistance_cohesion_shaking(press: Any, press_slope: Any, level: Any, mu: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v14 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press) * mu
+    return v14
+
+
+def resistance_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 2 sub."""
+    v17 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
+    return v17
+
+
+def resistance_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any, cohesion: Any) -> Any:
+    """Resistance. Operations: 3 mul, 1 add, 1 sub."""
+    v9 = cohesion * level + (press - excess * level) * mu
+    return v9
+
+
+def resistance_cohesion_viscosity(press: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 3 mul, 2 add."""
+    v10 = cohesion * level + mu * press + omega * viscosity
+    return v10
+
+
+def resistance_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v18 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
+    return v18
+
+
+def resistance_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v21 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
+    return v21
+
+
+def resistance_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v13 = cohesion * level + (press - excess * level) * mu + omega * viscosity
+    return v13
+
+
 def resistance_drag(press: Any, mu: Any, omega_2: Any, drag: Any) -> Any:
     """Resistance. Operations: 2 mul, 1 add."""
     v6 = drag * omega_2 + mu * press
     return v6
+
+
+def resistance_drag_shaking(press: Any, press_slope: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v14 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu
+    return v14
+
+
+def resistance_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 2 sub."""
+    v18 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
+    return v18
+
+
+def resistance_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, excess: Any, drag: Any) -> Any:
+    """Resistance. Operations: 3 mul, 1 add, 1 sub."""
+    v10 = drag * omega_2 + (press - excess * level) * mu
+    return v10
+
+
+def resistance_drag_viscosity(press: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 3 mul, 2 add."""
+    v10 = drag * omega_2 + mu * press + omega * viscosity
+    return v10
+
+
+def resistance_drag_viscosity_shaking(press: Any, press_slope: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 3 add, 1 sub."""
+    v18 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
+    return v18
+
+
+def resistance_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v22 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
+    return v22
+
+
+def resistance_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v14 = drag * omega_2 + (press - excess * level) * mu + omega * viscosity
+    return v14
 
 
 def resistance_pore_pressure(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
@@ -536,10 +1510,231 @@ def resistance_pore_pressure_cohesion_drag(press: Any, level: Any, mu: Any, omeg
     return v17
 
 
+def resistance_pore_pressure_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 3 sub."""
+    v23 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    return v23
+
+
+def resistance_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 4 sub."""
+    v25 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v26 = cohesion * level + drag * omega_2 + v25
+    return v26
+
+
+def resistance_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 3 sub."""
+    v20 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v20
+
+
+def resistance_pore_pressure_cohesion_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 2 sub."""
+    v21 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v21
+
+
+def resistance_pore_pressure_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 4 add, 3 sub."""
+    v25 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v27 = v25 + omega * viscosity
+    return v27
+
+
+def resistance_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 8 mul, 4 add, 4 sub."""
+    v27 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v30 = cohesion * level + drag * omega_2 + v27 + omega * viscosity
+    return v30
+
+
+def resistance_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 3 sub."""
+    v22 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v24 = v22 + omega * viscosity
+    return v24
+
+
+def resistance_pore_pressure_cohesion_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 3 sub."""
+    v19 = cohesion * level + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    return v19
+
+
+def resistance_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 4 sub."""
+    v21 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v22 = cohesion * level + v21
+    return v22
+
+
+def resistance_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+    """Resistance. Operations: 5 mul, 1 add, 3 sub."""
+    v16 = cohesion * level + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v16
+
+
+def resistance_pore_pressure_cohesion_viscosity(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 2 sub."""
+    v17 = cohesion * level + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v17
+
+
+def resistance_pore_pressure_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 3 sub."""
+    v21 = cohesion * level + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v23 = v21 + omega * viscosity
+    return v23
+
+
+def resistance_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 4 sub."""
+    v23 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v26 = cohesion * level + v23 + omega * viscosity
+    return v26
+
+
+def resistance_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 3 sub."""
+    v20 = cohesion * level + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
+    return v20
+
+
 def resistance_pore_pressure_drag(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 2 sub."""
     v14 = drag * omega_2 + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu
     return v14
+
+
+def resistance_pore_pressure_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 3 sub."""
+    v20 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    return v20
+
+
+def resistance_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 4 sub."""
+    v22 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v23 = drag * omega_2 + v22
+    return v23
+
+
+def resistance_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any) -> Any:
+    """Resistance. Operations: 5 mul, 1 add, 3 sub."""
+    v17 = drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v17
+
+
+def resistance_pore_pressure_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 2 sub."""
+    v18 = drag * omega_2 + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v18
+
+
+def resistance_pore_pressure_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 3 add, 3 sub."""
+    v22 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    v24 = v22 + omega * viscosity
+    return v24
+
+
+def resistance_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 7 mul, 3 add, 4 sub."""
+    v24 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v27 = drag * omega_2 + v24 + omega * viscosity
+    return v27
+
+
+def resistance_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 3 sub."""
+    v21 = drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
+    return v21
+
+
+def resistance_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 4 mul, 1 add, 3 sub."""
+    v16 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
+    return v16
+
+
+def resistance_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 1 add, 4 sub."""
+    v19 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v19
+
+
+def resistance_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+    """Resistance. Operations: 4 mul, 3 sub."""
+    v13 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    return v13
+
+
+def resistance_pore_pressure_viscosity(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 4 mul, 1 add, 2 sub."""
+    v14 = ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v14
+
+
+def resistance_pore_pressure_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 3 sub."""
+    v20 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
+    return v20
+
+
+def resistance_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 6 mul, 2 add, 4 sub."""
+    v21 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
+    v23 = v21 + omega * viscosity
+    return v23
+
+
+def resistance_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 5 mul, 1 add, 3 sub."""
+    v17 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
+    return v17
+
+
+def resistance_shaking(press: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 3 mul, 1 add, 1 sub."""
+    v10 = (k_h * press_slope + (1.0 - k_v) * press) * mu
+    return v10
+
+
+def resistance_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 4 mul, 1 add, 2 sub."""
+    v14 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
+    return v14
+
+
+def resistance_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any) -> Any:
+    """Resistance. Operations: 2 mul, 1 sub."""
+    v6 = (press - excess * level) * mu
+    return v6
+
+
+def resistance_viscosity(press: Any, mu: Any, omega: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 2 mul, 1 add."""
+    v6 = mu * press + omega * viscosity
+    return v6
+
+
+def resistance_viscosity_shaking(press: Any, press_slope: Any, mu: Any, omega: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 4 mul, 2 add, 1 sub."""
+    v14 = (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
+    return v14
+
+
+def resistance_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+    """Resistance. Operations: 5 mul, 2 add, 2 sub."""
+    v18 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
+    return v18
+
+
+def resistance_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, excess: Any, viscosity: Any) -> Any:
+    """Resistance. Operations: 3 mul, 1 add, 1 sub."""
+    v10 = (press - excess * level) * mu + omega * viscosity
+    return v10
 
 
 def tilt(fall_slope: Any, press_slope: Any, mu: Any) -> Any:
@@ -549,6 +1744,18 @@ def tilt(fall_slope: Any, press_slope: Any, mu: Any) -> Any:
 
 
 def tilt_pore_pressure(fall_slope: Any, press_slope: Any, mu: Any, pore_ratio: Any) -> Any:
-    """Tilt. Operations: 2 mul, 2 sub."""
-    v8 = fall_slope - (1.0 - pore_ratio) * mu * press_slope
+    """Tilt. Operations: 2 mul, 1 add, 1 sub."""
+    v8 = fall_slope + (pore_ratio - 1.0) * mu * press_slope
     return v8
+
+
+def tilt_pore_pressure_shaking(fall: Any, press: Any, fall_slope: Any, press_slope: Any, mu: Any, pore_ratio: Any, k_h: Any, k_v: Any) -> Any:
+    """Tilt. Operations: 6 mul, 3 add, 3 sub."""
+    v20 = (1.0 - k_v) * fall_slope + k_h * mu * press + (k_v + pore_ratio - 1.0) * mu * press_slope - fall * k_h
+    return v20
+
+
+def tilt_shaking(fall: Any, press: Any, fall_slope: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any) -> Any:
+    """Tilt. Operations: 6 mul, 2 add, 3 sub."""
+    v18 = (1.0 - k_v) * fall_slope + k_h * mu * press + (k_v - 1.0) * mu * press_slope - fall * k_h
+    return v18

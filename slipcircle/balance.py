@@ -1,8 +1,8 @@
 """A scene's balance of momentum: the specialised functions of its combination of effects, bound to its values."""
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,10 @@ import numpy as np
 from generated import balance as functions
 from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
 from slipcircle.scene import Scene
+
+
+# Without shaking and heat: what is given anew at each moment comes on top.
+_STILL = {"k_h": 0.0, "k_v": 0.0, "excess": 0.0, "omega": 0.0, "fall_slope": 0.0, "press_slope": 0.0}
 
 
 @dataclass(frozen=True)
@@ -34,6 +38,11 @@ class Balance:
         Whether the position changes with the rotation.
     radius : float
         m, from rotation to slip.
+    time_scale : float
+        s, from dimensionless to real time.
+    forcing : mapping
+        What changes with time, by its symbol: the function of time in s, and the factor that makes its values
+        dimensionless.
     """
 
     names: Mapping[str, str]
@@ -46,6 +55,8 @@ class Balance:
     static_limit: float
     turns: bool
     radius: float
+    time_scale: float = 1.0
+    forcing: Mapping[str, tuple[Callable[[Any], Any], float]] = field(default_factory=dict)
 
     def has(self, what: str) -> bool:
         """Whether this combination has such a term."""
@@ -74,6 +85,30 @@ class Balance:
         if not self.turns:
             return self.press + 0.0 * rotation
         return self.press * np.cos(rotation) + self.radial * np.sin(self.dip) * np.sin(rotation)
+
+    def press_slope_at(self, rotation: Any) -> Any:
+        """The derivative of J_r/Theta* by the dip, after any rotation of the mass."""
+        if not self.turns:
+            return -self.radial * math.sin(self.dip) + 0.0 * rotation
+        return -self.radial * math.sin(self.dip) * np.cos(rotation) + self.press * np.sin(rotation)
+
+    def given(self, t: Any, direction: int = 1) -> dict[str, Any]:
+        """What changes with time, at dimensionless times, seen in the direction of travel."""
+        found = {name: factor * function(t * self.time_scale) for name, (function, factor) in self.forcing.items()}
+        if "k_h" in found and direction < 0:
+            found["k_h"] = -found["k_h"]
+        return found
+
+    def nudged(self, share: float) -> "Balance":
+        """The same with its weights changed against each other by a share of them: what rounding may do."""
+        return replace(
+            self,
+            weight=self.weight * (1.0 + share),
+            radial=self.radial * (1.0 - share),
+            fall=self.fall * (1.0 + share),
+            press=self.press * (1.0 - share),
+            static_limit=self.static_limit * (1.0 + 2 * share),
+        )
 
     def position(self, rotation: float, direction: int) -> dict[str, float]:
         """What the balance needs of the position, seen in the direction of travel (a mirror, where it is negative)."""
@@ -105,15 +140,25 @@ def bind(scene: Scene) -> Balance:
         "gravity": float(np.asarray(arc.gravity)),
         "reference_stress": float(arc.reference_stress),
         "Theta": float(d.moment_of_inertia),
+        "radius": float(np.asarray(arc.radius)),
+        "density": float(np.divide(arc.unit_weight, arc.gravity)),
     }
     press = float(d.radial_weight_per_inertia)
     weight, radial = arc.amplitudes_per_inertia
     level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
-    values = {"level": level, "polar": float(d.polar_moment_per_inertia)}
+    values = {"level": level, "polar": float(d.polar_moment_per_inertia), **_STILL}
+    forcing: dict[str, tuple[Callable[[Any], Any], float]] = {}
     for effect in chosen:
         given = called[effect]
+        own = {p.name: float(given.get(p.name, 0.0)) for p in EFFECTS[effect].parameters if p.kind == "number"}
         for p in EFFECTS[effect].parameters:
-            values[p.symbol] = p.dimensionless(float(given.get(p.name, 0.0)), scales)
+            if not p.symbol:
+                continue
+            value = given.get(p.name, 0.0)
+            if callable(value):
+                forcing[p.symbol] = value, p.dimensionless(1.0, scales | own)
+                value = 0.0 if p.symbol in _STILL else value(0.0)
+            values[p.symbol] = p.dimensionless(float(value), scales | own)
     limit = float(d.limit_friction)
     return Balance(
         COMBINATIONS[chosen].functions,
@@ -126,4 +171,6 @@ def bind(scene: Scene) -> Balance:
         limit,
         any(EFFECTS[e].turns for e in chosen),
         float(np.asarray(arc.radius)),
+        float(arc.time_scale),
+        forcing,
     )

@@ -1,7 +1,8 @@
-"""Friction as a function of accumulated slip: laws by name from `generated.effects`, tables, and Python callables."""
+"""Friction as a function of slip, speed or time: laws by name from `generated.effects`, tables, Python callables."""
 
+from bisect import bisect_right
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -23,27 +24,32 @@ class Friction:
     law : str
         Its name, or "callable".
     coefficient : callable
-        ``coefficient(slip)``, slip in m.
+        ``coefficient(slip, speed=0.0, time=0.0)``, in m, m/s and s.
     drop : callable
         ``drop(slip, more)``: by how much the coefficient falls over ``more`` slip, without cancellation.
     scale : float
         Slip over which it changes, m; infinite where it does not or is not known.
-    kinks : tuple of float
-        Slips at which it is not smooth, m.
+    kinks, speeds, times : tuple of float
+        Slips in m, speeds in m/s and times in s at which it is not smooth.
     parameters : mapping
+    depends_on : tuple of str
+        Of slip, speed, time: what it depends on.
     """
 
     law: str
-    coefficient: Callable[[Any], Any]
+    coefficient: Callable[..., Any]
     drop: Callable[[Any, Any], Any]
     scale: float
     kinks: tuple[float, ...]
     parameters: Mapping[str, Any]
+    depends_on: tuple[str, ...] = ("slip",)
+    speeds: tuple[float, ...] = ()
+    times: tuple[float, ...] = ()
 
     @property
     def constant(self) -> bool:
-        """Whether it does not depend on slip."""
-        return self.law == "constant"
+        """Whether it depends on nothing."""
+        return not self.depends_on
 
 
 def law_mistakes(given: Any) -> list[str]:
@@ -55,23 +61,42 @@ def law_mistakes(given: Any) -> list[str]:
             {"friction": given},
             {"friction": (-5e-324, np.inf, "a friction coefficient, tan(phi): a number of at least 0")},
         )
+    found = _named_mistakes(given, "friction", tuple(LAWS))
+    if not found and "rate" in given:
+        if "speed" in LAWS[given["law"]].depends_on or "time" in LAWS[given["law"]].depends_on:
+            found.append(f"friction.rate: {given['law']} is no law of slip; leave one out")
+        elif not isinstance(given["rate"], Mapping):
+            found.append(f"friction.rate = {given['rate']!r}: must be a law of speed with its parameters")
+        else:
+            found += _named_mistakes(given["rate"], "friction.rate", RATE_LAWS)
+    return found
+
+
+RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
+
+
+def _named_mistakes(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -> list[str]:
+    """A sentence for each mistake in a law by name."""
     name = given.get("law")
-    if name not in LAWS:
-        return [f"friction.law = {name!r}: must be one of {', '.join(LAWS)}"]
+    if name not in known:
+        return [f"{path}.law = {name!r}: must be one of {', '.join(known)}"]
     wanted = {p.name: p for p in LAWS[name].parameters}
-    rest = {k: v for k, v in given.items() if k != "law"}
-    found = [f"friction.{n}: is missing: {p.help}" for n, p in wanted.items() if n not in rest]
-    found += [f"friction.{n}: is unknown; known are {', '.join(wanted)}" for n in rest if n not in wanted]
+    rest = {k: v for k, v in given.items() if k != "law" and (k, path) != ("rate", "friction")}
+    found = [f"{path}.{n}: is missing: {p.help}" for n, p in wanted.items() if n not in rest]
+    found += [f"{path}.{n}: is unknown; known are {', '.join(wanted)}" for n in rest if n not in wanted]
     bounds = {n: (p.lower, p.upper, f"{p.help}, {_range(p)}") for n, p in wanted.items() if n in rest}
-    found += [f"friction.{m}" for m in mistakes(rest, bounds)]
-    if name == "tabulated" and not found:
-        slip, values = np.asarray(given["slip"], dtype=float), np.asarray(given["coefficient"], dtype=float)
-        if slip.ndim != 1 or slip.shape != values.shape or slip.size < 2:
+    found += [f"{path}.{m}" for m in mistakes(rest, bounds)]
+    first = wanted[next(iter(wanted))]
+    if first.kind == "list" and not found:
+        place, values = (np.asarray(given[n], dtype=float) for n in wanted)
+        if place.ndim != 1 or place.shape != values.shape or place.size < 2:
             found.append(
-                "friction.slip and friction.coefficient: must be two lists of equal length, two values at least"
+                f"{path}.{first.name} and {path}.coefficient: must be two lists of equal length, two values at least"
             )
-        elif slip[0] != 0.0 or np.any(np.diff(slip) <= 0.0):
-            found.append("friction.slip: must start at 0 and increase")
+        elif name == "tabulated" and (place[0] != 0.0 or np.any(np.diff(place) <= 0.0)):
+            found.append(f"{path}.slip: must start at 0 and increase")
+        elif np.any(np.diff(place) <= 0.0):
+            found.append(f"{path}.{first.name}: must increase")
     return found
 
 
@@ -82,28 +107,68 @@ def _range(p: Any) -> str:
 
 def law_name(given: Any) -> str:
     """The name of the law that a scene's ``friction`` stands for."""
-    return "callable" if callable(given) else given["law"] if isinstance(given, Mapping) else "constant"
+    if callable(given):
+        return "callable"
+    if not isinstance(given, Mapping):
+        return "constant"
+    return str(given["law"]) + (f" times {given['rate']['law']}" if "rate" in given else "")
+
+
+def law_depends(given: Any) -> tuple[str, ...]:
+    """What the law that a scene's ``friction`` stands for depends on: some of slip, speed, time."""
+    if callable(given):
+        return ("slip",)
+    if not isinstance(given, Mapping):
+        return ()
+    return LAWS[given["law"]].depends_on + (("speed",) if "rate" in given else ())
 
 
 def friction(given: Any) -> Friction:
     """The law that a scene's ``friction`` stands for: a number, a mapping with ``law``, or a callable of slip."""
     if callable(given):
-        return Friction("callable", given, lambda s, more: given(s) - given(s + more), np.inf, (), {})
+        return Friction(
+            "callable", lambda s, v=0.0, t=0.0: given(s), lambda s, more: given(s) - given(s + more), np.inf, (), {}
+        )
     if not isinstance(given, Mapping):
         given = {"law": "constant", "coefficient": float(np.asarray(given))}
+    if "rate" in given:
+        one, other = _named({k: v for k, v in given.items() if k != "rate"}), _named(given["rate"])
+        return replace(
+            one,
+            law=law_name(given),
+            coefficient=lambda s, v=0.0, t=0.0: one.coefficient(s) * other.coefficient(s, v),
+            parameters=given,
+            depends_on=law_depends(given),
+            speeds=other.speeds,
+        )
+    return _named(given)
+
+
+def _named(given: Mapping[str, Any]) -> Friction:
+    """A law by name."""
     name, parameters = given["law"], {k: v for k, v in given.items() if k != "law"}
+    law = LAWS[name]
     if name == "constant":
         value = float(parameters["coefficient"])
-        return Friction(name, lambda s: value, lambda s, more: 0.0 * more, np.inf, (), parameters)
-    if name == "tabulated":
-        return _tabulated(
-            np.asarray(given["slip"], dtype=float), np.asarray(given["coefficient"], dtype=float), parameters
+        return Friction(name, lambda s, v=0.0, t=0.0: value, lambda s, more: 0.0 * more, np.inf, (), parameters, ())
+    if law.parameters[0].kind == "list":
+        return _tabulated(name, *(np.asarray(given[p.name], dtype=float) for p in law.parameters), parameters)
+    numbers = {k: float(v) for k, v in parameters.items()}
+    formula = getattr(balance, f"friction_{name}")
+    if law.depends_on == ("speed",):
+        return Friction(
+            name,
+            lambda s, v=0.0, t=0.0: formula(v, **numbers),
+            lambda s, more: 0.0 * more,
+            np.inf,
+            (),
+            numbers,
+            law.depends_on,
         )
-    law, numbers = LAWS[name], {k: float(v) for k, v in parameters.items()}
-    coefficient, drop = getattr(balance, f"friction_{name}"), getattr(balance, f"drop_{name}")
+    drop = getattr(balance, f"drop_{name}")
     return Friction(
         name,
-        lambda s: coefficient(s, **numbers),
+        lambda s, v=0.0, t=0.0: formula(s, **numbers),
         lambda s, more: drop(s, more, **numbers),
         numbers[law.scale],
         tuple(numbers[k] for k in law.kinks),
@@ -111,8 +176,31 @@ def friction(given: Any) -> Friction:
     )
 
 
-def _tabulated(slip: Floats, values: Floats, parameters: Mapping[str, Any]) -> Friction:
-    """Monotone cubic interpolation (Fritsch and Carlson 1980), constant beyond the table."""
+def _tabulated(name: str, place: Floats, values: Floats, parameters: Mapping[str, Any]) -> Friction:
+    """A table of slip, of the logarithm of speed, or of time."""
+    ends = tuple(place.tolist())
+    if name == "tabulated":
+        coefficient, drop = _cubic(place, values, smooth_start=False)
+        return Friction(
+            name, lambda s, v=0.0, t=0.0: coefficient(s), drop, float(np.diff(place).min()), ends[1:], parameters
+        )
+    if name == "prescribed":
+
+        def still(s: Any, v: Any = 0.0, t: Any = 0.0) -> Any:
+            return np.interp(t, place, values) if isinstance(t, np.ndarray) else float(np.interp(t, place, values))
+
+        return Friction(name, still, lambda s, more: 0.0 * more, np.inf, (), parameters, ("time",), times=ends)
+    of_log = _cubic(np.log(place), values, smooth_start=True)[0]
+    tiny = float(place[0])
+
+    def moving(s: Any, v: Any = 0.0, t: Any = 0.0) -> Any:
+        return of_log(np.log(np.maximum(v, tiny)) if isinstance(v, np.ndarray) else float(np.log(max(v, tiny))))
+
+    return Friction(name, moving, lambda s, more: 0.0 * more, np.inf, (), parameters, ("speed",), speeds=ends)
+
+
+def _cubic(slip: Floats, values: Floats, smooth_start: bool) -> tuple[Callable[[Any], Any], Callable[[Any, Any], Any]]:
+    """Monotone cubic interpolation (Fritsch and Carlson 1980), constant beyond the table; and how far it falls."""
     step, rise = np.diff(slip), np.diff(values)
     secant = rise / step
     slope = np.zeros_like(values)
@@ -122,11 +210,20 @@ def _tabulated(slip: Floats, values: Floats, parameters: Mapping[str, Any]) -> F
         with np.errstate(divide="ignore", invalid="ignore"):
             mean = (first + second) / (first / secant[:-1] + second / secant[1:])
         slope[1:-1] = np.where(same, mean, 0.0)
-    slope[0] = secant[0] if slip.size == 2 else _end(step[0], step[1], secant[0], secant[1])
+    if not smooth_start:
+        slope[0] = secant[0] if slip.size == 2 else _end(step[0], step[1], secant[0], secant[1])
     # The last value holds beyond the table; a zero slope there makes the law smooth.
+    places, heights, rises, slopes = (x.tolist() for x in (slip, values, rise, slope))
 
     def coefficient(s: Any) -> Any:
-        at = np.clip(np.asarray(s, dtype=float), 0.0, slip[-1])
+        if isinstance(s, float):  # NumPy takes its time with one number
+            x = min(max(s, places[0]), places[-1])
+            n = min(bisect_right(places, x), len(places) - 1) - 1
+            h = places[n + 1] - places[n]
+            y = (x - places[n]) / h
+            bent = slopes[n] * (1 - y) - slopes[n + 1] * y
+            return heights[n] + rises[n] * y**2 * (3 - 2 * y) + h * y * (1 - y) * bent
+        at = np.clip(np.asarray(s, dtype=float), slip[0], slip[-1])
         k = np.clip(np.searchsorted(slip, at, side="right") - 1, 0, slip.size - 2)
         z = (at - slip[k]) / step[k]
         left = values[k] + rise[k] * z**2 * (3 - 2 * z)
@@ -148,7 +245,7 @@ def _tabulated(slip: Floats, values: Floats, parameters: Mapping[str, Any]) -> F
             fallen -= rise[k] * z**2 * (3 - 2 * z) + step[k] * z * (1 - z) * (slope[k] * (1 - z) - slope[k + 1] * z)
         return fallen
 
-    return Friction("tabulated", coefficient, drop, float(step.min()), tuple(slip[1:].tolist()), parameters)
+    return coefficient, drop
 
 
 def _end(near: float, next_: float, first: float, second: float) -> float:

@@ -12,6 +12,7 @@ from generated import motion as formulas
 from slipcircle.balance import Balance
 from slipcircle.chebyshev import Piecewise, accumulate, resolve
 from slipcircle.friction import Friction
+from slipcircle.liftoff import change
 from slipcircle.roots import scalar
 
 if TYPE_CHECKING:
@@ -56,6 +57,16 @@ class Frozen:
         x, omega, rate = self._state(*self.coefficients, t)
         return x, omega, rate
 
+    @cached_property
+    def change(self) -> tuple[float, float, float] | None:
+        """Time, x and E at which the mass lifts off or lands before the phase ends."""
+        return change(self)
+
+    @property
+    def excess(self) -> float:
+        """Excess pore pressure over sigma_ref at its end."""
+        return self.start.excess
+
     def press(self, x: Any) -> Any:
         """J_r/Theta*, frozen."""
         return self.at["press"] + 0.0 * x
@@ -63,6 +74,10 @@ class Frozen:
     def pressing(self, x: Any, energy: Any) -> Any:
         """The effective mean normal stress over sigma_ref."""
         return self.balance.get("effective_stress", press=self.press(x), omega_2=energy)
+
+    def worked(self, t: Floats) -> Floats:
+        """Work of gravity over Theta* at times since the start of the phase."""
+        return np.asarray(self.work(self.when(t)[0]))
 
     def work(self, x: Any) -> Any:
         """Work of gravity over Theta*, from the start of the phase."""

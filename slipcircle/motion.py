@@ -15,7 +15,11 @@ from slipcircle.plan import CLOSED_IN_TIME, Plan
 
 if TYPE_CHECKING:
     from slipcircle.frozen import Frozen
+    from slipcircle.integrate import Integrated
     from slipcircle.phaseplane import Course
+    from slipcircle.stepping import Stepped
+
+    Solved = Course | Frozen | Integrated | Stepped
 
 Floats = NDArray[np.float64]
 
@@ -46,7 +50,7 @@ class Energy:
     Attributes
     ----------
     kinetic_start, kinetic_end, work, dissipation
-        Kinetic energies, work of gravity, and what all resistance took, by a quadrature of its own.
+        Kinetic energies, work of gravity and shaking, and what all resistance took, by a quadrature of its own.
     """
 
     kinetic_start: Any
@@ -69,6 +73,7 @@ class Start:
     energy: float  # E = omega**2
     slip: float
     lifted: bool  # nothing presses on the slip surface
+    excess: float = 0.0  # pore pressure that heat has added, over sigma_ref
 
 
 @dataclass(frozen=True)
@@ -79,7 +84,8 @@ class Phase:
     end: float
     rotation: float
     direction: int
-    solved: "Course | Frozen"
+    solved: "Solved"
+    rests: bool = False  # at its end, at least for a moment
 
 
 class Motion:
@@ -123,7 +129,8 @@ class Motion:
         if not self.phases:
             return self._state(self.duration, 0.0, 0.0, 0.0)
         last = self.phases[-1]
-        x, omega, rate = (last.solved.end, 0.0, 0.0) if self.arrested else last.solved.state(last.end - last.start)
+        rests = self.arrested or last.rests
+        x, omega, rate = (last.solved.end, 0.0, 0.0) if rests else last.solved.state(last.end - last.start)
         side = last.direction
         return self._state(self.duration, last.rotation + side * x, side * omega, side * rate)
 
@@ -139,8 +146,8 @@ class Motion:
             begins = [] if first <= speed else [(0.0, *p.solved.state(0.0))]
             summit = p.solved.fastest()
             for t, x, omega, rate in [*begins, summit] if summit else begins:
-                if omega > speed and p.start + t <= p.end:
-                    speed, side = omega, p.direction
+                if abs(omega) > speed and p.start + t <= p.end:
+                    speed, side = abs(omega), p.direction
                     time = min((p.start + t) * self._scale, self.duration)
                     best = self._state(time, p.rotation + side * x, side * omega, side * rate)
         # Read off again where that costs nothing, so that the state is that of its rounded time.
@@ -180,10 +187,12 @@ class Motion:
 
     @property
     def lift_off(self) -> tuple[float, ...]:
-        lifted = [False, *(p.solved.start.lifted for p in self.phases)]
-        return tuple(
-            p.start * self._scale for p, was in zip(self.phases, lifted, strict=False) if p.solved.start.lifted > was
-        )
+        lifted, times = False, []
+        for p in self.phases:
+            inside = [p.start + t for t in getattr(p.solved, "lifts", ())]
+            times += [p.start] if p.solved.start.lifted > lifted and not inside else inside
+            lifted = p.solved.start.lifted and not inside
+        return tuple(float(t) * self._scale for t in times)
 
     @cached_property
     def error_estimate(self) -> float:
@@ -216,10 +225,11 @@ class Motion:
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
         """A state from its dimensionless numbers, or arrays of them."""
         scale, radius = self._scale, float(self._arc.radius)
-        press = self.balance.press_at(rotation)
-        stress = self.balance.get("normal_stress", press=press, omega_2=omega * omega) * float(
-            self._arc.reference_stress
-        )
+        at = self.balance.given(time / scale) if self.balance.forcing else {}
+        at |= {"press": self.balance.press_at(rotation), "omega_2": omega * omega}
+        if "k_h" in at:
+            at["press_slope"] = self.balance.press_slope_at(rotation)
+        stress = self.balance.get("normal_stress", **at) * float(self._arc.reference_stress)
         speed = omega / scale
         return State(time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
 
@@ -249,7 +259,8 @@ class Motion:
         p = next((p for p in reversed(self.phases) if p.start <= t), None)
         if p is None:
             return self._state(time, 0.0, 0.0, 0.0)
-        x, omega, rate = p.solved.state(min(t, p.end) - p.start)
+        rests = p.rests and t > p.end
+        x, omega, rate = (p.solved.end, 0.0, 0.0) if rests else p.solved.state(min(t, p.end) - p.start)
         return self._state(time, p.rotation + p.direction * x, p.direction * omega, p.direction * rate)
 
     def _times(self, times: ArrayLike) -> Floats:
@@ -275,7 +286,8 @@ class Motion:
             for phase, mask, local in self._lanes(t):
                 x, speed, change = phase.solved.when(local)
                 rotation[mask] = phase.rotation + phase.direction * x
-                omega[mask], rate[mask] = phase.direction * speed, phase.direction * change
+                moves = ~(phase.rests & (t[mask] > phase.end))  # or rests until the next phase
+                omega[mask], rate[mask] = phase.direction * speed * moves, phase.direction * change * moves
         if self.arrested:
             rest = t >= self.duration / self._scale
             omega[rest], rate[rest] = 0.0, 0.0
@@ -296,7 +308,7 @@ class Motion:
         work, lost = np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
             for phase, mask, local in self._lanes(t):
-                work[mask] += phase.solved.work(phase.solved.when(local)[0])
+                work[mask] += phase.solved.worked(local)
                 lost[mask] += phase.solved.dissipated(local)
         omega = self._followed(t)[1]
         first = self.phases[0].solved.start.energy if self.phases else 0.0

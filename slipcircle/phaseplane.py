@@ -18,6 +18,7 @@ from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.chebyshev import NODES, Piecewise, accumulate, resolve
 from slipcircle.friction import Friction
+from slipcircle.liftoff import change
 from slipcircle.roots import halley, root, scalar
 
 if TYPE_CHECKING:
@@ -117,6 +118,16 @@ class Course:
 
     # -- the balance along the path
 
+    @cached_property
+    def change(self) -> tuple[float, float, float] | None:
+        """Time, x and E at which the mass lifts off or lands before the phase ends."""
+        return change(self)
+
+    @property
+    def excess(self) -> float:
+        """Excess pore pressure over sigma_ref at its end."""
+        return self.start.excess
+
     def press(self, x: Any) -> Any:
         """J_r/Theta* at x; press_slope is its derivative by the dip, which falls as x grows."""
         if not self.balance.turns:
@@ -151,6 +162,10 @@ class Course:
     def resistance(self, x: Any, energy: Any) -> Any:
         """The moment over Theta* of all that opposes the motion."""
         return self.balance.get("resistance", mu=self.friction(x), press=self.press(x), omega_2=energy) + 0.0 * x
+
+    def worked(self, t: Floats) -> Floats:
+        """Work of gravity over Theta* at times since the start of the phase."""
+        return np.asarray(self.work(self.when(t)[0]))
 
     def work(self, x: Any) -> Any:
         """Work of gravity over Theta*, from the start of the phase."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from generated.effects import COMBINATIONS, EFFECTS
 from slipcircle.checks import mistakes, raise_all
-from slipcircle.friction import friction, law_name
+from slipcircle.friction import friction, law_depends, law_name
 from slipcircle.scene import ACCURACY, Scene
 
 if TYPE_CHECKING:
@@ -18,8 +18,11 @@ DEFAULT_ACCURACY = 1e-9
 CLOSED_IN_TIME = "closed form in time"
 CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
 ENERGY_EQUATION = "quadrature of the linear energy equation"
+INTEGRATION = "integration in time by SciPy (DOP853, Radau where stiff), events located"
+STEPPING = "exact steps along the record, frozen geometry"
 # Evaluations of the specialised functions that a solution typically takes.
-EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200}
+EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200, INTEGRATION: 3000,
+               STEPPING: 1000}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -33,8 +36,8 @@ class Plan:
         Effects used, and known effects that the scene does not call for.
     law : str
         The friction law.
-    method : str
-        What is done, in words.
+    method, why : str
+        What is done, in words, and what asks for it; "" where nothing depends on time or speed but by its square.
     functions : tuple of str
         The specialised functions, in `generated.balance` and `generated.motion`.
     operations : str
@@ -50,10 +53,16 @@ class Plan:
     left_out: tuple[str, ...]
     law: str
     method: str
+    why: str
     functions: tuple[str, ...]
     operations: str
     cost: int
     accuracy: float
+
+    @property
+    def tolerance(self) -> float:
+        """Relative tolerance of the steps of an integration that meets the accuracy."""
+        return max(self.accuracy * 1e-3, 3e-14)
 
     @property
     def error_estimate(self) -> float:
@@ -91,15 +100,24 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     if accuracy is not None:
         raise_all("plan", mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}))
     called = scene.called
-    return Plan(scene, **_choice(tuple(e for e in EFFECTS if e in called), law_name(scene.friction)), accuracy=wanted)
+    effects = tuple(e for e in EFFECTS if e in called)
+    series = tuple(f"{e}.{p}" for e in effects for p, value in called[e].items() if callable(value))
+    return Plan(scene, **_choice(effects, law_name(scene.friction), law_depends(scene.friction), series), accuracy=wanted)
 
 
 @cache
-def _choice(effects: tuple[str, ...], law: str) -> dict[str, Any]:
+def _choice(effects: tuple[str, ...], law: str, by: tuple[str, ...], series: tuple[str, ...]) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
     chosen = COMBINATIONS[effects]
     turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
-    if law == "constant":
+    reasons = [f"{e} depends on the speed" for e in effects if "speed" in EFFECTS[e].depends_on]
+    reasons += [f"{e} depends on time" for e in dict.fromkeys(n.partition(".")[0] for n in series)]
+    reasons += [f"friction depends on {'the speed' if x == 'speed' else x}" for x in by if x != "slip"]
+    if law == "constant" and not turns and reasons == ["shaking depends on time"]:
+        method = STEPPING
+    elif reasons:
+        method = INTEGRATION
+    elif law == "constant":
         method = CLOSED_IN_PHASE_PLANE if turns else CLOSED_IN_TIME
     else:
         elementary = turns and law == "exponential" and not braked
@@ -120,6 +138,7 @@ def _choice(effects: tuple[str, ...], law: str) -> dict[str, Any]:
         "left_out": left_out,
         "law": law,
         "method": method,
+        "why": "; ".join(reasons),
         "functions": tuple(names),
         "operations": chosen.operations,
         "cost": chosen.count * EVALUATIONS[method],

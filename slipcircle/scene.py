@@ -5,12 +5,14 @@ from dataclasses import dataclass, field
 from os import PathLike
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from generated.effects import EFFECTS
+from generated.effects import EFFECTS, Parameter
 from slipcircle.arc import Arc
 from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
 from slipcircle.friction import law_mistakes
+from slipcircle.given import resolved
 
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
@@ -26,9 +28,12 @@ class Scene:
     friction : float or array_like, mapping, or callable
         Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
         ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}``, lengths in m; or a function of the
-        accumulated slip in m, which takes and returns arrays.
+        accumulated slip in m, which takes and returns arrays. Laws of speed and of time go by name as well, and
+        ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
     effects : mapping or iterable of str, optional
-        Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any.
+        Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any. What
+        changes with time is a `slipcircle.series.Series` or `Pulse`, or what such are made of: a pulse by name, a
+        record's file, or a list with its times.
     initial_velocity : float or array_like, optional
         Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
     end_time : float, optional
@@ -74,7 +79,14 @@ class Scene:
             found.append(
                 "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
             )
-        found += [m for name, parameters in effects.items() for m in _effect_mistakes(name, parameters)]
+        wrong = {name: _effect_mistakes(name, parameters) for name, parameters in effects.items()}
+        for name, said in wrong.items():
+            found += said
+            if not said and isinstance(self.arc, Arc):
+                try:
+                    effects[name] = resolved(name, effects[name], float(np.asarray(self.arc.gravity).flat[0]))
+                except ValueError as error:
+                    found.append(str(error))
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @property
@@ -115,16 +127,35 @@ def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
 def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
-    wanted = {p.name: p for p in EFFECTS[name].parameters}
-    optional = [p.name for p in wanted.values() if p.optional]
-    needed = [p for p in wanted.values() if not p.optional]
+    effect = EFFECTS[name]
+    wanted = {p.name: p for p in effect.parameters}
+    needed = [p for p in effect.parameters if not p.optional]
     found = [f"effects.{name}: {p.name!r} is missing: {p.help} ({p.unit})" for p in needed if p.name not in parameters]
-    if optional and not any(n in parameters for n in optional):
-        found.append(f"effects.{name}: one of {', '.join(optional)} is missing")
+    if effect.any_of and not any(n in parameters for n in effect.any_of):
+        found.append(f"effects.{name}: one of {', '.join(effect.any_of)} is missing")
     found += [
         f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}"
         for n in parameters
         if n not in wanted
     ]
-    bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in parameters}
-    return found + [f"effects.{name}.{m}" for m in mistakes(parameters, bounds)]
+    given = [(p, parameters[p.name]) for p in effect.parameters if p.name in parameters]
+    words = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
+    numbers = {p.name: v for p, v in given if p.kind in ("number", "list", "series") and not callable(v)}
+    bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in numbers}
+    return found + words + [f"effects.{name}.{m}" for m in mistakes(numbers, bounds)]
+
+
+def _odd(p: Parameter, value: Any) -> bool:
+    """Whether a value that is no number is not of its kind either."""
+    if p.kind in ("number", "list", "series"):
+        return callable(value) and p.kind != "series"
+    if p.kind == "flag":
+        return not isinstance(value, bool)
+    if p.kind == "text":
+        return not isinstance(value, str | int | PathLike)
+    return value not in p.kind.split("|")
+
+
+def _allowed(p: Parameter) -> str:
+    kinds = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers"}
+    return kinds.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"

@@ -12,7 +12,7 @@ from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.arc import Arc
-from slipcircle.friction import law_mistakes
+from slipcircle.friction import RATE_LAWS, law_mistakes
 from slipcircle.scene import Scene
 from slipcircle.scenekeys import Key, Table, model_of, tables_of
 
@@ -67,13 +67,16 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
     friction: Any = document.get("friction")
     wanted = friction.get("law", "constant") if isinstance(friction, dict) else "constant"
     law = "".join(get_close_matches(str(wanted), LAWS, 1))  # itself, where it is known
-    tables = tables_of(law or "constant")
+    by_rate: Any = friction.get("rate") if isinstance(friction, dict) else None
+    asked = by_rate.get("law", "") if isinstance(by_rate, dict) else ""
+    rate = "".join(get_close_matches(str(asked), RATE_LAWS, 1)) or RATE_LAWS[0]
+    tables = tables_of(law or "constant", rate)
     found: list[str] = []
     wrong: set[str] = set()
     if check:
         # Of a law that is anybody's guess nothing else can be judged.
         judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
-        found, wrong = _mistakes(judged, tables, model_of(law or "constant"))
+        found, wrong = _mistakes(judged, tables, model_of(law or "constant", rates=(rate,)))
     if "arc" not in wrong:
         given = _arguments(document["arc"].get("given", {}), tables["arc.given"])
         try:
@@ -82,13 +85,19 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
             found.append(str(error).replace("Arc: ", "arc."))
     if "friction" not in wrong:
         friction = {"law": law} | _arguments(document["friction"], tables["friction"])
+        if by_rate is not None:
+            friction["rate"] = {"law": rate} | _arguments(by_rate, tables["friction.rate"])
         found += law_mistakes(friction)
     if found:
         raise ValueError("\n".join(f"{file}: {m}" for m in found))
     effects = {name: _arguments(document[name], tables[name]) for name in EFFECTS if name in document}
+    if "shaking" in effects:  # records lie where the scene's file lies
+        there = {k: str(Path(file).parent / v) for k, v in effects["shaking"].items() if k.endswith("record")}
+        effects["shaking"] |= there
     more = {"name": Path(file).stem} | _arguments(document, tables[""])
     try:
-        return Scene(arc, friction["coefficient"] if law == "constant" else friction, effects, **more)
+        plain = law == "constant" and by_rate is None
+        return Scene(arc, friction["coefficient"] if plain else friction, effects, **more)
     except ValueError as error:
         raise ValueError(f"{file}: {error}") from error
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, Parameter
 from slipcircle.arc import GIVEN, Arc
+from slipcircle.friction import RATE_LAWS
 
 
 class Key(NamedTuple):
@@ -37,7 +38,7 @@ class Table(NamedTuple):
 
 def _declare(name: str, key: str, unit: str, help: str, lower: float = 0.0, upper: float = INFINITY,
              per_unit: float = 1.0, optional: bool = False) -> Parameter:  # fmt: skip
-    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional)
+    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, "number")
 
 
 _ANGLE: Any = {"lower": -INFINITY, "per_unit": math.pi / 180}
@@ -79,8 +80,18 @@ def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_
     return Key(p.name, title, allowed, required, list if many else float, limits, convert)
 
 
-def _keys(p: Parameter, many: bool) -> dict[str, Key]:
+def _keys(p: Parameter) -> dict[str, Key]:
     """The keys of a parameter; friction has two, for its angle and for the coefficient itself."""
+    many = p.kind == "list"
+    if not p.key:
+        return {}
+    if p.kind == "flag":
+        return {p.key: Key(p.name, p.help, "true or false", False, bool, {}, bool)}
+    if p.kind == "text":
+        return {p.key: Key(p.name, p.help, "text", not p.optional)}
+    if "|" in p.kind:
+        choices = tuple(p.kind.split("|"))
+        return {p.key: Key(p.name, p.help, f"one of {', '.join(choices)}", not p.optional, Literal[choices])}
     if not p.unit and p.key.endswith("_deg"):
         return {
             p.key: _number(p, many, f"{p.help}, as an angle", "deg", False, lambda v: np.tan(np.deg2rad(v)),
@@ -91,38 +102,52 @@ def _keys(p: Parameter, many: bool) -> dict[str, Key]:
     if p.per_unit != 1.0:  # the key tells it, such as kN_m3 for N/m^3, but not what stands between
         between = iter(re.findall("[/ ]", p.unit))
         unit = re.sub("_", lambda _: next(between, " "), p.key.removeprefix(f"{p.name}_"))
-    return {p.key: _number(p, many, p.help, unit, not p.optional, lambda v: v * p.per_unit, lambda v: v / p.per_unit)}
+    key = _number(p, many, p.help, unit, not p.optional, lambda v: v * p.per_unit, lambda v: v / p.per_unit)
+    if p.kind == "series":
+        one, many_of = key, _number(p, True, p.help, unit, False, lambda v: v * p.per_unit, lambda v: v / p.per_unit)
+        key = key._replace(
+            type=(float, list),
+            allowed=f"{one.allowed}, or {many_of.allowed}",
+            convert=lambda v: (many_of if isinstance(v, list) else one).convert(v),
+        )
+    return {p.key: key}
 
 
-def _table(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, many: bool = False) -> Table:
-    keys = {p: _keys(p, many) for p in parameters}
+def _table(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}) -> Table:
+    keys = {p: _keys(p) for p in parameters}
     pairs = tuple(tuple(pair) for p, pair in keys.items() if len(pair) > 1 and not p.optional)
     return Table(title, dict(more) | {k: key for pair in keys.values() for k, key in pair.items()}, pairs)
 
 
-def _law(name: str) -> Table:
-    law = Key("law", "friction law", f"one of {', '.join(LAWS)}", name != "constant", Literal[name])
-    return _table(LAWS[name].help, LAWS[name].parameters, {"law": law}, many=name == "tabulated")
+def _law(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
+    law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", Literal[name])
+    return _table(LAWS[name].help, LAWS[name].parameters, {"law": law})
 
 
-def tables_of(law: str) -> dict[str, Table]:
+def _may_have_rate(law: str) -> bool:
+    """Whether a law may be multiplied by one of speed."""
+    return not {"speed", "time"} & set(LAWS[law].depends_on)
+
+
+def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     """Every table that a scene file may have, by its path."""
     effects = {}
     for name, effect in EFFECTS.items():
-        table = _table(effect.help, effect.parameters)
-        optional = [p for p in effect.parameters if p.optional]
-        effects[name] = table._replace(any_of=tuple(k for p in optional for k in _keys(p, many=False)))
+        needed = [p for p in effect.parameters if p.name in effect.any_of]
+        effects[name] = _table(effect.help, effect.parameters)._replace(any_of=tuple(k for p in needed for k in _keys(p)))
+    by_rate = {"friction.rate": _law(rate, RATE_LAWS)._replace(title="law of speed that multiplies that of slip")}
     return {
         "": _table("a scene of slipcircle", _TOP, _TEXT),
         "arc": _table("the failed section", _ARC),
         "arc.given": _table("coefficients of the equation of motion, taken as they are", _GIVEN),
         "friction": _law(law)._replace(title="friction on the slip surface"),
+        **(by_rate if _may_have_rate(law) else {}),
         **effects,
     }
 
 
-def model_of(*laws: str) -> Any:
-    """The pydantic model of a scene file whose friction law is one of these."""
+def model_of(*laws: str, rates: tuple[str, ...] = RATE_LAWS) -> Any:
+    """The pydantic model of a scene file whose friction law is one of these, and whose law of speed one of those."""
     try:
         from pydantic import ConfigDict, Field, create_model
     except ImportError as error:
@@ -137,7 +162,8 @@ def model_of(*laws: str) -> Any:
         fields = {}
         for k, key in table.keys.items():
             number = Annotated[float, Field(**key.limits)]
-            fields[k] = field({float: number, list: list[number]}.get(key.type, key.type), key, key.required)
+            kinds = {float: number, list: list[number], (float, list): number | list[number]}
+            fields[k] = field(kinds.get(key.type, key.type), key, key.required)
         needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
         needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
         config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, title=table.title,
@@ -146,7 +172,14 @@ def model_of(*laws: str) -> Any:
 
     tables = tables_of(laws[0])
     given = field(model("given", tables["arc.given"]), tables["arc.given"])
-    friction: Any = Union.__getitem__(tuple(model(f"friction_{law}", _law(law)) for law in laws))
+    by_rate: Any = Union.__getitem__(tuple(model(f"rate_{law}", _law(law, RATE_LAWS)) for law in rates))
+    title = Table("law of speed that multiplies that of slip", {})
+    friction: Any = Union.__getitem__(
+        tuple(
+            model(f"friction_{law}", _law(law), **({"rate": field(by_rate, title)} if _may_have_rate(law) else {}))
+            for law in laws
+        )
+    )
     return model(
         "scene", tables[""],
         arc=field(model("arc", tables["arc"], given=given), tables["arc"], True),

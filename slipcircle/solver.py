@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,13 +11,14 @@ from slipcircle.arc import QUANTITIES
 from slipcircle.balance import Balance, bind
 from slipcircle.friction import Friction, friction
 from slipcircle.motion import Motion, Phase, Start
-from slipcircle.plan import CLOSED_IN_TIME, Plan, plan
-from slipcircle.roots import highest, root
+from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, STEPPING, Plan, plan
+from slipcircle.rest import Rest, never_rests, next_start
 from slipcircle.scene import Scene
+from slipcircle.series import Pulse
 
 if TYPE_CHECKING:
-    from slipcircle.frozen import Frozen
-    from slipcircle.phaseplane import Course
+    from slipcircle.motion import Solved
+    from slipcircle.stepping import Stepped
 
 _MOST_PHASES = 2000
 
@@ -52,10 +54,15 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     for name, value in numbers.items():
         if not isinstance(value, (int, float)) and np.ndim(value) != 0:
             raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
-    chosen = plan(scene, accuracy)
+    return solved_otherwise(plan(scene, accuracy))
+
+
+def solved_otherwise(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
+    """The motion; an integration to another tolerance, or with weights changed by a share, tells its error."""
+    scene = chosen.scene
     try:
         with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
-            motion = _solve(chosen)
+            motion = _solve(chosen, tolerance, nudge)
             end = motion.end
         if not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
             raise OverflowError
@@ -67,64 +74,104 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
         ) from error
 
 
-def _solve(chosen: Plan) -> Motion:
+def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
     scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
+    balance = balance.nudged(nudge) if nudge else balance
     scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
-    follow = _follower(chosen.method)
+    follow = _follower(chosen, balance, law, tolerance)
+    two_way = bool(scene.called.get("shaking", {}).get("two_way", False))
     omega = float(np.asarray(scene.initial_velocity)) / radius * scale
     end = math.inf if scene.end_time is None else scene.end_time / scale
     direction = int(np.sign(omega))
-    time = rotation = slip = 0.0
-    energy, phases, arrested, change = omega**2, [], False, None
-    while time < end:
+    time = rotation = slip = excess = 0.0
+    energy, phases, arrested, change = omega**2, list[Phase](), False, None
+    whole = balance
+    if chosen.method == STEPPING:
+        stepped = _stepped(balance, law, omega, end, two_way)
+        if stepped.moves:
+            phases.append(Phase(0.0, stepped.duration, 0.0, stepped.direction, stepped, stepped.stops))
+        if stepped.stops and math.isfinite(end):
+            arrested = next_start(balance, law, Rest(0.0, 0.0), end, math.inf, two_way) is None
+            time = stepped.duration if arrested else end
+        elif stepped.stops:
+            arrested, time = True, stepped.duration
+        else:
+            time, direction = stepped.duration, stepped.side * stepped.direction
+            rotation, energy = stepped.direction * stepped.end, stepped.speed**2
+        balance = replace(balance, forcing={})  # it is still from here on
+    while time < end and not arrested:
         if energy == 0.0:
-            direction = _way(balance, law, rotation, slip)
-            if direction == 0:
+            found = next_start(balance, law, Rest(rotation, slip, excess), time, math.inf, two_way)
+            if found is None:
                 arrested = True
                 break
+            time, direction = found
+            if time >= end:
+                break
         # Just after a change nothing presses, to rounding: from then on it is the other way.
-        lifted = _lifted(balance, rotation, direction, energy) if change is None else not phases[-1].solved.start.lifted
-        start = Start(rotation, direction, energy, slip, lifted)
-        solved = follow(balance, law, start, end - time)
-        change = _change(solved, balance)
+        if change is None:
+            lifted = _lifted(balance, rotation, direction, energy, time, excess)
+        else:
+            lifted = not phases[-1].solved.start.lifted
+        start = Start(rotation, direction, energy, slip, lifted, excess)
+        solved = follow(start, end - time, time)
+        change = solved.change
         duration = solved.duration if change is None else change[0]
         stop = time + duration
-        phases.append(Phase(time, min(stop, end), rotation, direction, solved))
+        phases.append(Phase(time, min(stop, end), rotation, direction, solved, solved.stops and stop < end))
         if stop >= end:
             break
         if change is None and not solved.stops:
             _refuse(scene, solved, stop * scale)
         x, energy = (solved.end, 0.0) if change is None else change[1:]
-        time, rotation, slip = stop, rotation + direction * x, slip + radius * x
-        if energy == 0.0 and math.isinf(end) and balance.turns and _never_rests(balance, law):
-            return Motion(chosen, balance, phases, time * scale, False)
+        time, rotation, slip, excess = stop, rotation + direction * x, slip + radius * x, solved.excess
+        if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law):
+            return Motion(chosen, whole, phases, time * scale, False)
         if len(phases) >= _MOST_PHASES:
             raise ValueError(
                 f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times in {time * scale:.6g} s "
                 "without resting; give an earlier end in s"
             )
-    else:
-        time = end
     if not arrested:
         time = end
     if math.isinf(time):
         _refuse(scene, phases[-1].solved, math.inf)
     duration = time * scale if arrested or scene.end_time is None else scene.end_time
-    return Motion(chosen, balance, phases, duration, arrested)
+    return Motion(chosen, whole, phases, duration, arrested)
 
 
-def _follower(method: str) -> "Callable[[Balance, Friction, Start, float], Course | Frozen]":
-    """What solves one phase; only this method's module is imported."""
-    if method == CLOSED_IN_TIME:
+def _follower(
+    chosen: Plan, balance: Balance, law: Friction, tolerance: float | None
+) -> "Callable[[Start, float, float], Solved]":
+    """What solves one phase, from its start, its longest duration and its time; only its module is imported."""
+    if chosen.method in (CLOSED_IN_TIME, STEPPING):
         from slipcircle.frozen import Frozen
 
-        return Frozen
+        return lambda start, longest, time: Frozen(balance, law, start, longest)
+    if chosen.method == INTEGRATION:
+        try:
+            from slipcircle.integrate import Integrated
+        except ImportError as error:
+            raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
+        wanted = chosen.tolerance if tolerance is None else tolerance
+        return lambda start, longest, time: Integrated(balance, law, start, longest, time, wanted)
     from slipcircle.phaseplane import Course
 
-    return Course
+    return lambda start, longest, time: Course(balance, law, start, longest)
 
 
-def _refuse(scene: Scene, solved: "Course | Frozen", time: float) -> None:
+def _stepped(balance: Balance, law: Friction, omega: float, end: float, two_way: bool) -> "Stepped":
+    """The motion of frozen geometry until the shaking is over."""
+    from slipcircle.series import Shaking
+    from slipcircle.stepping import Stepped
+
+    still = Pulse("rectangular", 0.0, 0.0, 1.0)
+    horizontal, vertical = (balance.forcing[n][0] if n in balance.forcing else still for n in ("k_h", "k_v"))
+    shaking = Shaking(horizontal, vertical if "k_v" in balance.forcing else None)
+    return Stepped(balance, float(law.coefficient(0.0)), omega, end, shaking, balance.time_scale, two_way)
+
+
+def _refuse(scene: Scene, solved: "Solved", time: float) -> None:
     if solved.balance.turns:
         raise ValueError(
             f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
@@ -133,59 +180,6 @@ def _refuse(scene: Scene, solved: "Course | Frozen", time: float) -> None:
     raise ValueError("end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s")
 
 
-def _way(balance: Balance, law: Friction, rotation: float, slip: float) -> int:
-    """The direction in which a mass at rest moves, 0 if it stays: by the limit friction, of which the drive is made."""
-    for side in (1, -1):
-        at = balance.position(rotation, side)
-        if balance.get("normal", **at) <= 0.0:
-            moving = at["fall"] > balance.get("constant", mu=0.0)
-        else:
-            moving = balance.get("limit_friction", **at) > float(law.coefficient(slip))
-        if moving:
-            return side
-    return 0
-
-
-def _lifted(balance: Balance, rotation: float, direction: int, energy: float) -> bool:
-    at = balance.position(rotation, direction)
-    return bool(balance.get("effective_stress", **at, omega_2=energy) < 0.0)
-
-
-def _never_rests(balance: Balance, law: Friction) -> bool:
-    """No cohesion, and no friction, or water that carries the mass even where it would press most."""
-    if balance.values.get("cohesion", 0.0):
-        return False
-    most = balance.radial if balance.turns else balance.press
-    return (law.constant and float(law.coefficient(0.0)) == 0.0) or balance.get("normal", press=most) <= 0.0
-
-
-def _change(solved: "Course | Frozen", balance: Balance) -> tuple[float, float, float] | None:
-    """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
-    if balance.get("normal", press=0.0) == 0.0:  # no water that could carry the mass
-        return None
-    last = min(solved.duration, solved.longest)
-
-    def pressing(t: float) -> float:
-        x, omega, _ = solved.when(np.array([t]))
-        return float(solved.pressing(x, omega**2)[0])
-
-    times = last * np.sin(np.linspace(0.0, np.pi / 2, 65)) ** 2
-    x, omega, _ = solved.when(times)
-    sign = 1.0 if solved.start.lifted else -1.0
-    over = sign * solved.pressing(x, omega**2)
-    for k in range(1, len(times)):
-        low, high, at_high = float(times[k - 1]), float(times[k]), float(over[k])
-        summit = k + 1 < len(times) and over[k - 1] < over[k] >= over[k + 1]
-        if summit and 0.0 <= -over[k] < over[k] - min(over[k - 1], over[k + 1]):  # perhaps there and back in between
-            high = highest(lambda t: sign * pressing(t), low, float(times[k + 1]))
-            at_high = sign * pressing(high)
-        if at_high <= 0.0:
-            continue
-        while (at_low := sign * pressing(low)) >= 0.0 and high > 1e-15 * last:  # zero, to rounding, at the start
-            low = high / 2
-            if sign * pressing(low) >= 0.0:  # also where nothing presses exactly there, or neither bound would move
-                high, at_high = low, sign * pressing(low)
-        t = root(lambda t: sign * pressing(t), low, high, at_low, at_high) if at_low < 0.0 else high
-        x, omega, _ = solved.when(np.array([t]))
-        return t, float(x[0]), float(omega[0]) ** 2
-    return None
+def _lifted(balance: Balance, rotation: float, direction: int, energy: float, time: float, excess: float) -> bool:
+    at = balance.position(rotation, direction) | balance.given(np.nextafter(time, np.inf), direction)
+    return bool(balance.get("effective_stress", **at, omega_2=energy, excess=excess) < 0.0)

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from slipcircle.friction import friction
 from slipcircle.frozen import Frozen
 from slipcircle.phaseplane import EPS, Course
+from slipcircle.plan import INTEGRATION
+from slipcircle.stepping import Stepped
 
 Floats = NDArray[np.float64]
 
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
     from slipcircle.motion import Motion, Phase
 
 ROUNDING = 4.0  # units in which a term is uncertain: kernels, products and sums
+_NUDGE = 32 * EPS  # of the weights, in the integrations that an estimate compares with
+_COARSER = 30.0
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
@@ -42,6 +46,8 @@ def estimate(motion: "Motion") -> float:
 
     States are relative to peak velocity and run-out. 1 where rounding decides whether the mass rests.
     """
+    if motion.plan.method == INTEGRATION:
+        return _by_comparison(motion)
     radius, scale = float(np.asarray(motion.plan.scene.arc.radius)), float(motion.plan.scene.arc.time_scale)
     run_out, peak = abs(float(motion.end.rotation)), abs(float(motion.peak.velocity)) / radius * scale
     doubt, worst = Doubt(), 0.0
@@ -49,7 +55,11 @@ def estimate(motion: "Motion") -> float:
         before = doubt
         if isinstance(phase.solved, Frozen):
             doubt, inside = _frozen(phase.solved, phase, before)
-        else:
+        elif isinstance(phase.solved, Stepped):
+            if phase.solved.undecided:
+                return 1.0
+            doubt, inside = _stepped(phase.solved, before)
+        elif isinstance(phase.solved, Course):
             doubt, inside = _course(phase.solved, phase, before)
         # An error in the time at which the phase begins moves all of it.
         place = max(before.rotation, doubt.rotation) + inside.rotation + inside.top * before.time
@@ -58,6 +68,45 @@ def estimate(motion: "Motion") -> float:
     if motion.moves:
         worst = max(worst, doubt.time / motion.phases[-1].end) + ROUNDING * EPS
     return 1.0 if motion.arrested and _undecided(motion, doubt) else min(worst, 1.0)
+
+
+def _by_comparison(motion: "Motion") -> float:
+    """How far two coarser integrations lie off, whose weights are changed against each other by what rounding may do.
+
+    Errors of the steps, and of the decisions in between, are larger in them than in the motion itself.
+    """
+    from slipcircle.solver import solved_otherwise
+
+    times = np.linspace(0.0, motion.duration, 66)[1:-1]
+    here, worst = motion.at(times), ROUNDING * EPS
+    run_out, peak = max(abs(motion.run_out), 1e-300), max(abs(float(motion.peak.velocity)), 1e-300)
+    for nudge in (_NUDGE, -_NUDGE):
+        try:
+            other = solved_otherwise(motion.plan, _COARSER * motion.plan.tolerance, nudge)
+            there = other.at(np.minimum(times, other.duration))
+        except ValueError:
+            return 1.0
+        if other.moves != motion.moves or other.arrested != motion.arrested:
+            return 1.0
+        if motion.moves:
+            worst = max(
+                worst,
+                abs(other.duration / motion.duration - 1.0),
+                abs(float(other.peak.velocity) / float(motion.peak.velocity) - 1.0),
+                abs(other.run_out - motion.run_out) / run_out,
+                float(np.max(np.abs(there.displacement - here.displacement))) / run_out,
+                float(np.max(np.abs(there.velocity - here.velocity))) / peak,
+            )
+    return min(worst, 1.0)
+
+
+def _stepped(solved: Stepped, before: Doubt) -> tuple[Doubt, Inside]:
+    """By what the stepping knows of its own rounding."""
+    turned, speed, time = solved.errors()
+    summit = solved.fastest()
+    top = max(solved.speed, abs(summit[2]) if summit else 0.0)
+    inside = Inside(turned, speed, top, 0.0)
+    return Doubt(before.rotation + turned, before.slip + turned, before.time + time, 2 * solved.speed * speed), inside
 
 
 def _undecided(motion: "Motion", doubt: Doubt) -> bool:

@@ -1,0 +1,122 @@
+"""A mass at rest: whether and which way it starts, now or, where something changes with time, later."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.balance import Balance
+from slipcircle.friction import Friction
+from slipcircle.roots import highest, root
+
+Floats = NDArray[np.float64]
+_CHUNK = 4096  # stretches between two kinks that are looked at together
+_SAMPLES = 33  # of a stretch, where what is given is curved
+
+
+class Rest(NamedTuple):
+    """Where the mass rests: rotation, accumulated slip in m, excess pore pressure over sigma_ref."""
+
+    rotation: float
+    slip: float
+    excess: float = 0.0
+
+
+def way(balance: Balance, law: Friction, rest: Rest) -> int:
+    """The direction in which a mass at rest moves, 0 if it stays: by the limit friction, of which the drive is made."""
+    for side in (1, -1):
+        at = balance.position(rest.rotation, side) | {"excess": rest.excess}
+        if balance.get("normal", **at) <= 0.0:
+            moving = at["fall"] > balance.get("constant", **at, mu=0.0)
+        else:
+            moving = balance.get("limit_friction", **at) > float(law.coefficient(rest.slip))
+        if moving:
+            return side
+    return 0
+
+
+def next_start(
+    balance: Balance, law: Friction, rest: Rest, time: float, end: float, two_way: bool
+) -> tuple[float, int] | None:
+    """When the mass starts, from a time on, and which way; None if it stays until the end.
+
+    One-way, it starts only down-slope: the way in which gravity alone pulls it where it lies.
+    """
+    kinks = kinks_of(balance, law)
+    if not len(kinks):
+        side = way(balance, law, rest)
+        return (time, side) if side else None
+    sides = (1, -1) if two_way or "k_h" not in balance.forcing else (down_slope(balance, rest.rotation),)
+    found = [(t, side) for side in sides if (t := _start(balance, law, rest, time, end, side, kinks)) is not None]
+    return min(found) if found else None
+
+
+def kinks_of(balance: Balance, law: Friction) -> Floats:
+    """Dimensionless times at which what changes with time is not smooth; none where nothing does."""
+    series = [np.asarray(f.kinks) for f, _ in balance.forcing.values()] + [np.asarray(law.times)]
+    return np.unique(np.concatenate(series)) / balance.time_scale
+
+
+def down_slope(balance: Balance, rotation: float) -> int:
+    """The direction in which gravity pulls."""
+    return -1 if balance.position(rotation, 1)["fall"] < 0.0 else 1
+
+
+def _start(balance: Balance, law: Friction, rest: Rest, time: float, end: float, side: int, kinks: Floats) -> float | None:  # fmt: skip
+    excess = _excess_of_drive(balance, law, rest, side)
+    bounds = np.concatenate([[time], kinks[(kinks > time) & (kinks < end)], [end]])
+    straight = all(hasattr(f, "values") for f, _ in balance.forcing.values())
+    share = np.linspace(0.0, 1.0, 3 if straight else _SAMPLES)
+    for first in range(0, len(bounds) - 1, _CHUNK):
+        left = bounds[first : min(first + _CHUNK, len(bounds) - 1)]
+        right = bounds[first + 1 : first + len(left) + 1]
+        right = np.where(np.isinf(right), 2 * left + 1.0, right)  # nothing changes any more
+        early, late = np.nextafter(left, np.inf), np.nextafter(right, -np.inf)
+        times = np.clip(left[:, None] + (right - left)[:, None] * share, early[:, None], late[:, None])
+        values = excess(times)
+        inner = values[:, 1:-1]
+        hump = (inner > values[:, :-2]) & (inner >= values[:, 2:]) & (inner <= 0.0)
+        hump &= -inner < inner - np.minimum(values[:, :-2], values[:, 2:])  # it may pass zero in between
+        above = np.any(values > 0.0, axis=1) | np.any(hump, axis=1)
+        for k in np.flatnonzero(above):
+            t = _within(excess, times[k], values[k], left[k])
+            if t is not None:
+                return t
+    return None
+
+
+def _within(excess: Callable[[Any], Any], times: Floats, values: Floats, left: float) -> float | None:
+    """The first time at which a function that is smooth here passes zero upwards."""
+    for j in range(len(times)):
+        low, high, at_high = float(times[max(j - 1, 0)]), float(times[j]), float(values[j])
+        if at_high <= 0.0 and 0 < j < len(times) - 1 and values[j - 1] < at_high >= values[j + 1]:
+            high = highest(lambda t: float(excess(t)), low, float(times[j + 1]))
+            at_high = float(excess(high))
+        if at_high > 0.0:
+            if j == 0:
+                return float(left)
+            return root(lambda t: float(excess(t)), low, high, float(values[j - 1]), at_high)
+    return None
+
+
+def _excess_of_drive(balance: Balance, law: Friction, rest: Rest, side: int) -> Callable[[Any], Any]:
+    """The drive less the resistance at rest, at dimensionless times."""
+    at: dict[str, Any] = {**balance.position(rest.rotation, side), "excess": rest.excess, "omega": 0.0, "omega_2": 0.0}
+
+    def excess(t: Any) -> Any:
+        local = at | balance.given(t, side)
+        mu = law.coefficient(rest.slip, 0.0, t * balance.time_scale)
+        local["mu"] = np.where(balance.get("normal", **local) > 0.0, mu, 0.0)
+        fall = balance.get("fall", **local) if balance.has("fall") else local["fall"]
+        return fall - balance.get("resistance", **local)
+
+    return excess
+
+
+def never_rests(balance: Balance, law: Friction) -> bool:
+    """No cohesion, and no friction, or water that carries the mass even where it would press most."""
+    if balance.values.get("cohesion", 0.0):
+        return False
+    most = balance.radial if balance.turns else balance.press
+    return (law.constant and float(law.coefficient(0.0)) == 0.0) or balance.get("normal", press=most) <= 0.0
