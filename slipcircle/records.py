@@ -55,7 +55,7 @@ def read_record(
     units : {"g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
         Needed where the file does not say it.
     column : int or str, optional
-        Which column holds the acceleration: its number, from 1, or its name in the header. Needed where there is a
+        Which column holds the acceleration: its name in the header, or its number, from 1. Needed where there is a
         choice.
     step : float, optional
         s between samples, for a file without times.
@@ -346,10 +346,9 @@ def _column(name: str, column: int | str | None, names: list[str], choice: list[
         if len(choice) == 1:
             return choice[0]
         raise ValueError(f"{name}: has several columns of acceleration; give column, one of {shown}")
-    if isinstance(column, str):
-        found = [k for k in choice if names and names[k].lower() == column.strip().lower()]
-    else:
-        found = [column - 1] if column - 1 in choice else []
+    found = [k for k in choice if names and names[k].lower() == str(column).strip().lower()]
+    if not found and str(column).strip().isdecimal():
+        found = [k for k in choice if k == int(column) - 1]
     if len(found) != 1:
         raise ValueError(f"{name}: column = {column!r}: must be one of {shown}")
     return found[0]
