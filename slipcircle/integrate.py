@@ -93,10 +93,7 @@ class Integrated:
             if turns:
                 sine, cosine = math.sin(x), math.cos(x)
                 local["fall"], local["fall_slope"] = fall_0 * cosine - slope_0 * sine, slope_0 * cosine + fall_0 * sine
-                local["press"], local["press_slope"] = (
-                    press_0 * cosine - rise_0 * sine,
-                    rise_0 * cosine + press_0 * sine,
-                )
+                local["press"], local["press_slope"] = press_0 * cosine - rise_0 * sine, rise_0 * cosine + press_0 * sine
             for name, function in given:
                 local[name] = function(t)
             local["omega"], local["omega_2"] = omega, omega * omega
@@ -138,10 +135,7 @@ class Integrated:
             rate = self._equation(left, right)
             band = self._band(rate, t, y, speeds)
             method: Any = DOP853
-            solver, since = (
-                method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)),
-                steps,
-            )
+            solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)), steps
             while solver.status == "running":
                 solver.step()
                 if solver.status == "failed" or not np.all(np.isfinite(solver.y)):
@@ -165,9 +159,7 @@ class Integrated:
                     solver.atol = self._floor(tolerance, t, top)
                     if method is DOP853 and steps - since > _STIFF_STEPS:
                         method = LSODA
-                        solver = method(
-                            rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)
-                        )
+                        solver = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top))
                     continue
                 which, t = found
                 y = np.array(dense(t))
@@ -181,10 +173,7 @@ class Integrated:
                 else:
                     y[1] = speeds[band if which == "faster" else band - 1]
                     band = self._band(rate, t, y, speeds)
-                solver, since = (
-                    method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)),
-                    steps,
-                )
+                solver, since = method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)), steps
             if which in ("stands", "presses", "over"):
                 break
             left = right

@@ -102,9 +102,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     called = scene.called
     effects = tuple(e for e in EFFECTS if e in called)
     series = tuple(f"{e}.{p}" for e in effects for p, value in called[e].items() if callable(value))
-    return Plan(
-        scene, **_choice(effects, law_name(scene.friction), law_depends(scene.friction), series), accuracy=wanted
-    )
+    return Plan(scene, **_choice(effects, law_name(scene.friction), law_depends(scene.friction), series), accuracy=wanted)
 
 
 @cache

@@ -134,9 +134,7 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     effects = {}
     for name, effect in EFFECTS.items():
         needed = [p for p in effect.parameters if p.name in effect.any_of]
-        effects[name] = _table(effect.help, effect.parameters)._replace(
-            any_of=tuple(k for p in needed for k in _keys(p))
-        )
+        effects[name] = _table(effect.help, effect.parameters)._replace(any_of=tuple(k for p in needed for k in _keys(p)))
     by_rate = {"friction.rate": _law(rate, RATE_LAWS)._replace(title="law of speed that multiplies that of slip")}
     return {
         "": _table("a scene of slipcircle", _TOP, _TEXT),

@@ -1,4 +1,4 @@
-"""Series, pulses and record files: exact values and integrals, the common formats, and one clear error for each mistake."""
+"""Series, pulses and record files: exact values and integrals, the common formats, a clear error for each mistake."""
 
 import math
 from pathlib import Path
@@ -29,8 +29,8 @@ def write(folder: Path, text: str, name: str = "record.txt") -> Path:
 
 def esm(values: str, count: int, units: str = "cm/s^2", kind: str = "ACCELERATION") -> str:
     """A header of 64 lines as ESM and ITACA write it, its other keys empty."""
-    known = {1: "EVENT_NAME: NOWHERE", 29: "SAMPLING_INTERVAL_S: 0.010000", 30: f"NDATA: {count}", 33: f"UNITS: {units}",
-             39: "PGA_CM/S^2: -2.5", 47: "HEADER_FORMAT: DYNA 1.2", 48: f"DATA_TYPE: {kind}"}  # fmt: skip
+    known = {1: "EVENT_NAME: NOWHERE", 29: "SAMPLING_INTERVAL_S: 0.010000", 30: f"NDATA: {count}",
+             33: f"UNITS: {units}", 39: "PGA_CM/S^2: -2.5", 47: "HEADER_FORMAT: DYNA 1.2", 48: f"DATA_TYPE: {kind}"}  # fmt: skip
     return "\n".join(known.get(k, f"USER{k}:") for k in range(1, 65)) + "\n" + values
 
 
@@ -120,7 +120,7 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "no units": ("0,1\n1,2\n", {}, "units are missing"),
     "other units": (HEAD + "0,1\n1,2\n", {"units": "gal"}, "units = 'gal', but its header says g"),
     "unknown units": (HEAD + "0,1\n1,2\n", {"units": "ft/s2"}, "units = 'ft/s2': must be one of g, m/s2"),
-    "choice": ("t (s),a (g),b (g)\n0,1,2\n1,2,3\n", {}, "several columns of acceleration; give column, one of 2 (a), 3 (b)"),
+    "choice": ("t (s),a (g),b (g)\n0,1,2\n1,2,3\n", {}, "give column, one of 2 (a), 3 (b)"),
     "no such column": (HEAD + "0,1\n1,2\n", {"column": "up"}, "column = 'up': must be one of 2 (acc)"),
     "time as column": (HEAD + "0,1\n1,2\n", {"column": 1}, "column = 1: must be one of 2 (acc)"),
     "no step": ("1\n2\n", {"units": "g"}, "has one column and no times; give step"),
@@ -135,7 +135,7 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "AT2 without DT": (AT2.format(line="NPTS= x, DT= y"), {}, "line 4: 'NPTS= x, DT= y': must give NPTS and DT"),
     "AT2 of velocity": (AT2.replace("ACCELERATION", "VELOCITY").format(line="NPTS= 7, DT= 1"), {}, "no acceleration"),
     "AT2 with a nan": (AT2.format(line="NPTS= 7, DT= 1").replace(" .7000000E-01", "NaN"), {}, "line 6: value = nan"),
-    "AT2 with text": (AT2.format(line="NPTS= 7, DT= 1").replace(".7000000E-01", "*****"), {}, "line 6: '*****': must be"),
+    "AT2 with text": (AT2.format(line="NPTS= 7, DT= 1").replace(".7000000E-01", "*****"), {}, "line 6: '*****': must"),
     "AT2 with step": (AT2.format(line="NPTS= 7, DT= 1"), {"step": 1.0}, "step = 1.0: an AT2 file has"),
     "ESM of velocity": (esm("1\n2\n", 2, kind="VELOCITY"), {}, "DATA_TYPE = 'VELOCITY': must be ACCELERATION"),
     "ESM units": (esm("1\n2\n", 2, units="count"), {}, "UNITS = 'count': must be one of"),
