@@ -29,8 +29,10 @@ def write(folder: Path, text: str, name: str = "record.txt") -> Path:
 
 def esm(values: str, count: int, units: str = "cm/s^2", kind: str = "ACCELERATION") -> str:
     """A header of 64 lines as ESM and ITACA write it, its other keys empty."""
-    known = {1: "EVENT_NAME: NOWHERE", 29: "SAMPLING_INTERVAL_S: 0.010000", 30: f"NDATA: {count}",
-             33: f"UNITS: {units}", 39: "PGA_CM/S^2: -2.5", 47: "HEADER_FORMAT: DYNA 1.2", 48: f"DATA_TYPE: {kind}"}  # fmt: skip
+    known = {
+        1: "EVENT_NAME: NOWHERE", 29: "SAMPLING_INTERVAL_S: 0.010000", 30: f"NDATA: {count}", 33: f"UNITS: {units}",
+        39: "PGA_CM/S^2: -2.5", 47: "HEADER_FORMAT: DYNA 1.2", 48: f"DATA_TYPE: {kind}",
+    }  # fmt: skip
     return "\n".join(known.get(k, f"USER{k}:") for k in range(1, 65)) + "\n" + values
 
 
