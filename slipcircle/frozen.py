@@ -67,6 +67,10 @@ class Frozen:
         """Excess pore pressure over sigma_ref at its end."""
         return self.start.excess
 
+    def excess_when(self, t: Floats) -> Floats:
+        """Excess pore pressure over sigma_ref at times since the start of the phase."""
+        return np.full_like(t, self.start.excess)
+
     def press(self, x: Any) -> Any:
         """J_r/Theta*, frozen."""
         return self.at["press"] + 0.0 * x

@@ -250,6 +250,10 @@ class Integrated:
         found[:2] = np.maximum(found[:2], 0.0)
         return found
 
+    def excess_when(self, t: Floats) -> Floats:
+        """Excess pore pressure over sigma_ref at times since the start of the phase."""
+        return self.states(t)[2] if self.heats else np.full_like(t, self.start.excess)
+
     @cached_property
     def _starts(self) -> Floats:
         return np.array([p.start for p in self.pieces])

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def change(solved: "Course | Frozen") -> tuple[float, float, float] | None:
     """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
     balance = solved.balance
-    if balance.get("normal", press=0.0) == 0.0:  # no water that could carry the mass
+    if balance.get("normal", press=0.0) == 0.0 and not balance.has("pressurisation"):  # no water that could carry it
         return None
     last = min(solved.duration, solved.longest)
 

@@ -296,6 +296,23 @@ class Motion:
                 rotation[rest] = last.rotation + last.direction * last.solved.end
         return rotation, omega, rate
 
+    def pore_pressure_at(self, times: ArrayLike) -> Any:
+        """The mean pore pressure on the slip surface, with what heat has added, Pa.
+
+        Parameters
+        ----------
+        times : float or array_like
+            s; as for `at`.
+        """
+        t = self._times(times) / self._scale
+        rotation, excess = self._followed(t)[0], np.zeros_like(t)
+        for phase, mask, local in self._lanes(t):
+            excess[mask] = phase.solved.excess_when(local)
+        at = self.balance.given(t) | {"press": self.balance.press_at(rotation), "excess": excess, "omega_2": 0.0}
+        at["press_slope"] = self.balance.press_slope_at(rotation)
+        get = self.balance.get
+        return (get("normal_stress", **at) - get("effective_stress", **at)) * float(self._arc.reference_stress)
+
     def energy_at(self, times: ArrayLike) -> Energy:
         """The energy balance from the start to any times.
 

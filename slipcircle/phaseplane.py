@@ -54,7 +54,7 @@ def _rules() -> tuple[Floats, Floats]:
 _RULES = _rules()
 
 
-def _energy(edges: Floats, values: Floats, means: Floats) -> tuple[Callable[[Any], Any], Callable[[float], float]]:
+def energy_on_panels(edges: Floats, values: Floats, means: Floats) -> tuple[Callable[[Any], Any], Callable[[float], float]]:
     """E of arrays and of a float, from its values at the panels' left edges and the series of its mean slope there."""
 
     def energy(x: Any) -> Any:
@@ -77,6 +77,11 @@ def _energy(edges: Floats, values: Floats, means: Floats) -> tuple[Callable[[Any
     return energy, at
 
 
+def of_row(known: list[tuple[Floats, Floats]], row: int) -> tuple[Floats, Floats]:
+    """Of one of the functions that are followed: values at the panels' left edges, and series as columns."""
+    return np.array([v[row] for v, _ in known]), np.array([m[row] for _, m in known]).T
+
+
 _MOST_PANELS = 4000  # of the collocation, halvings counted
 
 
@@ -96,24 +101,25 @@ class Course:
     def __init__(self, balance: Balance, law: Friction, start: "Start", longest: float) -> None:
         self.balance, self.law, self.start, self.longest = balance, law, start, longest
         self.radius = balance.radius
-        self.at = balance.position(start.rotation, start.direction)
+        self.at = balance.position(start.rotation, start.direction) | {"excess": start.excess}
         self.mu = 0.0 if start.lifted else float(law.coefficient(start.slip))
         get = balance.get
-        self.constant = float(get("constant", mu=self.mu))
+        self.constant = float(get("constant", mu=self.mu, excess=start.excess))
         self.drive = balance.drive(self.at, self.mu)
         self.tilt = float(get("tilt", **self.at, mu=self.mu))
         self.brake = float(get("brake", mu=self.mu))
         self.steady = law.constant or start.lifted
         self.furthest = self.at["dip"] + np.pi / 2 if balance.turns else math.inf  # beyond, the mass would hang over
-        closed = balance.turns and (self.steady or (law.law == "exponential" and not balance.has("brake")))
+        alone = balance.turns and not balance.has("pressurisation")  # E follows from the rotation alone
+        self.closed = alone and (self.steady or (law.law == "exponential" and not balance.has("brake")))
         self.unresolved = 0.0
-        if closed:
+        if self.closed:
             self.energy, self._scalar = self._closed_form()
             self.end, self.stops = self._first_zero()
             if self.steady and self.stops:
                 self._both_ways = self._from_both_ends()
         else:
-            (self.energy, self._scalar), self.end, self.stops = self._collocate(longest)
+            self.end, self.stops = self._collocate(longest)
         self.peak = self._peak()
 
     # -- the balance along the path
@@ -127,6 +133,10 @@ class Course:
     def excess(self) -> float:
         """Excess pore pressure over sigma_ref at its end."""
         return self.start.excess
+
+    def excess_when(self, t: Floats) -> Floats:
+        """Excess pore pressure over sigma_ref at times since the start of the phase."""
+        return np.full_like(t, self.start.excess)
 
     def press(self, x: Any) -> Any:
         """J_r/Theta* at x; press_slope is its derivative by the dip, which falls as x grows."""
@@ -153,7 +163,7 @@ class Course:
             driving = self.drive * np.cos(x) - self.tilt * np.sin(x) - 2 * self.constant * np.sin(x / 2) ** 2
         if self.steady:
             return driving
-        return driving + self.drop(x) * self.balance.get("normal", press=self.press(x))
+        return driving + self.drop(x) * self.balance.get("normal", press=self.press(x), excess=self.start.excess)
 
     def braking(self, x: Any) -> Any:
         """The brake at x."""
@@ -283,7 +293,7 @@ class Course:
     def _peak(self) -> float:
         """Where E is greatest on [0, end]."""
         rate = self._slope_at
-        if self.steady and self.constant >= 0.0:
+        if self.closed and self.steady and self.constant >= 0.0:
             if self.drive <= self.brake * self.start.energy:
                 return 0.0
             if not self.stops and rate(self.end) >= 0.0:
@@ -300,7 +310,7 @@ class Course:
 
     # -- E by collocation, panel by panel
 
-    def _collocate(self, longest: float) -> tuple[tuple[Callable[[Any], Any], Callable[[float], float]], float, bool]:
+    def _collocate(self, longest: float) -> tuple[float, bool]:
         """E on panels, until it is zero, or the path ends, or more than the longest time has passed."""
         scale = min(self.law.scale / self.radius, 1.0, self.furthest)
         if self.drive > 0.0:
@@ -308,55 +318,70 @@ class Course:
         elif self.drive < 0.0:  # the way to a standstill
             scale = min(scale, self.start.energy / -self.drive)
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
-        left, width, value, least = 0.0, scale / 16, self.start.energy, 0.0
-        edges, values, means = [0.0], [value], []
+        left, width, least = 0.0, scale / 16, 0.0
+        values, known = self._at_start(), list[tuple[Floats, Floats]]()
+        edges = [0.0]
         never = 1e7 * max(1.0, self.law.scale / self.radius if math.isfinite(self.law.scale) else 0.0)
         for _ in range(_MOST_PANELS):
             right = min([left + width, self.furthest, *(k for k in kinks if k > left)])
             half = right - left
-            drive, brake = 2 * self.driving(left + half * _Z), 2 * self.braking(left + half * _Z)
-            # E = value + (x - left) mean(E') and E' = drive - brake E, at the nodes: a linear system for E'.
-            matrix = brake[:, None] * (half * _Z[:, None] * _MEAN)
-            matrix[np.diag_indices(NODES)] += 1.0
-            rate = np.linalg.solve(matrix, drive - brake * value)
-            mean, series = _BACK @ (_MEAN @ rate), _BACK @ rate
+            rates, sizes, begins = self._panel(left, half, values)
+            means = rates @ _MEAN.T
             # Also where it begins, which is no node: what falls within a hair of the start would pass unseen.
-            missed = series @ _AT_START - float(self.slope(np.array([left]), value)[0])
-            tail = np.abs(series[-2:]).sum() + max(abs(missed) - 64 * EPS * np.abs(series).sum(), 0.0)
-            # Where a strong brake holds the drive, their difference is rounded, and E is as good as the drive.
-            size = max(np.abs(rate).max(), np.abs(drive).max(), 1e-300)
+            series = rates @ _BACK.T
+            missed = np.maximum(np.abs(series @ _AT_START - begins) - 64 * EPS * np.abs(series).sum(axis=1), 0.0)
+            tails = np.abs(series[:, -2:]).sum(axis=1) + missed
             # What rounding of the slip leaves of a narrow table is no more than that: its part of E is what counts.
-            missing = min(tail / size, tail * half / max(value, 1e-300))
-            if tail > 4e-15 * size and missing > 4e-15 and half > 1e-13 * right:
+            missing = np.minimum(tails / sizes, tails * half / np.maximum(np.abs(values), 1e-300))
+            if np.any((tails > 4e-15 * sizes) & (missing > 4e-15)) and half > 1e-13 * right:
                 width = half / 2
                 continue
-            self.unresolved = max(self.unresolved, missing)
-            following = value + half * float(_MEAN_TO_END @ rate)
+            self.unresolved = max(self.unresolved, float(missing.max()))
+            following = values + half * (rates @ _MEAN_TO_END)
+            known.append((values, means @ _BACK.T))
             edges.append(right)
-            values.append(following)
-            means.append(mean)
-            energy = value + half * _Z * (_MEAN @ rate)
-            ended = energy.min() <= 0.0 or following <= 0.0
-            least += half / math.sqrt(max(float(energy.max()), value, following, 1e-300))
+            value, after, energy = float(values[0]), float(following[0]), values[0] + half * _Z * means[0]
+            ended = energy.min() <= 0.0 or after <= 0.0
+            least += half / math.sqrt(max(float(energy.max()), value, after, 1e-300))
             if not (ended or right >= self.furthest or least > longest or (math.isinf(longest) and right > never)):
-                left, value, width = right, following, 2 * half
+                left, values, width = right, following, 2 * half
                 continue
-            found = _energy(np.array(edges), np.array(values), np.array(means).T)
+            self._keep(np.array(edges), known)
             if not ended:
-                return found, right, False
+                return right, False
             grid = np.append((left + half * _Z)[::-1], right)
-            below = int(np.argmax(np.append(energy[::-1], following) <= 0.0))
+            below = int(np.argmax(np.append(energy[::-1], after) <= 0.0))
             low, high = (float(grid[below - 1]) if below else left), float(grid[below])
             # The series are rounded otherwise than the values at the nodes that the bracket comes from.
-            end = root(found[1], low, high, max(found[1](low), 1e-300), min(found[1](high), -1e-300))
+            E = self._scalar
+            end = root(E, low, high, max(E(low), 1e-300), min(E(high), -1e-300))
             if left == 0.0 and 0.0 < end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
-                width, least, edges, values, means = 4 * end, 0.0, [0.0], [value], []
+                width, least, edges, known = 4 * end, 0.0, [0.0], []
                 continue
-            return found, end, True
+            return end, True
         raise ValueError(
             f"friction: changes too sharply for {_MOST_PANELS} panels of the energy equation, near a slip of "
             f"{self.start.slip + self.radius * left:.6g} m; give a smoother law"
         )
+
+    def _at_start(self) -> Floats:
+        """What is followed along the path, at the start."""
+        return np.array([self.start.energy])
+
+    def _panel(self, left: float, half: float, values: Floats) -> tuple[Floats, Floats, Floats]:
+        """Slopes at a panel's nodes of what is followed, the sizes of their terms, and the slopes where it begins."""
+        drive, brake = 2 * self.driving(left + half * _Z), 2 * self.braking(left + half * _Z)
+        # E = value + (x - left) mean(E') and E' = drive - brake E, at the nodes: a linear system for E'.
+        matrix = brake[:, None] * (half * _Z[:, None] * _MEAN)
+        matrix[np.diag_indices(NODES)] += 1.0
+        rate = np.linalg.solve(matrix, drive - brake * values[0])
+        # Where a strong brake holds the drive, their difference is rounded, and E is as good as the drive.
+        size = max(np.abs(rate).max(), np.abs(drive).max(), 1e-300)
+        return rate[None], np.array([size]), np.array([float(self.slope(np.array([left]), values[0])[0])])
+
+    def _keep(self, edges: Floats, known: list[tuple[Floats, Floats]]) -> None:
+        """Make functions of the panels' values and series."""
+        self.energy, self._scalar = energy_on_panels(edges, *of_row(known, 0))
 
     # -- time
 
@@ -369,7 +394,7 @@ class Course:
 
     def speed_squared(self, x: Any, left: Any) -> Any:
         """E at x, relatively accurate also next to the standstill, where it is integrated from the end."""
-        if self.stops and self.steady and self.balance.turns:
+        if self.stops and self.steady and self.closed:
             return np.maximum(self._both_ways(x, left), 0.0)
         found = np.asarray(self.energy(x))
         if self.stops and np.any(left < 0.05 * self.end):
@@ -421,7 +446,7 @@ class Course:
         Two Gauss-Legendre rules in one evaluation; where they differ, the series on refined panels.
         """
         last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
-        if self.steady and self.balance.turns and self.start.energy == 0.0:
+        if self.steady and self.closed and self.start.energy == 0.0:
             values = self._rate(np.concatenate([last * _RULES[0], top * _RULES[0]]))
             coarse, fine = _RULES[1] @ values.reshape(2, -1).T
             missing = abs(coarse[0] - fine[0]) + abs(coarse[1] - fine[1])

@@ -18,10 +18,11 @@ DEFAULT_ACCURACY = 1e-9
 CLOSED_IN_TIME = "closed form in time"
 CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
 ENERGY_EQUATION = "quadrature of the linear energy equation"
+LINEAR_SYSTEM = "linear system of energy and pore pressure in the phase plane by collocation, time by quadrature"
 INTEGRATION = "integration in time by SciPy (DOP853, Radau where stiff), events located"
 STEPPING = "exact steps along the record, frozen geometry"
 # Evaluations of the specialised functions that a solution typically takes.
-EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200, INTEGRATION: 3000,
+EVALUATIONS = {CLOSED_IN_TIME: 3, CLOSED_IN_PHASE_PLANE: 150, ENERGY_EQUATION: 1200, LINEAR_SYSTEM: 2500, INTEGRATION: 3000,
                STEPPING: 1000}  # fmt: skip
 
 
@@ -117,6 +118,8 @@ def _choice(effects: tuple[str, ...], law: str, by: tuple[str, ...], series: tup
         method = STEPPING
     elif reasons:
         method = INTEGRATION
+    elif "pressurisation" in chosen.functions:
+        method = LINEAR_SYSTEM
     elif law == "constant":
         method = CLOSED_IN_PHASE_PLANE if turns else CLOSED_IN_TIME
     else:

@@ -114,9 +114,14 @@ def _excess_of_drive(balance: Balance, law: Friction, rest: Rest, side: int) -> 
     return excess
 
 
-def never_rests(balance: Balance, law: Friction) -> bool:
-    """No cohesion, and no friction, or water that carries the mass even where it would press most."""
+def never_rests(balance: Balance, law: Friction, excess: float) -> bool:
+    """No cohesion, and no friction, or water that carries the mass even where it would press most.
+
+    Heat takes strength ever more slowly, and never all: what is left after a hundredth does not count.
+    """
     if balance.values.get("cohesion", 0.0):
         return False
     most = balance.radial if balance.turns else balance.press
-    return (law.constant and float(law.coefficient(0.0)) == 0.0) or balance.get("normal", press=most) <= 0.0
+    frictionless = law.constant and float(law.coefficient(0.0)) == 0.0
+    left = 0.01 * most if excess > 0.0 else 0.0
+    return frictionless or balance.get("normal", press=most, excess=excess) <= left

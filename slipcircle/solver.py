@@ -11,7 +11,7 @@ from slipcircle.arc import QUANTITIES
 from slipcircle.balance import Balance, bind
 from slipcircle.friction import Friction, friction
 from slipcircle.motion import Motion, Phase, Start
-from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, STEPPING, Plan, plan
+from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, LINEAR_SYSTEM, STEPPING, Plan, plan
 from slipcircle.rest import Rest, never_rests, next_start
 from slipcircle.scene import Scene
 from slipcircle.series import Pulse
@@ -45,8 +45,9 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     Notes
     -----
     Friction opposes the motion and never drives it. At a standstill the mass stays if the drive is at most the
-    resistance, and turns back if not. A mass that nothing brings to rest (no friction, no cohesion) is followed to
-    its first standstill.
+    resistance, and turns back if not, or starts again when shaking, water or friction has changed enough. A mass that
+    nothing brings to rest (no friction, or none that presses on the slip surface, and no cohesion) is followed to its
+    first standstill.
     """
     numbers = {n: getattr(scene, n) for n in ("initial_velocity", "end_time")}
     numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
@@ -125,7 +126,7 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
             _refuse(scene, solved, stop * scale)
         x, energy = (solved.end, 0.0) if change is None else change[1:]
         time, rotation, slip, excess = stop, rotation + direction * x, slip + radius * x, solved.excess
-        if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law):
+        if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law, excess):
             return Motion(chosen, whole, phases, time * scale, False)
         if len(phases) >= _MOST_PHASES:
             raise ValueError(
@@ -155,6 +156,10 @@ def _follower(
             raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
         wanted = chosen.tolerance if tolerance is None else tolerance
         return lambda start, longest, time: Integrated(balance, law, start, longest, time, wanted)
+    if chosen.method == LINEAR_SYSTEM:
+        from slipcircle.heated import Heated
+
+        return lambda start, longest, time: Heated(balance, law, start, longest)
     from slipcircle.phaseplane import Course
 
     return lambda start, longest, time: Course(balance, law, start, longest)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from slipcircle.friction import friction
 from slipcircle.frozen import Frozen
 from slipcircle.phaseplane import EPS, Course
-from slipcircle.plan import INTEGRATION
+from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM
 from slipcircle.stepping import Stepped
 
 Floats = NDArray[np.float64]
@@ -46,7 +46,7 @@ def estimate(motion: "Motion") -> float:
 
     States are relative to peak velocity and run-out. 1 where rounding decides whether the mass rests.
     """
-    if motion.plan.method == INTEGRATION:
+    if motion.plan.method in (INTEGRATION, LINEAR_SYSTEM):
         return _by_comparison(motion)
     radius, scale = float(np.asarray(motion.plan.scene.arc.radius)), float(motion.plan.scene.arc.time_scale)
     run_out, peak = abs(float(motion.end.rotation)), abs(float(motion.peak.velocity)) / radius * scale
