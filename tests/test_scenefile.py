@@ -62,7 +62,8 @@ def tan(degrees: float) -> float:
 
 
 def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
-    assert shipped() == ("newmark-pulse", "vaiont", "vaiont-as-printed", "vaiont-frozen", "vaiont-softening", "wet-slope")
+    vaionts = ("vaiont", "vaiont-as-printed", "vaiont-frozen", "vaiont-softening")
+    assert shipped() == ("newmark-pulse", *vaionts, "wet-slope")
     motions = {name: solve(Scene.load(name)) for name in shipped()}
     for name, motion in motions.items():
         scene = Scene.load(name)
