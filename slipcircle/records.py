@@ -55,7 +55,7 @@ def read_record(
     units : {"g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
         Needed where the file does not say it.
     column : int or str, optional
-        Which column holds the acceleration: its number, from 1, or its name in the header. Needed where there is a
+        Which column holds the acceleration: its name in the header, or its number, from 1. Needed where there is a
         choice.
     step : float, optional
         s between samples, for a file without times.
@@ -268,7 +268,10 @@ def _table(name: str, path: Path, text: str, column: int | str | None, step: flo
         )
     except ValueError:  # says neither line nor field as we would, and knows no exponents but E
         numbers = _slow_table(name, body, head, separator, width)
-    names = _names(above, separator, width)
+    fields = _fields(above, separator, width)
+    if any(map(_is_number, fields)) and width > 1:  # no header, but a sample that is spoilt
+        _slow_table(name, above[-1], head - 1, separator, width)
+    names = [re.sub(_UNIT_SUFFIX, "", f) for f in fields]
     clock = next((k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower())), None)
     if step is not None and clock is not None:
         raise ValueError(f"{name}: step = {step!r}: its column {names[clock]!r} holds the times; leave step out")
@@ -279,7 +282,8 @@ def _table(name: str, path: Path, text: str, column: int | str | None, step: flo
     choice = [k for k in range(width) if k != clock]
     chosen = _column(name, column, names, choice)
     _enough(name, len(numbers))
-    unit = _unit_in(above, separator, width, chosen)
+    match = re.search(_UNIT_SUFFIX, fields[chosen]) if fields else None
+    unit = (unit_of(match.group(1) or match.group(2) or "") or "") if match else ""
     if clock is None:
         time = float(step or 0.0) * np.arange(float(len(numbers)))
     else:
@@ -312,7 +316,7 @@ def _lines(text: str) -> Iterable[str]:
 
 def _is_number(field: str) -> bool:
     try:
-        float(field)
+        float(re.sub("[dD]", "E", field))
     except ValueError:
         return False
     return True
@@ -328,28 +332,15 @@ def _fields(above: list[str], separator: str | None, width: int) -> list[str]:
 _UNIT_SUFFIX = r"\s*[(\[]([^)\]]*)[)\]]\s*$|_((?:[cm]?m_s2)|g|gal)$"
 
 
-def _names(above: list[str], separator: str | None, width: int) -> list[str]:
-    """The names in the header without their units."""
-    return [re.sub(_UNIT_SUFFIX, "", f) for f in _fields(above, separator, width)]
-
-
-def _unit_in(above: list[str], separator: str | None, width: int, chosen: int) -> str:
-    """The unit of acceleration that the header names for a column, or nothing."""
-    fields = _fields(above, separator, width)
-    match = re.search(_UNIT_SUFFIX, fields[chosen]) if fields else None
-    return (unit_of(match.group(1) or match.group(2) or "") or "") if match else ""
-
-
 def _column(name: str, column: int | str | None, names: list[str], choice: list[int]) -> int:
     shown = ", ".join(f"{k + 1} ({names[k]})" if names else str(k + 1) for k in choice)
     if column is None:
         if len(choice) == 1:
             return choice[0]
         raise ValueError(f"{name}: has several columns of acceleration; give column, one of {shown}")
-    if isinstance(column, str):
-        found = [k for k in choice if names and names[k].lower() == column.strip().lower()]
-    else:
-        found = [column - 1] if column - 1 in choice else []
+    found = [k for k in choice if names and names[k].lower() == str(column).strip().lower()]
+    if not found and str(column).strip().isdecimal():
+        found = [k for k in choice if k == int(column) - 1]
     if len(found) != 1:
         raise ValueError(f"{name}: column = {column!r}: must be one of {shown}")
     return found[0]

@@ -235,7 +235,7 @@ def _sixteenth(steps: Floats) -> Floats:
 def _less_sine(x: Floats) -> Floats:
     """x - sin x without cancellation."""
     z, total = np.minimum(x, 1.0) ** 2, np.zeros_like(x)
-    for k in range(19, 1, -2):
+    for k in range(18, 0, -2):
         total = (1.0 - total) * z / (k * (k + 1))
     return np.where(x < 1.0, x * total, x - np.sin(x))
 

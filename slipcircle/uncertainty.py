@@ -128,14 +128,15 @@ def _undecided(motion: "Motion", doubt: Doubt) -> bool:
 def _frozen(solved: Frozen, phase: "Phase", before: Doubt) -> tuple[Doubt, Inside]:
     """By the drive, a small difference near the limit, and the formulas' rounding."""
     unit, at, a = ROUNDING * EPS, solved.at, abs(solved.a)
-    b = (*solved.coefficients, 0.0)[1]
+    b = float(solved.balance.get("brake", mu=solved.mu))
     terms = abs(at["fall"]) + abs(solved.balance.get("constant", mu=solved.mu))
     terms += solved.mu * abs(solved.balance.get("normal", **at))
     elapsed, omega_0 = phase.end - phase.start, solved.omega_0
     rate = a + b * omega_0**2
     if solved.stops and elapsed >= solved.duration - 8 * EPS * phase.end:
         growth = unit * (1.0 + terms / a)
-        x, time = growth * solved.end, growth * elapsed
+        x = growth * solved.end + before.energy / (2 * a)
+        time = growth * elapsed + (before.energy / (2 * a * omega_0) if omega_0 else 0.0)
         inside = Inside(omega_0 * time, unit * omega_0 + rate * time, omega_0, rate)
         return Doubt(before.rotation + x, before.slip + x, before.time + time), inside
     # A brake forgets what happened longer ago than this.

@@ -190,7 +190,7 @@ def test_no_environment_variable_makes_a_pipe_wide_or_narrow() -> None:
 @pytest.mark.parametrize(
     ("argv", "status", "said"),
     [
-        (["run", "viaont"], 1, "scene 'viaont' is unknown; known are vaiont, vaiont-as-printed"),
+        (["run", "viaont"], 1, "scene 'viaont' is unknown; known are newmark-pulse, vaiont, vaiont-as-printed"),
         (["run", "vaiont-frozen", "viaont"], 1, "scene 'viaont' is unknown"),
         (["run", "viaont", "--json"], 1, "scene 'viaont' is unknown"),
         (["cost", "polar"], 1, "function 'polar' is unknown; known are polar_moment, moment_of_inertia"),

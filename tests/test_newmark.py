@@ -1,0 +1,582 @@
+"""Shaken frozen slides against Newmark's sliding block, exact double integrals, and integrations by other methods.
+
+A frozen slip circle without brakes is Newmark's block times Gamma = (C_theta cos psi_0 + mu C_r sin psi_0)/Theta*, with
+the yield N = k_y: so what is published for the block tests the rotational solver.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from slipcircle import Arc, Motion, Scene, riccati, solve, stepping
+from slipcircle.balance import bind
+from slipcircle.friction import friction
+from slipcircle.frozen import Frozen
+from slipcircle.motion import Start
+from slipcircle.series import Pulse, Series, Shaking
+from slipcircle.stepping import Stepped
+
+Floats = NDArray[np.float64]
+GRAVITY = 9.81
+ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
+MU = math.tan(math.radians(20.0))
+
+
+def shaken(horizontal: Any, vertical: Any = None, mu: float = MU, arc: Arc = ARC, **more: Any) -> Motion:
+    """A scene that is shaken and has no other effect."""
+    given = {"horizontal": horizontal} | ({} if vertical is None else {"vertical": vertical})
+    two_way = {"two_way": more.pop("two_way")} if "two_way" in more else {}
+    return solve(Scene(arc, mu, {"shaking": given | two_way}, **more))
+
+
+def factor(arc: Arc = ARC, mu: float = MU) -> tuple[float, float]:
+    """Gamma and k_y by their definitions (design of (3.11)), from the amplitudes of the weights."""
+    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
+    psi = float(arc.dip)
+    gamma = weight * math.cos(psi) + mu * radial * math.sin(psi)
+    return gamma, (mu * radial * math.cos(psi) - weight * math.sin(psi)) / gamma
+
+
+def series(time: Any, values: Any) -> Series:
+    return Series(np.asarray(time, dtype=float), np.asarray(values, dtype=float), held=False)
+
+
+# --- Newmark's block, published ------------------------------------------------------------------------------------
+
+
+def check_rectangular(amplitude: float) -> None:
+    """Newmark (1965): u = V^2/(2 g N) (1 - N/A), V = A g D; it slides until t = D A/N."""
+    gamma, n = factor()
+    motion = shaken(Pulse("rectangular", amplitude, 0.5, 0.4))
+    v = amplitude * GRAVITY * 0.4
+    assert motion.run_out == pytest.approx(gamma * v**2 / (2 * GRAVITY * n) * (1 - n / amplitude), rel=1e-13)
+    assert motion.peak.velocity == pytest.approx(gamma * (amplitude - n) * GRAVITY * 0.4, rel=1e-13)
+    assert motion.peak.time == pytest.approx(0.9, rel=1e-14)
+    assert motion.duration == pytest.approx(0.5 + 0.4 * amplitude / n, rel=1e-13)
+    assert motion.arrested
+    assert motion.error_estimate < 1e-13 * amplitude / (amplitude - n)  # near the yield it is ill-conditioned
+
+
+@pytest.mark.parametrize("amplitude", [0.113, 0.2, 0.3, 1.5])
+def test_rectangular_pulse(amplitude: float) -> None:
+    check_rectangular(amplitude)
+
+
+def block(shape: Callable[[Any], Any], first: Any, edges: list[Any], n: Any) -> tuple[Any, Any, Any]:
+    """A block that yields at n, from its start, pushed by A(t), over g: displacement, velocity, time of the stop."""
+
+    def speed(t: Any) -> Any:
+        inner = [first, *(e for e in edges if first < e < t), t]
+        return mp.quad(shape, inner) - n * (t - first)
+
+    below = next(e for e in [*edges, *(edges[-1] * 2**k for k in range(1, 20))] if e > first and speed(e) <= 0)
+    above = max([e for e in edges if first < e < below], default=(first + below) / 2)
+    stop = mp.findroot(speed, (above, below), solver="anderson", tol=1e-30)
+    inner = [first, *(e for e in edges if first < e < stop), stop]
+    moved = mp.quad(lambda t: (stop - t) * (shape(t) - n), inner)
+    return moved, speed, stop
+
+
+@pytest.mark.parametrize("amplitude", [0.12, 0.3, 2.0])
+@pytest.mark.parametrize("name", ["half-sine", "triangular", "sine"])
+def test_smooth_pulses_against_the_block_in_closed_form(name: str, amplitude: float) -> None:
+    """The block starts where A(t) = N; its velocity and displacement are integrals of A(t) - N until it stands."""
+    gamma, n = factor()
+    d, waves = 0.8, 1.0
+    motion = shaken(Pulse(name, amplitude, 0.0, d))
+    with mp.workdps(30):
+        a, low, length = mp.mpf(amplitude), mp.mpf(n), mp.mpf(d)
+        rate = mp.pi / length * (2 * waves if name == "sine" else 1)
+        if name == "triangular":
+            shape: Callable[[Any], Any] = lambda t: a * (1 - abs(2 * t / length - 1)) if t < length else mp.mpf(0)  # noqa: E731
+            first, top = low / a * length / 2, length - low / a * length / 2
+        else:
+            shape = lambda t: a * mp.sin(rate * t) if t < length else mp.mpf(0)  # noqa: E731
+            first, top = mp.asin(low / a) / rate, (mp.pi - mp.asin(low / a)) / rate
+        moved, speed, stop = block(shape, first, [length / 4, length / 2, length * 3 / 4, length], low)
+        assert abs(motion.run_out / (gamma * GRAVITY * moved) - 1) < 2e-13
+        assert abs(float(motion.peak.velocity) / (gamma * GRAVITY * speed(top)) - 1) < 1e-13
+        assert abs(float(motion.peak.time) / top - 1) < 1e-13
+        assert abs(motion.duration / stop - 1) < 1e-13
+        for part in (0.2, 0.5, 0.9):
+            t = first + part * (stop - first)
+            assert abs(motion.at(float(t)).velocity / (gamma * GRAVITY * speed(t)) - 1) < 1e-11
+
+
+def test_newmark_pulse_is_what_its_comment_says() -> None:
+    motion = solve(Scene.load("newmark-pulse"))
+    assert f"{motion.run_out:.6f}" == "0.432819"
+    assert f"{motion.peak.velocity:.6f}" == "0.810312"
+    assert f"{motion.duration:.6f}" == "1.568278"
+    gamma, n = factor()
+    assert f"{gamma:.6f} {n:.6f}" == "1.100346 0.112330"
+    assert motion.yield_coefficient == pytest.approx(n, rel=1e-14)
+    check_rectangular(0.3)
+
+
+# --- an earthquake-like record -------------------------------------------------------------------------------------
+
+
+def earthquake(samples: int = 1500, step: float = 0.01, seed: int = 7) -> Series:
+    """Filtered noise that swells and fades, as records do; the seed makes it the same each time."""
+    rng = np.random.default_rng(seed)
+    t = step * np.arange(samples)
+    filter_ = np.exp(-t[:80] / 0.15) * np.sin(2 * np.pi * 2.5 * t[:80])
+    noise = np.convolve(rng.normal(size=samples), filter_)[:samples]
+    shape = (t / 3.0) * np.exp(1 - t / 3.0)
+    values = noise * shape
+    return series(t, 0.35 * values / np.abs(values).max())
+
+
+def exactly(time: Any, rates: Any, tail: float) -> tuple[list[Any], list[Any], Any]:
+    """Rotation and speed at the samples, and the last stop, of a one-way block with straight lines of acceleration.
+
+    In mpmath, segment by segment: each is cut where the acceleration passes zero; ``tail`` acts after the last sample.
+    """
+    x, v, stop = mp.mpf(0), mp.mpf(0), mp.mpf(0)
+    xs, vs = [x], [v]
+
+    def follow(a: Any, b: Any, h: Any, since: Any) -> None:
+        """With an acceleration from a to b of one sign."""
+        nonlocal x, v, stop
+        bend = (b - a) / h
+        if v + (a + b) / 2 * h >= 0:
+            x, v = x + v * h + (2 * a + b) * h * h / 6, v + (a + b) / 2 * h
+            return
+        if v > 0:
+            s = (-a - mp.sqrt(a * a - 2 * bend * v)) / bend if bend else -v / a
+            s = s if 0 <= s <= h else (-a + mp.sqrt(a * a - 2 * bend * v)) / bend
+            x, stop = x + v * s + a * s * s / 2 + bend * s**3 / 6, since + s
+        v = mp.mpf(0)
+
+    knots, a = [mp.mpf(float(t)) for t in time], [mp.mpf(float(r)) if isinstance(r, float) else r for r in rates]
+    for k in range(len(knots) - 1):
+        h = knots[k + 1] - knots[k]
+        if a[k] * a[k + 1] < 0:
+            s = h * a[k] / (a[k] - a[k + 1])
+            follow(a[k], mp.mpf(0), s, knots[k])
+            follow(mp.mpf(0), a[k + 1], h - s, knots[k] + s)
+        else:
+            follow(a[k], a[k + 1], h, knots[k])
+        xs.append(x)
+        vs.append(v)
+    if v > 0:
+        follow(mp.mpf(tail), mp.mpf(tail), 2 * v / -mp.mpf(tail), knots[-1])
+    return [*xs, x], vs, stop
+
+
+def test_earthquake_against_an_exact_double_integral() -> None:
+    record = earthquake()
+    motion = shaken(record)
+    gamma, n = factor()
+    with mp.workdps(30):
+        unit = mp.mpf(gamma) * GRAVITY
+        xs, vs, stop = exactly(record.time, [unit * (mp.mpf(k) - n) for k in record.values.tolist()], -unit * n)
+        state = motion.at(np.minimum(record.time, motion.duration))
+        run_out, peak = float(xs[-1]), float(max(vs))
+    assert motion.run_out == pytest.approx(run_out, rel=1e-13)
+    assert np.abs(state.displacement - np.array(xs[:-1], dtype=float)).max() < 1e-13 * run_out
+    assert np.abs(state.velocity - np.array(vs, dtype=float)).max() < 1e-13 * peak
+    assert motion.duration == pytest.approx(float(stop), rel=1e-13)
+    solved = Stepped(bind(Scene(ARC, MU)), MU, 0.0, math.inf, Shaking(record), float(ARC.time_scale))
+    assert len(solved.episodes) > 8
+
+
+def by_trapezoids(record: Series, gamma: float, n: float, parts: int) -> float:
+    """Run-out by the trapezoidal rule: the speed is the integral of the drive less its lowest value so far."""
+    count = (len(record.time) - 1) * parts
+    t = np.linspace(record.time[0], record.time[-1], count + 1)
+    drive = gamma * GRAVITY * (record(t) - n)
+    speed = np.append(0.0, np.cumsum((drive[1:] + drive[:-1]) / 2 * np.diff(t)))
+    speed -= np.minimum.accumulate(speed)
+    return float(np.sum((speed[1:] + speed[:-1]) / 2 * np.diff(t)))
+
+
+def test_time_steps_converge_to_it_with_second_order() -> None:
+    still = earthquake()
+    record = series(still.time, still.values * np.clip((14.0 - still.time) / 2.0, 0.0, 1.0))  # at rest at its end
+    gamma, n = factor()
+    truth = shaken(record).run_out
+    parts = 2 ** np.arange(9)
+    errors = [abs(by_trapezoids(record, gamma, n, int(p)) - truth) / truth for p in parts]
+    order = -np.polyfit(np.log(parts), np.log(errors), 1)[0]
+    assert errors[0] > 1e-4
+    assert errors[-1] < 1e-7
+    assert order == pytest.approx(2.0, abs=0.25)
+
+
+@pytest.mark.parametrize("seed", range(100))
+def test_accuracy_of_random_shaken_scenes(seed: int) -> None:
+    """Run-out, peak and duration of random arcs, frictions and records, k_v included, within the accuracy promised."""
+    rng = np.random.default_rng(seed)
+    dip = math.radians(rng.uniform(0, 35))
+    alpha = math.radians(rng.uniform(5, 80))
+    middle = 1.5 * math.pi - dip
+    arc = Arc(10 ** rng.uniform(0.5, 3), middle - alpha, middle + alpha, 20e3)
+    mu = float(arc.dimensionless.limit_friction) * rng.choice([1.001, 1.01, 1.2, 2.0]) + rng.choice([0.0, 0.1])
+    count = int(rng.integers(3, 30))
+    time = np.cumsum(rng.uniform(0.01, 1.0, count)) * 10 ** rng.uniform(-1, 1)
+    n = factor(arc, mu)[1]
+    values = rng.normal(size=count) * 10 ** rng.uniform(-1, 0.2) * max(n, 0.05)
+    values[int(rng.integers(count))] = 2 * n + 0.01
+    lift = np.clip(rng.normal(size=count) * rng.choice([0.0, 0.2]), -0.9, 0.9)
+    motion = shaken(series(time, values), series(time, lift), mu, arc)
+    assert motion.error_estimate < 1e-9
+    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
+    assert np.all((1 - lift) * math.cos(dip) > values * math.sin(dip))  # it always presses
+    with mp.workdps(30):
+        # psi as the arc's ends have it, and all from it anew
+        psi = mp.mpf(1.5) * mp.pi - (mp.mpf(middle - alpha) + mp.mpf(middle + alpha)) / 2
+        one, two = weight * mp.sin(psi) - mu * radial * mp.cos(psi), weight * mp.cos(psi) + mu * radial * mp.sin(psi)
+        rates = [
+            ((1 - mp.mpf(v)) * one + mp.mpf(h) * two) * GRAVITY
+            for h, v in zip(values.tolist(), lift.tolist(), strict=True)
+        ]
+        still = one * GRAVITY
+        xs, vs, stop = exactly(time, rates, still)
+        assert abs(motion.run_out / xs[-1] - 1) < max(1e-9, motion.error_estimate)
+        assert abs(motion.duration / stop - 1) < max(1e-9, motion.error_estimate)
+        reached = motion.at(np.minimum(time, motion.duration))
+        assert np.abs(reached.velocity - np.array(vs, dtype=float)).max() < 1e-9 * float(motion.peak.velocity)
+
+
+# --- with brakes, water, lift-off, both ways: against solve_ivp ----------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Physics:
+    """The balance of design section 4 for a frozen arc, term by term, signed; dimensionless but for the time in s."""
+
+    arc: Arc
+    mu: float
+    horizontal: Any
+    vertical: Any
+    cohesion: float = 0.0
+    ratio: float = 0.0
+    pressure: float = 0.0
+    polar: float = 0.0
+    drag: float = 0.0
+    viscous: float = 0.0
+
+    def fall(self, t: float) -> float:
+        psi = float(self.arc.dip)
+        return float(
+            self.arc.amplitudes_per_inertia[0]
+            * ((1 - self.vertical(t)) * math.sin(psi) + self.horizontal(t) * math.cos(psi))
+        )
+
+    def normal(self, t: float) -> float:
+        psi, radial = float(self.arc.dip), float(self.arc.amplitudes_per_inertia[1])
+        level = float(self.arc.dimensionless.resistance_factor / self.arc.dimensionless.moment_of_inertia)
+        press = radial * ((1 - self.vertical(t)) * math.cos(psi) - self.horizontal(t) * math.sin(psi))
+        stress = float(self.arc.reference_stress)
+        return press - self.ratio * radial * math.cos(psi) - self.pressure / stress * level
+
+    def resistance(self, t: float, omega: float) -> float:
+        level = float(self.arc.dimensionless.resistance_factor / self.arc.dimensionless.moment_of_inertia)
+        friction = self.mu * max(0.0, self.normal(t) + self.polar * omega**2)
+        return self.cohesion / float(self.arc.reference_stress) * level + friction + self.drag * omega**2
+
+    def follow(self, knots: Floats, omega: float, two_way: bool) -> tuple[float, float, float]:
+        """Rotation and speed at the last knot, and the greatest speed, by SciPy from event to event."""
+        scale, down = float(self.arc.time_scale), -1 if self.arc.dip < 0 else 1
+        ways = (1, -1) if two_way else (down,)
+        phi, side, top = 0.0, int(np.sign(omega)), abs(omega)
+        for first, last in pairwise(knots.tolist()):
+            t, tiny = first, 1e-9 * (last - first)
+
+            def at(x: float, first: float = first, last: float = last) -> float:  # never across a jump
+                return min(max(x, first + 1e-13 * (last - first)), last - 1e-13 * (last - first))
+
+            def push(x: float, s: int, at: Callable[[float], float] = at) -> float:
+                return s * self.fall(at(x)) - self.resistance(at(x), 0.0)
+
+            while t < last:
+                if side == 0:
+                    grid = np.linspace(t, last, 200)
+                    found = []
+                    for s in ways:
+                        values = np.array([push(x, s) for x in grid])
+                        up = np.flatnonzero((values[:-1] <= 0.0) & (values[1:] > 0.0))
+                        if push(t + tiny, s) > 0.0:
+                            found.append((t, s))
+                        elif up.size:
+                            k = int(up[0])
+                            found.append((brentq(lambda x, s=s: push(x, s), grid[k], grid[k + 1], xtol=1e-15), s))
+                    if not found:
+                        break
+                    t, side = min(found)
+                    h = tiny / scale
+                    omega = side * h * (push(t, side) + push(t + tiny, side)) / 2
+                    t += tiny
+
+                def rates(x: float, y: Floats, side: int = side, at: Callable[[float], float] = at) -> list[float]:
+                    speed = max(side * y[1], 0.0)
+                    now = at(x * scale)
+                    return [y[1], self.fall(now) - side * self.resistance(now, speed) - self.viscous * y[1]]
+
+                def stands(x: float, y: Floats, side: int = side) -> float:
+                    return float(side * y[1])
+
+                stands.terminal, stands.direction = True, -1  # type: ignore[attr-defined]
+                done = solve_ivp(rates, (t / scale, last / scale), [phi, omega], "DOP853", rtol=2.5e-14, atol=1e-17,
+                                 events=stands, max_step=(last - first) / scale / 3)  # fmt: skip
+                t, phi, omega = float(done.t[-1]) * scale, float(done.y[0, -1]), float(done.y[1, -1])
+                top = max(top, float(np.abs(done.y[1]).max()))
+                if done.status == 1:
+                    side, omega = 0, 0.0
+                else:
+                    t = last
+        return phi, omega if side else 0.0, top
+
+
+@pytest.mark.parametrize("seed", range(36))
+def test_every_term_against_an_integration_by_scipy(seed: int) -> None:
+    rng = np.random.default_rng(1000 + seed)
+    alpha = rng.uniform(10, 60)
+    dip = rng.uniform(5, 35) * rng.choice([1, 1, -1])
+    arc = Arc(10 ** rng.uniform(1, 3), math.radians(270 - dip - alpha), math.radians(270 - dip + alpha), 20e3)
+    d = arc.dimensionless
+    mu = abs(float(d.limit_friction)) * rng.choice([0.95, 1.2, 1.5])
+    effects: dict[str, dict[str, float]] = {}
+    more: dict[str, float] = {}
+    if seed % 2:
+        effects["centripetal"], more["polar"] = {}, float(d.polar_moment_per_inertia)
+    if seed % 3 == 0:
+        xi = 10 ** rng.uniform(1, 3)
+        effects["drag"], more["drag"] = (
+            {"xi": xi},
+            2 * float(arc.half_angle) * GRAVITY / xi / float(d.moment_of_inertia),
+        )
+    if seed % 4 == 0:
+        more["cohesion"] = 0.05 * float(arc.static_normal_stress)
+        effects["cohesion"] = {"cohesion": more["cohesion"]}
+    if seed % 5 == 0:
+        more["ratio"], more["pressure"] = 0.3, 0.2 * float(arc.static_normal_stress)
+        effects["pore_pressure"] = {"ratio": 0.3, "pressure": more["pressure"]}
+    if seed % 7 == 0:
+        more["viscous"] = 0.4
+    count = int(rng.integers(4, 12))
+    time = np.cumsum(rng.uniform(0.1, 1.0, count))
+    strength = rng.choice([0.3, 1.0, 4.0])  # 4 throws the mass off its bed
+    horizontal: Series | Pulse = series(time, strength * rng.normal(size=count))
+    if seed % 6 == 5:
+        horizontal = Pulse("sine", strength, 0.3, 2.0, 1.5)
+    vertical = series(time, rng.choice([0.2, 0.9]) * rng.normal(size=count)) if seed % 3 else series([0, 1], [0, 0])
+    two_way, omega = bool(rng.integers(2)), float(rng.choice([0.0, 0.0, 0.2, -0.2]))
+    shaking = Shaking(horizontal, vertical)
+    solved = Stepped(bind(Scene(arc, mu, effects)), mu, omega, math.inf, shaking, float(arc.time_scale), two_way,
+                     more.get("viscous", 0.0))  # fmt: skip
+    # SciPy's steps must not run over the kinks of lift-off either.
+    joints = solved.rows.start[solved.rows.omega > 0.0] * float(arc.time_scale)
+    knots = np.unique(np.concatenate([[0.0], shaking.kinks, joints]))
+    knots = knots[np.append(True, np.diff(knots) > 1e-9)]
+    phi, end, top = Physics(arc, mu, horizontal, vertical, **more).follow(knots, omega, two_way)
+    speed = solved.side * solved.speed * solved.direction
+    span = float(np.ptp(solved.rotation))
+    assert abs(solved.direction * float(solved.rotation[-1]) - phi) <= 2e-12 * max(span, abs(phi))
+    assert abs(speed - end) <= 2e-12 * top
+    bound = solved.errors()
+    assert bound[0] <= 1e-12 * span
+    assert bound[1] <= 1e-12 * top
+    check_energy(solved, omega)
+
+
+def check_energy(solved: Stepped, omega: float) -> None:
+    """Work less loss is the change of kinetic energy, at any time."""
+    last = float(solved.rows.start[-1] + solved.rows.length[-1])
+    t = np.linspace(0.0, last, 101)
+    speed = solved.when(t)[1]
+    residual = solved.worked(t) - solved.dissipated(t) - (speed**2 - omega**2) / 2
+    scale = max(float(solved.dissipated(np.array([last]))[0]), float(np.max(speed**2)), 1e-300)
+    assert np.abs(residual).max() < 1e-13 * scale
+
+
+# --- the paper's closed form, and viscosity ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("effects", [{}, {"centripetal": {}}, {"centripetal": {}, "drag": {"xi": 300.0}}])
+def test_without_shaking_it_is_the_closed_form(effects: dict[str, dict[str, float]]) -> None:
+    balance, law = bind(Scene(ARC, 0.1, effects)), friction(0.1)
+    still = Shaking(Pulse("rectangular", 0.0, 0.0, 40.0))
+    solved = Stepped(balance, 0.1, 0.3, math.inf, still, float(ARC.time_scale))
+    closed = Frozen(balance, law, Start(0.0, 1, 0.09, 0.0, False), math.inf)
+    t = np.linspace(0.0, solved.duration, 40)
+    for one, other in zip(solved.when(t)[:2], closed.when(t)[:2], strict=True):
+        assert one == pytest.approx(other, rel=1e-14, abs=1e-300)
+
+
+def test_viscosity_in_closed_form() -> None:
+    """omega = (a/e) (1 - exp(-e t)) while it is pushed."""
+    solved = Stepped(bind(Scene(ARC, MU)), MU, 0.0, math.inf, Shaking(Pulse("rectangular", 0.4, 0.0, 30.0)),
+                     float(ARC.time_scale), viscosity=0.8)  # fmt: skip
+    gamma, n = factor()
+    a, t = gamma * (0.4 - n), np.linspace(0.0, solved.duration, 30)
+    x, omega, _ = solved.when(t)
+    assert omega == pytest.approx(a / 0.8 * -np.expm1(-0.8 * t), rel=1e-14)
+    assert x[1:] == pytest.approx((a / 0.8 * (t + np.expm1(-0.8 * t) / 0.8))[1:], rel=1e-13)
+
+
+@pytest.mark.parametrize(("b", "e"), [(0.45, 0.0), (0.0, 0.3), (0.7, 0.2)])
+def test_a_step_against_a_taylor_integration_of_30_digits(b: float, e: float) -> None:
+    a, omega, h = [0.3, -0.7, 0.4], 1.3, 0.45
+    after, turned = riccati.advance(a, b, e, omega, h, True)
+    arrays = riccati.advance([np.array([c]) for c in a], np.array([b]), e, np.array([omega]), np.array([h]), True)
+    with mp.workdps(30):
+        follow = mp.odefun(
+            lambda t, y: [sum(c * t**j for j, c in enumerate(a)) - e * y[0] - b * y[0] ** 2, y[0]], 0, [omega, 0]
+        )
+        true = follow(h)
+    assert abs(after - true[0]) < 5e-16
+    assert abs(turned - true[1]) < 5e-16
+    assert [float(x[0]) for x in arrays] == pytest.approx([after, turned], rel=4e-16)
+
+
+# --- one way and both ways -----------------------------------------------------------------------------------------
+
+LEVEL = Arc(60.0, math.radians(235.0), math.radians(305.0), 19e3)
+
+
+def test_two_way_on_level_ground_mirrors_with_the_record() -> None:
+    record = earthquake(800)
+    one, other = (shaken(record.scaled(s), None, 0.1, LEVEL, two_way=True) for s in (1.0, -1.0))
+    assert one.run_out == pytest.approx(-other.run_out, rel=1e-12)
+    assert one.duration == pytest.approx(other.duration, rel=1e-12)
+    forward, back = (shaken(record.scaled(s), None, 0.1, LEVEL) for s in (1.0, -1.0))
+    assert min(forward.run_out, back.run_out) > 0.0  # one-way: a positive dip, and none, go the same way
+
+
+def test_two_way_is_leans_where_nothing_yields_up_slope() -> None:
+    record = earthquake(800)
+    one, both = shaken(record), shaken(record, two_way=True)
+    assert one.run_out == both.run_out
+    assert one.duration == both.duration
+    strong = record.scaled(4.0)
+    assert shaken(strong, two_way=True).run_out < shaken(strong).run_out
+
+
+def test_a_mirrored_slope_slides_the_other_way_under_the_mirrored_record() -> None:
+    record = earthquake(600)
+    mirror = Arc(60.0, math.radians(250.0), math.radians(320.0), 19e3)
+    assert shaken(record).run_out == pytest.approx(-shaken(record.scaled(-1.0), arc=mirror).run_out, rel=1e-12)
+
+
+# --- hard cases ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["rectangular", "half-sine", "triangular", "sine"])
+def test_exactly_at_the_yield_coefficient_it_stays(name: str) -> None:
+    n = shaken(Pulse(name, 0.1, 0.5, 1.0)).yield_coefficient
+    at = shaken(Pulse(name, n, 0.5, 1.0))
+    above = shaken(Pulse(name, float(np.nextafter(n, 1.0)), 0.5, 1.0))
+    assert not at.moves
+    assert at.run_out == 0.0
+    assert above.moves
+    assert 0.0 < above.run_out < 1e-14
+    assert above.error_estimate == 1.0  # and it says that rounding decides
+
+
+def test_samples_exactly_at_the_yield_coefficient() -> None:
+    n = shaken(series([0, 1], [0, 0])).yield_coefficient
+    assert not shaken(series([0, 1, 2, 3], [0, n, n, 0])).moves
+    assert shaken(series([0, 1, 2, 3], [0, n, np.nextafter(n, 1.0), 0])).moves
+
+
+@pytest.mark.parametrize("horizontal", [series([0, 1, 2], [0, 0, 0]), Pulse("half-sine", -5.0, 0.0, 1.0)])
+def test_no_shaking_or_up_slope_only(horizontal: Any) -> None:
+    motion = shaken(horizontal)
+    assert not motion.moves
+    assert motion.arrested
+    assert motion.run_out == 0.0
+    assert motion.at(0.7).velocity == 0.0
+
+
+def test_sliding_that_starts_at_the_last_sample() -> None:
+    """It slides from where the last line passes k_y, and stops after the record, decelerated by k_y."""
+    gamma, n = factor()
+    motion = shaken(series([0, 1, 2], [0, 0, 1.0]))
+    v = gamma * GRAVITY * (1 - n) ** 2 / 2
+    assert motion.at(2.0).velocity == pytest.approx(v, rel=1e-13)
+    assert motion.duration == pytest.approx(2.0 + v / (gamma * GRAVITY * n), rel=1e-13)
+    just = shaken(series([0, 1, 2], [0, 0, np.nextafter(motion.yield_coefficient, 1.0)]))
+    assert just.moves
+
+
+def test_vertical_shaking_that_takes_all_weight() -> None:
+    """With k_v = 1 nothing presses and nothing drives; k_h then moves the mass freely: it yields at once."""
+    ones = series([0, 1, 2], [1.0, 1.0, 1.0])
+    motion = shaken(series([0, 1, 2], [0.0, 0.3, 0.0]), ones)
+    weight, psi = float(ARC.amplitudes_per_inertia[0]), float(ARC.dip)
+    assert motion.at(2.0).velocity == pytest.approx(weight * math.cos(psi) * GRAVITY * 0.3, rel=1e-13)
+    nearly = shaken(series([0, 1, 2], [0.0, 0.3, 0.0]), series([0, 1, 2], [1 - 1e-9] * 3))
+    assert motion.arrested
+    assert nearly.arrested
+    assert nearly.duration > 2.0
+
+
+def test_huge_amplitudes_and_one_error_where_it_is_too_much() -> None:
+    strong = shaken(Pulse("rectangular", 1e6, 0.0, 1e-3))
+    v = 1e6 * GRAVITY * 1e-3
+    free = float(ARC.amplitudes_per_inertia[0]) * math.cos(float(ARC.dip))  # it is thrown: no friction in the pulse
+    lost = float(ARC.amplitudes_per_inertia[0]) * math.sin(float(ARC.dip)) * GRAVITY * 1e-3
+    assert strong.peak.velocity == pytest.approx(free * v + lost, rel=1e-13)
+    with pytest.raises(ValueError, match="with a peak of 1e\\+12 g the brakes of this scene take"):
+        solve(Scene(ARC, MU, {"centripetal": {}, "shaking": {"horizontal": Pulse("rectangular", 1e12, 0.0, 1.0)}}))
+    with pytest.raises(ValueError, match="overflows"):
+        shaken(Pulse("rectangular", 1e300, 0.0, 1e10))
+
+
+def test_the_end_time_cuts_a_record_and_at_reads_rests() -> None:
+    whole = shaken(earthquake(), accuracy=1e-10)
+    cut = shaken(earthquake(), end_time=4.0)
+    assert cut.duration == 4.0
+    assert cut.run_out == pytest.approx(float(whole.at(4.0).displacement), rel=1e-13)
+    times = np.linspace(0.0, whole.duration * 1.1, 3000)
+    state = whole.at(times)
+    assert np.all(np.diff(state.displacement) >= -1e-15)
+    resting = state.velocity == 0.0
+    assert 0.2 < np.mean(resting) < 0.99
+    assert np.all(state.acceleration[resting] == 0.0)
+
+
+def test_samples_added_on_the_straight_lines_change_nothing() -> None:
+    record = earthquake(500)
+    t = np.unique(np.concatenate([record.time, np.linspace(record.time[0], record.time[-1], 3333)]))
+    assert shaken(series(t, record(t))).run_out == pytest.approx(shaken(record).run_out, rel=1e-12)
+
+
+# --- bugs planted on purpose ---------------------------------------------------------------------------------------
+
+
+def _ends_late(self: Stepped, row: Any) -> float:
+    return float(row.length)
+
+
+def _leans(self: Stepped, side: int, shapes: Any, lifted: bool, true: Any = Stepped._push) -> Any:
+    found = true(self, side, shapes, lifted)
+    found.coefficients[0] += 1e-9
+    return found
+
+
+def _loses(values: Floats, true: Any = stepping._summed) -> Any:
+    return true(values.astype(np.float32).astype(np.float64))
+
+
+@pytest.mark.parametrize(
+    ("where", "name", "bug"),
+    [(Stepped, "_standstill", _ends_late), (Stepped, "_push", _leans), (stepping, "_summed", _loses)],
+)
+def test_planted_bugs_turn_the_checks_red(where: Any, name: str, bug: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    test_earthquake_against_an_exact_double_integral()
+    monkeypatch.setattr(where, name, bug)
+    with pytest.raises(AssertionError):
+        test_earthquake_against_an_exact_double_integral()

@@ -1,0 +1,284 @@
+"""Series, pulses and record files: exact values and integrals, the common formats, a clear error for each mistake."""
+
+import math
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from slipcircle import records
+from slipcircle.records import PULSES, Pulse, Series, Shaking, read_record, unit_of
+
+AT2 = """PEER NGA STRONG MOTION DATABASE RECORD
+Nowhere 1/1/1999, Station Zero, 090
+ACCELERATION TIME SERIES IN UNITS OF G
+{line}
+  -.1000000E-01   .2000000E-01   .3000000E+00  -.4000000E+00   .5000000E-02
+   .6000000E-01   .7000000E-01
+"""
+OUT = np.array([-0.01, 0.02, 0.3, -0.4, 0.005, 0.06, 0.07])
+
+
+def write(folder: Path, text: str, name: str = "record.txt") -> Path:
+    path = folder / name
+    path.write_text(text, "utf-8")
+    return path
+
+
+def esm(values: str, count: int, units: str = "cm/s^2", kind: str = "ACCELERATION") -> str:
+    """A header of 64 lines as ESM and ITACA write it, its other keys empty."""
+    known = {
+        1: "EVENT_NAME: NOWHERE", 29: "SAMPLING_INTERVAL_S: 0.010000", 30: f"NDATA: {count}", 33: f"UNITS: {units}",
+        39: "PGA_CM/S^2: -2.5", 47: "HEADER_FORMAT: DYNA 1.2", 48: f"DATA_TYPE: {kind}",
+    }  # fmt: skip
+    return "\n".join(known.get(k, f"USER{k}:") for k in range(1, 65)) + "\n" + values
+
+
+# --- files that are good -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("line", ["NPTS=      7, DT=   .0050 SEC", "    7    0.0050    NPTS, DT", "NPTS=7, DT= 5.0E-3"])
+def test_at2(tmp_path: Path, line: str) -> None:
+    series = read_record(write(tmp_path, AT2.format(line=line), "x.AT2"), holds="driving")
+    assert series.values.tolist() == OUT.tolist()
+    assert series.time == pytest.approx(0.005 * np.arange(7), rel=1e-15)
+    assert not series.held
+
+
+def test_esm_header_of_64_lines(tmp_path: Path) -> None:
+    series = read_record(write(tmp_path, esm("1.0\n-2.5\n0.5\n", 3)), holds="ground", gravity=10.0)
+    assert series.values == pytest.approx([-0.001, 0.0025, -0.0005], rel=1e-15)
+    assert series.time == pytest.approx([0.0, 0.01, 0.02], rel=1e-15)
+
+
+TABLES = {
+    "time (s),acc (m/s^2)\n0,1\n0.5,-2\n": {},
+    "time [s];acc [m/s2]\n0;1\n0.5;-2\n\n": {},
+    "# site 7\n# t a\n0 1\n0.5 -2": {"units": "m/s2"},
+    "0,1\r\n0.5,-2\r\n": {"units": "m/s2"},
+    "t\ta (mm/s2)\n0\t1000\n0.5\t-2000\n": {},
+    "time_s,acceleration_m_s2\n0,1.0D+00\n0.5,-2d0\n": {},
+    "time (s),NS (cm/s2),EW (cm/s2)\n0,7,100\n0.5,8,-200\n": {"column": "EW"},
+    "time (s),NS (gal),EW (gal)\n0,7,100\n0.5,8,-200\n": {"column": 3},
+    "a (m/s2)\n1\n-2\n": {"step": 0.5},
+    "1\n-2\n": {"step": 0.5, "units": "m/s2"},
+    "a (m/s2), time (s)\n1,3\n-2,3.5\n": {"start": 0.0},
+    "0 0.5\n0.5 -1\n": {"units": "m/s2", "scale": 2.0},
+    "\ufefftime (s),acc (m/s2)\n0,1\n0.5,-2\n": {},
+}
+
+
+@pytest.mark.parametrize(("text", "more"), TABLES.items(), ids=range(len(TABLES)))
+def test_tables_of_every_kind(tmp_path: Path, text: str, more: dict[str, Any]) -> None:
+    series = read_record(write(tmp_path, text), holds="driving", gravity=10.0, **more)
+    assert series.values == pytest.approx([0.1, -0.2], rel=1e-15)
+    assert series.time.tolist() == [0.0, 0.5]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit"),
+    [("g", "g"), ("M/S**2", "m/s2"), ("cm/s²", "cm/s2"), ("Gal", "cm/s2"), ("mm / s^2", "mm/s2"), ("ft/s2", None)],
+)
+def test_units(text: str, unit: str | None) -> None:
+    assert unit_of(text) == unit
+
+
+def test_ground_and_driving_are_opposite_and_g_is_the_scene_s(tmp_path: Path) -> None:
+    path = write(tmp_path, "time (s),acc (g)\n0,0.25\n1,0\n")
+    ground, driving = (read_record(path, holds=h, gravity=9.0) for h in ("ground", "driving"))
+    assert driving.values.tolist() == [0.25, 0.0]
+    assert ground.values.tolist() == [-0.25, 0.0]
+
+
+def test_a_million_samples_survive(tmp_path: Path) -> None:
+    """A twentieth of them here; `slipcircle cost` measures the million."""
+    time, values = 0.005 * np.arange(50_000), np.random.default_rng(5).normal(size=50_000)
+    rows = (f"{t!r},{a!r}\n" for t, a in zip(time.tolist(), values.tolist(), strict=True))
+    series = read_record(write(tmp_path, "t (s),a (g)\n" + "".join(rows)), holds="driving")
+    assert np.array_equal(series.time, time)
+    assert np.array_equal(series.values, values)
+
+
+# --- files that are not --------------------------------------------------------------------------------------------
+
+HEAD = "time (s),acc (g)\n"
+MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
+    "empty": (" \n", {}, "is empty"),
+    "no numbers": ("hello\n", {}, "has no line of numbers"),
+    "one sample": (HEAD + "0,1\n", {}, "holds 1 sample:"),
+    "nan": (HEAD + "0,1\n0.1,nan\n", {}, "line 3: value = nan: must be a finite number"),
+    "infinite": (HEAD + "0,1\n0.1,1e999\n", {}, "line 3: value = inf"),
+    "nan time": (HEAD + "0,1\n\nnan,1\n", {}, "line 4: time = nan"),
+    "repeated": (HEAD + "0,1\n0.1,2\n0.1,3\n", {}, "line 4: time = 0.1 s repeats that of the sample before, 0.1 s"),
+    "decreasing": (HEAD + "0,1\n0.2,2\n0.1,3\n", {}, "line 4: time = 0.1 s comes before that of the sample before"),
+    "text": (HEAD + "0,1\n0.1,oops\n", {}, "line 3: 'oops': must be a number"),
+    "text at first": ("0,oops\n0.1,1\n0.2,1\n", {}, "line 1: 'oops': must be a number"),
+    "empty field": (HEAD + "0,1\n0.1,\n", {}, "line 3: '': must be a number"),
+    "short line": (HEAD + "0,1\n0.1\n", {}, "line 3: has 1 field, where the first row has 2"),
+    "long line": (HEAD + "0,1\n0.1,2,3\n", {}, "line 3: has 3 fields, where the first row has 2"),
+    "decimal commas": ("t;a\n0,0;1,5\n0,1;2,5\n", {}, "line 2: '0,0;1,5': decimal commas; write points"),
+    "no units": ("0,1\n1,2\n", {}, "units are missing"),
+    "other units": (HEAD + "0,1\n1,2\n", {"units": "gal"}, "units = 'gal', but its header says g"),
+    "unknown units": (HEAD + "0,1\n1,2\n", {"units": "ft/s2"}, "units = 'ft/s2': must be one of g, m/s2"),
+    "choice": ("t (s),a (g),b (g)\n0,1,2\n1,2,3\n", {}, "give column, one of 2 (a), 3 (b)"),
+    "no such column": (HEAD + "0,1\n1,2\n", {"column": "up"}, "column = 'up': must be one of 2 (acc)"),
+    "time as column": (HEAD + "0,1\n1,2\n", {"column": 1}, "column = 1: must be one of 2 (acc)"),
+    "no step": ("1\n2\n", {"units": "g"}, "has one column and no times; give step"),
+    "step and times": (HEAD + "0,1\n1,2\n", {"step": 0.1}, "step = 0.1: its column 'time' holds the times"),
+    "bad step": ("1\n2\n", {"units": "g", "step": 0.0}, "step = 0: must be a positive time in s"),
+    "bad scale": (HEAD + "0,1\n1,2\n", {"scale": math.nan}, "scale = nan: must be a finite factor"),
+    "early": (HEAD + "-1,1\n1,2\n", {}, "line 2: time = -1.0 s: must not be before 0"),
+    "gap": (HEAD + "".join(f"{t / 10},1\n" for t in range(30) if t not in (20, 21)), {},
+            "line 22: time = 2.2 s comes 0.3 s after the sample before, where the step is 0.1 s: samples are missing"),
+    "binary": ("a\0b", {}, "is not text"),
+    "AT2 cut short": (AT2.format(line="NPTS= 9, DT= .0050 SEC"), {}, "holds 7 values, but its header says 9"),
+    "AT2 without DT": (AT2.format(line="NPTS= x, DT= y"), {}, "line 4: 'NPTS= x, DT= y': must give NPTS and DT"),
+    "AT2 of velocity": (AT2.replace("ACCELERATION", "VELOCITY").format(line="NPTS= 7, DT= 1"), {}, "no acceleration"),
+    "AT2 with a nan": (AT2.format(line="NPTS= 7, DT= 1").replace(" .7000000E-01", "NaN"), {}, "line 6: value = nan"),
+    "AT2 with text": (AT2.format(line="NPTS= 7, DT= 1").replace(".7000000E-01", "*****"), {}, "line 6: '*****': must"),
+    "AT2 with step": (AT2.format(line="NPTS= 7, DT= 1"), {"step": 1.0}, "step = 1.0: an AT2 file has"),
+    "ESM of velocity": (esm("1\n2\n", 2, kind="VELOCITY"), {}, "DATA_TYPE = 'VELOCITY': must be ACCELERATION"),
+    "ESM units": (esm("1\n2\n", 2, units="count"), {}, "UNITS = 'count': must be one of"),
+    "ESM count": (esm("1\n2\n", 3), {}, "holds 2 values, but its header says 3"),
+    "ESM line": (esm("1\nnan\n", 2), {}, "line 66: value = nan"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "more", "said"), MISTAKES.values(), ids=MISTAKES)
+def test_one_clear_error(tmp_path: Path, text: str, more: dict[str, Any], said: str) -> None:
+    path = write(tmp_path, text)
+    with pytest.raises(ValueError) as caught:  # noqa: PT011
+        read_record(path, holds="driving", **more)
+    assert said in str(caught.value)
+    assert str(caught.value).startswith(str(path))
+
+
+def test_missing_and_huge_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(ValueError, match=r"none\.csv: No such file"):
+        read_record(tmp_path / "none.csv", holds="driving")
+    path = write(tmp_path, HEAD + "0,1\n1,2\n")
+    monkeypatch.setattr(records, "MOST_BYTES", 10)
+    with pytest.raises(ValueError, match="must be at most 1 GB"):
+        read_record(path, holds="driving")
+    with pytest.raises(ValueError, match="holds = 'both': must be"):
+        read_record(path, holds="both")  # type: ignore[arg-type]
+
+
+def test_a_gap_may_be_bridged_and_uneven_samples_have_none(tmp_path: Path) -> None:
+    text = MISTAKES["gap"][0]
+    series = read_record(write(tmp_path, text), holds="driving", gaps="linear")
+    assert series(2.05) == 1.0
+    uneven = HEAD + "".join(f"{t**2},1\n" for t in range(30))
+    assert read_record(write(tmp_path, uneven), holds="driving").time.size == 30
+
+
+# --- series --------------------------------------------------------------------------------------------------------
+
+
+def test_series_is_straight_between_samples_and_held_or_zero_outside() -> None:
+    held, zero = (Series([1.0, 2.0, 4.0], [3.0, 5.0, -1.0], h) for h in (True, False))  # type: ignore[arg-type]
+    assert held([0.0, 1.5, 3.0, 9.0]).tolist() == [3.0, 4.0, 2.0, -1.0]
+    assert zero([0.0, 1.5, 3.0, 9.0]).tolist() == [0.0, 4.0, 2.0, 0.0]
+    assert zero.kinks.tolist() == [1.0, 2.0, 4.0]
+
+
+@pytest.mark.parametrize(
+    ("time", "values", "said"),
+    [
+        ([0.0], [1.0], "1 times and 1 values: must have as many of both, two at least"),
+        ([0.0, 1.0], [1.0], "2 times and 1 values"),
+        ([[0.0, 1.0]], [[1.0, 2.0]], "must be a plain list of numbers"),
+        ([0.0, 1.0, 1.0], [1.0, 2.0, 3.0], "sample 3: time = 1.0 s repeats"),
+        ([0.0, 1.0], [1.0, math.nan], "sample 2: value = nan"),
+        ([0.0, 1.0], ["a", "b"], "values: must be a plain list of numbers"),
+    ],
+)
+def test_series_refuses(time: Any, values: Any, said: str) -> None:
+    with pytest.raises(ValueError, match="Series: ") as caught:
+        Series(time, values)
+    assert said in str(caught.value)
+
+
+# --- pulses --------------------------------------------------------------------------------------------------------
+
+
+def exact(pulse: Pulse, t: Any) -> Any:
+    """The definition, in mpmath."""
+    tau, d, a = mp.mpf(t) - mp.mpf(pulse.start), mp.mpf(pulse.duration), mp.mpf(pulse.amplitude)
+    if not 0 <= tau < d:
+        return mp.mpf(0)
+    wave = 2 * mp.mpf(pulse.cycles) if pulse.name == "sine" else 1
+    return (
+        a
+        * {
+            "rectangular": mp.mpf(1),
+            "triangular": 1 - abs(2 * tau / d - 1),
+            "half-sine": mp.sin(mp.pi * tau / d),
+            "sine": mp.sin(mp.pi * wave * tau / d),
+        }[pulse.name]
+    )
+
+
+@pytest.mark.parametrize("name", PULSES)
+def test_pulse_and_its_integrals_against_the_definition(name: str) -> None:
+    pulse = Pulse(name, -0.3, 0.75, 1.5, 2.25 if name == "sine" else 1.0)
+    end = pulse.start + pulse.duration
+    waves = 18 if name == "sine" else 2
+    with mp.workdps(25):
+        for t in (0.0, 0.75, 0.7500001, 1.1, 1.5, 1.9, 2.2499, 3.0):
+            edges = [x for x in np.linspace(pulse.start, end, waves + 1).tolist() if x < t] + [min(t, end)]
+            edges = edges if t > pulse.start else [pulse.start, pulse.start]
+            one = mp.quad(lambda x: exact(pulse, x), edges)
+            coast = max(t - end, 0.0)
+            # The double integral in one: int (t - x) f(x) dx.
+            two = mp.quad(lambda x, t=t: (t - x) * exact(pulse, x), edges) if t <= end + coast else 0
+            assert abs(pulse(t) - exact(pulse, t)) <= 1e-15
+            assert abs(pulse.integral(t) - one) <= 4e-16 * (1 + abs(one))
+            assert abs(pulse.second_integral(t) - two) <= 1e-15 * (abs(two) + mp.mpf("1e-30")) + 2e-16 * coast
+
+
+@pytest.mark.parametrize("name", PULSES)
+def test_a_pulse_as_polynomials_is_the_pulse(name: str) -> None:
+    pulse = Pulse(name, 0.7, 0.2, 1.3, 2.6 if name == "sine" else 1.0)
+    knots, coefficients, ends, before, after = pulse.pieces
+    t = np.linspace(0.2, 1.5, 997)[:-1]
+    piece = np.searchsorted(knots, t, side="right") - 1
+    values = sum(c[piece] * (t - knots[piece]) ** j for j, c in enumerate(coefficients))
+    assert np.abs(values - pulse(t)).max() < 3e-15
+    assert (before, after) == (0.0, 0.0)
+    if len(coefficients) > 2:  # its top and its zeros are exact
+        assert ends.max() == 0.7
+        assert coefficients[0].max() <= 0.7
+    joints = sum(c[:-1] * np.diff(knots)[:-1] ** j for j, c in enumerate(coefficients))
+    assert np.abs(joints - ends[:-1]).max(initial=0.0) < 1e-15
+
+
+def test_the_second_integral_starts_without_cancellation() -> None:
+    pulse = Pulse("half-sine", 1.0, 0.0, 1.0)
+    assert pulse.second_integral(1e-5) == pytest.approx(math.pi * 1e-15 / 6, rel=1e-9, abs=0.0)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("square", 1.0, 0.0, 1.0), "name = 'square': must be one of rectangular, half-sine, triangular, sine"),
+        (("sine", math.nan, 0.0, 1.0), "amplitude = nan: must be a finite number"),
+        (("sine", 1.0, -1.0, 1.0), "start = -1: must be a time in s, not before 0"),
+        (("sine", 1.0, 0.0, 0.0), "duration = 0: must be a positive time in s"),
+        (("sine", 1.0, 0.0, 1.0, 0.0), "cycles = 0: must be a number of waves above 0"),
+        (("half-sine", 1.0, 0.0, 1.0, 2.0), "cycles = 2.0: belongs to a sine only"),
+        (("sine", [1.0, 2.0], 0.0, 1.0), "amplitude = [1.0, 2.0]: must be one number"),
+    ],
+)
+def test_pulse_refuses(arguments: Any, said: str) -> None:
+    with pytest.raises(ValueError, match="Pulse: ") as caught:
+        Pulse(*arguments)
+    assert said in str(caught.value)
+
+
+def test_shaking_knows_its_kinks_and_its_end() -> None:
+    shaking = Shaking(Pulse("triangular", 1.0, 0.5, 1.0), Series(np.array([0.0, 1.0, 2.0]), np.zeros(3), held=False))
+    assert shaking.kinks.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0]
+    assert shaking.end == 2.0
