@@ -237,7 +237,7 @@ EFFECTS = (
                   "heat_capacity_MJ_m3_K", 1e6),
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("history",),
            "friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the "
-           "layer) and adiabatic (no heat does), as in the seconds to minutes of a slide on millimetres or more of clay; "
+           "layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; "
            "one mean pressure and temperature, constant Lambda, and all work of friction is heat",
            pressure=_EXCESS, given=(_EXCESS,), growth=_KAPPA * MU * EFFECTIVE),
 )  # fmt: skip

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b45958671768955fa796b0872957786b58ceff4a55959b66c501a8c3101bd381
+# sha256 of the text below: 3fe320588788d6cffc20d7c1a2a23f4503d6f9795f79b33036887e90c1dec507
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from collections.abc import Callable, Mapping
@@ -144,7 +144,7 @@ EFFECTS = {
         Parameter('pressurisation', 'Pa/K', -5e-324, INFINITY, 'Lambda, rise of the pore pressure in the undrained layer for each kelvin', 'pressurisation_MPa_K', 1000000.0, 'kappa', lambda value, scales: scales['radius']*value/(scales['heat_capacity']*scales['thickness']), False, 'number'),
         Parameter('heat_capacity', 'J/m^3 K', 0.0, INFINITY, 'rho c, heat capacity of the layer by volume', 'heat_capacity_MJ_m3_K', 1000000.0, '', lambda value, scales: value, False, 'number'),
         Parameter('thickness', 'm', 0.0, INFINITY, 'thickness of the sheared layer', 'thickness_m', 1.0, '', lambda value, scales: value, False, 'number'),
-    ), ('history',), 'friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the layer) and adiabatic (no heat does), as in the seconds to minutes of a slide on millimetres or more of clay; one mean pressure and temperature, constant Lambda, and all work of friction is heat', False, ()),
+    ), ('history',), 'friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; one mean pressure and temperature, constant Lambda, and all work of friction is heat', False, ()),
 }
 
 # Arguments of the functions in `generated.balance`.

@@ -72,8 +72,10 @@ class Integrated:
         self.stops = False
         self.change: tuple[float, float, float] | None = None
         self.pieces: list[Piece] = []
+        self._window = (-math.inf, math.inf)  # between two kinks, while it is integrated
         with np.errstate(all="ignore"):
             self._integrate(tolerance)
+        self._window = (-math.inf, math.inf)
 
     # -- the equation
 
@@ -124,7 +126,8 @@ class Integrated:
     def _kinks(self) -> list[float]:
         """Times from the start of the scene at which something given is not smooth, while this phase may last."""
         every = kinks_of(self.balance, self.law)
-        return [float(k) for k in every if self.time < k < self.time + self.longest]
+        now = self.time * (1.0 + 4 * EPS)  # what it began at is no kink ahead
+        return [float(k) for k in every if now < k < self.time + self.longest]
 
     # -- following it
 
@@ -135,7 +138,7 @@ class Integrated:
         speeds = [v / self.speed_unit for v in self.law.speeds]
         left, steps, which, top = self.time, 0, "", float(y[1])
         for right in [*self._kinks(), self.time + self.longest]:
-            rate = self._equation(left, right)
+            rate, self._window = self._equation(left, right), _between(left, right)
             band = self._band(rate, t, y, speeds)
             method: Any = DOP853
             solver, since = (
@@ -239,7 +242,8 @@ class Integrated:
 
     def _local(self, t: Any, y: Any) -> dict[str, Any]:
         """What the balance needs, at local times and states."""
-        found = self.balance.given(self.time + t, self.start.direction)
+        now = np.clip(self.time + t, *self._window)
+        found = self.balance.given(now, self.start.direction)
         found |= self.at if not self.balance.turns else _turned(self.at, y[0])
         found |= {"omega": y[1], "omega_2": y[1] * y[1]}
         if self.heats:
@@ -247,8 +251,8 @@ class Integrated:
         found["mu"] = 0.0
         if not self.start.lifted:
             slip = self.start.slip + self.balance.radius * y[0]
-            moment = (self.time + t) * self.balance.time_scale
-            found["mu"] = self.law.coefficient(slip, self.speed_unit * np.maximum(y[1], 0.0), moment)
+            speed = self.speed_unit * np.maximum(y[1], 0.0)
+            found["mu"] = self.law.coefficient(slip, speed, now * self.balance.time_scale)
         return found
 
     def states(self, t: Floats) -> Floats:
@@ -289,22 +293,20 @@ class Integrated:
         return float(x[0]), float(omega[0]), float(rate[0])
 
     def fastest(self) -> tuple[float, float, float, float]:
-        """Time, x, omega and d(omega)/dt at the greatest speed."""
-        knots = np.append(self._starts, self.reached)
-        t = self._summit(knots)
-        return (t, *self.state(t))
-
-    def _summit(self, knots: Floats) -> float:
-        speeds = self.states(knots)[1]
-        k = int(np.argmax(speeds))
-        for left, right in ((k - 1, k), (k, k + 1)):
-            if left < 0 or right >= len(knots):
-                continue
-            low, high = np.nextafter(knots[left], np.inf), np.nextafter(knots[right], -np.inf)
-            at_low, at_high = self.state(low)[2], self.state(high)[2]
-            if at_low > 0.0 > at_high:
-                return root(lambda t: self.state(t)[2], low, high, at_low, at_high)
-        return float(knots[k])
+        """Time, x, omega and d(omega)/dt at the greatest speed: at the end of a step, or where the rate turns."""
+        starts, ends = self._starts, np.append(self._starts[1:], self.reached)
+        inside = np.nextafter(starts, np.inf), np.nextafter(ends, -np.inf)
+        _, first, rising = self.when(inside[0])
+        _, last, falling = self.when(inside[1])
+        k = int(np.argmax(np.maximum(first, last)))
+        best, time = max((first[k], starts[k]), (last[k], ends[k]))
+        bound = np.minimum(first + rising * (ends - starts), last - falling * (ends - starts))
+        for k in np.flatnonzero((rising > 0.0) & (falling < 0.0) & (bound > best)):
+            low, high = float(inside[0][k]), float(inside[1][k])
+            t = root(lambda t: self.state(t)[2], low, high, float(rising[k]), float(falling[k]))
+            if self.state(t)[1] > best:
+                best, time = self.state(t)[1], t
+        return (float(time), *self.state(float(time)))
 
     # -- energy
 

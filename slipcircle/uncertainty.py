@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 ROUNDING = 4.0  # units in which a term is uncertain: kernels, products and sums
 _NUDGE = 32 * EPS  # of the weights, in the integrations that an estimate compares with
-_COARSER = 30.0
+_COARSER = 10.0
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
@@ -97,7 +97,7 @@ def _by_comparison(motion: "Motion") -> float:
                 float(np.max(np.abs(there.displacement - here.displacement))) / run_out,
                 float(np.max(np.abs(there.velocity - here.velocity))) / peak,
             )
-    return min(worst, 1.0)
+    return min(2 * worst + motion.plan.tolerance, 1.0)
 
 
 def _stepped(solved: Stepped, before: Doubt) -> tuple[Doubt, Inside]:
