@@ -156,7 +156,7 @@ class Integrated:
                         "give an earlier end in s, or a smoother law"
                     )
                 dense, before, now = solver.dense_output(), float(solver.t_old), float(solver.t)
-                found = _first(self._watched(slips, speeds, band), dense, before, now)
+                found = _first(self._watched(slips, speeds, band), self._noise(top), dense, before, now)
                 if found is None:
                     self.pieces.append(Piece(before, now, dense))
                     t, y, top = now, solver.y, max(top, float(solver.y[1]))
@@ -204,6 +204,11 @@ class Integrated:
         return [noise * since, max(0.1 * tolerance * top, noise), max(tolerance * abs(self.start.excess), noise)][
             : 2 + self.heats
         ]
+
+    def _noise(self, top: float) -> dict[str, float]:
+        """How far below zero rounding alone may put what is watched where it begins at zero."""
+        pressing = 64 * EPS * (self._terms + self.balance.values["polar"] * top * top) / self.balance.values["level"]
+        return {"stands": 16 * EPS * min(self._terms, 1.0) * max(top, 1e-6), "presses": pressing}
 
     @cached_property
     def _terms(self) -> float:
@@ -393,21 +398,21 @@ def _at(watch: Watch, dense: Callable[[Any], Any], t: float) -> float:
 
 
 def _first(
-    watched: dict[str, Watch], dense: Callable[[Any], Any], before: float, now: float
+    watched: dict[str, Watch], noise: dict[str, float], dense: Callable[[Any], Any], before: float, now: float
 ) -> tuple[str, float] | None:
-    """Which watched function falls below zero first in a step, and when."""
+    """Which watched function falls below zero first in a step, and when; just after zero, below what rounding does."""
     times = before + (now - before) * _INSIDE
     states = dense(times)
     found: tuple[str, float] | None = None
     for name, watch in watched.items():
         values = np.asarray(watch(times, states)) + 0.0 * times
-        below = np.flatnonzero(values[1:] < 0.0)
+        below = np.flatnonzero(values < (0.0 if values[0] > 0.0 else -noise.get(name, 0.0)))
         if not len(below):
             continue
-        k = int(below[0]) + 1
-        low, high = float(times[k - 1]), float(times[k])
+        k = int(below[0])
+        low, high = float(times[max(k - 1, 0)]), float(times[k])
         t = low
-        if values[k - 1] > 0.0:
+        if values[max(k - 1, 0)] > 0.0:
             t = root(partial(_at, watch, dense), low, high, float(values[k - 1]), float(values[k]))
         if found is None or t < found[1]:
             found = name, t
