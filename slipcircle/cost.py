@@ -87,10 +87,10 @@ def _y(mp: Any, a: Any, b: Any, t: Any) -> Any:
 
 
 _CLOSED: dict[str, tuple[Callable[..., Any], Callable[..., Any], tuple[int, bool] | None]] = {
-    "polar_moment": (_polar, partial(_quadrature, 2, False), (2, False)),
+    "polar_moment": (_polar, partial(_quadrature, 2, None), (2, False)),
     "moment_of_inertia": (
         lambda mp, x: (x - mp.sin(2 * x) * (1 + 2 * mp.cos(x) ** 2) / 6) / 2,
-        partial(_quadrature, 3, False), (3, False)),
+        partial(_quadrature, 3, None), (3, False)),
     "radial_weight_amplitude": (
         lambda mp, x: mp.sin(x) - mp.cos(x) ** 2 * mp.atanh(mp.sin(x)), partial(_quadrature, 1, True), (1, True)),
     "weight_moment_amplitude": (lambda mp, x: 2 * mp.sin(x) ** 3 / 3, partial(_quadrature, 2, True), (2, True)),
@@ -192,10 +192,22 @@ def _measure_one(name: str, subject: Subject, mpmath: Any) -> list[Row]:
 # --- solvers: one scene, to its run-out, peak velocity and duration
 
 ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12)
-SOLVERS = {
-    "closed form in time": ("vaiont-frozen", False),
-    "closed form in the phase plane": ("vaiont", False),
-    "energy equation": ("vaiont", True),  # the same scene, its friction given as a function, so its solution is known
+
+
+def _of_slip(mu: float) -> Callable[[Any], Any]:
+    return lambda slip: mu + 0.0 * slip
+
+
+def _of_speed(mu: float) -> dict[str, Any]:
+    return {"law": "rate_weakening", "peak": mu, "residual": mu, "velocity": 1.0}
+
+
+SOLVERS: Mapping[str, tuple[str, Callable[[float], Any] | None]] = {
+    "closed form in time": ("vaiont-frozen", None),
+    "closed form in the phase plane": ("vaiont", None),
+    # The same scene, its friction given as a law of slip or of speed that does not change, so its solution is known.
+    "energy equation": ("vaiont", _of_slip),
+    "integration in time": ("vaiont", _of_speed),
 }
 
 
@@ -203,11 +215,11 @@ def _solved(name: str, mpmath: Any, progress: TextIO | None) -> list[Row]:
     """This package at each accuracy, beside SciPy's solve_ivp with a hand-written right-hand side and events."""
     from slipcircle import Scene, solve
 
-    shipped, as_function = SOLVERS[name]
+    shipped, friction = SOLVERS[name]
     scene = Scene.load(shipped)
     mu = float(np.asarray(scene.friction))
-    if as_function:
-        scene = replace(scene, friction=lambda slip: mu + 0.0 * slip)
+    if friction is not None:
+        scene = replace(scene, friction=friction(mu))
     exact = _reference(scene, mu, mpmath)
 
     def row(way: str, work: Callable[[], tuple[float, float, float]]) -> Row:

@@ -306,7 +306,7 @@ class Integrated:
         k = int(np.argmax(np.maximum(first, last)))
         best, time = max((first[k], starts[k]), (last[k], ends[k]))
         bound = np.minimum(first + rising * (ends - starts), last - falling * (ends - starts))
-        for k in np.flatnonzero((rising > 0.0) & (falling < 0.0) & (bound > best)):
+        for k in np.flatnonzero((rising > 0.0) & (falling < 0.0) & (bound > best)).tolist():
             low, high = float(inside[0][k]), float(inside[1][k])
             t = root(lambda t: self.state(t)[2], low, high, float(rising[k]), float(falling[k]))
             if self.state(t)[1] > best:

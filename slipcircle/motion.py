@@ -231,7 +231,7 @@ class Motion:
         if "k_h" in at:
             at["press_slope"] = self.balance.press_slope_at(rotation)
         stress = self.balance.get("normal_stress", **at) * float(self._arc.reference_stress)
-        speed = omega / scale
+        speed = omega / scale + 0.0  # no -0.0
         return State(time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
 
     def at(self, times: ArrayLike) -> State:

@@ -73,14 +73,15 @@ class Plan:
 
     @property
     def error_estimate(self) -> float:
-        """Relative error to expect before solving: rounding, times how close the friction is to its limit."""
+        """Relative error to expect before solving: rounding, times how close the friction is to its limit; steps."""
         from slipcircle.balance import bind
 
         balance = bind(self.scene)
         at = balance.position(0.0, -1 if balance.fall < 0.0 else 1)
         limit, mu = balance.get("limit_friction", **at), float(friction(self.scene.friction).coefficient(0.0))
         moving = float(np.asarray(self.scene.initial_velocity)) != 0.0
-        return 32 * 2.0**-52 * (1.0 if moving or limit == mu else 1.0 + (abs(limit) + mu) / abs(limit - mu))
+        rounding = 32 * 2.0**-52 * (1.0 if moving or limit == mu else 1.0 + (abs(limit) + mu) / abs(limit - mu))
+        return max(rounding, 100 * self.tolerance) if self.method == INTEGRATION else rounding
 
     def ladder(self) -> "list[Rung]":
         """The scene solved with its effects added one by one: see `slipcircle.ladder.ladder`."""

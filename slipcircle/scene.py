@@ -140,15 +140,17 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     ]
     given = [(p, parameters[p.name]) for p in effect.parameters if p.name in parameters]
     words = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
-    numbers = {p.name: v for p, v in given if p.kind in ("number", "list", "series") and not callable(v)}
+    numbers = {p.name: v for p, v in given if p.kind in ("number", "list", "series") and p.key and not callable(v)}
     bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in numbers}
     return found + words + [f"effects.{name}.{m}" for m in mistakes(numbers, bounds)]
 
 
 def _odd(p: Parameter, value: Any) -> bool:
     """Whether a value that is no number is not of its kind either."""
+    if p.kind == "series" and callable(value):
+        return not hasattr(value, "kinks")
     if p.kind in ("number", "list", "series"):
-        return callable(value) and p.kind != "series"
+        return callable(value) or not p.key  # what a file cannot say is no number
     if p.kind == "flag":
         return not isinstance(value, bool)
     if p.kind == "text":
@@ -157,5 +159,6 @@ def _odd(p: Parameter, value: Any) -> bool:
 
 
 def _allowed(p: Parameter) -> str:
-    kinds = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers"}
+    kinds = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers",
+             "series": "a function of time, a Series or a Pulse"}  # fmt: skip
     return kinds.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"

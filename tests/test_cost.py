@@ -153,7 +153,7 @@ def test_cells_are_relative_to_the_stable_form(rows: list[Row]) -> None:
     assert np.__version__ in cost.machine()
 
 
-@pytest.mark.parametrize("name", list(cost.SOLVERS))
+@pytest.mark.parametrize("name", [n for n in cost.SOLVERS if n != "integration in time"])
 def test_solvers(name: str) -> None:
     """Ours against textbook formulas at 40 digits; SciPy's error falls with its tolerance, and is never smaller."""
     rows = {r.way: r for r in cost.measure([name])}
@@ -164,3 +164,11 @@ def test_solvers(name: str) -> None:
         errors = [rows[f"{method}, rtol {a:.0e}"].error for a in cost.ACCURACIES]
         assert max(r.error for r in ours) < errors[-1] < 1e-11
         assert errors[-1] < errors[0]
+
+
+def test_integration_keeps_to_the_accuracy() -> None:
+    """Where steps are needed here too: ours are as accurate as was asked for, with a hundred times to spare."""
+    rows = {r.way: r for r in cost.measure(["integration in time"])}
+    for accuracy in cost.ACCURACIES:
+        assert rows[f"slipcircle, {accuracy:.0e}"].error < max(accuracy / 100, 1e-12)
+    assert rows["slipcircle, 1e-09"].error < rows["DOP853, rtol 1e-09"].error

@@ -127,7 +127,7 @@ def logarithmic(speed: list[float], values: list[float]) -> Table:
         if secant[k - 1] * secant[k] > 0:
             one, two = 2 * step[k] + step[k - 1], step[k] + 2 * step[k - 1]
             slope[k] = (one + two) / (one / secant[k - 1] + two / secant[k])
-    cubics = []
+    cubics = list[tuple[arb, ...]]()
     for k, h in enumerate(step):
         rise, a, b = y[k + 1] - y[k], h * slope[k], h * slope[k + 1]
         cubics.append((y[k], a, 3 * rise - 2 * a - b, a + b - 2 * rise))
@@ -176,7 +176,9 @@ class Problem:
         self.heats = "thermal_pressurisation" in effects
         if self.heats:
             h = effects["thermal_pressurisation"]
-            self.kappa = number(h["pressurisation"]) * self.radius / (number(h["heat_capacity"]) * number(h["thickness"]))
+            self.kappa = (
+                number(h["pressurisation"]) * self.radius / (number(h["heat_capacity"]) * number(h["thickness"]))
+            )
         self._friction(scene["friction"])
         self.omega = number(scene["initial_velocity"]) / (gravity * self.radius).sqrt()
         self.end = None if scene["end_time"] is None else (number(scene["end_time"]) / self.scale).mid()
@@ -477,8 +479,7 @@ class Solution:
     def record(self) -> dict[str, Any]:
         p = self.p
         speed, length = p.radius / p.scale, p.radius
-        times = [self.duration * number(s) for s in SHARES]
-        times = [float(t * p.scale) for t in times]
+        times = [float(self.duration * number(s) * p.scale) for s in SHARES]
         states = [self.state(number(t) / p.scale) for t in times]
         return {
             "moves": bool(self.steps),
@@ -598,7 +599,12 @@ def drawn(group: str, rng: np.random.Generator) -> dict[str, Any]:
 
     def slip_law(peak: float, residual: float) -> dict[str, Any]:
         name = str(rng.choice(["exponential", "linear", "hyperbolic"]))
-        return {"law": name, "peak": peak, "residual": residual, "length": float(arc["radius"] * 10 ** rng.uniform(-3, -1))}
+        return {
+            "law": name,
+            "peak": peak,
+            "residual": residual,
+            "length": float(arc["radius"] * 10 ** rng.uniform(-3, -1)),
+        }
 
     def rate(peak: float, residual: float) -> dict[str, Any]:
         return {"law": "rate_weakening", "peak": peak, "residual": residual,

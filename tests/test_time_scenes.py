@@ -1,0 +1,539 @@
+"""Scenes that depend on time, speed or heat: 100 references, independent integration, limits, and textbook answers."""
+
+import json
+import math
+import subprocess
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache
+from itertools import combinations, cycle
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import time_references
+from mpmath import mpf
+from scipy.integrate import solve_ivp
+
+from generated.effects import EFFECTS
+from slipcircle import Arc, Motion, Scene, plan, solve
+from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING
+from slipcircle.series import Pulse, Series
+
+ROWS: list[dict[str, Any]] = json.loads(time_references.FILE.read_text("utf-8"))
+ARC: Any = Scene.load("vaiont").arc
+TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+HEAT = {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}
+RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
+
+
+# --- 100 random scenes -----------------------------------------------------------------------------------------------
+
+
+def scene(given: Mapping[str, Any]) -> Scene:
+    effects = {name: dict(parameters) for name, parameters in given["effects"].items()}
+    shaking = effects.get("shaking", {})
+    if "time" in shaking:
+        time = np.array(shaking.pop("time"))
+        for name in ("horizontal", "vertical"):
+            if name in shaking:
+                shaking[name] = Series(time, np.array(shaking[name]), held=False)
+    return Scene(Arc(**given["arc"]), given["friction"], effects, given["initial_velocity"], given["end_time"])
+
+
+def off(value: float, reference: str, scale: str) -> float:
+    with mpmath.workdps(40):
+        return float(abs(mpf(float(value)) - mpf(reference)) / abs(mpf(scale)))
+
+
+def true_error(motion: Motion, r: Mapping[str, Any]) -> float:
+    state = motion.at(np.minimum(r["times"], motion.duration) if not motion.arrested else r["times"])
+    return max(
+        off(abs(float(motion.peak.velocity)), r["peak"], r["peak"]),
+        off(motion.run_out, r["run_out"], r["run_out"]),
+        off(motion.duration, r["duration"], r["duration"]),
+        *(off(x, y, r["run_out"]) for x, y in zip(state.displacement, r["displacement"], strict=True)),
+        *(off(x, y, r["peak"]) for x, y in zip(state.velocity, r["velocity"], strict=True)),
+    )
+
+
+@cache
+def solved(number: int) -> Motion:
+    return solve(scene(ROWS[number]["scene"]))
+
+
+def test_the_file_holds_100_scenes_of_every_kind() -> None:
+    assert len(ROWS) == 100
+    assert {r["group"] for r in ROWS} == set(time_references.GROUPS)
+    methods = [solved(k).plan.method for k in range(100)]
+    assert {INTEGRATION, LINEAR_SYSTEM, STEPPING} == set(methods)
+    motions = [r["reference"] for r in ROWS]
+    assert {m["arrested"] for m in motions} == {m["lifted"] for m in motions} == {True, False}
+    assert sum(len(solved(k).phases) > 2 for k in range(100)) > 10
+
+
+@pytest.mark.parametrize("group", time_references.GROUPS)
+def test_accuracy_is_what_the_user_gets(group: str) -> None:
+    for k, row in enumerate(ROWS):
+        if row["group"] == group:
+            motion, reference = solved(k), row["reference"]
+            assert (motion.moves, motion.arrested) == (reference["moves"], reference["arrested"]), f"scene {k}"
+            assert bool(motion.lift_off) == reference["lifted"], f"scene {k}"
+            error = true_error(motion, reference)
+            assert error <= motion.error_estimate <= motion.plan.accuracy, f"scene {k}: {error:.1e}"
+            assert not any("ill-conditioned" in w for w in motion.warnings)
+
+
+def test_energy_balances_at_all_times() -> None:
+    for k, row in enumerate(ROWS):
+        motion = solved(k)
+        energy = motion.energy_at(np.array([*row["reference"]["times"], motion.duration]))
+        assert np.max(np.abs(energy.residual)) <= 1e-9 * max(np.max(np.abs(energy.work)), np.max(energy.dissipation)), k
+
+
+@pytest.mark.parametrize("accuracy", [1e-4, 1e-11])
+def test_other_accuracies(accuracy: float) -> None:
+    for row in ROWS[::6]:
+        motion = solve(scene(row["scene"]), accuracy)
+        assert true_error(motion, row["reference"]) <= motion.error_estimate <= accuracy
+
+
+def test_steps_converge() -> None:
+    """The errors fall with the tolerance, in proportion or faster, until rounding."""
+    errors = np.array([[true_error(solve(scene(ROWS[k]["scene"]), a), ROWS[k]["reference"]) for a in
+                        (1e-3, 1e-5, 1e-7, 1e-9)] for k in (0, 11, 40, 58, 66, 91)])  # fmt: skip
+    geometric = np.exp(np.mean(np.log(np.maximum(errors, 1e-16)), axis=0))
+    assert np.all(geometric[1:] < 0.1 * geometric[:-1])
+
+
+def test_references_are_derived_again() -> None:
+    for k in (3, 17, 30, 45, 77):
+        again, kept = time_references.solve(ROWS[k]["scene"]), ROWS[k]["reference"]
+        for name in ("peak", "run_out", "duration"):
+            assert off(float(kept[name]), again[name], again[name]) < 1e-15
+        assert (again["arrested"], again["lifted"]) == (kept["arrested"], kept["lifted"])
+
+
+# --- every combination, integrated independently ---------------------------------------------------------------------
+
+PARAMETERS: dict[str, dict[str, Any]] = {
+    "pore_pressure": {"time": [0.0, 3.0, 9.0], "pressure": [0.0, 3e5, 1e5]}, "cohesion": {"cohesion": 2e4},
+    "drag": {"xi": 800.0}, "viscosity": {"viscosity": 2e3, "thickness": 0.5},
+    "shaking": {"pulse": "half-sine", "amplitude": 0.2, "vertical_amplitude": 0.1, "duration": 6.0, "start": 1.0},
+    "thermal_pressurisation": HEAT,
+}  # fmt: skip
+LAWS: dict[str, Any] = {
+    "constant": 0.3,
+    "exponential": {"law": "exponential", "peak": 0.38, "residual": 0.25, "length": 5.0},
+    "rate": RATE,
+    "product": {"law": "hyperbolic", "peak": 0.38, "residual": 0.25, "length": 5.0, "rate": RATE | {"peak": 1.0}},
+    "prescribed": {"law": "prescribed", "time": [0.0, 4.0, 8.0], "coefficient": [0.4, 0.2, 0.3]},
+}
+
+
+def friction_of(law: Any, slip: float, speed: float, time: float) -> float:
+    """Friction written anew."""
+    if not isinstance(law, Mapping):
+        return float(law)
+    if law["law"] == "prescribed":
+        return float(np.interp(time, law["time"], law["coefficient"]))
+    peak, rest = law["peak"], law["residual"]
+    if law["law"] == "rate_weakening":
+        return float(rest + (peak - rest) * law["velocity"] / (law["velocity"] + speed))
+    shape = math.exp(-slip / law["length"]) if law["law"] == "exponential" else 1 / (1 + slip / law["length"])
+    factor = friction_of(law["rate"], slip, speed, time) if "rate" in law else 1.0
+    return float((rest + (peak - rest) * shape) * factor)
+
+
+def by_hand(s: Scene, called: Mapping[str, Any], end: float) -> tuple[float, float]:
+    """Displacement and velocity of a mass that slides all the time, in SI units, from the moments of (3.2)."""
+    arc: Any = s.arc
+    d = arc.dimensionless
+    radius, gravity, gamma = (float(x) for x in (arc.radius, arc.gravity, arc.unit_weight))
+    inertia, length = float(d.moment_of_inertia), 2 * float(arc.half_angle) * radius  # of the arc
+    dip = float(arc.dip)
+    weigh, press = float(d.weight_moment) / math.sin(dip), float(d.radial_weight) / math.cos(dip)
+    polar = float(d.resistance_factor * d.dynamic_coefficient) if "centripetal" in called else 0.0
+    water, pulse = called.get("pore_pressure"), called.get("shaking")
+    layer, heat = called.get("viscosity"), called.get("thermal_pressurisation")
+
+    def rates(t: float, y: Any) -> list[float]:
+        phi, omega, risen = y
+        psi = dip - phi if "rotation" in called else dip
+        wave = math.sin(math.pi * (t - 1.0) / 6.0) if pulse and 1.0 < t < 7.0 else 0.0
+        k_h, k_v = (wave * pulse["amplitude"], wave * pulse["vertical_amplitude"]) if pulse else (0.0, 0.0)
+        moment = gamma * radius**3 * weigh * ((1 - k_v) * math.sin(psi) + k_h * math.cos(psi))
+        weight = gamma * radius**2 * press * ((1 - k_v) * math.cos(psi) - k_h * math.sin(psi))
+        normal = (weight + gamma / gravity * omega**2 * radius**3 * polar) / length  # mean stress
+        u = float(np.interp(t, water["time"], water["pressure"])) if water else 0.0
+        effective = max(normal - u - risen, 0.0)
+        mu = friction_of(s.friction, radius * phi, radius * omega, t)
+        shear = mu * effective + called.get("cohesion", {}).get("cohesion", 0.0)
+        shear += gamma * (radius * omega) ** 2 / called["drag"]["xi"] if "drag" in called else 0.0
+        shear += layer["viscosity"] * radius * omega / layer["thickness"] if layer else 0.0
+        mass = gamma / gravity * radius**4 * inertia
+        rise = heat["pressurisation"] / (heat["heat_capacity"] * heat["thickness"]) if heat else 0.0
+        return [omega, (moment - shear * length * radius) / mass, rise * mu * effective * radius * omega]
+
+    y, first = np.zeros(3), 0.0
+    for last in sorted({1.0, 3.0, 4.0, 7.0, 8.0, 9.0, end}):
+        if last <= end:
+            y = solve_ivp(rates, (first, last), y, "DOP853", rtol=1e-12, atol=1e-16).y[:, -1]
+            first = last
+    return radius * float(y[0]), radius * float(y[1])
+
+
+LATER = ("viscosity", "shaking", "thermal_pressurisation")
+NEW = [c for n in range(len(EFFECTS) + 1) for c in combinations(EFFECTS, n) if {*LATER, "pore_pressure"} & set(c)]
+
+
+def test_every_new_combination_of_effects_against_numerical_integration() -> None:
+    assert len(NEW) == 240
+    for chosen, name in zip(NEW, cycle(LAWS), strict=False):
+        if name == "prescribed" and chosen[0] == "pore_pressure":
+            name = "constant"
+        called = {e: PARAMETERS.get(e, {}) for e in chosen}
+        motion = solve(Scene(ARC, LAWS[name], called, end_time=11.0), 1e-10)
+        assert len(motion.phases) == 1 + (motion.plan.method == STEPPING)
+        displacement, velocity = by_hand(motion.plan.scene, called, 11.0)
+        assert motion.run_out == pytest.approx(displacement, rel=1e-9), (chosen, name)
+        assert motion.end.velocity == pytest.approx(velocity, rel=1e-9), (chosen, name)
+
+
+# --- answers from textbooks ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("friction", [0.3, {"law": "linear", "peak": 0.3, "residual": 0.3, "length": 1.0}])
+def test_undrained_adiabatic_decay(friction: Any) -> None:
+    """Rice (2006): at constant normal stress sigma' falls as exp(-mu Lambda s/(rho c h))."""
+    for heat in (1e3, 1e4, 1e5):
+        called = {"thermal_pressurisation": HEAT | {"pressurisation": heat}}
+        motion = solve(Scene(ARC, friction, called, end_time=20.0))
+        times = np.linspace(0.0, 20.0, 41)
+        state = motion.at(times)
+        effective = state.normal_stress - motion.pore_pressure_at(times)
+        decay = np.exp(-0.3 * heat * state.displacement / (2.7e6 * 0.1))
+        np.testing.assert_allclose(
+            effective, float(ARC.static_normal_stress) * decay, rtol=0, atol=1e-12 * effective[0]
+        )
+
+
+def test_viscous_terminal_velocity() -> None:
+    """Frozen, without friction that grows: v = drive/(eta A_s/h), reached exponentially at the rate of the drag."""
+    eta, h, mu = 1e8, 0.5, 0.1
+    motion = solve(Scene(ARC, mu, {"viscosity": {"viscosity": eta, "thickness": h}}, end_time=200.0))
+    d, arc = ARC.dimensionless, ARC
+    force = arc.unit_weight * arc.radius**2 * (d.weight_moment - mu * d.radial_weight)  # a moment over R
+    resistance = eta / h * 2 * arc.half_angle * arc.radius
+    rate = resistance / (arc.unit_weight / arc.gravity * arc.radius**2 * d.moment_of_inertia)
+    assert motion.end.velocity == pytest.approx(float(force / resistance), rel=1e-9)
+    times = np.array([0.1, 1.0, 3.0]) / float(rate)
+    expected = -force / resistance * np.expm1(-rate * times)
+    np.testing.assert_allclose(motion.at(times).velocity, expected, rtol=1e-9)
+    assert motion.peak.velocity == pytest.approx(float(motion.end.velocity), rel=1e-9)
+
+
+def test_a_viscous_pendulum() -> None:
+    """Small swings without friction: the damped oscillator's first standstill."""
+    arc: Any = Arc(50.0, math.radians(225.0), math.radians(315.0 - 0.02), 2e4)
+    called = {"rotation": {}, "viscosity": {"viscosity": 2e3, "thickness": 1.0}}
+    motion = solve(Scene(arc, 0.0, called))
+    inertia = arc.unit_weight / arc.gravity * arc.radius * arc.dimensionless.moment_of_inertia
+    e = float(2e3 * 2 * arc.half_angle / inertia)
+    k = float(arc.amplitudes_per_inertia[0] / arc.time_scale**2)
+    swing = math.sqrt(k - e * e / 4)
+    assert motion.duration == pytest.approx(math.pi / swing, rel=1e-7)
+    amplitude = float(arc.dip) * float(arc.radius)
+    assert motion.run_out == pytest.approx(amplitude * (1 + math.exp(-e / 2 * math.pi / swing)), rel=1e-7)
+    assert not motion.arrested
+
+
+# --- limits ----------------------------------------------------------------------------------------------------------
+
+LIMITS: dict[str, Callable[[], Scene]] = {
+    "no viscosity": lambda: Scene(ARC, 0.3, TURNING | {"viscosity": {"viscosity": 0.0, "thickness": 1.0}}),
+    "no shaking": lambda: Scene(ARC, 0.3, TURNING | {"shaking": {"pulse": "sine", "amplitude": 0.0, "duration": 5.0}}),
+    "no heat": lambda: Scene(ARC, 0.3, TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 0.0}}),
+    "no rate": lambda: Scene(ARC, RATE | {"peak": 0.3, "residual": 0.3}, TURNING),
+    "level table": lambda: Scene(
+        ARC, {"law": "rate_tabulated", "speed": [1e-3, 1.0, 9.0], "coefficient": [0.3, 0.3, 0.3]}, TURNING
+    ),
+    "constant in time": lambda: Scene(ARC, {"law": "prescribed", "time": [0, 9], "coefficient": [0.3, 0.3]}, TURNING),
+    "product with one": lambda: Scene(
+        ARC, {"law": "constant", "coefficient": 0.3, "rate": RATE | {"peak": 1.0, "residual": 1.0}}, TURNING
+    ),
+    "no water": lambda: Scene(ARC, 0.3, TURNING | {"pore_pressure": {"time": [0, 9], "pressure": [0, 0]}}),
+}
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_limits_equal_the_closed_form(name: str) -> None:
+    given, plain = solve(LIMITS[name]()), solve(Scene(ARC, 0.3, TURNING))
+    assert plan(given.plan.scene).method in (INTEGRATION, LINEAR_SYSTEM)
+    for one, other in (
+        (given.run_out, plain.run_out),
+        (given.peak.velocity, plain.peak.velocity),
+        (given.peak.time, plain.peak.time),
+        (given.duration, plain.duration),
+    ):
+        assert one == pytest.approx(other, rel=1e-9 if other is not plain.peak.time else 1e-5)
+    times = np.linspace(0.0, plain.duration, 50)
+    np.testing.assert_allclose(given.at(times).velocity, plain.at(times).velocity, atol=1e-9 * plain.peak.velocity)
+
+
+def test_constant_shaking_tilts_gravity() -> None:
+    """k_h and k_v that never change: an arc of another dip under another gravity."""
+    k_h, k_v = 0.15, 0.2
+    for_ever = {"pulse": "rectangular", "amplitude": k_h, "vertical_amplitude": k_v, "duration": 1e6}
+    shaken = solve(Scene(ARC, 0.3, TURNING | {"shaking": for_ever, "drag": {"xi": 500.0}}))
+    tilt, g = math.atan2(k_h, 1 - k_v), math.hypot(k_h, 1 - k_v)
+    # Drag is over unit weight, which the new gravity changes.
+    arc = replace(ARC, theta_1=float(ARC.theta_1) - tilt, theta_2=float(ARC.theta_2) - tilt,
+                  gravity=float(ARC.gravity) * g)  # fmt: skip
+    tilted = solve(Scene(arc, 0.3, TURNING | {"drag": {"xi": 500.0 * g}}))
+    assert shaken.run_out == pytest.approx(tilted.run_out, rel=1e-9)
+    assert shaken.duration == pytest.approx(tilted.duration, rel=1e-9)
+    assert shaken.peak.velocity == pytest.approx(tilted.peak.velocity, rel=1e-9)
+
+
+def test_a_mirrored_slide_does_the_same_in_the_mirror() -> None:
+    mirrored = replace(ARC, theta_1=3 * np.pi - ARC.theta_2, theta_2=3 * np.pi - ARC.theta_1)
+    pulse = {"pulse": "sine", "amplitude": 0.4, "vertical_amplitude": 0.2, "duration": 20.0, "cycles": 6.0}
+    called = TURNING | {"viscosity": PARAMETERS["viscosity"], "thermal_pressurisation": HEAT}
+    for two_way in (False, True):
+        one = solve(Scene(ARC, 0.5, called | {"shaking": pulse | {"two_way": two_way}}))
+        other = solve(Scene(mirrored, 0.5, called | {"shaking": pulse | {"amplitude": -0.4, "two_way": two_way}}))
+        assert len(one.phases) == len(other.phases) > 1
+        assert one.run_out == pytest.approx(-other.run_out, rel=1e-10)
+        assert one.duration == pytest.approx(other.duration, rel=1e-10)
+
+
+# --- starts, stops and restarts --------------------------------------------------------------------------------------
+
+
+def test_one_way_never_slides_up_and_two_way_does() -> None:
+    waves = {"pulse": "sine", "amplitude": -1.8, "duration": 5.0, "cycles": 10.0}
+    one, two = (solve(Scene(ARC, 0.5, TURNING | {"shaking": waves | {"two_way": w}})) for w in (False, True))
+    times = np.linspace(0.0, 25.0, 2001)
+    assert np.min(one.at(times).velocity) == 0.0
+    assert np.min(two.at(times).velocity) < -0.1
+    assert two.run_out < one.run_out
+    rests = one.at(times)
+    assert np.sum(rests.velocity == 0.0) > 200
+    assert np.all(rests.acceleration[rests.velocity == 0.0] == 0.0)
+    assert np.all(np.diff(rests.displacement) >= 0.0)
+    assert len(one.phases) == 10
+    for phase in one.phases:  # it starts where the drive is just the resistance
+        time = phase.start * float(ARC.time_scale)
+        k = float(one.plan.scene.called["shaking"]["horizontal"](time))
+        at = one.balance.position(phase.rotation, 1)
+        drive = at["fall"] + k * at["fall_slope"] - 0.5 * (at["press"] + k * at["press_slope"])
+        assert abs(drive) < 1e-12
+
+
+def test_swing_back_by_gravity_needs_no_two_way() -> None:
+    motion = solve(Scene(ARC, 0.05, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": 0.1, "duration": 2.0}}))
+    assert {p.direction for p in motion.phases} == {1, -1}
+
+
+def test_shaking_that_ends_while_it_slides_and_a_rest_before_the_end_time() -> None:
+    push = {"pulse": "rectangular", "amplitude": 0.5, "duration": 2.0, "start": 1.0}
+    motion = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}))
+    assert motion.peak.time == pytest.approx(3.0, rel=1e-12)
+    assert motion.arrested
+    assert motion.duration > 3.0
+    waits = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}, end_time=0.5))
+    assert (waits.moves, waits.arrested, waits.run_out, waits.duration) == (False, False, 0.0, 0.5)
+    over = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}, end_time=500.0))
+    assert (over.arrested, over.duration) == (True, motion.duration)
+    assert over.at(400.0).displacement == motion.run_out
+
+
+def test_water_that_rises_later_starts_it_later() -> None:
+    motion = solve(Scene(ARC, 0.6, TURNING | {"pore_pressure": {"time": [0, 50, 100], "pressure": [0, 2e6, 0]}}))
+    (start, *_) = (p.start * float(ARC.time_scale) for p in motion.phases)
+    pressed = float(ARC.static_normal_stress)
+    limit = float(ARC.dimensionless.limit_friction)
+    assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-12)
+    assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
+
+
+# --- hard cases ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("vertical", [0.9, 0.999999, 1.0, 1.000001])
+def test_weightless(vertical: float) -> None:
+    """k_v -> 1: nothing presses and nothing falls; from motion it coasts, once it weighs nothing at all."""
+    shaking = {"pulse": "rectangular", "amplitude": 0.0, "vertical_amplitude": vertical, "duration": 3.0}
+    motion = solve(Scene(ARC, 0.3, {"rotation": {}, "shaking": shaking}, initial_velocity=5.0, end_time=3.0))
+    speed = motion.at(np.linspace(0.0, 3.0, 7)).velocity
+    if vertical == 1.0:
+        np.testing.assert_allclose(speed, 5.0, rtol=1e-12)
+    else:
+        limit = (1 - vertical) * 3.0 * 9.81
+        np.testing.assert_allclose(speed, 5.0, atol=abs(limit))
+        assert bool(motion.lift_off) == (vertical > 1.0)
+
+
+@pytest.mark.parametrize("amplitude", [1e3, 1e9])
+def test_huge_shaking_is_refused_where_the_mass_turns_over(amplitude: float) -> None:
+    with pytest.raises(ValueError, match="the chord stands upright"):
+        solve(Scene(ARC, 0.5, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": amplitude, "duration": 5.0}}))
+
+
+@pytest.mark.parametrize("amplitude", [0.0, 1e-300, 1e-9])
+def test_shaking_too_weak_moves_nothing(amplitude: float) -> None:
+    motion = solve(Scene(ARC, 0.5, TURNING | {"shaking": {"pulse": "sine", "amplitude": amplitude, "duration": 5.0}}))
+    assert (motion.moves, motion.arrested, motion.run_out, motion.duration) == (False, True, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("heat", [3e3, 1e4, 1e6, 1e9])
+def test_pressurisation_that_removes_all_strength(heat: float) -> None:
+    """Then nothing brings it to rest: the first standstill from which it would swing for ever is given."""
+    motion = solve(Scene(ARC, 0.3, TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": heat}}))
+    assert not motion.arrested
+    assert motion.lift_off
+    assert abs(motion.energy.residual) < 1e-6 * motion.energy.work
+    free = solve(Scene(ARC, 0.0, TURNING))
+    if heat == 1e9:
+        assert motion.run_out == pytest.approx(free.run_out, rel=1e-6)
+
+
+def test_friction_that_vanishes_with_speed() -> None:
+    motion = solve(Scene(ARC, RATE | {"residual": 0.0, "velocity": 0.1}, TURNING, end_time=60.0))
+    free = solve(Scene(ARC, 0.0, TURNING))
+    assert 0.95 * free.peak.velocity < motion.peak.velocity < free.peak.velocity
+    with pytest.raises(ValueError, match="never rests"):
+        solve(Scene(ARC, RATE | {"residual": 0.0}))
+
+
+def test_creep_that_never_ends_is_refused() -> None:
+    slow = {"viscosity": {"viscosity": 1e6, "thickness": 1.0}}
+    with pytest.raises(ValueError, match="end_time: viscosity lets this mass creep"):
+        solve(Scene(ARC, 0.3, TURNING | slow))
+    motion = solve(Scene(ARC, 0.3, TURNING | slow, end_time=1e4))
+    assert abs(motion.end.velocity) < 1e-6
+    assert motion.end.rotation == pytest.approx(float(ARC.dip - math.atan(0.3 / float(
+        ARC.amplitudes_per_inertia[0] / ARC.amplitudes_per_inertia[1]))), rel=1e-6)  # fmt: skip
+
+
+def test_next_to_the_limit_the_estimate_grows_and_warns() -> None:
+    limit = float(ARC.dimensionless.limit_friction)
+    for gap, most in ((1e-3, 1e-9), (1e-9, 1.0)):
+        motion = solve(Scene(ARC, RATE | {"peak": limit * (1 - gap), "residual": limit * (1 - gap)}, TURNING))
+        plain = solve(Scene(ARC, limit * (1 - gap), TURNING))
+        error = max(abs(motion.run_out / plain.run_out - 1), abs(motion.duration / plain.duration - 1))
+        assert error <= motion.error_estimate + plain.error_estimate
+        assert motion.error_estimate <= most
+        assert any("ill-conditioned" in w for w in motion.warnings) == (motion.error_estimate > 1e-9)
+    assert motion.error_estimate > 1e-9
+
+
+def test_a_stop_that_grazes_warns() -> None:
+    """Two pushes, the second just when the mass would stand still: whether it stops in between hangs on a hair."""
+    first = solve(Scene(ARC, 0.5, {"rotation": {}, "shaking": {"pulse": "rectangular", "amplitude": 0.3,
+                                                               "duration": 2.0}}))  # fmt: skip
+    stop = first.duration
+    again = Series(np.array([0.0, 2.0, 2.0 + 1e-9, stop - 1.0, stop, stop + 1.0]),
+                   np.array([0.3, 0.3, 0.0, 0.0, 0.0, 0.3]), held=False)  # fmt: skip
+    motion = solve(Scene(ARC, 0.5, {"rotation": {}, "shaking": {"horizontal": again}}))
+    assert motion.run_out > first.run_out
+    assert motion.error_estimate <= 1.0
+
+
+# --- what scenes may say ---------------------------------------------------------------------------------------------
+
+REFUSED: list[tuple[Any, Any, str]] = [
+    (0.3, {"shaking": {}}, "one of horizontal, pulse, record is missing"),
+    (0.3, {"shaking": {"pulse": "sine"}}, "amplitude is missing"),
+    (0.3, {"shaking": {"pulse": "saw", "amplitude": 0.1, "duration": 1.0}}, "must be one of rectangular, half-sine"),
+    (0.3, {"shaking": {"pulse": "sine", "amplitude": 0.1, "duration": 0.0}}, "duration = 0"),
+    (0.3, {"shaking": {"pulse": "sine", "amplitude": math.nan, "duration": 1.0}}, "amplitude = nan"),
+    (0.3, {"shaking": {"pulse": "sine", "amplitude": 0.1, "duration": 1.0, "scale": 2.0}}, "scale does not belong"),
+    (0.3, {"shaking": {"pulse": "sine", "record": "x.csv"}}, "exclude each other"),
+    (0.3, {"shaking": {"record": "x.csv"}}, 'must say whether it holds "ground" or "driving"'),
+    (0.3, {"shaking": {"record": "nowhere.csv", "holds": "ground"}}, "nowhere.csv"),
+    (0.3, {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 1.0), "two_way": 1}}, "two_way = 1: must be True"),
+    (0.3, {"shaking": {"horizontal": 0.1}}, "horizontal = 0.1: must be a function of time"),
+    (0.3, {"shaking": {"horizontal": math.sin}}, "must be a function of time"),
+    (0.3, {"pore_pressure": {"pressure": [1.0, 2.0]}}, "time and pressure: must both be lists"),
+    (0.3, {"pore_pressure": {"pressure": [1.0, 2.0], "time": [1.0, 1.0]}}, "repeats"),
+    (0.3, {"viscosity": {"viscosity": -1.0, "thickness": 1.0}}, "viscosity = -1"),
+    (0.3, {"viscosity": {"viscosity": 1.0}}, "'thickness' is missing"),
+    (RATE | {"velocity": 0.0}, {}, "friction.velocity = 0"),
+    ({"law": "rate_tabulated", "speed": [0.0, 1.0], "coefficient": [1, 1]}, {}, "friction.speed = 0"),
+    ({"law": "prescribed", "time": [1.0, 0.5], "coefficient": [1, 1]}, {}, "friction.time: must increase"),
+    (RATE | {"rate": RATE}, {}, "rate_weakening is no law of slip"),
+    ({"law": "constant", "coefficient": 0.3, "rate": {"law": "linear"}}, {}, "friction.rate.law = 'linear'"),
+    ({"law": "constant", "coefficient": 0.3, "rate": 2.0}, {}, "friction.rate = 2.0: must be a law of speed"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("friction", "effects", "said"), REFUSED, ids=[r[2][:30] for r in REFUSED])
+def test_what_is_refused(friction: Any, effects: Any, said: str) -> None:
+    with pytest.raises(ValueError, match=r"^Scene: ") as caught:
+        Scene(ARC, friction, effects)
+    assert said in str(caught.value)
+    assert str(caught.value).count("\n") == 0
+
+
+def test_scipy_is_imported_only_where_it_is_planned() -> None:
+    code = (
+        "import sys\nfrom slipcircle import Scene, solve\n"
+        "for name in ('newmark-pulse', 'vaiont-heated', 'vaiont'):\n"
+        "    m = solve(Scene.load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
+        "assert 'scipy' not in sys.modules\n"
+        "solve(Scene.load('vaiont-rate'))\nassert 'scipy' in sys.modules\n"
+        "sys.modules['scipy.integrate'] = None\ndel sys.modules['slipcircle.integrate']\n"
+        "try: solve(Scene.load('vaiont-rate'))\nexcept ImportError as error: print(error)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], check=True, timeout=60, capture_output=True, text=True)
+    assert done.stdout == "this scene is integrated by SciPy: pip install 'slipcircle[scenes]'\n"
+
+
+def test_files_say_all_of_it(tmp_path: Any) -> None:
+    record = tmp_path / "shock.csv"
+    record.write_text("time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", encoding="utf-8")
+    text = """
+        [arc]
+        radius_m = 60
+        theta_1_deg = 215
+        theta_2_deg = 280
+        unit_weight_kN_m3 = 19
+        [friction]
+        law = "exponential"
+        peak_deg = 30
+        residual_deg = 20
+        length_m = 0.5
+        [friction.rate]
+        law = "rate_tabulated"
+        speed_m_s = [0.01, 1.0]
+        coefficient = [1.0, 0.8]
+        [shaking]
+        record = "shock.csv"
+        holds = "ground"
+        units = "m/s2"
+        two_way = true
+        [pore_pressure]
+        time_s = [0, 10]
+        pressure_kPa = [0, 20]
+        [viscosity]
+        viscosity_Pa_s = 1000
+        thickness_m = 0.2
+        [thermal_pressurisation]
+        pressurisation_MPa_K = 0.001
+        heat_capacity_MJ_m3_K = 2.7
+        thickness_m = 0.2
+    """
+    path = tmp_path / "all.toml"
+    path.write_text(text, encoding="utf-8")
+    found = Scene.load(path)
+    assert found.called["shaking"]["two_way"] is True
+    assert found.called["shaking"]["horizontal"](1.0) == pytest.approx(0.2)
+    assert found.called["pore_pressure"]["pressure"](5.0) == pytest.approx(1e4)
+    assert found.called["thermal_pressurisation"]["pressurisation"] == 1e3
+    assert isinstance(found.friction, dict)
+    assert found.friction["rate"] == {"law": "rate_tabulated", "speed": [0.01, 1.0], "coefficient": [1.0, 0.8]}
+    assert plan(found).law == "exponential times rate_tabulated"
