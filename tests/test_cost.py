@@ -85,7 +85,7 @@ def test_progress_and_unknown_functions() -> None:
     said = io.StringIO()
     cost.measure(["resistance_factor"], progress=said)
     assert said.getvalue() == "measuring resistance_factor\n"
-    known = r"^function 'polar' is unknown; known are polar_moment, .*rotation, .*energy equation$"
+    known = r"^function 'polar' is unknown; known are polar_moment, .*rotation, .*integration in time$"
     with pytest.raises(ValueError, match=known):
         cost.measure(["resistance_factor", "polar"])
 
