@@ -172,7 +172,8 @@ class Course:
         self.tilt = float(get("tilt", **self.at, mu=self.mu))
         self.brake = float(get("brake", mu=self.mu))
         self.steady = law.constant or start.lifted
-        self.furthest = self.at["dip"] + np.pi / 2 if balance.turns else math.inf  # beyond, the mass would hang over
+        # Beyond, the mass would hang over; above zero, for a chord that stands upright to rounding.
+        self.furthest = max(self.at["dip"] + np.pi / 2, 1e-20) if balance.turns else math.inf
         closed = balance.turns and (self.steady or (law.law == "exponential" and not balance.has("brake")))
         self.unresolved = 0.0
         if closed:
@@ -432,10 +433,12 @@ class Course:
         if self.stops and self.steady and self.balance.turns:
             return np.maximum(self._both_ways(x, left), 0.0)
         found = np.asarray(self.energy(x))
-        if self.stops and np.any(left < 0.05 * self.end):
+        # From the end a brake lets errors grow, by exp(2 brake left), and further on E is what the brake makes of it.
+        reach = min(0.05 * self.end, 0.5 / max(abs(float(self.braking(self.end))), 1e-300))
+        if self.stops and np.any(left < reach):
             found, begins, held = found.copy(), 0.0, 0.0
             kinks = [self.end - (k - self.start.slip) / self.radius for k in reversed(self.law.kinks)]
-            for stops in [*(k for k in kinks if 0.0 < k < 0.05 * self.end), 0.05 * self.end]:  # from the end
+            for stops in [*(k for k in kinks if 0.0 < k < reach), reach]:  # from the end
                 near = (left >= begins) & (left < stops)
                 found[near] = held + self._gained(begins, left[near])
                 begins, held = stops, held + float(self._gained(begins, np.array([stops]))[0])
