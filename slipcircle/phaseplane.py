@@ -23,9 +23,10 @@ from slipcircle.friction import Friction
 Floats = NDArray[np.float64]
 EPS = 2.0**-52
 
-# Collocation on [0, 1]: nodes, node values -> series, and node values of f -> the mean of f on [0, z] at the nodes z
-# and at 1. Means, not integrals, so that E grows from zero without losing digits.
-_Z = (np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES) + 1) / 2
+# Collocation on [0, 1]: nodes, node values -> series, and node values of f -> the mean of f on [0, z] at the nodes z.
+# Means, not integrals, so that E grows from zero without losing digits. The end is a node (Radau), so that a strong
+# brake forgets errors from panel to panel.
+_Z = (np.cos(2 * np.pi * np.arange(NODES) / (2 * NODES - 1)) + 1) / 2
 _GAUSS = (np.polynomial.legendre.leggauss(12)[0] + 1) / 2, np.polynomial.legendre.leggauss(12)[1] / 2
 _BACK = np.linalg.inv(np.polynomial.chebyshev.chebvander(2 * _Z - 1, NODES - 1))
 
@@ -35,7 +36,7 @@ def _mean(z: Floats) -> Floats:
     return np.einsum("zgn,g->zn", inside, _GAUSS[1])
 
 
-_MEAN, _MEAN_TO_END = _mean(_Z), _mean(np.ones(1))[0]
+_MEAN, _AT_START = _mean(_Z), (-1.0) ** np.arange(NODES)  # and a series' value at 0
 
 
 def _rules() -> tuple[Floats, Floats]:
@@ -384,30 +385,31 @@ class Course:
             matrix[np.diag_indices(NODES)] += 1.0
             rate = np.linalg.solve(matrix, drive - brake * value)
             mean = _BACK @ (_MEAN @ rate)
-            tail = np.abs((_BACK @ rate)[-2:]).sum()
-            # Where a strong brake holds the drive, their difference is rounded, and E is as good as the drive.
-            size = max(np.abs(rate).max(), np.abs(drive).max(), 1e-300)
-            # What rounding of the slip leaves of a narrow table is no more than that: its part of E is what counts.
-            missing = min(tail / size, tail * half / max(value, 1e-300))
-            if tail > 4e-15 * size and missing > 4e-15 and half > 1e-13 * right:
+            energy = value + half * _Z * (_MEAN @ rate)
+            following, series = float(energy[0]), _BACK @ energy
+            # Where a strong brake holds the drive, E' is what rounding leaves of their difference; and rounding of the
+            # slip leaves little of a narrow table: what counts is E, and where its series begins.
+            missing = min(
+                np.abs((_BACK @ rate)[-2:]).sum() / max(np.abs(rate).max(), 1e-300),
+                (abs(value - _AT_START @ series) + np.abs(series[-2:]).sum()) / max(value, 1e-300),
+            )
+            if missing > 4e-15 and half > 1e-13 * right:
                 width = half / 2
                 continue
             self.unresolved = max(self.unresolved, missing)
-            following = value + half * float(_MEAN_TO_END @ rate)
             edges.append(right)
             values.append(following)
             means.append(mean)
-            energy = value + half * _Z * (_MEAN @ rate)
-            ended = energy.min() <= 0.0 or following <= 0.0
-            least += half / math.sqrt(max(float(energy.max()), value, following, 1e-300))
+            ended = energy.min() <= 0.0
+            least += half / math.sqrt(max(float(energy.max()), value, 1e-300))
             if not (ended or right >= self.furthest or least > longest or (math.isinf(longest) and right > never)):
                 left, value, width = right, following, 2 * half
                 continue
             found = _energy(np.array(edges), np.array(values), np.array(means).T)
             if not ended:
                 return found, right, False
-            grid = np.append((left + half * _Z)[::-1], right)
-            below = int(np.argmax(np.append(energy[::-1], following) <= 0.0))
+            grid = (left + half * _Z)[::-1]
+            below = int(np.argmax(energy[::-1] <= 0.0))
             low, high = (float(grid[below - 1]) if below else left), float(grid[below])
             end = _zero(found, low, high)
             if left == 0.0 and 0.0 < end < 0.1 * half:  # a series is not relatively accurate next to its panel's start

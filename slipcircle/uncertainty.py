@@ -123,7 +123,8 @@ def _course(solved: Course, phase: "Phase", before: Doubt) -> tuple[Doubt, Insid
 
     def noise(x: Floats | float, terms: float) -> Floats:
         back = np.minimum(x, 1 / (2 * brake)) if brake > 0.0 else np.asarray(x)  # a brake forgets what is further back
-        return 2 * terms * back + unit * tilt * back * np.minimum(x, 1.0) + unit * solved.start.energy + before.energy
+        kept = (unit * solved.start.energy + before.energy) * np.exp(-2 * float(brakes.min()) * x)
+        return 2 * terms * back + unit * tilt * back * np.minimum(x, 1.0) + kept
 
     elapsed = phase.end - phase.start
     whole = elapsed >= solved.duration - 8 * EPS * phase.end
