@@ -134,7 +134,6 @@ def _course(solved: Course, phase: "Phase", before: Doubt) -> tuple[Doubt, Insid
     last = end if whole else solved.state(elapsed)[0]
     edges = solved.clock.edges
     panel = min(int(np.searchsorted(edges, solved._variable(last))), len(edges) - 1)
-    rounded = unit * float(solved.clock.coefficients[:, max(panel - 1, 0)].sum())  # of a series by its panel's size
     if not whole:
         edges = np.append(edges[:panel], solved._variable(last))
     half = np.diff(edges) / 2
@@ -146,8 +145,8 @@ def _course(solved: Course, phase: "Phase", before: Doubt) -> tuple[Doubt, Insid
         error = np.minimum(error, (2 * moved + (2 * unit + own + shift * carried) * tilt) * left)
     relative = np.minimum(error / energy + solved.unresolved, 1.0) / 2
     share = np.sqrt(energy)
-    time = np.cumsum((half[:, None] * _WEIGHTS).ravel() * stretch / share * relative)
-    time += solved._times[2] * x / end + rounded
+    passed = (half[:, None] * _WEIGHTS).ravel() * stretch / share
+    time = np.cumsum(passed * relative) + (unit + solved._times[2] / solved.duration) * np.cumsum(passed)
     rates = np.abs(solved.slope(x, energy)) / 2
     summit = min(solved.peak, last)
     top = math.sqrt(max(solved._scalar(summit), 0.0))
