@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import TypeVar
 
 T = TypeVar("T")
-USAGE = "python -m derive [--check | verify [--json | --markdown] | hard [--json]]"
 
 
 def say(line: str) -> None:

@@ -211,9 +211,19 @@ def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str
             if name not in known:
                 known.add(name)
                 found.append(_specialised(name, energy.form.subs(absent), energy.help, ENERGY_ORDER))
-    return found, table
+    return found + [_state("frozen", "frozen_state"), _state("frozen_centripetal", "frozen_braked_state")], table
 
 
+def _state(prefix: str, name: str) -> tuple[Program, str]:
+    """Rotation, angular velocity and acceleration of a frozen slide in one: they share most of their parts."""
+    forms = [f for f in dynamics.FORMS if f.name in [f"{prefix}_{n}" for n in STATE]]
+    forms.sort(key=lambda f: STATE.index(f.name.removeprefix(f"{prefix}_")))
+    let = {symbol: value for f in forms for symbol, value in f.let.items()}
+    names = tuple(x.name for x in forms[0].inputs)
+    return program(name, names, *(f.result for f in forms), let=let), "rotation, velocity and acceleration at a time"
+
+
+STATE = ("rotation", "angular_velocity", "angular_acceleration")
 ENERGY_ORDER = ("x", "start", "drive", "tilt", "constant", "brake", "drop", "decay", "press", "press_rise", "water")
 
 

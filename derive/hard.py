@@ -84,6 +84,10 @@ CASES = (
              "(3.13), integrated, angles rounded"),
     HardCase("limit_friction", (4.0, 4.0 + 1e-10), THIN, "(3.13) over Appendix I, angles rounded"),
     HardCase("limit_friction", (math.pi, 2 * math.pi), TOP, "(3.13) over Appendix I, angles rounded"),
+    HardCase("limit_friction", (2.9, 2.9 + 0.8), "a dip of 81 deg: small weight towards the arc",
+             "(3.13) over Appendix I, angles rounded"),
+    HardCase("limit_friction", (5.3, 5.3 + 1e-6), "an arc of 1e-6 rad, of negative dip",
+             "(3.13) over Appendix I, angles rounded"),
     HardCase("frozen_angular_velocity", (2.0, 0.5, 1.5), STILL, "(3.20) from motion"),
     HardCase("frozen_rotation", (2.0, 0.5, 1.5), STILL, "(4.3) from motion"),
     HardCase("frozen_angular_acceleration", (2.0, 0.5, 1.5), STILL, "(3.16) from motion"),
@@ -98,13 +102,16 @@ CASES = (
              "(4.3) from motion"),
     HardCase("frozen_centripetal_rotation", (0.1, 0.3, 0.0, 1e-7), "t -> 0: the logarithm of nearly 1",
              "(4.3) from motion"),
-    HardCase("frozen_centripetal_rotation", (2.0, 0.5, 0.0, 1e3), "cosh(kt) overflows",
+    HardCase("frozen_centripetal_rotation", (0.1, 0.3, 0.0, 1.4e-10), "an end after 1e-9 s", "(4.3) from motion"),
+    HardCase("frozen_centripetal_rotation", (2.0, 0.5, 0.0, 1.4e8), "an end after 1e9 s: cosh(kt) overflows",
              "(4.3) from motion"),
     HardCase("frozen_centripetal_angular_acceleration", (1e30, 1e-30, 0.0, 360.0), "exp(-2kt) underflows, a exp(-2kt) "
              "does not", "(3.16) from motion"),
     HardCase("frozen_centripetal_angular_acceleration", (2.0, 0.7, -1.690308502489062, 8.451542547285166),
              "thrown up-slope, turning at t: its start near -sqrt(a/b) hardly matters", "(3.16) from motion"),
     HardCase("frozen_centripetal_arrest_time", (-0.1, 0.0, 0.2), "b = 0: arctan(0)/0", "omega = 0 in (3.20)"),
+    HardCase("frozen_centripetal_arrest_rotation", (-0.1, 0.3, 1e-8), "arrest within the first microsecond",
+             "(4.3) at the arrest"),
     HardCase("frozen_centripetal_arrest_time", (-1e-200, 1e-200, 1.0), "a b underflows, its root does not",
              "omega = 0 in (3.20)"),
     HardCase("frozen_centripetal_arrest_rotation", (-0.1, 1e-17, 0.2), "b -> 0: the logarithm of nearly 1, over b",
@@ -113,6 +120,9 @@ CASES = (
              "(J_theta - J_r mu)/Theta*"),
     HardCase("drive", (1.2, 0.4192 * (1 - 1e-12), 0.4192), "friction just below its limit",
              "(J_theta - J_r mu)/Theta*"),
+    HardCase("drive", (1.2, 0.41920000000000007, 0.4192), "friction an ulp above its limit",
+             "(J_theta - J_r mu)/Theta*"),
+    HardCase("normal_pore_pressure", (1.1, 0.9, 1 - 2.0**-50, 0.0), "r_u of nearly 1", "J_r - r_u J_r"),
     HardCase("energy_braked", (1e-7, 0.0, 1.1e-7, 1.1, 0.2), "the peak of a slide next to its limit",
              "P(x) - P(0) exp(-qx), the textbook solution"),
     HardCase("energy_braked", (1e-9, 0.0, 0.24, 1.0, 1e6), "drag so strong that the speed follows at once",
@@ -122,6 +132,8 @@ CASES = (
     HardCase("energy", (1e-7, 0.0, 1.1e-7, 1.1), "the peak of a slide next to its limit",
              "S sin x - B (1 - cos x)"),
     HardCase("energy_softening", (1e-3, 0.0, 1e-6, 1.1, 0.2, 1e-9, 0.9, 0.4), "softening over 1e12 m",
+             "its integrals, each by itself"),
+    HardCase("energy_softening", (1e-14, 0.0, 0.01, 1.1, 0.2, 1e15, 0.9, 0.4), "softening over 1e-12 m",
              "its integrals, each by itself"),
     HardCase("drop_exponential", (0.0, 1e-9, 0.41, 0.18, 1.0), "the first nanometre of slip",
              "mu(slip) - mu(slip + more)"),
@@ -166,6 +178,11 @@ def _forms() -> dict[str, Forms]:
     drive = next(p for p, _ in functions.balance()[0] if p.name == "drive")
     found["drive"] = Forms(drive, program("drive", drive.inputs, limit * press - press * mu), press * (limit - mu))
     ours = {p.name: p for p, _ in functions.balance()[0]}
+    ratio = sp.Symbol("pore_ratio", real=True)
+    normal = ours["normal_pore_pressure"]
+    level, pressure = sp.symbols("level pore_pressure", real=True)
+    water = press - ratio * press - level * pressure
+    found[normal.name] = Forms(normal, program(normal.name, normal.inputs, water), water)
     for name, form in _phase_plane().items():
         found[name] = Forms(ours[name], program(name, ours[name].inputs, form), form)
     return found

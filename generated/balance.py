@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 05c4aa11e653df70827cd6be561a88b2fc7bf24a38c5ecb54dfe96e60b88456f
+# sha256 of the text below: ef9fb0b26205e84441cc303cdc44bdbce62500e46d8bb1dd274b99598bb86097
 """The balance of momentum and the energy in the phase plane, specialised to the effects that are present."""
 
 from typing import Any
@@ -32,6 +32,8 @@ __all__ = [
     "friction_exponential",
     "friction_hyperbolic",
     "friction_linear",
+    "frozen_braked_state",
+    "frozen_state",
     "limit_friction",
     "limit_friction_cohesion",
     "limit_friction_pore_pressure",
@@ -343,6 +345,59 @@ def friction_linear(slip: Any, peak: Any, residual: Any, length: Any) -> Any:
     """Friction: falls from peak to residual over the length, then stays. Operations: 1 mul, 1 add, 1 sub, 1 div, 1 min."""
     v9 = peak + (residual - peak) * np.minimum(1.0, slip / length)
     return v9
+
+
+def frozen_braked_state(a: Any, b: Any, omega_0: Any, t: Any) -> tuple[Any, Any, Any]:
+    """Rotation, velocity and acceleration at a time. Operations: 56 mul, 35 add, 3 sub, 8 div, 1 neg, 4 min, 3 max, 4 less, 18 select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt."""
+    v8 = np.sqrt(np.abs(a)) * np.sqrt(np.abs(b))
+    v14 = np.minimum(t, 800.0 / np.maximum(1e-300, v8)) * v8
+    v19 = np.sign(a) * np.sign(b) * v14 * v14
+    v23 = np.maximum(-9.869604401089358, np.minimum(1.0, v19))
+    v25 = 1.0 < v19
+    v26 = np.where(v25, 0.0, t)
+    v28 = np.exp(-v14)
+    v30 = b * omega_0
+    v31 = v8 + v30
+    v32 = v8 - v30
+    v35 = 0.25 * v23
+    v45 = ((9.183689863795546e-29 * v35 + 6.446950284384474e-26) * v35 + 3.868170170630684e-23) * v35 + 1.9572941063391263e-20
+    v54 = ((v45 * v35 + 8.22063524662433e-18) * v35 + 2.8114572543455206e-15) * v35 + 7.647163731819816e-13
+    v63 = ((v54 * v35 + 1.6059043836821613e-10) * v35 + 2.505210838544172e-08) * v35 + 2.7557319223985893e-06
+    v73 = (((v63 * v35 + 0.0001984126984126984) * v35 + 0.008333333333333333) * v35 + 0.16666666666666666) * v35
+    v74 = v73 + 1.0
+    v76 = 0.5 * (v74 * v74)
+    v78 = 1.0 + v76 * v23
+    v84 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
+    v90 = ((v84 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
+    v96 = ((v90 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
+    v103 = (((v96 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
+    v105 = (v103 + 1.0) * v26
+    v106 = v32 * (v28 * v28)
+    v114 = np.where(v25, 0.5 * (v31 + v106) / np.where(v25, v8, 1.0), v78 + v105 * b * omega_0)
+    v119 = v76 * a * v26 * v26 + v105 * omega_0
+    v120 = v119 * b
+    v122 = np.where(v25, v114, 1.0 + v120)
+    v125 = 9.869604401089358 + v19
+    v127 = 0.0 < np.minimum(v114, v125)
+    v128 = np.where(v127, v114, 1.0)
+    v129 = np.where(v25, v28, 1.0) / v128
+    v133 = 0.0 < np.minimum(v122, v125)
+    v137 = np.where(v25, b, 1.0)
+    v141 = np.where(v25, 0.0, np.maximum(-0.9999999999999999, v120))
+    v144 = np.abs(v141) < 8.673617379884035e-19
+    v145 = np.where(v144, 1.0, v141)
+    v150 = np.where(v25, (np.where(v25, t, 0.0) * v8 + np.log(np.where(v133, v122, 1.0))) / v137, np.where(v144, 1.0, np.log1p(v145) / v145) * v119)
+    v152 = np.where(v133, v150, np.nan)
+    v161 = np.where(v127, np.where(v25, 0.5 * (v31 - v106) / v137, v78 * omega_0 + v105 * a) / v128, np.nan)
+    v169 = np.where(v127, np.where(v25, v32 / v137 * v31, a - v30 * omega_0) * v129 * v129, np.nan)
+    return v152, v161, v169
+
+
+def frozen_state(a: Any, omega_0: Any, t: Any) -> tuple[Any, Any, Any]:
+    """Rotation, velocity and acceleration at a time. Operations: 4 mul, 2 add."""
+    v7 = (omega_0 + 0.5 * a * t) * t
+    v9 = omega_0 + a * t
+    return v7, v9, a
 
 
 def limit_friction(static_limit: Any) -> Any:

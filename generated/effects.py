@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6c86344ce67557e43a90a4b30d8757d8815d011c97fe412297204d39afc20edf
+# sha256 of the text below: a196eae2480eccdf1b8e9f62be193fda199abbe9730389517fb3d72eeb3652a0
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from collections.abc import Callable, Mapping
@@ -125,6 +125,8 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     'friction_exponential': ('slip', 'peak', 'residual', 'length'),
     'friction_hyperbolic': ('slip', 'peak', 'residual', 'length'),
     'friction_linear': ('slip', 'peak', 'residual', 'length'),
+    'frozen_braked_state': ('a', 'b', 'omega_0', 't'),
+    'frozen_state': ('a', 'omega_0', 't'),
     'limit_friction': ('static_limit',),
     'limit_friction_cohesion': ('static_limit', 'press', 'level', 'cohesion'),
     'limit_friction_pore_pressure': ('static_limit', 'press', 'level', 'pore_ratio', 'pore_pressure'),

@@ -13,9 +13,10 @@ if getattr(generated, "__project__", None) != "slipcircle":
     )
 
 from slipcircle.arc import Arc, Dimensionless
-from slipcircle.motion import Energy, Motion, State, solve
+from slipcircle.motion import Energy, Motion, State
 from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
+from slipcircle.solver import solve
 
 __version__ = "0.1.0"
 __all__ = ["Arc", "Dimensionless", "Energy", "Motion", "Plan", "Scene", "State", "plan", "solve"]

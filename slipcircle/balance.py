@@ -32,6 +32,8 @@ class Balance:
         J_theta/J_r at the start.
     turns : bool
         Whether the position changes with the rotation.
+    radius : float
+        m, from rotation to slip.
     """
 
     names: Mapping[str, str]
@@ -43,6 +45,7 @@ class Balance:
     press: float
     static_limit: float
     turns: bool
+    radius: float
 
     def has(self, what: str) -> bool:
         """Whether this combination has such a term."""
@@ -53,8 +56,8 @@ class Balance:
         name = self.names.get(what)
         if name is None:
             return 0.0
-        known = {**self.values, **local}
-        return getattr(functions, name)(*[known[a] for a in ARGUMENTS[name]])
+        values = self.values
+        return getattr(functions, name)(*[local[a] if a in local else values[a] for a in ARGUMENTS[name]])
 
     def drive(self, at: Mapping[str, float], mu: float) -> float:
         """The drive at a position less the resistance at rest: from the limit friction, unless water carries the mass.
@@ -122,4 +125,5 @@ def bind(scene: Scene) -> Balance:
         press,
         limit,
         any(EFFECTS[e].turns for e in chosen),
+        float(np.asarray(arc.radius)),
     )

@@ -14,6 +14,7 @@ _X = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)  # first kind: the ends, w
 _TO_SERIES = series.chebvander(_X, NODES - 1).T * (2.0 / NODES)
 _TO_SERIES[0] /= 2.0
 _INTEGRATE = np.array([series.chebint(row, lbnd=-1.0) for row in np.eye(NODES)]).T  # series -> series of its integral
+_GAUSS = (np.polynomial.legendre.leggauss(NODES)[0] + 1) / 2, np.polynomial.legendre.leggauss(NODES)[1] / 2  # [0, 1]
 _MAX_PANELS = 600
 
 
@@ -78,8 +79,7 @@ def accumulate(rate: Callable[[Floats], Floats], total: Piecewise, x: Floats) ->
     panel = np.clip(np.searchsorted(total.edges, x, side="right") - 1, 0, len(total.edges) - 2)
     before = np.concatenate([[0.0], total.coefficients.sum(axis=0)])[panel]
     left = total.edges[panel]
-    nodes, weights = np.polynomial.legendre.leggauss(NODES)
-    return np.asarray(before + (x - left) / 2 * (weights @ rate(left + (x - left) * (nodes[:, None] + 1) / 2)))
+    return np.asarray(before + (x - left) * (_GAUSS[1] @ rate(left + (x - left) * _GAUSS[0][:, None])))
 
 
 def resolve(function: Callable[[Floats], Floats], edges: Floats, tolerance: float) -> Piecewise:

@@ -80,6 +80,11 @@ def _range(p: Any) -> str:
     return f"{low}{' ' + p.unit if p.unit else ''}"
 
 
+def law_name(given: Any) -> str:
+    """The name of the law that a scene's ``friction`` stands for."""
+    return "callable" if callable(given) else given["law"] if isinstance(given, Mapping) else "constant"
+
+
 def friction(given: Any) -> Friction:
     """The law that a scene's ``friction`` stands for: a number, a mapping with ``law``, or a callable of slip."""
     if callable(given):

@@ -6,9 +6,10 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from slipcircle.motion import Motion, solve
+from slipcircle.motion import Motion
 from slipcircle.plan import plan
 from slipcircle.scene import Scene
+from slipcircle.solver import solve
 
 
 @dataclass(frozen=True)

@@ -1,26 +1,23 @@
 """The motion of a scene: phases of one direction each, solved by the planned method, and read off at any time."""
 
 import math
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.arc import QUANTITIES
-from slipcircle.balance import Balance, bind
+from slipcircle.balance import Balance
 from slipcircle.checks import INFINITY, mistakes, raise_all
-from slipcircle.friction import Friction, friction
-from slipcircle.frozen import Frozen
-from slipcircle.phaseplane import Course, Start, root
-from slipcircle.plan import CLOSED_IN_TIME, Plan, plan
-from slipcircle.scene import Scene
-from slipcircle.uncertainty import estimate
+from slipcircle.friction import friction
+from slipcircle.plan import CLOSED_IN_TIME, Plan
+
+if TYPE_CHECKING:
+    from slipcircle.frozen import Frozen
+    from slipcircle.phaseplane import Course
 
 Floats = NDArray[np.float64]
-_MOST_PHASES = 2000
 
 
 @dataclass(frozen=True)
@@ -64,6 +61,17 @@ class Energy:
 
 
 @dataclass(frozen=True)
+class Start:
+    """Where a phase begins: in the direction of travel, dimensionless; slip in m."""
+
+    rotation: float  # of the mass, in its own sense
+    direction: int
+    energy: float  # E = omega**2
+    slip: float
+    lifted: bool  # nothing presses on the slip surface
+
+
+@dataclass(frozen=True)
 class Phase:
     """A stretch of motion in one direction: where it begins and ends, dimensionless, and what solves it."""
 
@@ -71,7 +79,7 @@ class Phase:
     end: float
     rotation: float
     direction: int
-    solved: Course | Frozen
+    solved: "Course | Frozen"
 
 
 class Motion:
@@ -128,8 +136,9 @@ class Motion:
         best, speed = self.end, abs(float(self.end.angular_velocity)) * self._scale
         for p in self.phases:
             first = math.sqrt(p.solved.start.energy)
-            found = [p.solved.fastest()] if first <= speed else [(0.0, *p.solved.state(0.0)), p.solved.fastest()]
-            for t, x, omega, rate in found:
+            begins = [] if first <= speed else [(0.0, *p.solved.state(0.0))]
+            summit = p.solved.fastest()
+            for t, x, omega, rate in [*begins, summit] if summit else begins:
                 if omega > speed and p.start + t <= p.end:
                     speed, side = omega, p.direction
                     time = min((p.start + t) * self._scale, self.duration)
@@ -178,6 +187,8 @@ class Motion:
 
     @cached_property
     def error_estimate(self) -> float:
+        from slipcircle.uncertainty import estimate
+
         return estimate(self)
 
     @property
@@ -297,183 +308,3 @@ class Motion:
     def energy(self) -> Energy:
         """The energy balance from the start to the end."""
         return self.energy_at(self.duration)
-
-
-def solve(scene: Scene, accuracy: float | None = None) -> Motion:
-    """Solve a scene until it rests, or until its end time.
-
-    Parameters
-    ----------
-    scene : Scene
-        Its fields must be numbers here, not arrays.
-    accuracy : float, optional
-        Relative error asked for; by default the scene's own, or 1e-9.
-
-    Returns
-    -------
-    Motion
-
-    Raises
-    ------
-    ValueError
-        If the scene never rests and has no end time, turns over, holds arrays, or overflows.
-
-    Notes
-    -----
-    Friction opposes the motion and never drives it. At a standstill the mass stays if the drive is at most the
-    resistance, and turns back if not. A mass that nothing brings to rest (no friction, no cohesion) is followed to
-    its first standstill.
-    """
-    numbers = {n: getattr(scene, n) for n in ("initial_velocity", "end_time")}
-    numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
-    numbers |= {} if callable(scene.friction) or isinstance(scene.friction, Mapping) else {"friction": scene.friction}
-    for name, value in numbers.items():
-        if not isinstance(value, (int, float)) and np.ndim(value) != 0:
-            raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
-    chosen = plan(scene, accuracy)
-    try:
-        with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
-            motion = _solve(chosen)
-            end = motion.end
-        if not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
-            raise OverflowError
-        return motion
-    except (FloatingPointError, OverflowError) as error:
-        raise ValueError(
-            f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}: the motion overflows; give "
-            "a lower velocity or an earlier end"
-        ) from error
-
-
-def _solve(chosen: Plan) -> Motion:
-    scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
-    scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
-    omega = float(np.asarray(scene.initial_velocity)) / radius * scale
-    end = math.inf if scene.end_time is None else scene.end_time / scale
-    direction = int(np.sign(omega))
-    time = rotation = slip = 0.0
-    energy, phases, arrested, change = omega**2, [], False, None
-    while time < end:
-        if energy == 0.0:
-            direction = _way(balance, law, rotation, slip)
-            if direction == 0:
-                arrested = True
-                break
-        # Just after a change nothing presses, to rounding: from then on it is the other way.
-        lifted = _lifted(balance, rotation, direction, energy) if change is None else not phases[-1].solved.start.lifted
-        start = Start(rotation, direction, energy, slip, lifted)
-        if chosen.method == CLOSED_IN_TIME:
-            solved: Course | Frozen = Frozen(balance, law, start, end - time)
-        else:
-            solved = Course(balance, law, radius, start, end - time)
-        change = _change(solved, balance)
-        duration = solved.duration if change is None else change[0]
-        stop = time + duration
-        phases.append(Phase(time, min(stop, end), rotation, direction, solved))
-        if stop >= end:
-            break
-        if change is None and not solved.stops:
-            _refuse(scene, solved, stop * scale)
-        x, energy = (solved.end, 0.0) if change is None else change[1:]
-        time, rotation, slip = stop, rotation + direction * x, slip + radius * x
-        if energy == 0.0 and math.isinf(end) and balance.turns and _never_rests(balance, law):
-            return Motion(chosen, balance, phases, time * scale, False)
-        if len(phases) >= _MOST_PHASES:
-            raise ValueError(
-                f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times in {time * scale:.6g} s "
-                "without resting; give an earlier end in s"
-            )
-    else:
-        time = end
-    if not arrested:
-        time = end
-    if math.isinf(time):
-        _refuse(scene, phases[-1].solved, math.inf)
-    duration = time * scale if arrested or scene.end_time is None else scene.end_time
-    return Motion(chosen, balance, phases, duration, arrested)
-
-
-def _refuse(scene: Scene, solved: Course | Frozen, time: float) -> None:
-    if solved.balance.turns:
-        raise ValueError(
-            f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
-            "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
-        )
-    raise ValueError("end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s")
-
-
-def _way(balance: Balance, law: Friction, rotation: float, slip: float) -> int:
-    """The direction in which a mass at rest moves, 0 if it stays: by the limit friction, of which the drive is made."""
-    for side in (1, -1):
-        at = balance.position(rotation, side)
-        if balance.get("normal", **at) <= 0.0:
-            moving = at["fall"] > balance.get("constant", mu=0.0)
-        else:
-            moving = balance.get("limit_friction", **at) > float(law.coefficient(slip))
-        if moving:
-            return side
-    return 0
-
-
-def _lifted(balance: Balance, rotation: float, direction: int, energy: float) -> bool:
-    at = balance.position(rotation, direction)
-    return bool(balance.get("effective_stress", **at, omega_2=energy) < 0.0)
-
-
-def _never_rests(balance: Balance, law: Friction) -> bool:
-    """No cohesion, and no friction, or water that carries the mass even where it would press most."""
-    if balance.values.get("cohesion", 0.0):
-        return False
-    most = balance.radial if balance.turns else balance.press
-    return (law.constant and float(law.coefficient(0.0)) == 0.0) or balance.get("normal", press=most) <= 0.0
-
-
-def _change(solved: Course | Frozen, balance: Balance) -> tuple[float, float, float] | None:
-    """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
-    if balance.get("normal", press=0.0) == 0.0:  # no water that could carry the mass
-        return None
-    last = min(solved.duration, solved.longest)
-
-    def pressing(t: float) -> float:
-        x, omega, _ = solved.when(np.array([t]))
-        return float(solved.pressing(x, omega**2)[0])
-
-    times = last * np.sin(np.linspace(0.0, np.pi / 2, 65)) ** 2
-    x, omega, _ = solved.when(times)
-    sign = 1.0 if solved.start.lifted else -1.0
-    over = sign * solved.pressing(x, omega**2)
-    for k in range(1, len(times)):
-        low, high, at_high = float(times[k - 1]), float(times[k]), float(over[k])
-        highest = k + 1 < len(times) and over[k - 1] < over[k] >= over[k + 1]
-        if highest and 0.0 <= -over[k] < over[k] - min(over[k - 1], over[k + 1]):  # perhaps there and back in between
-            high = _highest(lambda t: sign * pressing(t), low, float(times[k + 1]))
-            at_high = sign * pressing(high)
-        if at_high <= 0.0:
-            continue
-        while (at_low := sign * pressing(low)) >= 0.0 and high > 1e-15 * last:  # zero, to rounding, at the start
-            low = high / 2
-            if sign * pressing(low) >= 0.0:  # also where nothing presses exactly there, or neither bound would move
-                high, at_high = low, sign * pressing(low)
-        t = root(lambda t: sign * pressing(t), low, high, at_low, at_high) if at_low < 0.0 else high
-        x, omega, _ = solved.when(np.array([t]))
-        return t, float(x[0]), float(omega[0]) ** 2
-    return None
-
-
-def _highest(function: Callable[[float], float], low: float, high: float) -> float:
-    """Where a function with one hump is greatest, by golden section, or where it is first seen above zero."""
-    share = (math.sqrt(5.0) - 1) / 2
-    one, two = high - share * (high - low), low + share * (high - low)
-    at_one, at_two = function(one), function(two)
-    for _ in range(40):
-        if max(at_one, at_two) > 0.0:
-            break
-        if at_one >= at_two:
-            high, two, at_two = two, one, at_one
-            one = high - share * (high - low)
-            at_one = function(one)
-        else:
-            low, one, at_one = one, two, at_two
-            two = low + share * (high - low)
-            at_two = function(two)
-    return one if at_one >= at_two else two

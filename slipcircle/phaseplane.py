@@ -5,11 +5,10 @@ exponential softening without brake, on a turning mass; otherwise by collocation
 """
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cache, cached_property
-from types import FunctionType, SimpleNamespace
-from typing import Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +18,10 @@ from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.chebyshev import NODES, Piecewise, accumulate, resolve
 from slipcircle.friction import Friction
+from slipcircle.roots import halley, root, scalar
+
+if TYPE_CHECKING:
+    from slipcircle.motion import Start
 
 Floats = NDArray[np.float64]
 EPS = 2.0**-52
@@ -50,83 +53,8 @@ def _rules() -> tuple[Floats, Floats]:
 _RULES = _rules()
 
 
-@dataclass(frozen=True)
-class Start:
-    """Where a phase begins: in the direction of travel, dimensionless; slip in m."""
-
-    rotation: float  # of the mass, in its own sense
-    direction: int
-    energy: float  # E = omega**2
-    slip: float
-    lifted: bool  # nothing presses on the slip surface
-
-
-# The generated text computes on plain floats too, with the standard library in NumPy's place: 20 times faster there.
-_MATH = SimpleNamespace(
-    sin=math.sin, cos=math.cos, exp=math.exp, expm1=math.expm1, log=math.log, log1p=math.log1p, sqrt=math.sqrt,
-    arctan=math.atan, abs=abs, minimum=min, maximum=max, nan=math.nan, sign=lambda x: float((x > 0.0) - (x < 0.0)),
-    where=lambda condition, yes, no: yes if condition else no,
-)  # fmt: skip
-
-
-@cache
-def scalar(function: Any) -> Callable[..., float]:
-    """A generated function over plain floats."""
-    return FunctionType(function.__code__, {"np": _MATH}, function.__name__)
-
-
-def halley(function: Callable[[float], tuple[float, float, float]], x: float, low: float, high: float) -> float:
-    """A zero of a function that falls through it in the bracket, from value, slope and curvature: Halley's steps.
-
-    Where a step leaves the bracket, halving.
-    """
-    for _ in range(2000):
-        value, slope, curvature = function(x)
-        if value > 0.0:
-            low = x
-        else:
-            high = x
-        following = low
-        if slope < 0.0:
-            step = value / slope
-            bend = step * curvature / slope
-            following = x - step / max(1.0 - bend / 2, 0.5)
-            if abs(step) * (bend * bend + (step / x) ** 2) <= 6e-17 * x:  # the error of Halley's step is its cube
-                return following
-        if not low < following < high:
-            following = 0.5 * (low + high)
-            if following in (low, high):
-                return following
-        x = following
-    return x
-
-
-def root(function: Callable[[float], float], low: float, high: float, at_low: float, at_high: float) -> float:
-    """A zero in a bracket with a sign change (Chandrupatla 1997): inverse quadratic steps where safe, else halving."""
-    a, b, c, fa, fb, fc = high, low, high, at_high, at_low, at_high
-    share = 0.5
-    for _ in range(200):
-        x = a + share * (b - a)
-        fx = function(x)
-        if (fx > 0.0) == (fa > 0.0):
-            c, fc = a, fa
-        else:
-            b, c, fb, fc = a, b, fa, fb
-        a, fa = x, fx
-        best, fbest = (a, fa) if abs(fa) < abs(fb) else (b, fb)
-        limit = 2.0**-53 * abs(best) / max(abs(b - a), 1e-320)
-        if fbest == 0.0 or limit > 0.5:
-            return best
-        xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
-        share = 0.5
-        if 1.0 - math.sqrt(1.0 - xi) < phi < math.sqrt(xi):
-            share = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
-        share = min(max(share, limit), 1.0 - limit)
-    return best
-
-
-def _energy(edges: Floats, values: Floats, means: Floats) -> Callable[[Any], Any]:
-    """E(x) from its values at the panels' left edges and the series of its mean slope from there."""
+def _energy(edges: Floats, values: Floats, means: Floats) -> tuple[Callable[[Any], Any], Callable[[float], float]]:
+    """E of arrays and of a float, from its values at the panels' left edges and the series of its mean slope there."""
 
     def energy(x: Any) -> Any:
         at = np.asarray(x, dtype=np.float64)
@@ -135,16 +63,17 @@ def _energy(edges: Floats, values: Floats, means: Floats) -> Callable[[Any], Any
         z = 2 * past / (edges[k + 1] - edges[k]) - 1
         return values[k] + past * np.polynomial.chebyshev.chebval(z, means[:, k], tensor=False)
 
-    return energy
-
-
-def _zero(function: Callable[[Any], Any], low: float, high: float) -> float:
-    """A zero of a function of arrays that is positive at low and not at high."""
+    bounds, starts, series = edges.tolist(), values.tolist(), means.T[:, ::-1].tolist()
 
     def at(x: float) -> float:
-        return float(function(np.array([x]))[0])
+        k = min(max(bisect_right(bounds, x) - 1, 0), len(bounds) - 2)
+        past = x - bounds[k]
+        z, one, two = 2 * (2 * past / (bounds[k + 1] - bounds[k]) - 1), 0.0, 0.0
+        for c in series[k][:-1]:  # Clenshaw's recurrence
+            one, two = c + z * one - two, one
+        return float(starts[k] + past * (series[k][-1] + z / 2 * one - two))
 
-    return root(at, low, high, max(at(low), 1e-300), min(at(high), -1e-300))
+    return energy, at
 
 
 _MOST_PANELS = 4000  # of the collocation, halvings counted
@@ -163,8 +92,9 @@ class Course:
         Rotation at which the speed is greatest.
     """
 
-    def __init__(self, balance: Balance, law: Friction, radius: float, start: Start, longest: float) -> None:
-        self.balance, self.law, self.radius, self.start, self.longest = balance, law, radius, start, longest
+    def __init__(self, balance: Balance, law: Friction, start: "Start", longest: float) -> None:
+        self.balance, self.law, self.start, self.longest = balance, law, start, longest
+        self.radius = balance.radius
         self.at = balance.position(start.rotation, start.direction)
         self.mu = 0.0 if start.lifted else float(law.coefficient(start.slip))
         get = balance.get
@@ -183,8 +113,7 @@ class Course:
             if self.steady and self.stops:
                 self._both_ways = self._from_both_ends()
         else:
-            self.energy, self.end, self.stops = self._collocate(longest)
-            self._scalar = lambda x: float(self.energy(np.array([x]))[0])
+            (self.energy, self._scalar), self.end, self.stops = self._collocate(longest)
         self.peak = self._peak()
 
     # -- the balance along the path
@@ -194,12 +123,6 @@ class Course:
         if not self.balance.turns:
             return self.at["press"] + 0.0 * x
         return self.at["press"] * np.cos(x) - self.at["press_slope"] * np.sin(x)
-
-    def fall(self, x: Any) -> Any:
-        """J_theta/Theta* at x."""
-        if not self.balance.turns:
-            return self.at["fall"] + 0.0 * x
-        return self.at["fall"] * np.cos(x) - self.at["fall_slope"] * np.sin(x)
 
     def pressing(self, x: Any, energy: Any) -> Any:
         """The effective mean normal stress over sigma_ref; the mass lifts off where it is negative."""
@@ -211,7 +134,7 @@ class Course:
 
     def friction(self, x: Any) -> Any:
         """The friction coefficient at x."""
-        return self.mu - self.drop(x)
+        return self.mu + 0.0 * x if self.steady else self.law.coefficient(self.start.slip + self.radius * x)
 
     def driving(self, x: Any) -> Any:
         """The drive at x: the one at the start, and what turning and softening change, so that no digit is lost."""
@@ -220,7 +143,10 @@ class Course:
             driving = self.drive * np.cos(x) - self.tilt * np.sin(x) - 2 * self.constant * np.sin(x / 2) ** 2
         if self.steady:
             return driving
-        return driving + self.drop(x) * self.balance.get("normal", press=self.press(x))
+        fallen, normal = self.drop(x), self.balance.get("normal", press=self.press(x))
+        # Where most of the friction is gone, what is left of it has more digits than their difference.
+        anew = self.fall(x) - self.balance.get("constant", mu=0.0) - self.friction(x) * normal
+        return np.where(fallen > self.mu / 2, anew, driving + fallen * normal)
 
     def braking(self, x: Any) -> Any:
         """The brake at x."""
@@ -363,15 +289,13 @@ class Course:
 
     # -- E by collocation, panel by panel
 
-    def _collocate(self, longest: float) -> tuple[Callable[[Any], Any], float, bool]:
+    def _collocate(self, longest: float) -> tuple[tuple[Callable[[Any], Any], Callable[[float], float]], float, bool]:
         """E on panels, until it is zero, or the path ends, or more than the longest time has passed."""
         scale = min(self.law.scale / self.radius, 1.0, self.furthest)
         if self.drive > 0.0:
             scale = min(scale, self.drive)
         elif self.drive < 0.0:  # the way to a standstill
             scale = min(scale, self.start.energy / -self.drive)
-        if self.law.law == "callable":  # whose scale is not known: panels that double find it, if it is at the start
-            scale *= 1e-9
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
         left, width, value, least = 0.0, scale / 16, self.start.energy, 0.0
         edges, values, means = [0.0], [value], []
@@ -384,26 +308,28 @@ class Course:
             matrix = brake[:, None] * (half * _Z[:, None] * _MEAN)
             matrix[np.diag_indices(NODES)] += 1.0
             rate = np.linalg.solve(matrix, drive - brake * value)
-            mean = _BACK @ (_MEAN @ rate)
-            energy = value + half * _Z * (_MEAN @ rate)
-            following, series = float(energy[0]), _BACK @ energy
+            energy, mean = value + half * _Z * (_MEAN @ rate), _BACK @ (_MEAN @ rate)
+            rates, series = _BACK @ rate, _BACK @ energy
+            # Also where it begins, which is no node: what falls within a hair of the start would pass unseen.
+            missed = abs(rates @ _AT_START - float(self.slope(np.array([left]), value)[0]))
+            missed = max(missed - 64 * EPS * np.abs(rates).sum(), 0.0)
             # Where a strong brake holds the drive, E' is what rounding leaves of their difference; and rounding of the
-            # slip leaves little of a narrow table: what counts is E, and where its series begins.
+            # slip leaves little of a narrow table: there E is what counts, also where its series begins.
             missing = min(
-                np.abs((_BACK @ rate)[-2:]).sum() / max(np.abs(rate).max(), 1e-300),
-                (abs(value - _AT_START @ series) + np.abs(series[-2:]).sum()) / max(value, 1e-300),
+                (missed + np.abs(rates[-2:]).sum()) / max(np.abs(rate).max(), 1e-300),
+                (abs(value - series @ _AT_START) + np.abs(series[-2:]).sum()) / max(value, 1e-300),
             )
             if missing > 4e-15 and half > 1e-13 * right:
                 width = half / 2
                 continue
             self.unresolved = max(self.unresolved, missing)
             edges.append(right)
-            values.append(following)
+            values.append(float(energy[0]))
             means.append(mean)
             ended = energy.min() <= 0.0
             least += half / math.sqrt(max(float(energy.max()), value, 1e-300))
             if not (ended or right >= self.furthest or least > longest or (math.isinf(longest) and right > never)):
-                left, value, width = right, following, 2 * half
+                left, value, width = right, values[-1], 2 * half
                 continue
             found = _energy(np.array(edges), np.array(values), np.array(means).T)
             if not ended:
@@ -411,7 +337,8 @@ class Course:
             grid = (left + half * _Z)[::-1]
             below = int(np.argmax(energy[::-1] <= 0.0))
             low, high = (float(grid[below - 1]) if below else left), float(grid[below])
-            end = _zero(found, low, high)
+            # The series are rounded otherwise than the values at the nodes that the bracket comes from.
+            end = root(found[1], low, high, max(found[1](low), 1e-300), min(found[1](high), -1e-300))
             if left == 0.0 and 0.0 < end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
                 width, least, edges, values, means = 4 * end, 0.0, [0.0], [value], []
                 continue

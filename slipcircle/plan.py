@@ -1,13 +1,14 @@
 """How a scene will be solved. A plan depends on which effects and which law a scene has, never on their values."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import cache
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from generated.effects import COMBINATIONS, EFFECTS
 from slipcircle.checks import mistakes, raise_all
-from slipcircle.friction import friction
+from slipcircle.friction import friction, law_name
 from slipcircle.scene import ACCURACY, Scene
 
 if TYPE_CHECKING:
@@ -87,27 +88,39 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
         If the accuracy is not between 0 and 1.
     """
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
-    raise_all("plan", mistakes({"accuracy": wanted}, {"accuracy": ACCURACY}))
+    if accuracy is not None:
+        raise_all("plan", mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}))
     called = scene.called
-    effects = tuple(e for e in EFFECTS if e in called)
-    chosen, law = COMBINATIONS[effects], friction(scene.friction)
+    return Plan(scene, **_choice(tuple(e for e in EFFECTS if e in called), law_name(scene.friction)), accuracy=wanted)
+
+
+@cache
+def _choice(effects: tuple[str, ...], law: str) -> dict[str, Any]:
+    """What a plan is made of but for the scene's values, so that it is chosen once."""
+    chosen = COMBINATIONS[effects]
     turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
-    if law.constant:
+    if law == "constant":
         method = CLOSED_IN_PHASE_PLANE if turns else CLOSED_IN_TIME
     else:
-        elementary = turns and law.law == "exponential" and not braked
+        elementary = turns and law == "exponential" and not braked
         method = CLOSED_IN_PHASE_PLANE if elementary else ENERGY_EQUATION
     used = dict(chosen.functions)
     if method != CLOSED_IN_PHASE_PLANE:
         used = {what: name for what, name in used.items() if not what.startswith("energy")}
-    elif law.constant:
+    elif law == "constant":
         used.pop("energy_softening", None)
     else:
         used.pop("energy", None)
     names = [f"balance.{n}" for n in dict.fromkeys(used.values())]
     if method == CLOSED_IN_TIME:
-        prefix = "frozen_centripetal" if braked else "frozen"
-        names += [f"motion.{prefix}_{n}" for n in ("rotation", "angular_velocity", "angular_acceleration")]
+        names.append(f"balance.frozen{'_braked' if braked else ''}_state")
     left_out = tuple(e for e in EFFECTS if e not in effects)
-    cost = chosen.count * EVALUATIONS[method]
-    return Plan(scene, effects, left_out, law.law, method, tuple(names), chosen.operations, cost, wanted)
+    return {
+        "effects": effects,
+        "left_out": left_out,
+        "law": law,
+        "method": method,
+        "functions": tuple(names),
+        "operations": chosen.operations,
+        "cost": chosen.count * EVALUATIONS[method],
+    }

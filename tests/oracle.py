@@ -192,9 +192,11 @@ MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
 }
 
 
-def _energy(x: mpf, start: mpf, q: mpf, drive: Callable[[mpf], mpf]) -> mpf:
-    """E(x) of E' = 2 drive(x) - q E by quadrature with the integrating factor."""
-    return mpmath.exp(-q * x) * start + mpmath.quad(lambda y: 2 * drive(y) * mpmath.exp(q * (y - x)), [0, x])
+def _energy(x: mpf, start: mpf, q: mpf, drive: Callable[[mpf], mpf], decay: mpf = _ZERO) -> mpf:
+    """E(x) of E' = 2 drive(x) - q E by quadrature with the integrating factor; split where drive falls at a rate."""
+    splits = [k / decay for k in (1, 10, 100, 1000) if decay * x > k]
+    rate = lambda y: 2 * drive(y) * mpmath.exp(q * (y - x))  # noqa: E731
+    return mpmath.exp(-q * x) * start + mpmath.quad(rate, [0, *splits, x])
 
 
 def _turned(x: mpf, drive: mpf, tilt: mpf, constant: mpf = _ZERO) -> mpf:
@@ -205,6 +207,7 @@ def _turned(x: mpf, drive: mpf, tilt: mpf, constant: mpf = _ZERO) -> mpf:
 # Functions of the balance that have a hard case.
 BALANCE: dict[str, Callable[..., mpf]] = {
     "drive": lambda press, mu, limit: press * limit - press * mu,
+    "normal_pore_pressure": lambda press, level, ratio, pressure: press - ratio * press - level * pressure,
     "energy": lambda x, e, a, tilt: _energy(x, e, _ZERO, lambda y: _turned(y, a, tilt)),
     "energy_braked": lambda x, e, a, tilt, b: _energy(x, e, 2 * b, lambda y: _turned(y, a, tilt)),
     "energy_braked_constant": lambda x, e, a, tilt, k, b: _energy(x, e, 2 * b, lambda y: _turned(y, a, tilt, k)),
@@ -213,6 +216,7 @@ BALANCE: dict[str, Callable[..., mpf]] = {
         e,
         _ZERO,
         lambda y: _turned(y, a, tilt) - drop * mpmath.expm1(-p * y) * (press * mpmath.cos(y) + rise * mpmath.sin(y)),
+        p,
     ),
     "drop_exponential": lambda slip, more, peak, residual, length: (
         (peak - residual) * (mpmath.exp(-slip / length) - mpmath.exp(-(slip + more) / length))

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -12,7 +13,7 @@ import references
 from mpmath import mpf
 
 import slipcircle
-from slipcircle import Arc, Motion, Scene
+from slipcircle import Arc, Motion, Scene, solve
 
 DATA = references.FILE.read_bytes()
 ROWS: list[dict[str, Any]] = json.loads(DATA)
@@ -152,3 +153,18 @@ def test_references_notice_a_small_change(group: str) -> None:
     assert not references.agree(references.solve(changed, row["shares"]), row["reference"])
     motion = slipcircle.solve(scene({"scene": changed}))
     assert max(true_error(motion, row["reference"] | {"times": []})) > motion.error_estimate
+
+
+@pytest.mark.parametrize("length", [1e-12, 1e-6, 1e-2, 1.0, 1e4, 1e12])
+def test_a_callable_with_any_length_at_its_start_is_seen(length: float) -> None:
+    """Panels know nothing of a callable's scale; what falls within a hair of the start must not pass unseen."""
+    named = replace(Scene.load("vaiont"), friction={"law": "exponential", "peak": 0.41, "residual": 0.18,
+                                                    "length": length})  # fmt: skip
+    free = replace(named, friction=lambda slip: 0.18 + 0.23 * np.exp(-slip / length))
+    one, other = solve(named), solve(free)
+    for a, b in (
+        (one.run_out, other.run_out),
+        (one.peak.velocity, other.peak.velocity),
+        (one.duration, other.duration),
+    ):
+        assert abs(a / b - 1.0) <= 1e-12
