@@ -109,6 +109,8 @@ class Motion:
         Times at which water carries the mass, so that nothing presses on the slip surface, s.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
+    energy_error_estimate : float
+        Estimated error of the energy balance, relative to all energy.
     warnings : tuple of str
         What a user should know; empty where all is well.
     """
@@ -186,10 +188,18 @@ class Motion:
         )
 
     @cached_property
-    def error_estimate(self) -> float:
+    def _estimates(self) -> tuple[float, float]:
         from slipcircle.uncertainty import estimate
 
         return estimate(self)
+
+    @property
+    def error_estimate(self) -> float:
+        return self._estimates[0]
+
+    @property
+    def energy_error_estimate(self) -> float:
+        return self._estimates[1]
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -202,6 +212,11 @@ class Motion:
             found.append(
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"
+            )
+        if self.energy_error_estimate > 1e-12:
+            found.append(
+                f"ill-conditioned: the energy balance holds to {self.energy_error_estimate:.1e} only, as the "
+                "resistance is a small difference where water and speed carry the mass"
             )
         return found
 

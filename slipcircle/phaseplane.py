@@ -114,7 +114,7 @@ class Course:
                 self._both_ways = self._from_both_ends()
         else:
             (self.energy, self._scalar), self.end, self.stops = self._collocate(longest)
-        self.peak = self._peak()
+        self.peak = self._peak(self.end)
 
     # -- the balance along the path
 
@@ -123,6 +123,12 @@ class Course:
         if not self.balance.turns:
             return self.at["press"] + 0.0 * x
         return self.at["press"] * np.cos(x) - self.at["press_slope"] * np.sin(x)
+
+    def fall(self, x: Any) -> Any:
+        """J_theta/Theta* at x."""
+        if not self.balance.turns:
+            return self.at["fall"] + 0.0 * x
+        return self.at["fall"] * np.cos(x) - self.at["fall_slope"] * np.sin(x)
 
     def pressing(self, x: Any, energy: Any) -> Any:
         """The effective mean normal stress over sigma_ref; the mass lifts off where it is negative."""
@@ -269,8 +275,8 @@ class Course:
         """E' at x."""
         return float(self.slope(x, self._scalar(x)))
 
-    def _peak(self) -> float:
-        """Where E is greatest on [0, end]."""
+    def _peak(self, last: float) -> float:
+        """Where E is greatest on [0, last]."""
         rate = self._slope_at
         if self.steady and self.constant >= 0.0:
             if self.drive <= self.brake * self.start.energy:
@@ -278,7 +284,7 @@ class Course:
             if not self.stops and rate(self.end) >= 0.0:
                 return self.end
             return halley(self._rates, self.end / 2, 0.0, self.end)
-        grid = self.end * np.sin(np.linspace(0.0, np.pi / 2, 400)) ** 2
+        grid = last * np.sin(np.linspace(0.0, np.pi / 2, 400)) ** 2
         values = self.energy(grid)
         k = int(np.argmax(values))
         if k in (0, len(grid) - 1):
@@ -429,10 +435,13 @@ class Course:
 
     def fastest(self) -> tuple[float, float, float, float]:
         """Time, x, omega and d(omega)/dt at the greatest speed."""
-        energy = max(self._scalar(self.peak), 0.0)
-        inside = 0.0 < self.peak < self.end
-        rate = 0.0 if inside else float(self.slope(self.peak, energy)) / 2
-        return self._times[1], self.peak, math.sqrt(energy), rate
+        time, peak = self._times[1], self.peak
+        if time > self.longest and not self.steady:  # E may have risen and fallen before
+            peak = self._peak(self.state(self.longest)[0])
+            time = float(self.clock(np.array([self._variable(peak)]))[0])
+        energy = max(self._scalar(peak), 0.0)
+        rate = 0.0 if 0.0 < peak < self.end else float(self.slope(peak, energy)) / 2
+        return time, peak, math.sqrt(energy), rate
 
     def state(self, t: float) -> tuple[float, float, float]:
         """x, omega and d(omega)/dt at one time."""

@@ -88,7 +88,7 @@ def _solve(chosen: Plan) -> Motion:
         solved = follow(balance, law, start, end - time)
         change = _change(solved, balance)
         duration = solved.duration if change is None else change[0]
-        stop = time + duration
+        stop, solved.longest = time + duration, min(solved.longest, duration)
         phases.append(Phase(time, min(stop, end), rotation, direction, solved))
         if stop >= end:
             break
