@@ -94,7 +94,7 @@ def resolve(function: Callable[[Floats], Floats], edges: Floats, tolerance: floa
     tolerance : float
         Relative to the integral of the function's size, from the first edge to the panel.
     """
-    places, sizes, kept = np.zeros(0), np.zeros(0), np.zeros((NODES, 0))  # of good panels: left edges, integrals, series
+    places, sizes, kept = np.zeros(0), np.zeros(0), np.zeros((NODES, 0))  # good panels: left edges, integrals, series
     left, right = edges[:-1], edges[1:]
     while len(left):
         coefficients = _TO_SERIES @ function(left + (right - left) * (_X[:, None] + 1) / 2)

@@ -76,6 +76,8 @@ def _energy(edges: Floats, values: Floats, means: Floats) -> tuple[Callable[[Any
     return energy, at
 
 
+# Panels on which E in closed form is searched for its greatest value, over its end.
+_SHARES = np.concatenate([[0.0], np.geomspace(1e-18, 0.1, 50), np.linspace(0.1, 1.0, 50)[1:]])
 _MOST_PANELS = 4000  # of the collocation, halvings counted
 
 
@@ -110,6 +112,7 @@ class Course:
         if closed:
             self.energy, self._scalar = self._closed_form()
             self.end, self.stops = self._first_zero()
+            self.panels = self.end * _SHARES
             if self.steady and self.stops:
                 self._both_ways = self._from_both_ends()
         else:
@@ -284,7 +287,8 @@ class Course:
             if not self.stops and rate(self.end) >= 0.0:
                 return self.end
             return halley(self._rates, self.end / 2, 0.0, self.end)
-        grid = last * np.sin(np.linspace(0.0, np.pi / 2, 400)) ** 2
+        steps = np.diff(self.panels)[:, None] * np.linspace(0.0, 1.0, 9)
+        grid = np.unique(np.minimum(self.panels[:-1, None] + steps, last))
         values = self.energy(grid)
         k = int(np.argmax(values))
         if k in (0, len(grid) - 1):
@@ -318,7 +322,7 @@ class Course:
             rates, series = _BACK @ rate, _BACK @ energy
             # Also where it begins, which is no node: what falls within a hair of the start would pass unseen.
             missed = abs(rates @ _AT_START - float(self.slope(np.array([left]), value)[0]))
-            missed = max(missed - 64 * EPS * np.abs(rates).sum(), 0.0)
+            missed = np.maximum(missed - 64 * EPS * np.abs(rates).sum(), 0.0)
             # Where a strong brake holds the drive, E' is what rounding leaves of their difference; and rounding of the
             # slip leaves little of a narrow table: there E is what counts, also where its series begins.
             missing = min(
@@ -339,15 +343,17 @@ class Course:
                 continue
             found = _energy(np.array(edges), np.array(values), np.array(means).T)
             if not ended:
+                self.panels = np.array(edges)
                 return found, right, False
             grid = (left + half * _Z)[::-1]
             below = int(np.argmax(energy[::-1] <= 0.0))
             low, high = (float(grid[below - 1]) if below else left), float(grid[below])
             # The series are rounded otherwise than the values at the nodes that the bracket comes from.
             end = root(found[1], low, high, max(found[1](low), 1e-300), min(found[1](high), -1e-300))
-            if left == 0.0 and 0.0 < end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
-                width, least, edges, values, means = 4 * end, 0.0, [0.0], [value], []
+            if left == 0.0 and end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
+                width, least, edges, values, means = max(4 * end, 0.01 * half), 0.0, [0.0], [value], []
                 continue
+            self.panels = np.array([*edges[:-1], end])
             return found, end, True
         raise ValueError(
             f"friction: changes too sharply for {_MOST_PANELS} panels of the energy equation, near a slip of "

@@ -113,7 +113,7 @@ def _course(solved: Course, phase: "Phase", before: Doubt) -> tuple[Doubt, Insid
     Rounding of E's terms is as large as their sum without signs; a start near the limit makes the drive a small
     difference, which this shows.
     """
-    unit, at, balance, end, law = ROUNDING * EPS, solved.at, solved.balance, solved.end, solved.law
+    unit, balance, end, law = ROUNDING * EPS, solved.balance, solved.end, solved.law
     carried = 1.0  # of an error in where the phase begins, at its end
     brakes = solved.braking(np.array([0.0, end]))
     steep = abs(float(solved.slope(end, 0.0)))
