@@ -482,6 +482,26 @@ class Course:
         s[early] = z
         return s
 
+    # -- along the variable s
+
+    @property
+    def last(self) -> float:
+        """Where the phase ends, or the longest time."""
+        if self.duration <= self.longest:
+            return np.pi / 2 if self.stops else 1.0
+        return float(self._reached(np.array([self.longest]))[0])
+
+    def passing(self, s: Floats) -> tuple[Floats, Floats]:
+        """x and E."""
+        x, left, _ = self._place(s)
+        return x, self.speed_squared(x, left)
+
+    def passed(self, s: Floats) -> Floats:
+        """The time since the start of the phase."""
+        return accumulate(self._rate, self.clock, s)
+
+    # -- at any time
+
     def when(self, t: Floats) -> tuple[Floats, Floats, Floats]:
         """x, omega and d(omega)/dt at times since the start of the phase."""
         x, left, _ = self._place(self._reached(t))
