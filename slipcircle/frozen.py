@@ -58,8 +58,11 @@ class Frozen:
 
     @property
     def last(self) -> float:
-        """Time at the end of the phase, or the longest; the phase plane has another variable in time's place."""
-        return min(self.duration, self.longest)
+        """Time at the end of the phase, or the longest; the phase plane has another variable in time's place.
+
+        Where there is neither, late enough for all speeds.
+        """
+        return min(self.duration, self.longest, 1e30)
 
     def passing(self, t: Floats) -> tuple[Floats, Floats]:
         """x and E = omega**2."""
