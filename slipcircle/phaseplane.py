@@ -353,8 +353,11 @@ class Course:
             if left == 0.0 and end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
                 width, least, edges, values, means = max(4 * end, 0.01 * half), 0.0, [0.0], [value], []
                 continue
+            stops = float(self.slope(end, 0.0)) < 0.0
+            if not stops:  # E has only become too small for a number
+                end = left
             self.panels = np.array([*edges[:-1], end])
-            return found, end, True
+            return found, end, stops
         raise ValueError(
             f"friction: changes too sharply for {_MOST_PANELS} panels of the energy equation, near a slip of "
             f"{self.start.slip + self.radius * left:.6g} m; give a smoother law"
