@@ -101,9 +101,10 @@ def friction(given: Any) -> Friction:
         )
     law, numbers = LAWS[name], {k: float(v) for k, v in parameters.items()}
     coefficient, drop = getattr(balance, f"friction_{name}"), getattr(balance, f"drop_{name}")
+    rises = numbers["peak"] < numbers["residual"]  # what it rises by is added, or a low start is lost in a high end
     return Friction(
         name,
-        lambda s: coefficient(s, **numbers),
+        (lambda s: numbers["peak"] - drop(0.0, s, **numbers)) if rises else (lambda s: coefficient(s, **numbers)),
         lambda s, more: drop(s, more, **numbers),
         numbers[law.scale],
         tuple(numbers[k] for k in law.kinks),

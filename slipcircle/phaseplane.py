@@ -39,7 +39,9 @@ def _mean(z: Floats) -> Floats:
     return np.einsum("zgn,g->zn", inside, _GAUSS[1])
 
 
-_MEAN, _AT_START = _mean(_Z), (-1.0) ** np.arange(NODES)  # and a series' value at 0
+_MEAN = _mean(_Z)
+_HAIRS = _Z[-1] * np.array([0.0, 1e-6, 1e-4, 1e-2, 0.3])  # places before the first node, and a series' values there
+_AT_HAIRS = np.polynomial.chebyshev.chebvander(2 * _HAIRS - 1, NODES - 1)
 
 
 def _rules() -> tuple[Floats, Floats]:
@@ -143,7 +145,11 @@ class Course:
 
     def friction(self, x: Any) -> Any:
         """The friction coefficient at x."""
-        return self.mu + 0.0 * x if self.steady else self.law.coefficient(self.start.slip + self.radius * x)
+        fallen = self.drop(x)
+        if self.steady or np.all(fallen <= self.mu / 2):
+            return self.mu - fallen
+        # Where most of it is gone, what is left of it has more digits than the difference.
+        return np.where(fallen > self.mu / 2, self.law.coefficient(self.start.slip + self.radius * x), self.mu - fallen)
 
     def driving(self, x: Any) -> Any:
         """The drive at x: the one at the start, and what turning and softening change, so that no digit is lost."""
@@ -153,9 +159,11 @@ class Course:
         if self.steady:
             return driving
         fallen, normal = self.drop(x), self.balance.get("normal", press=self.press(x))
-        # Where most of the friction is gone, what is left of it has more digits than their difference.
+        driving = driving + fallen * normal
+        if np.all(fallen <= self.mu / 2):
+            return driving
         anew = self.fall(x) - self.balance.get("constant", mu=0.0) - self.friction(x) * normal
-        return np.where(fallen > self.mu / 2, anew, driving + fallen * normal)
+        return np.where(fallen > self.mu / 2, anew, driving)
 
     def braking(self, x: Any) -> Any:
         """The brake at x."""
@@ -286,14 +294,14 @@ class Course:
                 return 0.0
             if not self.stops and rate(self.end) >= 0.0:
                 return self.end
-            return halley(self._rates, self.end / 2, 0.0, self.end)
+            # A strong brake soon holds the drive, and E' is rounded from then on.
+            held = min(20.0 / max(self.brake, 1e-300), self.end)
+            return max(halley(self._rates, self.end / 2, 0.0, self.end), held, key=self._scalar)
         steps = np.diff(self.panels)[:, None] * np.linspace(0.0, 1.0, 9)
         grid = np.unique(np.minimum(self.panels[:-1, None] + steps, last))
         values = self.energy(grid)
         k = int(np.argmax(values))
-        if k in (0, len(grid) - 1):
-            return float(grid[k])
-        left, right = float(grid[k - 1]), float(grid[k + 1])
+        left, right = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, len(grid) - 1)])
         at_left, at_right = rate(left), rate(right)
         return root(rate, left, right, at_left, at_right) if at_left > 0.0 > at_right else float(grid[k])
 
@@ -320,14 +328,16 @@ class Course:
             rate = np.linalg.solve(matrix, drive - brake * value)
             energy, mean = value + half * _Z * (_MEAN @ rate), _BACK @ (_MEAN @ rate)
             rates, series = _BACK @ rate, _BACK @ energy
-            # Also where it begins, which is no node: what falls within a hair of the start would pass unseen.
-            missed = abs(rates @ _AT_START - float(self.slope(np.array([left]), value)[0]))
+            # Also before the first node: what falls within a hair of the start would pass unseen.
+            hairs = half * _HAIRS
+            missed = np.abs(_AT_HAIRS @ rates - self.slope(left + hairs, value + hairs * (_AT_HAIRS @ mean))).max()
             missed = np.maximum(missed - 64 * EPS * np.abs(rates).sum(), 0.0)
             # Where a strong brake holds the drive, E' is what rounding leaves of their difference; and rounding of the
             # slip leaves little of a narrow table: there E is what counts, also where its series begins.
+            hair = missed * min(half * _Z[-1], 1.0 / max(brake.max(), 1e-300)) + abs(value - _AT_HAIRS[0] @ series)
             missing = min(
                 (missed + np.abs(rates[-2:]).sum()) / max(np.abs(rate).max(), 1e-300),
-                (abs(value - series @ _AT_START) + np.abs(series[-2:]).sum()) / max(value, 1e-300),
+                (hair + np.abs(series[-2:]).sum()) / max(value, 1e-300),
             )
             if missing > 4e-15 and half > 1e-13 * right:
                 width = half / 2

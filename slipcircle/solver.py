@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from slipcircle.phaseplane import Course
 
 _MOST_PHASES = 2000
+EPS = 2.0**-52
 
 
 def solve(scene: Scene, accuracy: float | None = None) -> Motion:
@@ -163,10 +164,13 @@ def _change(solved: "Course | Frozen", balance: Balance) -> tuple[float, float, 
     """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
     if balance.get("normal", press=0.0) == 0.0:  # no water that could carry the mass
         return None
+    water = abs(balance.get("effective_stress", press=0.0, omega_2=0.0))
     last, sign = solved.last, 1.0 if solved.start.lifted else -1.0
 
     def over(s: Any) -> Any:
-        return sign * solved.pressing(*solved.passing(s))
+        x, energy = solved.passing(s)
+        # Strong friction may hold the mass where what presses is rounding: that is neither lift-off nor landing.
+        return sign * solved.pressing(x, energy) - 4 * EPS * (np.abs(solved.pressing(x, 0.0)) + water)
 
     def at(s: float) -> float:
         return float(over(np.array([s]))[0])
