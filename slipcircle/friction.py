@@ -45,6 +45,13 @@ class Friction:
         """Whether it does not depend on slip."""
         return self.law == "constant"
 
+    @property
+    def settled(self) -> float:
+        """Slip from which on it is constant, m."""
+        if self.law == "exponential":
+            return 750 * self.scale  # exp(-750) is 0
+        return 0.0 if self.constant else self.kinks[-1] if self.kinks else np.inf
+
 
 def law_mistakes(given: Any) -> list[str]:
     """A sentence for each mistake in a scene's friction."""

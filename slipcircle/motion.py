@@ -287,8 +287,10 @@ class Motion:
     def _followed(self, t: Floats) -> tuple[Floats, Floats, Floats]:
         rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
-            for phase, mask, local in self._lanes(t):
-                x, speed, change = phase.solved.when(local)
+            which = np.searchsorted([p.start for p in self.phases], t, side="right") - 1
+            for k in np.unique(which[which >= 0]):
+                phase, mask = self.phases[k], which == k
+                x, speed, change = phase.solved.when(np.minimum(t[mask], phase.end) - phase.start)
                 rotation[mask] = phase.rotation + phase.direction * x
                 omega[mask], rate[mask] = phase.direction * speed, phase.direction * change
         if self.arrested:

@@ -106,7 +106,7 @@ class Course:
         self.drive = balance.drive(self.at, self.mu)
         self.tilt = float(get("tilt", **self.at, mu=self.mu))
         self.brake = float(get("brake", mu=self.mu))
-        self.steady = law.constant or start.lifted
+        self.steady = start.slip >= law.settled or start.lifted
         # Beyond, the mass would hang over; above zero, for a chord that stands upright to rounding.
         self.furthest = max(self.at["dip"] + np.pi / 2, 1e-20) if balance.turns else math.inf
         closed = balance.turns and (self.steady or (law.law == "exponential" and not balance.has("brake")))
@@ -411,7 +411,8 @@ class Course:
         places = [self._variable(k) for k in inner]
         # Over what E first changes: softening, a strong brake, a slow start. Panels grow from there.
         slow = self.start.energy / max(abs(self.drive), 1e-300)
-        paces = (self.law.scale / self.radius, 1.0 / max(2 * self.brake, 1e-300), slow)
+        softening = math.inf if self.steady else self.law.scale / self.radius
+        paces = (softening, 1.0 / max(2 * self.brake, 1e-300), slow)
         scales = [p / self.end for p in paces if 0.0 < p < 0.01 * self.end]
         first = [math.sqrt(p) * 2.0**k for p in scales for k in range(0, 600, 2) if math.sqrt(p) * 2.0**k < last / 2]
 
