@@ -592,10 +592,11 @@ def anything(rng: np.random.Generator) -> dict[str, Any]:
     unit = math.sqrt(fields["radius"] * fields["gravity"])
     if "rotation" in effects and end is not None:
         end = min(end, 100.0 * rng.random() * unit / fields["gravity"])  # not thousands of swings
+    many = end is not None or "rotation" not in effects  # without an end, next to no friction means thousands of swings
     stress = fields["unit_weight"] * fields["radius"] * half**2
     if rng.random() < 0.4:
         effects["pore_pressure"] = {
-            "ratio": one_of(0.0, 1 - power(-15, -1), 1 - 1e-15, rng.random()),
+            "ratio": one_of(0.0, rng.random(), 1 - power(-15, -1), 1 - 1e-15) * (1.0 if many else 0.9),
             "pressure": one_of(0.0, stress * power(-12, 2), stress * power(-9, -2)),
         }
     if rng.random() < 0.4:
@@ -643,10 +644,10 @@ def run_anything(fields: Mapping[str, Any]) -> str:
 @pytest.mark.parametrize("seed", range(5))
 def test_anything_has_an_answer_or_one_clear_error(seed: int) -> None:
     rng = np.random.default_rng([20250103, seed])
-    counts = Counter(run_anything(anything(rng)) for _ in range(100))
+    counts = Counter(run_anything(anything(rng)) for _ in range(150))
     ill = {"ill-conditioned, rests", "ill-conditioned, moves"}
     assert set(counts) <= {"rests", "moves", "refused", *ill}
-    assert counts["rests"] > 15
-    assert counts["moves"] > 15
-    assert counts["refused"] < 40
-    assert sum(counts[i] for i in ill) < 25
+    assert counts["rests"] > 50
+    assert counts["moves"] > 20
+    assert counts["refused"] < 50
+    assert sum(counts[i] for i in ill) < 15
