@@ -436,10 +436,11 @@ class Course:
     def _times(self) -> tuple[float, float, float]:
         """Times to the end and to the peak, and what is estimated to be missing from them.
 
-        Two Gauss-Legendre rules in one evaluation; where they differ, the series on refined panels.
+        Two Gauss-Legendre rules in one evaluation; where they differ, or both would pass over a start that a strong
+        brake soon ends, the series on refined panels.
         """
         last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
-        if self.steady and self.balance.turns and self.start.energy == 0.0:
+        if self.steady and self.balance.turns and self.start.energy == 0.0 and self.brake * self.end < 100.0:
             values = self._rate(np.concatenate([last * _RULES[0], top * _RULES[0]]))
             coarse, fine = _RULES[1] @ values.reshape(2, -1).T
             missing = abs(coarse[0] - fine[0]) + abs(coarse[1] - fine[1])
