@@ -313,6 +313,33 @@ CASES = (
         says="initial_velocity",
     ),
     HardScene("never rests", SLOPE, 0.2, "frozen, and below its limit", "runs for ever", FROZEN, says="end_time"),
+    HardScene(
+        "a strong brake",
+        arc(80.0, 0.3),
+        0.3,
+        "the speed is held from the first micrometres on, and forgets nothing else",
+        "a rule of a fixed number of points passes over the start: 1e-7 of the duration",
+        {"rotation": {}, "drag": {"xi": 1e-4}},
+    ),
+    HardScene(
+        "a brake strong beyond reason",
+        SLOPE,
+        0.2,
+        "E is rounded drive over brake, its slope nothing but rounding",
+        "integrates rounding back from the standstill: 1e-4 of the duration",
+        {"rotation": {}, "drag": {"xi": 1e-10}},
+        tolerance=1e-9,
+    ),
+    HardScene(
+        "a strong brake, moving",
+        SLOPE,
+        0.2,
+        "the start's speed is gone within a micrometre",
+        "steps of a fixed size, or a first step by guess, pass over all of it",
+        {"rotation": {}, "drag": {"xi": 1e-4}},
+        initial_velocity=1.0,
+        tolerance=1e-11,
+    ),
 )
 
 
@@ -390,6 +417,7 @@ class Leg:
     def duration(self, end: mpf) -> mpf:
         """int dx/sqrt(E), on panels as fine as softening, or a start next to standstill, needs."""
         scales = ([1 / self.p] if self.drop else []) + ([self.energy / abs(self.a)] if self.energy else [])
+        scales += [1 / self.q] if self.q * end > 10 else []
         fine = sorted({x for scale in scales for x in (4**k * scale for k in range(-2, 40)) if x < end / 4})
         inner = [mpmath.asin(mpmath.sqrt(x / end)) for x in fine]
         edges = [mpf(0), *inner, *(mpmath.pi / 2 * (1 - mpf(2) ** -k) for k in (1, 2)), mpmath.pi / 2]
@@ -456,6 +484,8 @@ def leg(case: HardScene, c: Coefficients, phi: mpf, direction: int, energy: mpf,
     psi = direction * (dip - phi)
     fall, press = c.turning / c.inertia, c.pressing / c.inertia * share
     q = 2 * mu * c.polar / c.inertia if "centripetal" in scene.called else mpf(0)
+    if "drag" in scene.called:
+        q += 4 * c.gravity * c.half / (c.inertia * mpf(scene.called["drag"]["xi"]))
     a = fall * mpmath.sin(psi) - mu * press * mpmath.cos(psi)
     b = fall * mpmath.cos(psi) + mu * press * mpmath.sin(psi)
     return Leg(energy, a, b, mpf(0), q, drop, p, press * mpmath.cos(psi), press * mpmath.sin(psi), short)
