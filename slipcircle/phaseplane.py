@@ -457,7 +457,7 @@ class Course:
     def fastest(self) -> tuple[float, float, float, float]:
         """Time, x, omega and d(omega)/dt at the greatest speed."""
         time, peak = self._times[1], self.peak
-        if time > self.longest and not self.steady:  # E may have risen and fallen before
+        if time > self.longest and not (self.steady and self.constant >= 0.0):  # E may have risen and fallen before
             peak = self._peak(self.state(self.longest)[0])
             time = float(self.clock(np.array([self._variable(peak)]))[0])
         energy = max(self._scalar(peak), 0.0)
