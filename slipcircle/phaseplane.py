@@ -41,6 +41,7 @@ def _mean(z: Floats) -> Floats:
 
 _MEAN = _mean(_Z)
 _HAIRS = _Z[-1] * np.array([0.0, 1e-6, 1e-4, 1e-2, 0.3])  # places before the first node, and a series' values there
+_PLACES = np.concatenate([_Z, _HAIRS])
 _AT_HAIRS = np.polynomial.chebyshev.chebvander(2 * _HAIRS - 1, NODES - 1)
 
 
@@ -321,7 +322,9 @@ class Course:
         for _ in range(_MOST_PANELS):
             right = min([left + width, self.furthest, *(k for k in kinks if k > left)])
             half = right - left
-            drive, brake = 2 * self.driving(left + half * _Z), 2 * self.braking(left + half * _Z)
+            places = left + half * _PLACES
+            drives, brakes = 2 * self.driving(places), 2 * self.braking(places)
+            drive, brake = drives[:NODES], brakes[:NODES]
             # E = value + (x - left) mean(E') and E' = drive - brake E, at the nodes: a linear system for E'.
             matrix = brake[:, None] * (half * _Z[:, None] * _MEAN)
             matrix[np.diag_indices(NODES)] += 1.0
@@ -329,9 +332,8 @@ class Course:
             energy, mean = value + half * _Z * (_MEAN @ rate), _BACK @ (_MEAN @ rate)
             rates, series = _BACK @ rate, _BACK @ energy
             # Also before the first node: what falls within a hair of the start would pass unseen.
-            hairs = half * _HAIRS
-            missed = np.abs(_AT_HAIRS @ rates - self.slope(left + hairs, value + hairs * (_AT_HAIRS @ mean))).max()
-            missed = np.maximum(missed - 64 * EPS * np.abs(rates).sum(), 0.0)
+            before = drives[NODES:] - brakes[NODES:] * (value + half * _HAIRS * (_AT_HAIRS @ mean))
+            missed = max(float(np.abs(_AT_HAIRS @ rates - before).max() - 64 * EPS * np.abs(rates).sum()), 0.0)
             # Where a strong brake holds the drive, E' is what rounding leaves of their difference; and rounding of the
             # slip leaves little of a narrow table: there E is what counts, also where its series begins.
             hair = missed * min(half * _Z[-1], 1.0 / max(brake.max(), 1e-300)) + abs(value - _AT_HAIRS[0] @ series)
