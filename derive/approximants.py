@@ -66,7 +66,10 @@ class Code:
 
     def fma(self, a: int, b: int, c: int) -> int:
         """a b + c, rounded once where fused."""
-        return self.put("fma", a, b, c) if self.fused else self.add(self.mul(a, b), c)
+        if self.fused:
+            return self.put("fma", a, b, c)
+        product, last = self.mul(a, b), self.ops[c]
+        return self.sub(product, last.args[0]) if last.kind == "neg" else self.add(product, c)
 
     def error(self, a: int, b: int, product: int) -> int:
         """a b - fl(a b), exactly."""
@@ -151,8 +154,7 @@ def near(code: Code, x: int, name: str, seam: float, degree: int, captured: int)
         slope = code.fma(code.put("neg", u), turn, slope)
     h = code.mul(u, w)
     h_low = code.fma(u, low, code.fma(du, slope, code.error(u, w, h)))
-    f = code.mul(x, h)
-    return code.add(f, code.fma(x, h_low, code.error(x, h, f)))
+    return code.fma(x, h, code.mul(x, h_low))
 
 
 def resistance_factor(form: str) -> Program:
@@ -253,30 +255,37 @@ LN2 = float.fromhex("0x1.62e42fefa39efp-1")
 
 @cache
 def logarithm_fit(degree: int) -> tuple[float, ...]:
-    """log(1 + s)/s on [-1/4, 1/2]."""
+    """P(z) = (2 artanh(q)/q - 2)/z, z = q**2, for q <= 1/5."""
     with ctx.workprec(400):
-        points = grid(arb(-0.25), arb(0.5), degree)
-        samples = sample(lambda s: s.log1p() / s, lambda s: abs(s), points)
-    return tuple(rounded(samples, degree, careful=2)[0])
+        points = grid(arb(0), 1 / arb(25), degree)
+        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z: z * z.sqrt(), points)
+    return tuple(rounded(samples, degree, careful=1)[0])
 
 
 def logarithm(code: Code, b: int, degree: int) -> int:
-    """ln b of a b >= 0; at 0 something finite, which a factor 0 waits for."""
+    """ln b of a b >= 0; at 0 something finite, which a factor 0 waits for.
+
+    b = 2**exponent significand, s = significand - 1 (exact), q = s/(2 + s): ln(1 + s) = s - q (s - z P(z)), z = q**2,
+    whose largest part is exact.
+    """
     b = code.put("max", b, code.const(2.0**-60))
     if code.form == "numpy":
         return code.put("call", b, value="log")
     s = code.sub(code.put("call", b, value="significand"), code.const(1.0))
-    exponent = code.put("call", b, value="exponent")
-    return code.fma(s, code.horner(s, logarithm_fit(degree)), code.mul(exponent, code.const(LN2)))
+    q = code.put("div", s, code.add(s, code.const(2.0)))
+    z = code.mul(q, q)
+    bent = code.fma(z, code.horner(z, logarithm_fit(degree)), code.put("neg", s))
+    head = code.fma(code.put("call", b, value="exponent"), code.const(LN2), s)
+    return code.fma(q, bent, head)
 
 
 def logarithmic(
-    name: str, rest: Callable[[arb, arb], arb], power: int, seam: float, degrees: tuple[int, int]
+    name: str, rest: Callable[[arb, arb], arb], power: int, seam: float, degrees: tuple[int, int], scale: float = 1.0
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """R and Q of b**power (R(b**2) + Q(b**2) ln b), fitted together; with Q rounded, R again."""
+    """R and Q of b**power (R(b**2) + Q(b**2) ln(scale b)), fitted together; with Q rounded, R again."""
     samples = far_samples(name, rest, lambda b: b**power, HALF_PI - seam, sum(degrees))
     with ctx.workprec(400):
-        logs = [x.log() / 2 for x in samples.points]
+        logs = [(exact(scale) * x.sqrt()).log() for x in samples.points]
         q = [nearest(c) for c in minimax(samples, degrees[0], logs=(logs, degrees[1]))[1]]
         shared = [horner([exact(c) for c in q], x) * l for x, l in zip(samples.points, logs, strict=True)]
         values = [(f - s).mid() for f, s in zip(samples.values, shared, strict=True)]
@@ -301,19 +310,22 @@ def polar_moment_far(
 def polar_moment(form: str) -> Program:
     code = Code(form)
     x = code.put("input", value="alpha")
-    seam = HALF_PI / 2
-    line, constant, r, q = polar_moment_far(seam, (6, 6))
+    seam = 0.95
+    line, constant, r, q = polar_moment_far(seam, (5, 5))
     b = code.sub(code.const(HALF_PI), x)
     w = code.mul(b, b)
-    core = code.fma(code.horner(w, q), logarithm(code, b, 19), code.horner(w, r))
+    core = code.fma(code.horner(w, q), logarithm(code, b, 6), code.horner(w, r))
     far = code.add(code.add(x, code.const(line)), code.fma(code.mul(b, w), core, code.const(constant)))
-    return code.program("polar_moment", code.below(x, seam, near(code, x, "polar_moment", seam, 11, 1), far))
+    return code.program("polar_moment", code.below(x, seam, near(code, x, "polar_moment", seam, 13, 1), far))
+
+
+BEND = 1.875
 
 
 @cache
 def radial_weight_far(seam: float, degrees: tuple[int, int]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """F = (1 - b) + (b + b**2 (R + Q ln b)), R and Q in b**2."""
-    return logarithmic("radial_weight_amplitude", lambda b, f: (f - 1) / b**2, 2, seam, degrees)
+    """F = (1 - b) + (b (1 - BEND b) + b**2 (R + Q ln 2 b)), R and Q in b**2: small parts where F is a half."""
+    return logarithmic("radial_weight_amplitude", lambda b, f: (f - 1) / b**2 + BEND, 2, seam, degrees, 2.0)
 
 
 def radial_weight_amplitude(form: str) -> Program:
@@ -323,7 +335,24 @@ def radial_weight_amplitude(form: str) -> Program:
     r, q = radial_weight_far(seam, (5, 5))
     b = code.sub(code.const(HALF_PI), x)
     w = code.mul(b, b)
-    core = code.fma(code.horner(w, q), logarithm(code, b, 19), code.horner(w, r))
-    far = code.add(code.sub(code.const(1.0), b), code.fma(w, core, b))
+    core = code.fma(code.horner(w, q), logarithm(code, code.mul(code.const(2.0), b), 6), code.horner(w, r))
+    one = code.const(1.0)
+    bend = code.fma(b, code.const(-BEND), one)
+    far = code.add(code.sub(one, b), code.fma(b, bend, code.mul(w, core)))
     n = near(code, x, "radial_weight_amplitude", seam, 16, 1)
     return code.program("radial_weight_amplitude", code.below(x, seam, n, far))
+
+
+# --- all of them ---------------------------------------------------------------------------------------------------
+
+BEST = (polar_moment, moment_of_inertia, radial_weight_amplitude, weight_moment_amplitude, resistance_factor)
+FORMS = ("fused", "plain", "numpy")
+
+
+def variants() -> tuple[Variant, ...]:
+    """Every kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
+    found = []
+    for make in BEST:
+        made = {form: make(form) for form in FORMS}
+        found += [Variant(p.name, "best", form, p) for form, p in made.items() if form != "numpy" or p != made["plain"]]
+    return tuple(found)
