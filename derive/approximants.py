@@ -166,7 +166,7 @@ def resistance_factor(form: str) -> Program:
 # --- far -----------------------------------------------------------------------------------------------------------
 
 
-def far_samples(name: str, rest: Callable[[arb, arb], arb], weight: Callable[[arb], arb], largest: float, degree: int):
+def far_samples(name: str, rest: Callable[[arb, arb], arb], weight: Function, largest: float, degree: int) -> Samples:
     """What is left of F as a function of w = b**2, b = fl(pi/2) - alpha."""
 
     def function(w: arb) -> arb:
@@ -343,6 +343,47 @@ def radial_weight_amplitude(form: str) -> Program:
     return code.program("radial_weight_amplitude", code.below(x, seam, n, far))
 
 
+# --- cheaper tiers -------------------------------------------------------------------------------------------------
+
+# Degrees of numerator and denominator of F/alpha**3: a polynomial in alpha**2, or a rational in pi**2/4 - alpha**2.
+DEGREES = {
+    "1e-10": {"polar_moment": (7, 7), "moment_of_inertia": (9, 0), "radial_weight_amplitude": (10, 10),
+              "weight_moment_amplitude": (8, 0), "resistance_factor": (5, 0)},
+    "1e-6": {"polar_moment": (8, 0), "moment_of_inertia": (6, 0), "radial_weight_amplitude": (4, 5),
+             "weight_moment_amplitude": (5, 0), "resistance_factor": (3, 0)},
+    "float32": {"polar_moment": (7, 6), "moment_of_inertia": (8, 0), "radial_weight_amplitude": (9, 9),
+                "weight_moment_amplitude": (7, 0), "resistance_factor": (5, 0)},
+}  # fmt: skip
+QUARTER = HALF_PI * HALF_PI
+
+
+@cache
+def cheap_fit(name: str, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Numerator and denominator."""
+    function = reduced(name)
+    with ctx.workprec(400):
+        largest = (arb.pi() / 2) ** 2
+        at: Function = (lambda w: largest - w) if below else (lambda u: u)
+        points = grid(arb(0), largest, above + below, 2)
+        samples = sample(lambda z: function(at(z)), lambda z: 1 / function(at(z)), points)
+    over, under, _ = minimax(samples, above, below)
+    return tuple(map(nearest, over)), tuple(map(nearest, under))
+
+
+def cheap(name: str, tier: str, form: str) -> Program:
+    """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
+    above, below = DEGREES[tier][name]
+    over, under = cheap_fit(name, above, below)
+    code = Code(form)
+    x = code.put("input", value="alpha")
+    u = code.mul(x, x)
+    if not below:
+        return code.program(name, code.mul(code.mul(code.horner(u, over), u), x))
+    w = code.sub(code.const(QUARTER), u)
+    ratio = code.put("div", code.mul(code.horner(w, over), u), code.horner(w, under))
+    return code.program(name, code.mul(ratio, x))
+
+
 # --- all of them ---------------------------------------------------------------------------------------------------
 
 BEST = (polar_moment, moment_of_inertia, radial_weight_amplitude, weight_moment_amplitude, resistance_factor)
@@ -355,4 +396,6 @@ def variants() -> tuple[Variant, ...]:
     for make in BEST:
         made = {form: make(form) for form in FORMS}
         found += [Variant(p.name, "best", form, p) for form, p in made.items() if form != "numpy" or p != made["plain"]]
+    for tier, names in DEGREES.items():
+        found += [Variant(name, tier, form, cheap(name, tier, form)) for name in names for form in ("fused", "plain")]
     return tuple(found)
