@@ -8,6 +8,7 @@ program's, of the rounded coefficients.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 
 from flint import arb, arb_mat, ctx, fmpq
 
@@ -166,25 +167,142 @@ def _exchange(errors: list[arb], wanted: int, chosen: list[int]) -> list[int]:
     return runs if len(runs) == wanted else chosen
 
 
-def rounded(samples: Samples, degree: int, careful: int | None = None) -> tuple[list[float], float]:
-    """Minimax coefficients as doubles: round the lowest, fit the others again, and so on.
+def rounded(samples: Samples, degree: int, careful: int) -> tuple[float, ...]:
+    """Minimax coefficients as doubles, lowest first.
 
-    Returns
-    -------
-    coefficients : list of float
-        Lowest first; the last ones, after `careful` rounds, are rounded together.
-    error : float
-        Of the last fit, before that last rounding.
+    Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
     """
     found: list[float] = []
-    error = 0.0
-    rest = samples
-    for k in range(degree + 1):
-        last = careful is not None and k >= careful
-        coefficients, _, error = minimax(rest, degree - k)
-        if last:
-            return found + [nearest(c) for c in coefficients], error
-        found.append(nearest(coefficients[0]))
+    for k in range(careful):
+        found.append(nearest(minimax(samples, degree - k)[0][0]))
         with ctx.workprec(BITS):
-            rest = rest.without(exact(found[-1]))
-    return found, error
+            samples = samples.without(exact(found[-1]))
+    return (*found, *map(nearest, minimax(samples, degree - careful)[0]))
+
+
+# --- what the programs need ----------------------------------------------------------------------------------------
+
+HALF_PI = float.fromhex("0x1.921fb54442d18p+0")  # the double nearest to pi/2, below it
+LIMIT = dict.fromkeys(REDUCED, Fraction(2, 3)) | {"resistance_factor": Fraction(1)}  # of F/alpha**3 at 0
+
+
+def reduced(name: str) -> Function:
+    """F/alpha**3 as a function of alpha**2."""
+    return lambda u: value(name, u.sqrt()) / (u * u.sqrt())
+
+
+@cache
+def near_fit(name: str, seam: float, count: int) -> tuple[float, ...]:
+    """c1, c2, ... of (F/alpha**3 - its limit)/alpha**2 in alpha**2, for the least relative error of F up to a seam."""
+    with ctx.workprec(_GUARD):
+        function = reduced(name)
+        points = grid(arb(0), exact(seam) ** 2, count)
+        samples = sample(function, lambda u: 1 / function(u), points).without(exact(LIMIT[name]))
+    return rounded(samples, count - 1, careful=3)
+
+
+@cache
+def whole_fit(name: str, degree: int) -> tuple[float, ...]:
+    """F/alpha**3 in alpha**2 - 3/2."""
+    function = reduced(name)
+    with ctx.workprec(_GUARD):
+        points = grid(arb(0), (arb.pi() / 2) ** 2, degree + 1)
+        samples = sample(function, lambda u: 1 / function(u), points)
+        samples.points = [(u - exact(1.5)).mid() for u in points]
+    return tuple(map(nearest, minimax(samples, degree)[0]))
+
+
+@cache
+def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
+    """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
+    with ctx.workprec(_GUARD):
+        points = grid(arb(0), exact(Fraction(1, 25)), degree)
+        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z: z * z.sqrt(), points)
+        return nearest(arb(2).log()), rounded(samples, degree, careful=1)
+
+
+@cache
+def cheap_fit(name: str, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Numerator and denominator of F/alpha**3: a polynomial in alpha**2, or a rational in pi**2/4 - alpha**2."""
+    function = reduced(name)
+    with ctx.workprec(_GUARD):
+        largest = (arb.pi() / 2) ** 2
+        at: Function = (lambda w: largest - w) if below else (lambda u: u)
+        points = grid(arb(0), largest, above + below, 2)
+        samples = sample(lambda z: function(at(z)), lambda z: 1 / function(at(z)), points)
+    over, under, _ = minimax(samples, above, below)
+    return tuple(map(nearest, over)), tuple(map(nearest, under))
+
+
+# Far from 0 everything is a function of b = fl(pi/2) - alpha as it is computed: pi/2 - fl(pi/2) is folded in.
+
+
+def _far(name: str, rest: Callable[[arb, arb], arb], power: int, seam: float, count: int) -> Samples:
+    """rest(b, F) as a function of b**2; it is to be multiplied by b**power."""
+    at: Function = lambda w: value(name, exact(HALF_PI) - w.sqrt())  # noqa: E731
+    with ctx.workprec(_GUARD):
+        points = grid(arb(0), exact(HALF_PI - seam) ** 2, count + 2, 2)
+        return sample(lambda w: rest(w.sqrt(), at(w)), lambda w: w.sqrt() ** power / at(w), points)
+
+
+def _line(name: str, slope: Fraction, line: float | None = None) -> tuple[float, float, arb]:
+    """The line slope alpha + `line`, a multiple of 2**-53 so that alpha in [pi/4, pi/2] makes no rounding error; what F
+    at the end has beyond it; and the two together at the end.
+    """
+    end = exact(slope) * exact(HALF_PI)
+    beyond = value(name, exact(HALF_PI)) - end
+    line = nearest((beyond * 2**53 + exact(0.5)).floor()) / 2**53 if line is None else line
+    constant = nearest(beyond - exact(line))
+    return line, constant, (end + exact(line) + exact(constant)).mid()
+
+
+def _logarithmic(
+    name: str, rest: Callable[[arb, arb], arb], power: int, seam: float, degree: int, scale: float
+) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """R and Q of b**power (R(b**2) + Q(b**2) ln(scale b)), fitted together; with Q rounded, R again."""
+    samples = _far(name, rest, power, seam, 2 * degree)
+    with ctx.workprec(_GUARD):
+        logs = [(exact(scale) * w.sqrt()).log() for w in samples.points]
+        q = tuple(map(nearest, minimax(samples, degree, logs=(logs, degree))[1]))
+        terms = zip(samples.points, samples.values, logs, strict=True)
+        left = [(f - horner([exact(c) for c in q], w) * l).mid() for w, f, l in terms]
+    return rounded(Samples(samples.points, left, samples.weights), degree, careful=1), q
+
+
+@cache
+def polar_fit(seam: float, degree: int) -> tuple[float, float, tuple[float, ...], tuple[float, ...]]:
+    """I_p* = (alpha + line) + (constant + b**3 (R + Q ln b))."""
+    with ctx.workprec(_GUARD):
+        line, constant, straight = _line("polar_moment", Fraction(1))
+    return line, constant, *_logarithmic(
+        "polar_moment", lambda b, f: (f - straight + b) / b**3, 3, seam, degree, 1.0
+    )  # fmt: skip
+
+
+@cache
+def radial_fit(seam: float, degree: int) -> tuple[float, tuple[float, ...], tuple[float, ...]]:
+    """C_r = (1 - b) + (b (1 - bend b) + b**2 (R + Q ln 2 b)), with a bend that leaves little where C_r is a half."""
+    bend = 1.875
+    return bend, *_logarithmic(
+        "radial_weight_amplitude", lambda b, f: (f - 1) / b**2 + exact(bend), 2, seam, degree, 2.0
+    )  # fmt: skip
+
+
+@cache
+def inertia_fit(seam: float, degree: int) -> tuple[float, float, tuple[float, ...]]:
+    """Theta* = (alpha/2 + line) + (constant + b E(b**2)), with a line that leaves little where Theta* is below 1/2."""
+    with ctx.workprec(_GUARD):
+        line, constant, straight = _line("moment_of_inertia", Fraction(1, 2), -15 / 128)
+    samples = _far("moment_of_inertia", lambda b, f: (f - straight + b / 2) / b, 1, seam, degree)
+    return line, constant, rounded(samples, degree, careful=3)
+
+
+@cache
+def weight_fit(seam: float, degree: int) -> tuple[float, float, float, tuple[float, ...]]:
+    """C_theta = (alpha/2 + line) + (constant + tilt b + b (1/2 - b) + b**4 E(b**2)), tilt = -2 (pi/2 - fl(pi/2))."""
+    name = "weight_moment_amplitude"
+    with ctx.workprec(_GUARD):
+        line, constant, straight = _line(name, Fraction(1, 2))
+        tilt = nearest(2 * exact(HALF_PI) - arb.pi())
+    samples = _far(name, lambda b, f: (f - straight - exact(tilt) * b + b * b) / b**4, 4, seam, degree)
+    return line, constant, tilt, rounded(samples, degree, careful=2)
