@@ -130,11 +130,11 @@ def near_sum(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[P
     p1 = code.fma(p2, u, code.const(c[0]))
     w = code.fma(p1, u, code.const(c0))
     low = code.fma(p1, u, code.sub(code.const(c0), w))
-    # u W' = W - c0 + u (P1 - c1), but for u**2 P2' u, which is small
+    turn = code.sub(code.const(c[0]), p1)
+    low = code.fma(u, code.fma(p2, u, turn), code.add(low, code.const(c0_low)) if c0_low else low)
+    # u W' is nearly W - c0 + u (P1 - c1), whose last part is small where W stays close to 1
     slope = code.fma(code.const(2.0), w, code.const(-c0))
-    if c0_low:  # else the limit is 1: W lies close to it, and P1's rounding does not matter
-        turn = code.sub(code.const(c[0]), p1)
-        low = code.fma(u, code.fma(p2, u, turn), code.add(low, code.const(c0_low)))
+    if c0_low:
         slope = code.fma(code.neg(u), turn, slope)
     return Pair(w, low), slope, p1
 
