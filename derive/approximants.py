@@ -113,17 +113,19 @@ class Code:
 # --- pieces --------------------------------------------------------------------------------------------------------
 
 
-def excess(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[int, int]:
-    """Plain: W as (a simple number) + q. The rounded 2/3 alone would lean to one side."""
-    limit = LIMIT[name]
-    simple = Fraction(1) if limit == 1 else Fraction(1, 2)
-    q = code.mul(code.horner(u, near_fit(name, seam, degree)), u)
-    return code.const(float(simple)), q if limit == simple else code.add(q, code.const(float(limit - simple)))
+def excess(code: Code, u: int, name: str, seam: float, degree: int) -> int:
+    """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
+    return code.mul(code.horner(u, near_fit(name, seam, degree, Fraction(1))), u)
+
+
+def to_limit(code: Code, name: str, w: int) -> int:
+    """w times 1 or 2/3, rounded once."""
+    return w if LIMIT[name] == 1 else code.put("div", w, code.const(float(1 / LIMIT[name])))
 
 
 def near_sum(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[Pair, int, int]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
-    c = near_fit(name, seam, degree)
+    c = near_fit(name, seam, degree, LIMIT[name])
     c0 = float(LIMIT[name])
     c0_low = float(LIMIT[name] - Fraction(c0))
     p2 = code.horner(u, c[1:])
@@ -154,8 +156,7 @@ def near_value(code: Code, x: int, name: str, seam: float, degree: int) -> int:
         h = near(code, x, name, seam, degree)
         return code.fma(x, h.high, code.mul(x, h.low))
     u = code.mul(x, x)
-    simple, q = excess(code, u, name, seam, degree)
-    return code.mul(code.fma(u, q, u if LIMIT[name] == 1 else code.mul(u, simple)), x)
+    return code.mul(to_limit(code, name, code.fma(u, excess(code, u, name, seam, degree), u)), x)
 
 
 def logarithm(code: Code, b: int) -> int:
@@ -227,7 +228,7 @@ SHAPES = {
     "polar_moment": (0.95, 13, 5),
     "moment_of_inertia": (1.0, 11, 9),
     "radial_weight_amplitude": (1.03, 16, 5),
-    "weight_moment_amplitude": (1.14, 10, 5),
+    "weight_moment_amplitude": (1.14, 10, 6),
     "resistance_factor": (HALF_PI, 8, 0),
 }
 
@@ -247,10 +248,10 @@ def best(name: str, form: str) -> Program:
 
 
 def whole(code: Code, x: int, name: str) -> Program:
-    """F = x u W, W one polynomial in u - 3/2: half the operations of two pieces, where a few ulp are allowed."""
-    u = code.mul(x, x)
-    w = code.horner(code.sub(u, code.const(1.5)), whole_fit(name, 11))
-    return code.program(name, code.mul(code.mul(u, w), x))
+    """2/3 x u W, W one polynomial in u - centre: half the operations of two pieces, where a few ulp are allowed."""
+    u, centre = code.mul(x, x), 1.5
+    w = code.horner(code.sub(u, code.const(centre)), whole_fit(name, 11, centre))
+    return code.program(name, code.mul(to_limit(code, name, code.mul(u, w)), x))
 
 
 # Seam of both parts; numerator's and denominator's coefficients near and degrees far.
@@ -269,9 +270,12 @@ def quotient(name: str, form: str) -> Program:
     seam, *degrees = QUOTIENT_SHAPES[name]
     code = Code(form)
     x = code.put("input", value="alpha")
-    over, under = (part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
     if not code.fused:
-        return code.program(name, code.put("div", over.high, under.high))
+        top, bottom = (plain_part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
+        if LIMIT[parts[0]] != LIMIT[parts[1]]:
+            top = code.below(x, seam, to_limit(code, parts[0], top), top)
+        return code.program(name, code.put("div", top, bottom))
+    over, under = (part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
     inverse = code.put("div", code.const(1.0), under.high)
     q = code.mul(over.high, inverse)
     missed = code.add(code.fma(code.neg(q), under.high, over.high), over.low)
@@ -279,26 +283,29 @@ def quotient(name: str, form: str) -> Program:
 
 
 def part(code: Code, x: int, name: str, seam: float, degree: int, far_degree: int) -> Pair:
-    """W below the seam, F above it; what is lost in `low`, fused."""
-    end = HALF_PI if name == "resistance_factor" else seam
+    """W below the seam, F above it; what is lost in `low`."""
+    end = seam if far_degree else HALF_PI
     u = code.mul(x, x)
-    if code.fused:
-        w, _, p1 = near_sum(code, u, name, end, degree)
-        near_pair = Pair(w.high, code.fma(code.fma(x, x, code.neg(u)), p1, w.low))
-    else:
-        simple, q = excess(code, u, name, end, degree)
-        near_pair = Pair(code.add(q, simple), code.const(0.0))
+    w, _, p1 = near_sum(code, u, name, end, degree)
+    w = Pair(w.high, code.fma(code.fma(x, x, code.neg(u)), p1, w.low))
     if far_degree:
         far = FAR[name](code, x, seam, far_degree)
         total = code.add(far.high, far.low)
-        lost = code.sub(far.low, code.sub(total, far.high)) if code.fused else near_pair.low
-    elif code.fused:
+        lost = code.sub(far.low, code.sub(total, far.high))
+    else:
         h = near(code, x, name, end, degree)
         total = code.mul(x, h.high)
         lost = code.fma(x, h.low, code.fma(x, h.high, code.neg(total)))
-    else:
-        total, lost = near_value(code, x, name, end, degree), near_pair.low
-    return Pair(code.below(x, seam, near_pair.high, total), code.below(x, seam, near_pair.low, lost))
+    return Pair(code.below(x, seam, w.high, total), code.below(x, seam, w.low, lost))
+
+
+def plain_part(code: Code, x: int, name: str, seam: float, degree: int, far_degree: int) -> int:
+    """W below the seam, but for its limit, F above it."""
+    w = code.add(code.const(1.0), excess(code, code.mul(x, x), name, seam if far_degree else HALF_PI, degree))
+    if not far_degree:
+        return code.below(x, seam, w, near_value(code, x, name, HALF_PI, degree))
+    far = FAR[name](code, x, seam, far_degree)
+    return code.below(x, seam, w, code.add(far.high, far.low))
 
 
 # --- cheaper tiers -------------------------------------------------------------------------------------------------

@@ -186,29 +186,33 @@ HALF_PI = float.fromhex("0x1.921fb54442d18p+0")  # the double nearest to pi/2, b
 LIMIT = dict.fromkeys(REDUCED, Fraction(2, 3)) | {"resistance_factor": Fraction(1)}  # of F/alpha**3 at 0
 
 
-def reduced(name: str) -> Function:
-    """F/alpha**3 as a function of alpha**2."""
-    return lambda u: value(name, u.sqrt()) / (u * u.sqrt())
+def scaled(name: str, limit: Fraction) -> Function:
+    """F/alpha**3 as a function of alpha**2, times what makes `limit` its limit at 0."""
+    factor = limit / LIMIT[name]
+    return lambda u: exact(factor) * value(name, u.sqrt()) / (u * u.sqrt())
 
 
 @cache
-def near_fit(name: str, seam: float, count: int) -> tuple[float, ...]:
-    """c1, c2, ... of (F/alpha**3 - its limit)/alpha**2 in alpha**2, for the least relative error of F up to a seam."""
+def near_fit(name: str, seam: float, count: int, limit: Fraction) -> tuple[float, ...]:
+    """c1, c2, ... of W = limit + u (c1 + u (c2 + ...)), u = alpha**2: F/alpha**3, or its multiple with that limit at 0.
+
+    For the least relative error up to the seam.
+    """
     with ctx.workprec(_GUARD):
-        function = reduced(name)
+        function = scaled(name, limit)
         points = grid(arb(0), exact(seam) ** 2, count)
-        samples = sample(function, lambda u: 1 / function(u), points).without(exact(LIMIT[name]))
+        samples = sample(function, lambda u: 1 / function(u), points).without(exact(limit))
     return rounded(samples, count - 1, careful=3)
 
 
 @cache
-def whole_fit(name: str, degree: int) -> tuple[float, ...]:
-    """F/alpha**3 in alpha**2 - 3/2."""
-    function = reduced(name)
+def whole_fit(name: str, degree: int, centre: float) -> tuple[float, ...]:
+    """The multiple of F/alpha**3 that is 1 at 0, in alpha**2 - centre."""
     with ctx.workprec(_GUARD):
+        function = scaled(name, Fraction(1))
         points = grid(arb(0), (arb.pi() / 2) ** 2, degree + 1)
         samples = sample(function, lambda u: 1 / function(u), points)
-        samples.points = [(u - exact(1.5)).mid() for u in points]
+        samples.points = [(u - exact(centre)).mid() for u in points]
     return tuple(map(nearest, minimax(samples, degree)[0]))
 
 
@@ -224,7 +228,7 @@ def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
 @cache
 def cheap_fit(name: str, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Numerator and denominator of F/alpha**3: a polynomial in alpha**2, or a rational in pi**2/4 - alpha**2."""
-    function = reduced(name)
+    function = scaled(name, LIMIT[name])
     with ctx.workprec(_GUARD):
         largest = (arb.pi() / 2) ** 2
         at: Function = (lambda w: largest - w) if below else (lambda u: u)

@@ -117,12 +117,11 @@ def test_end(v: Variant) -> None:
 
 @each_best
 def test_tiny_angles_underflow_to_the_rounded_value(v: Variant) -> None:
-    """To within one spacing of the subnormal numbers, rounded once or, plain, twice; and no NaN, no infinity."""
+    """To the nearest subnormal number or nearly so, as only the last product can underflow; no NaN, no infinity."""
     with np.errstate(over="raise", invalid="raise", divide="raise"):
         values = run(v, TINY)
-    limit = 1.0 if v.kernel in ("resistance_factor", *QUOTIENT_SHAPES) else 0.75
     for value, x in zip(values.tolist(), TINY.tolist(), strict=True):
-        assert oracle.ulps(value, oracle.kernel(v.kernel, x)) <= limit
+        assert oracle.ulps(value, oracle.kernel(v.kernel, x)) <= 0.6
 
 
 @pytest.mark.parametrize("name", SHAPES)
@@ -154,7 +153,7 @@ def test_what_there_is() -> None:
     for v in found:
         assert any(op.value == "log" for op in v.program.ops) == (v.form == "numpy")
         assert any(op.kind == "fma" for op in v.program.ops) == (v.form == "fused")
-        assert v.program.operations()["div"] <= 1 + (v.kernel in QUOTIENT_SHAPES)
+        assert v.program.operations()["div"] <= (3 if v.tier == "best" else 1)
 
 
 def test_multiply_add_is_rounded_once() -> None:
