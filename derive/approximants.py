@@ -18,8 +18,8 @@ from derive.fit import (
     near_fit,
     polar_fit,
     radial_fit,
+    weight_even_fit,
     weight_fit,
-    whole_fit,
 )
 from derive.program import Kind, Op, Program
 from derive.quantities import QUOTIENTS
@@ -204,10 +204,13 @@ def inertia_far(code: Code, x: int, seam: float, degree: int) -> Pair:
 
 
 def weight_far(code: Code, x: int, seam: float, degree: int) -> Pair:
-    """(alpha/2 + line) + (constant + tilt b + b (1/2 - b) + b**4 E(b**2))."""
-    line, constant, tilt, e = weight_fit(seam, degree)
+    """(alpha/2 + line) + (constant + tilt b + b (1/2 - b) + b**4 E(b**2)); plain simply c0 + b**2 E(b**2)."""
     b = code.sub(code.const(HALF_PI), x)
     w = code.mul(b, b)
+    if not code.fused:
+        c0, *others = weight_even_fit(seam, degree + 2)
+        return Pair(code.const(c0), code.mul(w, code.horner(w, others)))
+    line, constant, tilt, e = weight_fit(seam, degree)
     bend = code.fma(code.mul(w, w), code.horner(w, e), code.fma(b, code.const(tilt), code.const(constant)))
     bend = code.fma(b, code.sub(code.const(0.5), b), bend)
     return Pair(code.add(code.mul(code.const(0.5), x), code.const(line)), bend)
@@ -237,21 +240,12 @@ def best(name: str, form: str) -> Program:
     """A base quantity, to the last place or nearly so."""
     code = Code(form)
     x = code.put("input", value="alpha")
-    if name == "weight_moment_amplitude" and not code.fused:
-        return whole(code, x, name)
     seam, degree, far_degree = SHAPES[name]
     value = near_value(code, x, name, seam, degree)
     if far_degree:
         far = FAR[name](code, x, seam, far_degree)
         value = code.below(x, seam, value, code.add(far.high, far.low))
     return code.program(name, value)
-
-
-def whole(code: Code, x: int, name: str) -> Program:
-    """2/3 x u W, W one polynomial in u - centre: half the operations of two pieces, where a few ulp are allowed."""
-    u, centre = code.mul(x, x), 1.5
-    w = code.horner(code.sub(u, code.const(centre)), whole_fit(name, 11, centre))
-    return code.program(name, code.mul(to_limit(code, name, code.mul(u, w)), x))
 
 
 # Seam of both parts; numerator's and denominator's coefficients near and degrees far.

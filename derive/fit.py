@@ -206,17 +206,6 @@ def near_fit(name: str, seam: float, count: int, limit: Fraction) -> tuple[float
 
 
 @cache
-def whole_fit(name: str, degree: int, centre: float) -> tuple[float, ...]:
-    """The multiple of F/alpha**3 that is 1 at 0, in alpha**2 - centre."""
-    with ctx.workprec(_GUARD):
-        function = scaled(name, Fraction(1))
-        points = grid(arb(0), (arb.pi() / 2) ** 2, degree + 1)
-        samples = sample(function, lambda u: 1 / function(u), points)
-        samples.points = [(u - exact(centre)).mid() for u in points]
-    return tuple(map(nearest, minimax(samples, degree)[0]))
-
-
-@cache
 def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
     """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
     with ctx.workprec(_GUARD):
@@ -310,3 +299,9 @@ def weight_fit(seam: float, degree: int) -> tuple[float, float, float, tuple[flo
         tilt = nearest(2 * exact(HALF_PI) - arb.pi())
     samples = _far(name, lambda b, f: (f - straight - exact(tilt) * b + b * b) / b**4, 4, seam, degree)
     return line, constant, tilt, rounded(samples, degree, careful=2)
+
+
+@cache
+def weight_even_fit(seam: float, degree: int) -> tuple[float, ...]:
+    """C_theta in b**2."""
+    return rounded(_far("weight_moment_amplitude", lambda b, f: f, 0, seam, degree), degree, careful=2)
