@@ -56,6 +56,7 @@ class Code:
 
     @property
     def fused(self) -> bool:
+        """Whether multiply-adds are one operation."""
         return self.form == "fused"
 
     def put(self, kind: Kind, *args: int, value: str | float | None = None) -> int:
@@ -89,12 +90,14 @@ class Code:
         return self.sub(product, last.args[0]) if last.kind == "neg" else self.add(product, c)
 
     def horner(self, x: int, coefficients: Sequence[float]) -> int:
+        """The polynomial with these coefficients, lowest first."""
         result = self.const(coefficients[-1])
         for c in reversed(coefficients[:-1]):
             result = self.fma(result, x, self.const(c))
         return result
 
     def below(self, x: int, seam: float, near: int, far: int) -> int:
+        """`near` where x < seam, else `far`."""
         return self.put("select", self.put("less", x, self.const(seam)), near, far)
 
     def program(self, name: str, output: int) -> Program:
