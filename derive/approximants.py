@@ -96,6 +96,11 @@ class Code:
             result = self.fma(result, x, self.const(c))
         return result
 
+    def halves(self, x: int, coefficients: Sequence[float]) -> int:
+        """The same as its even and its odd part: for one product more half as many operations wait for each other."""
+        y = self.mul(x, x)
+        return self.fma(x, self.horner(y, coefficients[1::2]), self.horner(y, coefficients[::2]))
+
     def below(self, x: int, seam: float, near: int, far: int) -> int:
         """`near` where x < seam, else `far`."""
         return self.put("select", self.put("less", x, self.const(seam)), near, far)
@@ -131,7 +136,7 @@ def near_sum(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[P
     c = near_fit(name, seam, degree, LIMIT[name])
     c0 = float(LIMIT[name])
     c0_low = float(LIMIT[name] - Fraction(c0))
-    p2 = code.horner(u, c[1:])
+    p2 = code.fma(u, code.halves(u, c[2:]), code.const(c[1]))
     p1 = code.fma(p2, u, code.const(c[0]))
     w = code.fma(p1, u, code.const(c0))
     low = code.fma(p1, u, code.sub(code.const(c0), w))
