@@ -5,9 +5,9 @@ The proof itself is the checker's (`derive.certify`), which reads the records ma
 
 import itertools
 import json
-import math
 from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
+from decimal import ROUND_CEILING, Context
 
 import numpy as np
 from flint import arb, ctx
@@ -34,9 +34,7 @@ def plain(variant: Variant) -> Record:
 
 def round_up(x: float) -> float:
     """To three significant digits."""
-    digits = 2 - math.floor(math.log10(x)) if x else 0
-    rounded = round(x, digits)
-    return rounded if rounded >= x else round(x + 10.0**-digits, digits)
+    return float(Context(prec=3, rounding=ROUND_CEILING).create_decimal_from_float(x))
 
 
 def certified(variant: Variant) -> Record:
