@@ -51,7 +51,7 @@ def test_the_naive_form_fails_at_each(results: list[Result]) -> None:
 
 
 def test_the_printed_numbers_are_those_of_the_tests(results: list[Result]) -> None:
-    """The table's own reference, the closed form at many digits, agrees with the independent one; ours is what NumPy runs."""
+    """The table's own reference, the closed form at many digits, agrees with the independent one; NumPy runs ours."""
     for x in results:
         if x.case.function in oracle.BASE or x.case.function in oracle.QUOTIENTS:
             in_numpy = _compiled.kernel(x.case.function, kernels.TEXTS[x.case.function], "numpy")
