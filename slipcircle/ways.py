@@ -65,8 +65,28 @@ class Subject:
 
 
 def variants(name: str) -> list[Way]:
-    """Each tier of a kernel in each form, with what is proved of it."""
-    return []
+    """Each tier of a kernel as fused loops, plain loops and NumPy, with what is proved of it.
+
+    Of the levels that this processor can run, the fastest with fused operations and the fastest without count.
+    """
+    try:
+        from generated import _compiled, tiers
+    except ImportError:
+        return []
+    levels = {form: level for level, (form, _) in reversed(_compiled.LEVELS.items())}
+    found = []
+    for tier in kernels.TEXTS[name]:
+        for form, words in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")):
+            if form not in levels:
+                continue
+            bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
+            bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
+            call = _compiled.kernel(name, kernels.TEXTS[name], levels[form])
+            # A tier is asked for by its own bound: the cheapest that meets it is itself.
+            way = partial(call, where=True, accuracy=bound if tier in ("1e-10", "1e-6") else None)
+            kind = "float32" if tier == "float32" else "float64"
+            found.append(Way(f"{tier}, {words}", way, way, kind, bound, ulp, ours=True))
+    return found
 
 
 # --- the paper's forms, over any arithmetic m that has sin, cos, tan, log, atanh and pi ----------------------------
