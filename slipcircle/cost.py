@@ -6,7 +6,6 @@ one function are timed in turns, so that what disturbs the machine disturbs all 
 
 import csv
 import platform
-import statistics
 import textwrap
 import time
 import tracemalloc
@@ -31,8 +30,8 @@ FRONTIER, LOST = "frontier", "beaten: "
 NAMES = [*FUNCTIONS, *solvercost.SOLVERS]
 NOTES = f"""\
 proved: bound over the whole domain, rounding included. seen: worst relative error. ulp: worst error in
-units of the last place of the row's format. at: where. N=: ns an element, medians of up to {REPEATS} runs in
-turns, into a given array where the way can; ~ fewer elements (of dblquad and mpmath also errors).
+units of the last place of the row's format. at: where. N=: ns an element, the fastest of up to {REPEATS} turns,
+into a given array where the way can; ~ fewer elements (of dblquad and mpmath also errors).
 B: bytes an element besides argument and result. saves: times cheaper than the next more accurate on the
 frontier. beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.
 no digit: an error of 1 or more somewhere; returning 0 is as accurate."""
@@ -61,7 +60,7 @@ class Row:
     worst_input, worst_input_ulp
         Where.
     ns_1, ns_1e4, ns_1e6
-        Median time of an element, ns, with N elements in a call.
+        Time of an element, ns, with N elements in a call: the fastest of several turns.
     elements
         How many elements the last of them was measured on; fewer than N for slow ways.
     memory
@@ -147,7 +146,7 @@ def _solvers(name: str, progress: TextIO | None) -> list[Row]:
     for (way, work), seconds in zip(works.items(), interleaved(list(works.values())), strict=True):
         error = max(abs(v / e - 1) if e else abs(v) for v, e in zip(work(), exact, strict=True))
         memory = _memory(work, 1)
-        rows.append(Row(name, way, error, (), seconds * 1e9, memory=memory, ours=way.startswith("slipcircle")))
+        rows.append(Row(name, way, error, (), min(seconds) * 1e9, memory=memory, ours=way.startswith("slipcircle")))
     return rows
 
 
@@ -192,7 +191,7 @@ def _times(subject: Subject) -> list[list[tuple[float, int]]]:
         counts = [_fitting(way, size, sofar) for way, sofar in zip(subject.ways, found, strict=True)]
         works = [_work(w, arguments, n) for w, n in zip(subject.ways, counts, strict=True)]
         for sofar, count, seconds in zip(found, counts, interleaved(works), strict=True):
-            sofar.append((seconds / count * 1e9, count))
+            sofar.append((min(seconds) / count * 1e9, count))  # what else runs here only adds
     return found
 
 
@@ -217,20 +216,20 @@ def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
     return partial(way.into, *rows, np.empty_like(rows[0])) if way.into else partial(way.function, *rows)
 
 
-def interleaved(works: Sequence[Callable[[], object]]) -> list[float]:
-    """Median seconds of each piece of work, all of them timed in turns."""
+def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
+    """Seconds that each piece of work took, several times, all of them in turns."""
     plans = []
     for work in works:
         work()
         took = _timed(work, 1)
-        loops = max(1, int(_TICK / max(took, 1e-9)))
+        loops = max(1, int(_TICK / took))
         plans.append((loops, min(REPEATS, max(3, int(_PATIENCE / (took * loops))))))
     samples: list[list[float]] = [[] for _ in works]
     for turn in range(REPEATS):
         for work, (loops, repeats), sample in zip(works, plans, samples, strict=True):
             if turn < repeats:
                 sample.append(_timed(work, loops))
-    return [statistics.median(sample) for sample in samples]
+    return samples
 
 
 def _timed(work: Callable[[], object], loops: int) -> float:
@@ -284,9 +283,11 @@ def verdict(rows: Sequence[Row]) -> str:
     rows = [r for r in rows if r.error == r.error]
     ours, others = [r for r in rows if r.ours], [r for r in rows if not r.ours]
     front = sorted((r for r in rows if r.verdict == FRONTIER), key=lambda r: r.error)
-    lines = ["Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {duration(r.price)})" for r in front) + "."]
+    broken = [r.way for r in rows if r.error > (r.bound or np.inf) or (r.ulp or 0) > (r.bound_ulp or np.inf)]
+    lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
+    lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {duration(r.price)})" for r in front) + ".")
     if not ours or not others:
-        return textwrap.fill(lines[0], WIDTH, subsequent_indent="  ")
+        return _wrapped(lines)
     by = {r.way: r for r in rows}
     lost = [
         f"{r.way} to {winner.way} ({_times_as(r.price / winner.price)} slower)"
@@ -310,6 +311,10 @@ def verdict(rows: Sequence[Row]) -> str:
         f"Faster than anything of ours: {way}, {', '.join(gains)}, with an error of {short(by[way].error)}."
         for way, gains in faster.items()
     ]
+    return _wrapped(lines)
+
+
+def _wrapped(lines: Sequence[str]) -> str:
     return "\n".join(textwrap.fill(line, WIDTH, subsequent_indent="  ") for line in lines)
 
 

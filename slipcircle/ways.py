@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
+from importlib import import_module
 from types import SimpleNamespace
 from typing import Any
 
@@ -13,6 +14,17 @@ from numpy.typing import NDArray
 from generated import kernels, motion, printed
 from slipcircle import reference
 from slipcircle.reference import QUOTIENTS, Floats, Reference
+
+
+def _module(name: str) -> Any:  # until both are generated
+    try:
+        return import_module(name)
+    except ModuleNotFoundError:
+        return None
+
+
+compiled = _module("generated._compiled")
+stable = _module("generated.stable") or kernels
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 MP_DIGITS = (30, 50)
@@ -69,19 +81,17 @@ def variants(name: str) -> list[Way]:
 
     Of the levels that this processor can run, the fastest with fused operations and the fastest without count.
     """
-    try:
-        from generated import _compiled, tiers
-    except ImportError:
+    if compiled is None:
         return []
-    levels = {form: level for level, (form, _) in reversed(_compiled.LEVELS.items())}
-    found = []
-    for tier in kernels.TEXTS[name]:
+    levels = {form: level for level, (form, _) in reversed(compiled.LEVELS.items())}
+    found, texts = [], getattr(kernels, "TEXTS", {})[name]
+    for tier in texts:
         for form, words in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")):
             if form not in levels:
                 continue
-            bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
+            bounds = compiled.BOUNDS.get(name, {}).get(tier, {})
             bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
-            call = _compiled.kernel(name, kernels.TEXTS[name], levels[form])
+            call = compiled.kernel(name, texts, levels[form])
             # A tier is asked for by its own bound: the cheapest that meets it is itself.
             way = partial(call, where=True, accuracy=bound if tier in ("1e-10", "1e-6") else None)
             kind = "float32" if tier == "float32" else "float64"
@@ -200,10 +210,10 @@ def _floor() -> Way:
 
 def kernel(name: str) -> Subject:
     """A moment, weight or quotient of the arc."""
-    way = getattr(kernels, name)
+    half_angle = getattr(stable, name)
     found = [
         *variants(name),
-        Way("half-angle, NumPy", way, into=way, ours=True),
+        Way("half-angle, NumPy", half_angle, into=half_angle),
         Way("printed, float64", partial(_printed, name)),
     ]
     if np.finfo(np.longdouble).nmant > 52:  # on some machines it is float64
@@ -229,7 +239,7 @@ def slide(name: str) -> Subject:
     """A formula of the frozen slide from rest, over drive a, brake b and time t."""
     points = np.array([[0.24, 0.19, 1e-8], [0.24, 0.19, 1e-4], [0.24, 0.19, 2.4], [0.24, 1e-12, 2.4],
                        [0.24, 0.19, 100.0], [0.24, 0.19, 1e4], [1e-12, 0.19, 2.4]]).T  # fmt: skip
-    stable = getattr(motion, f"frozen_centripetal_{name}")
+    from_rest = getattr(motion, f"frozen_centripetal_{name}")
 
     def exact(kind: str) -> Reference:
         mp = multiprecision(90)
@@ -240,7 +250,7 @@ def slide(name: str) -> Subject:
         return MOTION[name](mp, *map(mp.mpf, arguments))
 
     found = [
-        Way("stable, NumPy", lambda a, b, t: stable(a, b, 0.0, t), ours=True),
+        Way("stable, NumPy", lambda a, b, t: from_rest(a, b, 0.0, t), ours=True),
         Way("printed, float64", getattr(printed, name)),
         *(Way(f"mpmath, {n} digits", partial(digits, n), few=40) for n in MP_DIGITS),
     ]
