@@ -5,11 +5,14 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from types import SimpleNamespace
 from typing import Any, TextIO
 
 import numpy as np
 
-from slipcircle.ways import closed, multiprecision
+from generated import kernels
+from slipcircle import arc
+from slipcircle.ways import closed, compiled, multiprecision
 
 ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12)
 SOLVERS = {
@@ -17,6 +20,7 @@ SOLVERS = {
     "closed form in the phase plane": ("vaiont", False),
     "energy equation": ("vaiont", True),  # the same scene, its friction given as a function, so its solution is known
 }
+NEW, NEW_NUMPY = (f"slipcircle, 1e-09, new arc{which}" for which in ("", ", NumPy"))
 Answer = tuple[float, float, float]  # run-out, peak velocity and duration
 
 
@@ -33,11 +37,15 @@ def solutions(name: str, progress: TextIO | None = None) -> tuple[dict[str, Call
     if as_function:
         scene = replace(scene, friction=lambda slip: mu + 0.0 * slip)
 
-    def ours(accuracy: float) -> Answer:
+    def ours(accuracy: float, scene: Scene = scene) -> Answer:
         motion = solve(scene, accuracy)
         return motion.run_out, float(motion.peak.velocity), motion.duration
 
     found: dict[str, Callable[[], Answer]] = {f"slipcircle, {a:.0e}": partial(ours, a) for a in ACCURACIES}
+    # A scene keeps the coefficients of its arc; what the kernels cost shows in a new one.
+    found[NEW] = new = lambda: ours(ACCURACIES[2], replace(scene, arc=replace(scene.arc)))
+    if compiled is not None:
+        found[NEW_NUMPY] = lambda: _in_numpy(new)
     try:
         import scipy.integrate  # noqa: F401
     except ImportError:
@@ -50,14 +58,25 @@ def solutions(name: str, progress: TextIO | None = None) -> tuple[dict[str, Call
     return found, (run_out, peak, time)
 
 
+def _in_numpy(work: Callable[[], Answer]) -> Answer:
+    """Work done with every kernel of alpha in NumPy instead of its compiled loop."""
+    names, before = vars(arc), vars(arc)["kernels"]
+    slow = {name: compiled.kernel(name, texts, "numpy") for name, texts in vars(kernels)["TEXTS"].items()}
+    names["kernels"] = SimpleNamespace(**(vars(kernels) | slow))
+    try:
+        return work()
+    finally:
+        names["kernels"] = before
+
+
 def _integrated(scene: Any, mu: float, method: str, tolerance: float) -> Answer:
     """Run-out, peak velocity and duration by solve_ivp, with events for the peak and the standstill."""
     from scipy.integrate import solve_ivp
 
-    arc, d = scene.arc, scene.arc.dimensionless
-    scale, radius, dip = float(arc.time_scale), float(arc.radius), float(arc.dip)
+    section, d = scene.arc, scene.arc.dimensionless
+    scale, radius, dip = float(section.time_scale), float(section.radius), float(section.dip)
     turns, polar = "rotation" in scene.called, float(d.polar_moment_per_inertia)
-    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
+    weight, radial = (float(x) for x in section.amplitudes_per_inertia)
 
     def rate(_: float, y: Any) -> tuple[float, float]:
         psi = dip - y[0] if turns else dip
@@ -81,15 +100,15 @@ def _integrated(scene: Any, mu: float, method: str, tolerance: float) -> Answer:
 def _reference(scene: Any, mu: float) -> tuple[Any, Any, Any]:
     """The same three numbers at 30 digits, with constant friction, by textbook formulas and adaptive quadrature."""
     mp = multiprecision(40)
-    arc = scene.arc
-    alpha = (mp.mpf(float(arc.theta_2)) - mp.mpf(float(arc.theta_1))) / 2
-    psi = 3 * mp.pi / 2 - (mp.mpf(float(arc.theta_2)) + mp.mpf(float(arc.theta_1))) / 2
+    section = scene.arc
+    alpha = (mp.mpf(float(section.theta_2)) - mp.mpf(float(section.theta_1))) / 2
+    psi = 3 * mp.pi / 2 - (mp.mpf(float(section.theta_2)) + mp.mpf(float(section.theta_1))) / 2
     base = {n: closed(n, mp, alpha) for n in ("polar_moment", "moment_of_inertia", "radial_weight_amplitude",
                                                   "weight_moment_amplitude")}  # fmt: skip
     inertia = base["moment_of_inertia"]
     weight, radial = base["weight_moment_amplitude"] / inertia, mu * base["radial_weight_amplitude"] / inertia
-    brake, radius = mu * base["polar_moment"] / inertia, mp.mpf(float(arc.radius))
-    scale = mp.sqrt(radius / mp.mpf(float(arc.gravity)))
+    brake, radius = mu * base["polar_moment"] / inertia, mp.mpf(float(section.radius))
+    scale = mp.sqrt(radius / mp.mpf(float(section.gravity)))
     if "rotation" not in scene.called:
         drive, end = weight * mp.sin(psi) - radial * mp.cos(psi), mp.mpf(scene.end_time) / scale
         k = mp.sqrt(drive * brake)
