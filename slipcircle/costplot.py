@@ -191,6 +191,8 @@ def _over_alpha(axes: Any, rows: Sequence[Row]) -> None:
 def _spread(figure: Any, place: Any, rows: Sequence[Row]) -> None:
     """A histogram of signed errors for each tier, in ulp, its forms one over the other."""
     tiers = list(dict.fromkeys(r.way.partition(", ")[0] for r in rows if r.ours))
+    if not tiers:
+        return
     for axes, tier in zip(place.subgridspec(len(tiers), 1).subplots(squeeze=False)[:, 0], tiers, strict=True):
         ours = [r for r in rows if r.ours and r.way.partition(", ")[0] == tier]
         reach = 1.05 * max(r.ulp or 0.0 for r in ours)

@@ -44,7 +44,7 @@ def inputs(kind: str = "float64") -> NDArray[Any]:
     found = [
         rng.uniform(0.0, np.pi / 2, size["value"]).astype(kind),
         patterns(2.0**-140 if narrow else _ZERO_BELOW, size["bits"]),
-        patterns(1e-8, size["near 0"]),
+        patterns(1e-16, size["near 0"]),
         (np.pi / 2 - near).astype(kind),
         np.array(_LANDMARKS).astype(kind),
     ]

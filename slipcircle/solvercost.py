@@ -20,7 +20,7 @@ SOLVERS = {
     "closed form in the phase plane": ("vaiont", False),
     "energy equation": ("vaiont", True),  # the same scene, its friction given as a function, so its solution is known
 }
-NEW, NEW_NUMPY = (f"slipcircle, 1e-09, new arc{which}" for which in ("", ", NumPy"))
+NEW, NEW_NUMPY = (f"slipcircle, 1e-09, new arc{which}" for which in ("", ", NumPy kernels"))
 Answer = tuple[float, float, float]  # run-out, peak velocity and duration
 
 
