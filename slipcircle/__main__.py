@@ -107,7 +107,7 @@ def _cost(options: argparse.Namespace) -> None:
         rows = [row for row in found if row.function == name]
         tables.show(*cost.table(rows), title=name, tight=True)
         print(cost.verdict(rows) + "\n")
-    print(f"{cost.NOTES}\n{cost.machine()}.")
+    print(cost.wrapped([*cost.NOTES, f"{cost.machine()}."]))
 
 
 def _info(options: argparse.Namespace) -> None:

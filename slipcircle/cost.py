@@ -25,16 +25,19 @@ SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that
 BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
 REPEATS = 9
 WIDTH = 100  # of tables and text, columns
-_TICK, _PASS, _PATIENCE = 5e-4, 0.2, 0.25  # seconds: shortest thing timed, longest single pass, all repeats of one
+_TICK, _PASS, _PATIENCE = 5e-4, 0.1, 0.08  # seconds: shortest thing timed, longest single pass, all repeats of one
 FRONTIER, LOST = "frontier", "beaten: "
 NAMES = [*FUNCTIONS, *solvercost.SOLVERS]
-NOTES = f"""\
-proved: bound over the whole domain, rounding included. seen: worst relative error. ulp: worst error in
-units of the last place of the row's format. at: where. N=: ns an element, the fastest of up to {REPEATS} turns,
-into a given array where the way can; ~ fewer elements (of dblquad and mpmath also errors).
-B: bytes an element besides argument and result. saves: times cheaper than the next more accurate on the
-frontier. beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.
-no digit: an error of 1 or more somewhere; returning 0 is as accurate."""
+NOTES = (
+    "proved: bound over the whole domain, rounding included. seen: worst relative error; ulp: worst error in units of "
+    "the last place of the row's format; at: where.",
+    f"N=: ns an element, the fastest of up to {REPEATS} turns, into a given array where the way can; ~ on fewer "
+    "elements (of dblquad and mpmath also errors).",
+    "B: bytes an element besides argument and result. saves: times cheaper than the next more "
+    "accurate on the frontier.",
+    f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
+    "no digit: an error of 1 or more somewhere; returning 0 is as accurate.",
+)
 COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "B", "saves", "verdict")
 
 
@@ -290,7 +293,7 @@ def verdict(rows: Sequence[Row]) -> str:
     lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
     lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {duration(r.price)})" for r in front) + ".")
     if not ours or not others:
-        return _wrapped(lines)
+        return wrapped(lines)
     lost = [
         f"{r.way} to {winner.way} ({_times_as(r.price / winner.price)} slower)"
         for r in ours
@@ -316,10 +319,11 @@ def verdict(rows: Sequence[Row]) -> str:
         f"Faster than anything of ours: {way}, {', '.join(gains)}, with an error of {short(by[way].error)}."
         for way, gains in faster.items()
     ]
-    return _wrapped(lines)
+    return wrapped(lines)
 
 
-def _wrapped(lines: Sequence[str]) -> str:
+def wrapped(lines: Sequence[str]) -> str:
+    """Lines, folded to the width of the tables."""
     return "\n".join(textwrap.fill(line, WIDTH, subsequent_indent="  ") for line in lines)
 
 
