@@ -185,7 +185,7 @@ def tiered(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], list[Row]]:
     def measured(spoilt: str = "") -> list[Row]:
         monkeypatch.setattr(ways, "compiled", stand_in(np.vectorize(exactly, otypes=[float]), spoilt))
         monkeypatch.setattr(kernels, "TEXTS", {MEASURED: dict.fromkeys(TIERS)}, raising=False)
-        monkeypatch.setattr(reference, "POINTS", 100)
+        monkeypatch.setattr(reference, "POINTS", 200)
         for cached in (reference.inputs, reference.kernel, reference._balls):
             cached.cache_clear()
         found = cost.measure([MEASURED])
