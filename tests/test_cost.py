@@ -162,7 +162,11 @@ TIERS = {"best": (3e-16, 2.0), "1e-10": (8e-11, None), "1e-6": (7e-7, None), "fl
 def stand_in(exact: Callable[..., Any], spoilt: str = "") -> SimpleNamespace:
     """A module like `generated._compiled`, whose tiers keep what they promise, all but the one that is spoilt."""
 
+    asked: list[str] = []
+
     def kernel(name: str, texts: Any, level: str) -> Callable[..., Any]:
+        asked.append(level)
+
         def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
             x = np.asarray(alpha)
             tier = {8e-11: "1e-10", 7e-7: "1e-6"}[accuracy] if accuracy else "best" if x.dtype == float else "float32"
@@ -177,7 +181,7 @@ def stand_in(exact: Callable[..., Any], spoilt: str = "") -> SimpleNamespace:
 
     levels: Any = {"avx512": ("fused", {}), "avx2": ("fused", {}), "baseline": ("plain", {}), "numpy": ("numpy", {})}
     bounds = {tier: {"fused": bound, "plain": bound} for tier, bound in TIERS.items()}
-    return SimpleNamespace(LEVELS=levels, BOUNDS={MEASURED: bounds}, kernel=kernel)
+    return SimpleNamespace(LEVELS=levels, BOUNDS={MEASURED: bounds}, kernel=kernel, asked=asked)
 
 
 @pytest.fixture
@@ -202,6 +206,7 @@ def exactly(alpha: float) -> float:
 
 def test_tiers_stand_in_three_forms_with_what_is_proved_of_them(tiered: Callable[..., list[Row]]) -> None:
     rows = tiered()
+    assert ways.compiled.asked == ["avx512", "baseline", "numpy"] * len(TIERS)  # the widest of each form
     ours = {r.way: r for r in rows if r.ours}
     assert list(ours) == [f"{tier}, {form}" for tier in TIERS for form in FORMS.values()]
     for way, row in ours.items():
@@ -272,6 +277,16 @@ def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
                 size = max(exact, mpf(2) ** -1022) if against is None else mpf(float(np.spacing(float(exact))))
                 found = float(abs(mpf(str(value) if value.dtype == np.longdouble else float(value)) - exact) / size)
             assert seen == pytest.approx(found, rel=1e-3), (row.way, against)
+
+
+def test_the_worst_is_the_largest_of_either_sign() -> None:
+    exact = reference.kernel(MEASURED)
+    results = exact.nearest + 2 * exact.unit
+    results[700] -= 7 * exact.unit[700]
+    row = cost._seen(Row("f", "w", 0.0, (), 1.0), Way("w", lambda x: results), exact)
+    assert row.ulp == pytest.approx(5, abs=0.51)
+    assert row.worst_input_ulp == (exact.points[0, 700],)
+    assert row.points == len(results)
 
 
 def test_memory_is_what_is_held_besides_argument_and_result() -> None:
