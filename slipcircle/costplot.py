@@ -200,9 +200,9 @@ def _spread(figure: Any, place: Any, rows: Sequence[Row]) -> None:
             assert row.profile is not None
             form = row.way.partition(", ")[2]
             colour, dashes = _FORMS[form]
-            thick = row.profile.points > 1e-8  # thinner arcs all have the error of the first coefficient
-            share, edges = np.histogram(row.profile.ulp[thick], 81, (-reach, reach))
-            axes.stairs(100 * share / thick.sum(), edges, color=colour, ls=dashes, lw=1.4, label=form)
+            inner = np.abs(both_ends(row.profile.points)) < 8  # nearer to an end all have one coefficient's error
+            share, edges = np.histogram(row.profile.ulp[inner], 81, (-reach, reach))
+            axes.stairs(100 * share / inner.sum(), edges, color=colour, ls=dashes, lw=1.4, label=form)
             for sign in (-1, 1):
                 if row.bound_ulp is not None and row.bound_ulp < reach:
                     axes.axvline(sign * row.bound_ulp, color=colour, ls=dashes, lw=0.8)
