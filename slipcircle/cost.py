@@ -17,7 +17,7 @@ from typing import Any, TextIO
 
 import numpy as np
 
-from slipcircle import solvercost
+from slipcircle import solvercost, ways
 from slipcircle.reference import Floats, Reference
 from slipcircle.ways import FLOOR, FUNCTIONS, Subject, Way, multiprecision
 
@@ -423,4 +423,5 @@ def machine() -> str:
             versions.append(f"{name} {version(name)}")
         except PackageNotFoundError:
             versions.append(f"no {name}")
-    return f"{processor}{f' ({flags})' if flags else ''}, {platform.system()}, {', '.join(versions)}"
+    kernels = f"kernels for {', '.join(ways.compiled.LEVELS)}" if ways.compiled else "kernels in NumPy"
+    return f"{processor}{f' ({flags})' if flags else ''}, {platform.system()}, {', '.join(versions)}, {kernels}"

@@ -87,7 +87,8 @@ def variants(name: str) -> list[Way]:
     found, texts = [], getattr(kernels, "TEXTS", {})[name]
     for tier in texts:
         for form, words in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")):
-            if form not in levels:
+            loops = compiled.LEVELS[levels[form]][1] if form in levels else {}
+            if form != "numpy" and name not in loops.get("best" if tier == "float32" else tier, {}):
                 continue
             bounds = compiled.BOUNDS.get(name, {}).get(tier, {})
             bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))

@@ -3,7 +3,7 @@
 import csv
 import io
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -27,17 +27,17 @@ MEASURED = "weight_moment_amplitude"
 FORMS = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
 
 
-@pytest.fixture(autouse=True)
-def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture(scope="module", autouse=True)
+def _quick() -> Iterator[None]:
     """Few elements and few turns: no test is about how long something takes."""
-    monkeypatch.setattr(cost, "SIZES", (1, 50, 400))
-    monkeypatch.setattr(cost, "REPEATS", 2)
-    monkeypatch.setattr(cost, "_TICK", 1e-7)
-    monkeypatch.setattr(cost, "_PATIENCE", 0.0)
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0}.items():
+            patch.setattr(cost, name, value)
+        yield
 
 
-@pytest.fixture
-def rows() -> list[Row]:
+@pytest.fixture(scope="module")
+def rows(_quick: None) -> list[Row]:
     return cost.measure([MEASURED])
 
 
@@ -179,7 +179,9 @@ def stand_in(exact: Callable[..., Any], spoilt: str = "") -> SimpleNamespace:
 
         return call
 
-    levels: Any = {"avx512": ("fused", {}), "avx2": ("fused", {}), "baseline": ("plain", {}), "numpy": ("numpy", {})}
+    loops: dict[str, dict[str, None]] = {tier: {MEASURED: None} for tier in ("best", "1e-10", "1e-6")}
+    levels: Any = {"avx512": ("fused", loops), "avx2": ("fused", loops), "baseline": ("plain", loops)}
+    levels["numpy"] = ("numpy", {})
     bounds = {tier: {"fused": bound, "plain": bound} for tier, bound in TIERS.items()}
     return SimpleNamespace(LEVELS=levels, BOUNDS={MEASURED: bounds}, kernel=kernel, asked=asked)
 
@@ -190,6 +192,8 @@ def tiered(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], list[Row]]:
         monkeypatch.setattr(ways, "compiled", stand_in(np.vectorize(exactly, otypes=[float]), spoilt))
         monkeypatch.setattr(kernels, "TEXTS", {MEASURED: dict.fromkeys(TIERS)}, raising=False)
         monkeypatch.setattr(reference, "POINTS", 200)
+        monkeypatch.setattr(ways, "_RINGS", {})  # no quadrature, and little of mpmath
+        monkeypatch.setattr(ways, "MP_DIGITS", (30,))
         for cached in (reference.inputs, reference.kernel, reference._balls):
             cached.cache_clear()
         found = cost.measure([MEASURED])
@@ -227,6 +231,19 @@ def test_tiers_stand_in_three_forms_with_what_is_proved_of_them(tiered: Callable
         "0.505 ulp",
     )
     assert proved["printed, float64"] == proved["half-angle, NumPy"] == "sampled only"
+
+
+def test_what_is_not_there_is_not_listed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A kernel without compiled loops has NumPy's row alone; a tier without a bound cannot be asked for."""
+    module = stand_in(np.sin)
+    monkeypatch.setattr(ways, "compiled", module)
+    monkeypatch.setattr(
+        kernels, "TEXTS", {MEASURED: {"best": None, "1e-6": None}, "other": {"best": None}}, raising=False
+    )
+    assert [w.name for w in ways.variants("other")] == ["best, NumPy"]
+    assert [w.bound for w in ways.variants("other")] == [None]
+    module.BOUNDS[MEASURED].pop("1e-6")
+    assert [w.name for w in ways.variants(MEASURED)] == ["best, fused", "best, plain C", "best, NumPy"]
 
 
 @pytest.mark.parametrize("tier", ["best", "1e-10", "float32"])
