@@ -291,7 +291,9 @@ def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
             value = np.asarray(way[row.way].function(np.array([alpha], row.kind)))[0]
             with mpmath.workdps(60):
                 exact = digits(oracle.kernel(MEASURED, Fraction(alpha))) if alpha else mpf(0)
-                size = max(exact, mpf(2) ** -1022) if against is None else mpf(float(np.spacing(float(exact))))
+                kind = np.dtype(row.kind).type
+                unit, least = np.spacing(kind(float(exact))), np.finfo(kind).smallest_normal
+                size = mpf(float(unit)) if against else max(exact, mpf(float(least)))
                 found = float(abs(mpf(str(value) if value.dtype == np.longdouble else float(value)) - exact) / size)
             assert seen == pytest.approx(found, rel=1e-3), (row.way, against)
 
