@@ -44,9 +44,13 @@ def plot(rows: Sequence[Row], path: str) -> None:
     kernels = [rows for rows in functions if _sampled(rows)]
     others = [rows for rows in functions if not _sampled(rows)]
     lines = len(kernels) + (len(others) + 2) // 3
-    figure = Figure(figsize=(19, 5.6 * lines), layout="constrained", dpi=100)
+    height = 5.6 * lines  # in
+    figure = Figure(figsize=(19, height), dpi=100)
     FigureCanvasAgg(figure)  # which knows how large a text will be
-    grid = figure.add_gridspec(lines, 3, width_ratios=(1.15, 1.15, 1))
+    grid = figure.add_gridspec(
+        lines, 3, width_ratios=(1.15, 1.15, 1), left=0.045, right=0.99, wspace=0.17, hspace=0.42,
+        bottom=0.65 / height, top=1 - 0.85 / height,
+    )  # fmt: skip
     prices = []
     for line, rows in enumerate(kernels):
         prices.append((figure.add_subplot(grid[line, 0]), rows))
@@ -56,7 +60,7 @@ def plot(rows: Sequence[Row], path: str) -> None:
         prices.append((figure.add_subplot(grid[len(kernels) + k // 3, k % 3]), rows))
     for axes, rows in prices:
         _price(axes, rows)
-    figure.draw_without_rendering()  # lays the panels out, so that names find their places
+    figure.draw_without_rendering()  # so that names find their places
     for axes, rows in prices:
         _name(axes, [r for r in rows if r.error == r.error])
     figure.savefig(path)
@@ -89,9 +93,10 @@ def _price(axes: Any, rows: Sequence[Row]) -> None:
             axes.plot(r.price, r.bound, "_", color=colour, ms=13, mew=2.5, zorder=3)
     styles: list[tuple[str, dict[str, Any]]] = [
         ("ours, worst seen", {"marker": "o", "color": _OURS, "ms": 7}),
-        ("ours, proved bound", {"marker": "_", "color": _OURS, "ms": 13, "mew": 2.5}),
-        ("others, worst seen (arrow: off the axis)", {"marker": "s", "color": _OTHERS, "mfc": "white", "ms": 7}),
+        ("others, worst seen", {"marker": "s", "color": _OTHERS, "mfc": "white", "ms": 7}),
     ]
+    if any(r.bound is not None for r in rows):
+        styles.append(("ours, proved bound", {"marker": "_", "color": _OURS, "ms": 13, "mew": 2.5}))
     for label, style in styles:
         axes.plot([], [], ls="", label=label, **style)
     left = min(r.price for r in rows)
@@ -99,7 +104,7 @@ def _price(axes: Any, rows: Sequence[Row]) -> None:
         axes.axvline(floor.price, color="0.3", ls=":", lw=1.2, label="np.copyto")
         left = min(left, floor.price)
     axes.set(xscale="log", yscale="log", xlim=(left / 3, max(r.price for r in rows) * 30),
-             ylabel="relative error, worst seen or proved",
+             ylabel="worst relative error (arrows: off the axis)",
              ylim=(max(_BEST, min(map(_height, rows)) / 50) / 20, _NONE * 20),
              xlabel=f"time of {'an element at N = 1e4' if rows[0].ns_1e4 else 'a solution'}, ns")  # fmt: skip
     axes.set_yticks([10.0**k for k in range(-18, 1, 3)])
@@ -193,7 +198,9 @@ def _spread(figure: Any, place: Any, rows: Sequence[Row]) -> None:
     tiers = list(dict.fromkeys(r.way.partition(", ")[0] for r in rows if r.ours))
     if not tiers:
         return
-    for axes, tier in zip(place.subgridspec(len(tiers), 1).subplots(squeeze=False)[:, 0], tiers, strict=True):
+    for axes, tier in zip(
+        place.subgridspec(len(tiers), 1, hspace=0.55).subplots(squeeze=False)[:, 0], tiers, strict=True
+    ):
         ours = [r for r in rows if r.ours and r.way.partition(", ")[0] == tier]
         reach = 1.05 * max(r.ulp or 0.0 for r in ours)
         for row in ours:
@@ -206,8 +213,9 @@ def _spread(figure: Any, place: Any, rows: Sequence[Row]) -> None:
             for sign in (-1, 1):
                 if row.bound_ulp is not None and row.bound_ulp < reach:
                     axes.axvline(sign * row.bound_ulp, color=colour, ls=dashes, lw=0.8)
-        axes.set_title(f"{tier}, ulp of {ours[0].kind}", loc="left", fontsize=9.5)
-        axes.set(ylabel="inputs, %", xlim=(-reach, reach))
+        axes.text(0.01, 0.93, f"{tier}, ulp of {ours[0].kind}", transform=axes.transAxes, va="top", fontweight="bold",
+                  bbox={"color": "white", "alpha": 0.8, "pad": 1})  # fmt: skip
+        axes.set(ylabel="inputs, %", xlim=(-reach, reach), ylim=(0, 1.4 * axes.get_ylim()[1]))
         axes.grid(alpha=0.3)
         axes.locator_params(axis="x", nbins=7)
         axes.ticklabel_format(axis="x", style="sci", scilimits=(-3, 4))
