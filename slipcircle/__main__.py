@@ -91,23 +91,23 @@ def _schema(options: argparse.Namespace) -> None:
 
 
 def _cost(options: argparse.Namespace) -> None:
-    from slipcircle import cost
+    from slipcircle import cost, costtext
 
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
-        cost.write_csv(found, options.csv)
+        costtext.write_csv(found, options.csv)
     if options.plot:
         from slipcircle.costplot import plot
 
         plot(found, options.plot)
     if options.json:
-        _print({"machine": cost.machine(), "rows": [cost.record(row) for row in found]})
+        _print({"machine": costtext.machine(), "rows": [costtext.record(row) for row in found]})
         return
     for name in dict.fromkeys(row.function for row in found):
         rows = [row for row in found if row.function == name]
-        tables.show(*cost.table(rows), title=name, tight=True)
-        print(cost.verdict(rows) + "\n")
-    print(cost.wrapped([*cost.NOTES, f"{cost.machine()}."]))
+        tables.show(*costtext.table(rows), title=name, tight=True)
+        print(costtext.verdict(rows) + "\n")
+    print(costtext.wrapped([*costtext.NOTES, f"{costtext.machine()}."]))
 
 
 def _info(options: argparse.Namespace) -> None:

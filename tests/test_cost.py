@@ -18,7 +18,7 @@ import pytest
 from mpmath import mpf
 
 from generated import kernels, printed
-from slipcircle import cost, reference, solvercost, tables, ways
+from slipcircle import cost, costtext, reference, solvercost, tables, ways
 from slipcircle.cost import Row
 from slipcircle.ways import Way
 
@@ -222,8 +222,8 @@ def test_tiers_stand_in_three_forms_with_what_is_proved_of_them(tiered: Callable
         assert row.ulp <= (TIERS[tier][1] or np.inf)
     assert 3e-11 < ours["1e-10, fused"].error < 5e-11
     assert 0.4 < float(ours["float32, fused"].ulp or 0) < 0.502
-    assert "above what is proved" not in cost.verdict(rows)
-    head, cells = cost.table(rows)
+    assert "above what is proved" not in costtext.verdict(rows)
+    head, cells = costtext.table(rows)
     proved = {c[head.index("way")]: c[head.index("proved")] for c in cells}
     assert (proved["best, fused"], proved["1e-10, NumPy"], proved["float32, plain C"]) == (
         "2 ulp",
@@ -248,7 +248,7 @@ def test_what_is_not_there_is_not_listed(monkeypatch: pytest.MonkeyPatch) -> Non
 
 @pytest.mark.parametrize("tier", ["best", "1e-10", "float32"])
 def test_an_error_above_the_bound_is_said_first(tier: str, tiered: Callable[..., list[Row]]) -> None:
-    said = " ".join(cost.verdict(tiered(tier)).split())
+    said = " ".join(costtext.verdict(tiered(tier)).split())
     assert said.startswith("Seen above what is proved, so the proof or the build is wrong: ")
     assert said.partition(".")[0].count(f"{tier}, ") == 3
 
@@ -390,16 +390,16 @@ def test_how_many_times_cheaper_than_the_next_more_accurate() -> None:
 
 
 def test_losses_are_said_as_plainly_as_wins() -> None:
-    said = " ".join(cost.verdict(judged(*RACE)).split())
+    said = " ".join(costtext.verdict(judged(*RACE)).split())
     assert said == (
         "Frontier: exact (1.0e-30, 1 us); our good (1.0e-15, 10 ns); our rough (1.0e-3, 1 ns). "
         "Of ours, these lose: our slow and rough to our rough (50 times slower). "
         "More accurate than our good: exact, slower than exact; the cheapest of them takes 100 times as long. "
         "Faster than anything of ours: fails, 10 times at N=1e4, 10 times at N=1e6, with an error of inf."
     )
-    assert "None of ours is beaten." in cost.verdict(judged(*RACE[:4]))
-    assert "Faster than" not in cost.verdict(judged(*RACE[:4]))
-    assert "ours" not in cost.verdict(judged(*RACE[1:3]))  # nothing to compare with
+    assert "None of ours is beaten." in costtext.verdict(judged(*RACE[:4]))
+    assert "Faster than" not in costtext.verdict(judged(*RACE[:4]))
+    assert "ours" not in costtext.verdict(judged(*RACE[1:3]))  # nothing to compare with
 
 
 def test_a_close_race_is_not_decided() -> None:
@@ -415,7 +415,7 @@ def test_a_close_race_is_not_decided() -> None:
 
 
 def test_the_table_names_who_beats_by_number() -> None:
-    head, cells = cost.table(judged(*RACE))
+    head, cells = costtext.table(judged(*RACE))
     assert head == ["#", "way", "proved", "seen", "N=1", "N=1e4", "N=1e6", "saves", "verdict"]  # the others are empty
     verdict = {c[1]: c[-1] for c in cells}
     assert (verdict["our slow and rough"], verdict["exact"], verdict["fails"]) == ("beaten 3", "frontier", "no digit")
@@ -428,7 +428,7 @@ def test_the_widest_rows_fit(capsys: pytest.CaptureFixture[str]) -> None:
         7.4e306, (1.2e-103,), verdict="beaten: 2", cheaper=2.1e-4,
     )  # fmt: skip
     rows = [*([row] * 11), replace(row, way="2", bound=9.31e-11), replace(row, way="2", bound_ulp=0.981)]
-    tables.show(*cost.table(rows), title="f", tight=True)
+    tables.show(*costtext.table(rows), title="f", tight=True)
     lines = capsys.readouterr().out.splitlines()
     assert max(map(len, lines)) <= 100
     assert len(lines) == 3 + len(rows)  # none is broken
@@ -439,16 +439,16 @@ def test_the_widest_rows_fit(capsys: pytest.CaptureFixture[str]) -> None:
     [(7.66e-17, "7.7e-17"), (1.0, "1.0"), (3.21e15, "3.2e15"), (float("inf"), "inf"), (1e-100, "1.0e-100")],
 )
 def test_short_numbers(x: float, text: str) -> None:
-    assert cost.short(x) == text
+    assert costtext.short(x) == text
 
 
 def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> None:
     failing = Row("f", "w", float("inf"), (0.1 + 0.2,), 1 / 3)
-    text = json.dumps([cost.record(r) for r in (*rows, failing)], allow_nan=False)
+    text = json.dumps([costtext.record(r) for r in (*rows, failing)], allow_nan=False)
     back = json.loads(text)
     assert back[-1] | {"error": None, "worst_input": [0.1 + 0.2], "ns_1": 1 / 3} == back[-1]
     assert "profile" not in back[0]
-    cost.write_csv([*rows, failing], str(tmp_path / "c.csv"))
+    costtext.write_csv([*rows, failing], str(tmp_path / "c.csv"))
     with open(tmp_path / "c.csv", encoding="utf-8", newline="") as file:
         found = list(csv.DictReader(file))
     assert [r["way"] for r in found] == [r.way for r in (*rows, failing)]
