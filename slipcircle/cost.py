@@ -205,6 +205,9 @@ def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
 
 def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
     """Seconds that each piece of work took, several times, all of them in turns."""
+    # glibc gives the heap's top back to the system, and faults every page again, until a large array came and went:
+    # NumPy's expressions take up to three times longer before. Most programs are past that, so this one shall be.
+    np.ones(4_000_000)
     plans = []
     for work in works:
         work()
