@@ -10,8 +10,6 @@ from collections.abc import Sequence
 from dataclasses import asdict
 from typing import Any
 
-import numpy as np
-
 import slipcircle
 from slipcircle import Scene, plan, solve, tables
 from slipcircle.scenefile import shipped
@@ -32,6 +30,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
     cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
+    cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
+    cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
     info = commands.add_parser("info", help="versions and digests of what is installed")
     for command in (run, planned, cost, info):
         command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
@@ -91,17 +91,23 @@ def _schema(options: argparse.Namespace) -> None:
 
 
 def _cost(options: argparse.Namespace) -> None:
-    from slipcircle import cost
+    from slipcircle import cost, costtext
 
-    found = cost.measure(options.functions or [*cost.FUNCTIONS, *cost.SOLVERS], progress=sys.stderr)
+    found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
+    if options.csv:
+        costtext.write_csv(found, options.csv)
+    if options.plot:
+        from slipcircle.costplot import plot
+
+        plot(found, options.plot)
     if options.json:
-        # JSON knows no infinity: the error of a way that fails somewhere is null.
-        rows = [asdict(row) | {"error": row.error if np.isfinite(row.error) else None} for row in found]
-        _print({"machine": cost.machine(), "rows": rows})
+        _print({"machine": costtext.machine(), "rows": [costtext.record(row) for row in found]})
         return
     for name in dict.fromkeys(row.function for row in found):
-        tables.show(cost.COLUMNS, cost.cells([row for row in found if row.function == name]), title=name)
-    print(f"{cost.machine()}.\nbeaten: by that way, which is at least as accurate and over {cost.BEATEN} times faster.")
+        rows = [row for row in found if row.function == name]
+        tables.show(*costtext.table(rows), title=name, tight=True)
+        print(costtext.verdict(rows) + "\n")
+    print(costtext.wrapped([*costtext.NOTES, f"{costtext.machine()}."]))
 
 
 def _info(options: argparse.Namespace) -> None:
