@@ -9,6 +9,7 @@ import tracemalloc
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
+from statistics import median
 from typing import Any, TextIO
 
 import numpy as np
@@ -47,7 +48,7 @@ class Row:
     worst_input, worst_input_ulp
         Where.
     ns_1, ns_1e4, ns_1e6
-        Time of an element, ns, with N elements in a call: the fastest of several turns.
+        Time of an element, ns, with N elements in a call: the median of several turns.
     elements
         How many elements the last of them was measured on; fewer than N for slow ways.
     memory
@@ -133,7 +134,7 @@ def _solvers(name: str, progress: TextIO | None) -> list[Row]:
     for (way, work), seconds in zip(works.items(), interleaved(list(works.values())), strict=True):
         error = max(abs(v / e - 1) if e else abs(v) for v, e in zip(work(), exact, strict=True))
         memory = _memory(work, 1)
-        rows.append(Row(name, way, error, (), min(seconds) * 1e9, memory=memory, ours=way.startswith("slipcircle")))
+        rows.append(Row(name, way, error, (), median(seconds) * 1e9, memory=memory, ours=way.startswith("slipcircle")))
     return rows
 
 
@@ -178,7 +179,7 @@ def _times(subject: Subject) -> list[list[tuple[float, int]]]:
         counts = [_fitting(way, size, sofar) for way, sofar in zip(subject.ways, found, strict=True)]
         works = [_work(w, arguments, n) for w, n in zip(subject.ways, counts, strict=True)]
         for sofar, count, seconds in zip(found, counts, interleaved(works), strict=True):
-            sofar.append((min(seconds) / count * 1e9, count))  # what else runs here only adds
+            sofar.append((median(seconds) / count * 1e9, count))
     return found
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle import ways
+from generated import _compiled
 from slipcircle.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, Row
 from slipcircle.solvercost import NEW, NEW_NUMPY
 
@@ -18,7 +18,7 @@ WIDTH = 100  # of tables and text, columns
 NOTES = (
     "proved: bound over the whole domain, rounding included. seen: worst relative error; ulp: worst error in units of "
     "the last place of the row's format; at: where.",
-    f"N=: ns an element, the fastest of up to {REPEATS} turns, into a given array where the way can; ~ on fewer "
+    f"N=: ns an element, the median of up to {REPEATS} turns, into a given array where the way can; ~ on fewer "
     "elements (of dblquad and mpmath also errors).",
     "B: bytes an element besides argument and result. saves: times cheaper than the next more "
     "accurate on the frontier.",
@@ -167,5 +167,7 @@ def machine() -> str:
             versions.append(f"{name} {version(name)}")
         except PackageNotFoundError:
             versions.append(f"no {name}")
-    kernels = f"kernels for {', '.join(ways.compiled.LEVELS)}" if ways.compiled else "kernels in NumPy"
-    return f"{processor}{f' ({flags})' if flags else ''}, {platform.system()}, {', '.join(versions)}, {kernels}"
+    kernels = ", ".join(_compiled.LEVELS)
+    return (
+        f"{processor}{f' ({flags})' if flags else ''}, {platform.system()}, {', '.join(versions)}, kernels: {kernels}"
+    )

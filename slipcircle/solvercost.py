@@ -10,9 +10,9 @@ from typing import Any, TextIO
 
 import numpy as np
 
-from generated import kernels
+from generated import _compiled, kernels
 from slipcircle import arc
-from slipcircle.ways import closed, compiled, multiprecision
+from slipcircle.ways import closed, multiprecision
 
 ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12)
 SOLVERS = {
@@ -44,7 +44,7 @@ def solutions(name: str, progress: TextIO | None = None) -> tuple[dict[str, Call
     found: dict[str, Callable[[], Answer]] = {f"slipcircle, {a:.0e}": partial(ours, a) for a in ACCURACIES}
     # A scene keeps the coefficients of its arc; what the kernels cost shows in a new one.
     found[NEW] = new = lambda: ours(ACCURACIES[2], replace(scene, arc=replace(scene.arc)))
-    if compiled is not None:
+    if _compiled.LEVEL != "numpy":
         found[NEW_NUMPY] = lambda: _in_numpy(new)
     try:
         import scipy.integrate  # noqa: F401
@@ -61,7 +61,7 @@ def solutions(name: str, progress: TextIO | None = None) -> tuple[dict[str, Call
 def _in_numpy(work: Callable[[], Answer]) -> Answer:
     """Work done with every kernel of alpha in NumPy instead of its compiled loop."""
     names, before = vars(arc), vars(arc)["kernels"]
-    slow = {name: compiled.kernel(name, texts, "numpy") for name, texts in vars(kernels)["TEXTS"].items()}
+    slow = {name: _compiled.kernel(name, texts, "numpy") for name, texts in vars(kernels)["TEXTS"].items()}
     names["kernels"] = SimpleNamespace(**(vars(kernels) | slow))
     try:
         return work()

@@ -4,27 +4,15 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
-from importlib import import_module
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import kernels, motion, printed
+from generated import _compiled, kernels, motion, printed, stable, tiers
 from slipcircle import reference
 from slipcircle.reference import QUOTIENTS, Floats, Reference
-
-
-def _module(name: str) -> Any:  # until both are generated
-    try:
-        return import_module(name)
-    except ModuleNotFoundError:
-        return None
-
-
-compiled = _module("generated._compiled")
-stable = _module("generated.stable") or (kernels if compiled is None else None)
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 MP_DIGITS = (30, 50)
@@ -81,18 +69,16 @@ def variants(name: str) -> list[Way]:
 
     Of the levels that this processor can run, the fastest with fused operations and the fastest without count.
     """
-    if compiled is None:
-        return []
-    levels = {form: level for level, (form, _) in reversed(compiled.LEVELS.items())}
-    found, texts = [], getattr(kernels, "TEXTS", {})[name]
+    levels = {form: level for level, (form, _) in reversed(_compiled.LEVELS.items())}
+    found, texts = [], kernels.TEXTS[name]
     for tier in texts:
         for form, words in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")):
-            loops = compiled.LEVELS[levels[form]][1] if form in levels else {}
+            loops = _compiled.LEVELS[levels[form]][1] if form in levels else {}
             if form != "numpy" and name not in loops.get("best" if tier == "float32" else tier, {}):
                 continue
-            bounds = compiled.BOUNDS.get(name, {}).get(tier, {})
+            bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
             bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
-            call = compiled.kernel(name, texts, levels[form])
+            call = _compiled.kernel(name, texts, levels[form])
             # A cheaper tier is asked for by its own bound: the cheapest that meets it is itself.
             cheaper = tier in ("1e-10", "1e-6")
             if cheaper and bound is None:
@@ -217,10 +203,9 @@ def _floor() -> Way:
 
 def kernel(name: str) -> Subject:
     """A moment, weight or quotient of the arc."""
-    half_angle = getattr(stable, name, None)
     found = [
         *variants(name),
-        *([Way("half-angle, NumPy", half_angle, into=half_angle)] if half_angle else []),
+        Way("half-angle, NumPy", getattr(stable, name)),
         Way("printed, float64", partial(_printed, name)),
     ]
     if np.finfo(np.longdouble).nmant > 52:  # on some machines it is float64
