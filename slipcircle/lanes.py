@@ -1,0 +1,427 @@
+"""A block of scenes as plain arrays, solved at once: one lane a scene, and no lane knows of another.
+
+Lanes of a turning mass go through `slipcircle.swings`, what that does not take through `slipcircle.courses`, frozen
+ones through their closed form in time; the few that lift off, or that need more, through the scalar solver.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from enum import IntEnum
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import balance as functions
+from generated import motion as formulas
+from generated.effects import ARGUMENTS
+from slipcircle.arc import QUANTITIES, Arc
+from slipcircle.balance import bind_lanes
+from slipcircle.courses import Courses, Start
+from slipcircle.phaseplane import EPS
+from slipcircle.scene import bounds
+from slipcircle.swings import swing, workspace
+from slipcircle.uncertainty import ROUNDING
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+LANES = 4096  # at once, so that what they need stays in the cache
+_COURSES = 256  # lanes at once there, where every lane has many points
+_UNIT = ROUNDING * EPS
+_MOST_PHASES = 2000
+
+
+class Status(IntEnum):
+    """What became of a lane."""
+
+    RESTS = 0  #: it moved, and came to rest without turning back
+    STAYS = 1  #: it does not move
+    MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
+    TURNED = 3  #: it turned back at least once, and came to rest
+    ILL_CONDITIONED = 4  #: the estimated error is above the accuracy asked for
+    FAILED = 5  #: no answer, as `solve` of this scene says: NaN
+    INVALID = 6  #: its numbers are no scene: NaN
+
+
+@dataclass(frozen=True)
+class Block:
+    """What became of the lanes of a block: arrays of one length; SI units; signs as in `slipcircle.motion.State`."""
+
+    status: NDArray[np.int8]
+    moves: Mask
+    arrested: Mask
+    duration: Floats
+    rotation: Floats
+    angular_velocity: Floats
+    angular_acceleration: Floats
+    peak_time: Floats
+    peak_rotation: Floats
+    peak_angular_velocity: Floats
+    peak_angular_acceleration: Floats
+    error_estimate: Floats
+
+
+NAMES = tuple(f.name for f in fields(Block))
+NUMBERS = NAMES[3:]
+
+
+def empty(lanes: int) -> Block:
+    """A block to be filled, failed so far."""
+    decided = (np.zeros(lanes, bool) for _ in range(2))
+    return Block(np.full(lanes, Status.FAILED, np.int8), *decided, *(np.full(lanes, np.nan) for _ in NUMBERS))
+
+
+def run(
+    effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, one: Callable[[int], Any], out: Block
+) -> None:
+    """Solve the lanes of a block with constant friction.
+
+    Parameters
+    ----------
+    effects : tuple of str
+        In the order of `generated.effects.EFFECTS`.
+    values : mapping
+        Arrays of the block's length, or numbers: the arc's by name, ``friction``, ``initial_velocity``, ``end_time``
+        (infinite where there is none), and the effects' parameters as ``effect.parameter``.
+    accuracy : float
+        Relative error asked for.
+    one : callable
+        ``one(k)`` solves lane k by itself: a `Motion`, or raises ValueError.
+    out : Block
+        Filled here.
+    """
+    work = workspace(min(len(out.status), LANES))
+    for first in range(0, len(out.status), LANES):
+        part = slice(first, min(first + LANES, len(out.status)))
+        here = {n: v[part] if np.ndim(v) else v for n, v in values.items()}
+        view = Block(*(getattr(out, n)[part] for n in NAMES))
+        with np.errstate(all="ignore"):
+            alone = _Lanes(effects, here, accuracy, view, work).solve()
+        for k in np.flatnonzero(alone):
+            _alone(view, int(k), lambda k=k: one(first + int(k)), accuracy)
+
+
+def _alone(out: Block, k: int, one: Callable[[], Any], accuracy: float) -> None:
+    """Fill a lane from the scalar solver."""
+    try:
+        with np.errstate(under="ignore"):
+            motion = one()
+            end, peak, error = motion.end, motion.peak, motion.error_estimate
+    except ValueError:
+        return
+    arc = motion.plan.scene.arc
+    found = {
+        "moves": motion.moves, "arrested": motion.arrested, "duration": motion.duration,
+        "rotation": end.rotation, "angular_velocity": end.angular_velocity,
+        "angular_acceleration": end.acceleration / arc.radius, "peak_time": peak.time, "peak_rotation": peak.rotation,
+        "peak_angular_velocity": peak.angular_velocity, "peak_angular_acceleration": peak.acceleration / arc.radius,
+        "error_estimate": error,
+    }  # fmt: skip
+    for name, value in found.items():
+        getattr(out, name)[k] = value
+    turned = len({p.direction for p in motion.phases}) > 1
+    status = Status.STAYS if not motion.moves else Status.MOVING if not motion.arrested else Status.RESTS
+    status = Status.TURNED if status == Status.RESTS and turned else status
+    out.status[k] = Status.ILL_CONDITIONED if error > accuracy else status
+
+
+def _pick(value: Any, lanes: Any) -> Any:
+    return value[lanes] if np.ndim(value) else value
+
+
+@dataclass
+class _Going:
+    """Lanes on their way, where a phase begins: which, and all dimensionless, with the doubts of `uncertainty`."""
+
+    lanes: Any  # their indices, or all
+    time: Floats
+    rotation: Floats
+    direction: Floats
+    energy: Floats
+    best: Floats  # time, rotation, omega and its rate where the speed was greatest so far
+    shift: Floats  # error of the rotation, of the time, and the greatest ones of place and speed at a given time
+    late: Floats
+    place: Floats
+    speed: Floats
+    phases: int = 0
+
+    def keep(self, mask: Mask, direction: Floats, rotation: Floats, time: Floats) -> "_Going":
+        """The lanes that turn back, at the standstill."""
+        lanes = np.flatnonzero(mask) if isinstance(self.lanes, slice) else self.lanes[mask]
+        rest = [x[..., mask] for x in (self.best, self.shift, self.late, self.place, self.speed)]
+        at = time[mask], rotation[mask], direction[mask], np.zeros(len(lanes))
+        return _Going(lanes, *at, *rest, self.phases + 1)
+
+
+class _Followed(NamedTuple):
+    """A phase of each lane, dimensionless: up to its standstill, and the state where its time is over before."""
+
+    end: Floats
+    duration: Floats
+    peak: Floats
+    top: Floats
+    peak_time: Floats
+    missing: Floats
+    good: Mask
+    cut: Mask
+    x: Floats
+    energy: Floats
+    rate: Floats
+    first_rate: Floats
+    steep: Floats
+
+
+class _Lanes:
+    """The lanes of a block while they are solved, phase after phase."""
+
+    def __init__(
+        self, effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, out: Block, work: Floats
+    ) -> None:
+        self.values, self.accuracy, self.out, self.work = values, accuracy, out, work
+        self.size = len(out.status)
+        arc = Arc.unchecked(**{n: values[n] for n in (*QUANTITIES, "given") if n in values})
+        self.balance = bind_lanes(effects, arc, values)
+        self.scale, self.radius = arc.time_scale, np.asarray(values["radius"])
+        self.mu = np.asarray(values["friction"], dtype=np.float64)
+        self.omega = values["initial_velocity"] / self.radius * self.scale
+        self.until = np.asarray(values["end_time"] / self.scale)
+        self.water = "pore_pressure" in effects and np.any(np.asarray(values["pore_pressure.pressure"]) > 0.0)
+        self.alone = np.zeros(self.size, bool)
+
+    def solve(self) -> Mask:
+        """Fill the block, and tell which lanes are left to the scalar solver."""
+        n, out, everything = self.size, self.out, slice(None)
+        valid = self._valid()
+        out.status[~valid] = Status.INVALID
+        energy, direction = self.omega * self.omega, np.sign(self.omega)
+        if np.any(energy == 0.0):
+            direction = np.where(energy == 0.0, self._way(everything, None)[0], direction)
+        energy, direction = np.broadcast_to(energy, (n,)), np.broadcast_to(direction, (n,))
+        stays, moves = valid & (direction == 0.0), valid & (direction != 0.0)
+        if np.any(stays):
+            self._stay(stays)
+        lanes = everything if np.all(moves) else np.flatnonzero(moves)
+        energy, direction = energy[lanes], direction[lanes]
+        zero = np.zeros_like(energy)
+        going = _Going(lanes, zero, zero, direction, energy, np.zeros((4, energy.size)), zero, zero, zero, zero)
+        while going.time.size:
+            going = self._phase(going)
+        return self.alone
+
+    def _valid(self) -> Mask:
+        """Lanes whose numbers are a scene; what makes NaN of the coefficients is none either."""
+        good = np.greater(self.values["theta_2"], self.values["theta_1"]) & (self.balance.press > 0.0)
+        good = good & np.isfinite(self.balance.fall)
+        for name, (lower, upper) in bounds(self.values).items():
+            good = good & (np.asarray(self.values[name]) > lower) & (np.asarray(self.values[name]) < upper)
+        return np.broadcast_to(good & (self.until > 0.0), (self.size,))
+
+    # -- the balance
+
+    def _at(self, lanes: Any, rotation: Any, direction: Any) -> dict[str, Any]:
+        """`Balance.position` of arrays, at the start for no rotation."""
+        b = self.balance
+        dip, fall, press = _pick(b.dip, lanes), _pick(b.fall, lanes), _pick(b.press, lanes)
+        limit = _pick(b.static_limit, lanes)
+        slope, rise = _pick(b.weight, lanes) * np.cos(dip), _pick(b.radial, lanes) * np.sin(dip)
+        if b.turns and rotation is not None:
+            cos, sin, tan = np.cos(rotation), np.sin(rotation), np.tan(rotation)
+            limit = (limit - slope / press * tan) / (1.0 + rise / press * tan)
+            fall, slope = fall * cos - slope * sin, slope * cos + fall * sin
+            press, rise, dip = press * cos + rise * sin, rise * cos - press * sin, dip - rotation
+        return {
+            "fall": direction * fall, "press": press, "static_limit": direction * limit, "fall_slope": slope,
+            "press_slope": -direction * rise, "dip": direction * dip,
+        }  # fmt: skip
+
+    def _get(self, what: str, lanes: Any, /, **local: Any) -> Any:
+        """`Balance.get` for some lanes."""
+        name = self.balance.names.get(what)
+        if name is None:
+            return 0.0
+        values = self.balance.values
+        given = [local[a] if a in local else _pick(values[a], lanes) for a in ARGUMENTS[name]]
+        return getattr(functions, name)(*given)
+
+    def _way(self, lanes: Any, rotation: Any) -> tuple[Floats, Floats]:
+        """`solver._way` of arrays, and by how much it was decided."""
+        mu, way, margin = _pick(self.mu, lanes), np.asarray(0.0), np.asarray(np.inf)
+        for side in (-1.0, 1.0):
+            at = self._at(lanes, rotation, side)
+            limit, held = self._get("limit_friction", lanes, **at), self._get("constant", lanes, mu=0.0)
+            lifted = self._get("normal", lanes, **at) <= 0.0
+            way = np.where(np.where(lifted, at["fall"] > held, limit > mu), side, way)
+            margin = np.minimum(margin, np.where(lifted, 0.0, np.abs(limit - mu) / (np.abs(limit) + mu)))
+        return way, margin
+
+    def _drive(self, lanes: Any, at: Mapping[str, Any], mu: Any) -> Any:
+        """`Balance.drive` of arrays."""
+        normal = self._get("normal", lanes, **at)
+        limit = self._get("limit_friction", lanes, **at)
+        drive = self._get("drive", lanes, **at, mu=mu, limit_friction=limit)
+        if not self.water:
+            return drive
+        carried = at["fall"] - self._get("constant", lanes, mu=0.0) - mu * normal
+        return np.where(normal <= 1e-6 * at["press"], carried, drive)
+
+    # -- a phase
+
+    def _stay(self, stays: Mask) -> None:
+        """Lanes that do not move: undecided where the drive is the resistance, to rounding."""
+        out, b, mu = self.out, self.balance, self.mu
+        at = self._at(slice(None), None, np.where(np.less(b.fall, 0.0), -1.0, 1.0))
+        held = self._get("resistance", slice(None), **at, mu=mu, omega_2=0.0)
+        noise = _UNIT * (at["fall"] + mu * at["press"] + held)
+        error = np.broadcast_to(np.where(np.abs(at["fall"] - held) < noise, 1.0, 0.0), (self.size,))[stays]
+        for name in NUMBERS:
+            getattr(out, name)[stays] = 0.0
+        out.arrested[stays], out.error_estimate[stays] = True, error
+        out.status[stays] = np.where(error > self.accuracy, Status.ILL_CONDITIONED, Status.STAYS)
+
+    def _phase(self, g: _Going) -> _Going:
+        """Follow lanes to their next standstill or their end time; which turn back from there."""
+        lanes, b = g.lanes, self.balance
+        at = self._at(lanes, g.rotation if g.phases else None, g.direction)
+        mu, until = _pick(self.mu, lanes), _pick(self.until, lanes)
+        f = (self._turning if b.turns else self._frozen)(lanes, at, mu, g, until)
+        stop = np.where(f.cut, until, g.time + f.duration)
+        if not g.phases and np.any(g.energy > 0.0):
+            omega = np.sqrt(g.energy)
+            g.best = np.stack([0.0 * omega, 0.0 * omega, g.direction * omega, g.direction * f.first_rate])
+        speed, when = np.sqrt(f.top), g.time + f.peak_time
+        higher = (speed > np.abs(g.best[2])) & (when <= stop)
+        summit = when, g.rotation + g.direction * f.peak, g.direction * speed, 0.0 * speed
+        g.best = np.where(higher, summit, g.best) if np.any(g.best[2]) else np.stack(summit) * higher
+        self._doubt(lanes, at, mu, g, f)
+        rotation = g.rotation + g.direction * np.where(f.cut, f.x, f.end)
+        cohesion = _pick(b.values.get("cohesion", 0.0), lanes)
+        never = ~f.cut & np.isinf(until) & (mu == 0.0) & (cohesion == 0.0) & b.turns
+        way, margin = self._way(lanes, rotation if b.turns else None)
+        alone = ~f.good | ~(f.cut | never | (margin >= 1e-9))
+        rests = ~(f.cut | never | alone)
+        turns = rests & (way != 0.0)
+        self.alone[lanes] |= alone | (turns & (g.phases >= _MOST_PHASES))
+        done = ~alone & ~turns & np.isfinite(stop)
+        if np.any(done):
+            self._finish(g, f, done, rests, rotation, stop)
+        return g.keep(turns & (g.phases < _MOST_PHASES), np.broadcast_to(way, stop.shape), rotation, stop)
+
+    def _finish(self, g: _Going, f: _Followed, done: Mask, rests: Mask, rotation: Floats, stop: Floats) -> None:
+        """Write the lanes that are done."""
+        out, scale = self.out, _pick(self.scale, g.lanes)
+        speed = np.where(f.cut, np.sqrt(f.energy), 0.0)
+        state = stop, rotation, g.direction * speed, np.where(f.cut, g.direction * f.rate, 0.0)
+        best = np.where(np.abs(g.best[2]) > speed, g.best, state) if np.any(f.cut) else g.best
+        top = np.maximum(np.abs(best[2]), 1e-300)
+        error = np.maximum(g.place / np.maximum(np.abs(rotation), 1e-300), g.speed / top)
+        error = np.minimum(np.maximum(error, g.late / stop) + _UNIT, 1.0)
+        status = np.where(rests, Status.TURNED if g.phases else Status.RESTS, Status.MOVING)
+        duration = stop * scale
+        if np.any(f.cut):
+            duration = np.where(f.cut, _pick(np.asarray(self.values["end_time"]), g.lanes), duration)
+        found = {
+            "status": np.where(error > self.accuracy, Status.ILL_CONDITIONED, status), "moves": True, "arrested": rests,
+            "duration": duration, "rotation": rotation, "angular_velocity": state[2] / scale,
+            "angular_acceleration": state[3] / scale**2, "peak_time": np.minimum(best[0] * scale, duration),
+            "peak_rotation": best[1], "peak_angular_velocity": best[2] / scale,
+            "peak_angular_acceleration": best[3] / scale**2, "error_estimate": error,
+        }  # fmt: skip
+        whole = isinstance(g.lanes, slice)
+        for name, value in found.items():
+            if whole and np.all(done):
+                getattr(out, name)[:] = value
+            else:
+                lanes = np.flatnonzero(done) if whole else g.lanes[done]
+                getattr(out, name)[lanes] = value if value is True else value[done]
+
+    def _turning(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, until: Any) -> _Followed:
+        """A phase in the phase plane."""
+        get, m = self._get, g.time.size
+        arrays = (
+            g.energy, self._drive(lanes, at, mu), get("tilt", lanes, **at, mu=mu), get("constant", lanes, mu=mu),
+            get("brake", lanes, mu=mu), at["dip"] + np.pi / 2,
+        )  # fmt: skip
+        begin = Start(*(np.ascontiguousarray(np.broadcast_to(x, (m,))) for x in arrays))
+        found = np.full((8, m), np.nan)  # end, duration, peak, top, peak_time, steep, missing, good
+        rest = g.energy == 0.0
+        if np.all(rest):
+            found[:] = s = swing(begin, self.accuracy, self.work)
+        elif np.any(rest):
+            found[:, rest] = swing(Start(*(x[rest] for x in begin)), self.accuracy, self.work)
+        good = found[7] == 1.0
+        cut = good & (g.time + found[1] >= until)
+        x, energy, rate = np.zeros((3, m))
+        needed = np.flatnonzero(~good | cut)
+        for k in range(0, len(needed), _COURSES):
+            some = needed[k : k + _COURSES]
+            c = Courses(self.balance.names["energy"], Start(*(x[some] for x in begin)))
+            found[:, some] = (c.end, c.duration, c.peak, c.top, c.peak_time, c.steep, c.missing, c.good)
+            left = np.broadcast_to(until - g.time, (m,))[some]
+            over = c.good & (c.duration <= left)
+            cut[some] = c.good & ~over
+            if np.any(cut[some]):
+                x[some], energy[some] = c.reach(np.where(over | ~c.good, c.duration / 2, left))
+                rate[some] = c.rates(x[some])[1] / 2
+        good = found[7] == 1.0
+        if self.water:
+            last = begin.drive * 0.0 + self._at(lanes, g.rotation + g.direction * found[0], g.direction)["press"]
+            good &= (get("normal", lanes, press=at["press"]) > 0.0) & (get("normal", lanes, press=last) > 0.0)
+        first = begin.drive - begin.brake * g.energy
+        end, duration, peak, top, peak_time, steep, missing, _ = found
+        return _Followed(end, duration, peak, top, peak_time, missing, good, cut, x, energy, rate, first, steep)
+
+    def _frozen(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, until: Any) -> _Followed:
+        """A phase with d(omega)/dt = a - b omega**2, as in `slipcircle.frozen`."""
+        m, names = g.time.size, self.balance.names
+        a, b, omega = np.broadcast_arrays(self._drive(lanes, at, mu), self._get("brake", lanes, mu=mu), np.sqrt(g.energy))
+        braked = "brake" in names
+        known = (a, b, omega) if braked else (a, omega)
+        stops = a < 0.0
+        safe = (np.where(stops, a, -1.0), *known[1:])
+        time, way = (
+            getattr(formulas, f"_frozen{'_centripetal' if braked else ''}_arrest_{n}") for n in ("time", "rotation")
+        )
+        duration, end = np.where(stops, time(*safe), np.inf), np.where(stops, way(*safe), np.inf)
+        left = np.broadcast_to(until - g.time, (m,))
+        cut = g.time + duration >= until
+        state = getattr(functions, f"frozen{'_braked' if braked else ''}_state")
+        x, speed, rate = np.broadcast_arrays(*state(*known, np.where(cut, left, 0.0)), left)[:3]
+        good = np.isinf(left) | (np.isfinite(x) & np.isfinite(speed))  # never rests, or overflows
+        if self.water:
+            good &= self._get("normal", lanes, press=at["press"]) > 0.0
+        zero = np.zeros(m)
+        return _Followed(
+            end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a
+        )
+
+    def _doubt(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, f: _Followed) -> None:
+        """Carry the doubts through a phase: `uncertainty` with bounds in the place of its sums over the path."""
+        b = self.balance
+        fall, constant = np.abs(at["fall"]), np.abs(self._get("constant", lanes, mu=mu))
+        drive = np.abs(f.first_rate)
+        terms = _UNIT * (fall + constant + mu * np.abs(self._get("normal", lanes, **at)))
+        brake = self._get("brake", lanes, mu=mu)
+        if not b.turns:
+            growth = _UNIT + terms / np.maximum(np.abs(f.steep), 1e-300)
+            x, elapsed = np.where(f.cut, f.x, f.end), np.where(f.cut, _pick(self.until, lanes) - g.time, f.duration)
+            memory = np.where(drive * brake > 0.0, np.minimum(elapsed, 1.0 / np.sqrt(drive * brake)), elapsed)
+            top = np.sqrt(np.maximum(g.energy, f.energy))
+            speed = np.where(f.cut, _UNIT * (top + drive * elapsed) + terms * memory, growth * (top + drive * elapsed))
+            g.place = np.maximum(g.place, np.where(f.cut, speed * elapsed + _UNIT * x, growth * (x + top * elapsed)))
+            g.place, g.speed = g.place + top * g.late, np.maximum(g.speed, speed + drive * g.late)
+            g.late = g.late + np.where(f.cut, 0.0, growth * elapsed)
+            return
+        end, tilt = f.end, np.abs(self._get("tilt", lanes, **at, mu=mu))
+        shift = g.shift + 4 * EPS if g.phases else g.shift
+        moved = terms + shift * (_pick(b.weight, lanes) + mu * _pick(b.radial, lanes))
+        bent = _UNIT * tilt * np.minimum(end, 1.0)
+        own = (2 * terms + bent) * end / f.steep + _UNIT * end
+        top = np.sqrt(f.top)
+        high = (moved + bent) * f.peak / np.maximum(top, 1e-300) + _UNIT * top
+        # E grows from the start at least as twice the drive at first, and from its end as it is steep there.
+        rises = np.maximum(2 * drive, g.energy / end) if np.any(g.energy) else 2 * drive
+        relative = (2 * moved + bent) / rises + 2 * (moved + _UNIT * tilt) / f.steep + f.missing + _UNIT
+        late = f.duration * relative
+        g.place = np.maximum(g.place, own + shift + top * (late + g.late))
+        g.speed = np.maximum(g.speed, high + np.maximum(drive, f.steep) * (late + g.late))
+        g.shift, g.late = shift * 2 * drive / f.steep + own, g.late + late
