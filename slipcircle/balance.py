@@ -131,9 +131,7 @@ def bind(scene: Scene) -> Balance:
     )
 
 
-def bind_lanes(
-    effects: tuple[str, ...], arc: Arc, values: Mapping[str, Any], *, stress: bool = False
-) -> Balance:
+def bind_lanes(effects: tuple[str, ...], arc: Arc, values: Mapping[str, Any], *, stress: bool = False) -> Balance:
     """The balance of lanes, by the same arithmetic: arrays or numbers, and only what their motion asks for."""
     names = COMBINATIONS[effects].functions
     unasked = () if stress else ("effective_stress", "normal_stress")

@@ -29,6 +29,18 @@ class Start(NamedTuple):
     brake: Floats
     furthest: Floats
 
+    def some(self, lanes: NDArray[np.intp]) -> "Start":
+        """Those of some lanes."""
+        return Start(*(x[lanes] for x in self))
+
+    def turned(self, x: Floats) -> "Start":
+        """From a standstill at x."""
+        _, drive, tilt, constant, brake, furthest = self
+        sine, cosine = np.sin(x), np.cos(x)
+        turned = drive * cosine - tilt * sine - 2 * constant * np.sin(x / 2) ** 2
+        tilted = (drive + constant) * sine + tilt * cosine
+        return Start(np.zeros_like(x), turned, tilted, constant, brake, furthest - x)
+
 
 def halley(function: Any, x: Floats, low: Floats, high: Floats, wanted: Mask) -> tuple[Floats, Mask]:
     """`slipcircle.roots.halley` for the wanted lanes at once, and which lanes have settled."""
@@ -180,16 +192,26 @@ class Courses:
         top = np.arcsin(np.sqrt(np.minimum((self.peak - self._origin) / self._span, 1.0))) - self._first
         top = np.where(self.peak > 0.0, np.maximum(top, 0.0), 0.0)
         duration, at_top, missing = np.full((3, len(top)), np.inf)
-        lanes = np.flatnonzero(self.good)
+        unsolved, needed = self.good.copy(), self._needed(whole)
         for coarse, self.points in _RULES:
+            lanes = np.flatnonzero(unsolved & (needed <= coarse))
             one, two = (self._elapsed(s[lanes], coarse, lanes) for s in (whole, top))
             duration[lanes], at_top[lanes] = (self._elapsed(s[lanes], self.points, lanes) for s in (whole, top))
             difference = np.abs(one - duration[lanes]) + np.abs(two - at_top[lanes])
             missing[lanes] = difference / duration[lanes]
-            lanes = lanes[missing[lanes] > 4e-14]
-            if not len(lanes):
+            unsolved[lanes] = ~(missing[lanes] <= 4e-14)
+            if not np.any(unsolved):
                 break
         return duration, at_top, missing
+
+    def _needed(self, whole: Floats) -> Floats:
+        """Points without which two rules may agree and both miss what a strong brake does just after the start."""
+        start, brake = self.begin.start, self.begin.brake
+        rate = np.abs(self.rates(0.0 * start)[1])
+        layer = 0.5 / np.maximum(brake, 1e-300)
+        layer = np.where((start > 0.0) & (self._origin == -self.end), np.minimum(layer, start / rate), layer)
+        first = layer / (self._span * np.sin(2 * self._first) + np.sqrt(layer * self._span))
+        return np.asarray(4 * np.sqrt(whole / first))
 
     def reach(self, time: Floats) -> tuple[Floats, Floats]:
         """x and E at times between the start and the standstill: Newton's method in s, between bounds."""

@@ -7,7 +7,7 @@ ones through their closed form in time; the few that lift off, or that need more
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from enum import IntEnum
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +16,15 @@ from generated import balance as functions
 from generated import motion as formulas
 from generated.effects import ARGUMENTS
 from slipcircle.arc import QUANTITIES, Arc
-from slipcircle.balance import bind_lanes
+from slipcircle.balance import Balance, bind_lanes
 from slipcircle.courses import Courses, Start
 from slipcircle.phaseplane import EPS
 from slipcircle.scene import bounds
-from slipcircle.swings import swing, workspace
+from slipcircle.swings import Swings, workspace
 from slipcircle.uncertainty import ROUNDING
+
+if TYPE_CHECKING:
+    from slipcircle.motion import Motion
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -72,7 +75,7 @@ def empty(lanes: int) -> Block:
 
 
 def run(
-    effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, one: Callable[[int], Any], out: Block
+    effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, one: Callable[[int], "Motion"], out: Block
 ) -> None:
     """Solve the lanes of a block with constant friction.
 
@@ -91,21 +94,31 @@ def run(
         Filled here.
     """
     work = workspace(min(len(out.status), LANES))
+    shared = None  # where it is one for all lanes
+    if not any(np.ndim(v) for n, v in values.items() if n not in ("friction", "initial_velocity", "end_time")):
+        with np.errstate(all="ignore"):
+            shared = _bind(effects, values)
     for first in range(0, len(out.status), LANES):
         part = slice(first, min(first + LANES, len(out.status)))
         here = {n: v[part] if np.ndim(v) else v for n, v in values.items()}
         view = Block(*(getattr(out, n)[part] for n in NAMES))
         with np.errstate(all="ignore"):
-            alone = _Lanes(effects, here, accuracy, view, work).solve()
+            alone = _Lanes(here, shared or _bind(effects, here), accuracy, view, work).solve()
         for k in np.flatnonzero(alone):
-            _alone(view, int(k), lambda k=k: one(first + int(k)), accuracy)
+            fill(out, first + int(k), one, accuracy)
 
 
-def _alone(out: Block, k: int, one: Callable[[], Any], accuracy: float) -> None:
+def _bind(effects: tuple[str, ...], values: Mapping[str, Any]) -> tuple[Balance, Any]:
+    """The balance, and the scale of time."""
+    arc = Arc.unchecked(**{n: values[n] for n in (*QUANTITIES, "given") if n in values})
+    return bind_lanes(effects, arc, values), arc.time_scale
+
+
+def fill(out: Block, k: int, one: Callable[[int], "Motion"], accuracy: float) -> None:
     """Fill a lane from the scalar solver."""
     try:
         with np.errstate(under="ignore"):
-            motion = one()
+            motion = one(k)
             end, peak, error = motion.end, motion.peak, motion.error_estimate
     except ValueError:
         return
@@ -148,9 +161,9 @@ class _Going:
     def keep(self, mask: Mask, direction: Floats, rotation: Floats, time: Floats) -> "_Going":
         """The lanes that turn back, at the standstill."""
         lanes = np.flatnonzero(mask) if isinstance(self.lanes, slice) else self.lanes[mask]
-        rest = [x[..., mask] for x in (self.best, self.shift, self.late, self.place, self.speed)]
-        at = time[mask], rotation[mask], direction[mask], np.zeros(len(lanes))
-        return _Going(lanes, *at, *rest, self.phases + 1)
+        shift, late, place, speed = (x[mask] for x in (self.shift, self.late, self.place, self.speed))
+        at = time[mask], rotation[mask], direction[mask], np.zeros(len(lanes)), self.best[:, mask]
+        return _Going(lanes, *at, shift, late, place, speed, self.phases + 1)
 
 
 class _Followed(NamedTuple):
@@ -171,21 +184,23 @@ class _Followed(NamedTuple):
     steep: Floats
 
 
+def _seen(at: Mapping[str, Any], direction: Any) -> dict[str, Any]:
+    """A position in the direction of travel: a mirror, where it is negative."""
+    return dict(at) | {n: direction * at[n] for n in ("fall", "static_limit", "press_slope", "dip")}
+
+
 class _Lanes:
     """The lanes of a block while they are solved, phase after phase."""
 
     def __init__(
-        self, effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, out: Block, work: Floats
+        self, values: Mapping[str, Any], bound: tuple[Balance, Any], accuracy: float, out: Block, work: Floats
     ) -> None:
         self.values, self.accuracy, self.out, self.work = values, accuracy, out, work
-        self.size = len(out.status)
-        arc = Arc.unchecked(**{n: values[n] for n in (*QUANTITIES, "given") if n in values})
-        self.balance = bind_lanes(effects, arc, values)
-        self.scale, self.radius = arc.time_scale, np.asarray(values["radius"])
+        (self.balance, self.scale), self.size, self.radius = bound, len(out.status), np.asarray(values["radius"])
         self.mu = np.asarray(values["friction"], dtype=np.float64)
         self.omega = values["initial_velocity"] / self.radius * self.scale
         self.until = np.asarray(values["end_time"] / self.scale)
-        self.water = "pore_pressure" in effects and np.any(np.asarray(values["pore_pressure.pressure"]) > 0.0)
+        self.water = bool(np.any(np.asarray(values.get("pore_pressure.pressure", 0.0)) > 0.0))
         self.alone = np.zeros(self.size, bool)
 
     def solve(self) -> Mask:
@@ -195,7 +210,7 @@ class _Lanes:
         out.status[~valid] = Status.INVALID
         energy, direction = self.omega * self.omega, np.sign(self.omega)
         if np.any(energy == 0.0):
-            direction = np.where(energy == 0.0, self._way(everything, None)[0], direction)
+            direction = np.where(energy == 0.0, self._way(everything, self._at(everything, None))[0], direction)
         energy, direction = np.broadcast_to(energy, (n,)), np.broadcast_to(direction, (n,))
         stays, moves = valid & (direction == 0.0), valid & (direction != 0.0)
         if np.any(stays):
@@ -218,21 +233,21 @@ class _Lanes:
 
     # -- the balance
 
-    def _at(self, lanes: Any, rotation: Any, direction: Any) -> dict[str, Any]:
-        """`Balance.position` of arrays, at the start for no rotation."""
+    def _at(self, lanes: Any, rotation: Any) -> dict[str, Any]:
+        """`Balance.position` of arrays in the mass's own sense, at the start for no rotation."""
         b = self.balance
         dip, fall, press = _pick(b.dip, lanes), _pick(b.fall, lanes), _pick(b.press, lanes)
         limit = _pick(b.static_limit, lanes)
         slope, rise = _pick(b.weight, lanes) * np.cos(dip), _pick(b.radial, lanes) * np.sin(dip)
         if b.turns and rotation is not None:
-            cos, sin, tan = np.cos(rotation), np.sin(rotation), np.tan(rotation)
+            half = np.tan(rotation / 2)
+            square = half * half
+            cos, sin, tan = (1.0 - square) / (1.0 + square), 2 * half / (1.0 + square), 2 * half / (1.0 - square)
             limit = (limit - slope / press * tan) / (1.0 + rise / press * tan)
             fall, slope = fall * cos - slope * sin, slope * cos + fall * sin
             press, rise, dip = press * cos + rise * sin, rise * cos - press * sin, dip - rotation
-        return {
-            "fall": direction * fall, "press": press, "static_limit": direction * limit, "fall_slope": slope,
-            "press_slope": -direction * rise, "dip": direction * dip,
-        }  # fmt: skip
+        return {"fall": fall, "press": press, "static_limit": limit, "fall_slope": slope, "press_slope": -rise,
+                "dip": dip}  # fmt: skip
 
     def _get(self, what: str, lanes: Any, /, **local: Any) -> Any:
         """`Balance.get` for some lanes."""
@@ -243,15 +258,18 @@ class _Lanes:
         given = [local[a] if a in local else _pick(values[a], lanes) for a in ARGUMENTS[name]]
         return getattr(functions, name)(*given)
 
-    def _way(self, lanes: Any, rotation: Any) -> tuple[Floats, Floats]:
+    def _way(self, lanes: Any, at: Mapping[str, Any]) -> tuple[Floats, Floats]:
         """`solver._way` of arrays, and by how much it was decided."""
         mu, way, margin = _pick(self.mu, lanes), np.asarray(0.0), np.asarray(np.inf)
+        lifted, held = self._get("normal", lanes, **at) <= 0.0, self._get("constant", lanes, mu=0.0)
+        carried = np.any(lifted)
         for side in (-1.0, 1.0):
-            at = self._at(lanes, rotation, side)
-            limit, held = self._get("limit_friction", lanes, **at), self._get("constant", lanes, mu=0.0)
-            lifted = self._get("normal", lanes, **at) <= 0.0
-            way = np.where(np.where(lifted, at["fall"] > held, limit > mu), side, way)
-            margin = np.minimum(margin, np.where(lifted, 0.0, np.abs(limit - mu) / (np.abs(limit) + mu)))
+            seen = _seen(at, side)
+            limit = self._get("limit_friction", lanes, **seen)
+            moving, near = limit > mu, np.abs(limit - mu) / (np.abs(limit) + mu)
+            if carried:
+                moving, near = np.where(lifted, seen["fall"] > held, moving), np.where(lifted, 0.0, near)
+            way, margin = np.where(moving, side, way), np.fmin(margin, near)
         return way, margin
 
     def _drive(self, lanes: Any, at: Mapping[str, Any], mu: Any) -> Any:
@@ -269,7 +287,7 @@ class _Lanes:
     def _stay(self, stays: Mask) -> None:
         """Lanes that do not move: undecided where the drive is the resistance, to rounding."""
         out, b, mu = self.out, self.balance, self.mu
-        at = self._at(slice(None), None, np.where(np.less(b.fall, 0.0), -1.0, 1.0))
+        at = _seen(self._at(slice(None), None), np.where(np.less(b.fall, 0.0), -1.0, 1.0))
         held = self._get("resistance", slice(None), **at, mu=mu, omega_2=0.0)
         noise = _UNIT * (at["fall"] + mu * at["press"] + held)
         error = np.broadcast_to(np.where(np.abs(at["fall"] - held) < noise, 1.0, 0.0), (self.size,))[stays]
@@ -281,27 +299,31 @@ class _Lanes:
     def _phase(self, g: _Going) -> _Going:
         """Follow lanes to their next standstill or their end time; which turn back from there."""
         lanes, b = g.lanes, self.balance
-        at = self._at(lanes, g.rotation if g.phases else None, g.direction)
+        at = _seen(self._at(lanes, g.rotation if g.phases else None), g.direction)
         mu, until = _pick(self.mu, lanes), _pick(self.until, lanes)
         f = (self._turning if b.turns else self._frozen)(lanes, at, mu, g, until)
-        stop = np.where(f.cut, until, g.time + f.duration)
-        if not g.phases and np.any(g.energy > 0.0):
-            omega = np.sqrt(g.energy)
-            g.best = np.stack([0.0 * omega, 0.0 * omega, g.direction * omega, g.direction * f.first_rate])
-        speed, when = np.sqrt(f.top), g.time + f.peak_time
-        higher = (speed > np.abs(g.best[2])) & (when <= stop)
+        if not g.phases and np.any(g.energy):
+            zero, omega = np.zeros_like(g.time), np.sqrt(g.energy)
+            g.best = np.stack([zero, zero, g.direction * omega, g.direction * f.first_rate])
+        stop, speed, when = g.time + f.duration, np.sqrt(f.top), g.time + f.peak_time
         summit = when, g.rotation + g.direction * f.peak, g.direction * speed, 0.0 * speed
-        g.best = np.where(higher, summit, g.best) if np.any(g.best[2]) else np.stack(summit) * higher
+        cut = bool(np.any(f.cut))
+        if cut:
+            stop = np.where(f.cut, until, stop)
+        if g.best.any() or cut:
+            g.best = np.where((speed > np.abs(g.best[2])) & (when <= stop), summit, g.best)
+        else:
+            g.best = np.stack(summit)
         self._doubt(lanes, at, mu, g, f)
-        rotation = g.rotation + g.direction * np.where(f.cut, f.x, f.end)
-        cohesion = _pick(b.values.get("cohesion", 0.0), lanes)
-        never = ~f.cut & np.isinf(until) & (mu == 0.0) & (cohesion == 0.0) & b.turns
-        way, margin = self._way(lanes, rotation if b.turns else None)
-        alone = ~f.good | ~(f.cut | never | (margin >= 1e-9))
-        rests = ~(f.cut | never | alone)
+        rotation = g.rotation + g.direction * (np.where(f.cut, f.x, f.end) if cut else f.end)
+        way, margin = self._way(lanes, self._at(lanes, rotation if b.turns else None))
+        still = (mu == 0.0) & (_pick(b.values.get("cohesion", 0.0), lanes) == 0.0) & np.isinf(until) & b.turns
+        moving = f.cut | still  # at its end time, or without anything that brings it to rest
+        alone = ~(f.good & (moving | (margin >= 1e-9)))
+        rests = ~(moving | alone)
         turns = rests & (way != 0.0)
         self.alone[lanes] |= alone | (turns & (g.phases >= _MOST_PHASES))
-        done = ~alone & ~turns & np.isfinite(stop)
+        done = ~(alone | turns) & np.isfinite(stop)
         if np.any(done):
             self._finish(g, f, done, rests, rotation, stop)
         return g.keep(turns & (g.phases < _MOST_PHASES), np.broadcast_to(way, stop.shape), rotation, stop)
@@ -309,30 +331,28 @@ class _Lanes:
     def _finish(self, g: _Going, f: _Followed, done: Mask, rests: Mask, rotation: Floats, stop: Floats) -> None:
         """Write the lanes that are done."""
         out, scale = self.out, _pick(self.scale, g.lanes)
-        speed = np.where(f.cut, np.sqrt(f.energy), 0.0)
-        state = stop, rotation, g.direction * speed, np.where(f.cut, g.direction * f.rate, 0.0)
-        best = np.where(np.abs(g.best[2]) > speed, g.best, state) if np.any(f.cut) else g.best
-        top = np.maximum(np.abs(best[2]), 1e-300)
-        error = np.maximum(g.place / np.maximum(np.abs(rotation), 1e-300), g.speed / top)
-        error = np.minimum(np.maximum(error, g.late / stop) + _UNIT, 1.0)
-        status = np.where(rests, Status.TURNED if g.phases else Status.RESTS, Status.MOVING)
-        duration = stop * scale
+        best, omega, rate, duration = g.best, np.asarray(0.0), np.asarray(0.0), stop * scale
         if np.any(f.cut):
+            omega, rate = np.where(f.cut, g.direction * [np.sqrt(f.energy), f.rate], 0.0)
+            best = np.where(np.abs(best[2]) > np.abs(omega), best, [stop, rotation, omega, rate])
             duration = np.where(f.cut, _pick(np.asarray(self.values["end_time"]), g.lanes), duration)
+        error = np.maximum(g.place / np.abs(rotation), g.speed / np.abs(best[2]))
+        error = np.fmin(np.maximum(error, g.late / stop) + _UNIT, 1.0)
+        status = np.where(rests, np.int8(Status.TURNED if g.phases else Status.RESTS), np.int8(Status.MOVING))
         found = {
-            "status": np.where(error > self.accuracy, Status.ILL_CONDITIONED, status), "moves": True, "arrested": rests,
-            "duration": duration, "rotation": rotation, "angular_velocity": state[2] / scale,
-            "angular_acceleration": state[3] / scale**2, "peak_time": np.minimum(best[0] * scale, duration),
-            "peak_rotation": best[1], "peak_angular_velocity": best[2] / scale,
-            "peak_angular_acceleration": best[3] / scale**2, "error_estimate": error,
+            "status": np.where(error > self.accuracy, np.int8(Status.ILL_CONDITIONED), status),
+            "moves": np.asarray(True), "arrested": rests, "duration": duration, "rotation": rotation,
+            "angular_velocity": omega / scale, "angular_acceleration": rate / scale**2,
+            "peak_time": np.minimum(best[0] * scale, duration), "peak_rotation": best[1],
+            "peak_angular_velocity": best[2] / scale, "peak_angular_acceleration": best[3] / scale**2,
+            "error_estimate": error,
         }  # fmt: skip
-        whole = isinstance(g.lanes, slice)
+        lanes: Any = g.lanes
+        chosen: Any = slice(None)
+        if not np.all(done):
+            lanes, chosen = np.flatnonzero(done) if isinstance(lanes, slice) else lanes[done], done
         for name, value in found.items():
-            if whole and np.all(done):
-                getattr(out, name)[:] = value
-            else:
-                lanes = np.flatnonzero(done) if whole else g.lanes[done]
-                getattr(out, name)[lanes] = value if value is True else value[done]
+            getattr(out, name)[lanes] = value[chosen] if value.ndim else value
 
     def _turning(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, until: Any) -> _Followed:
         """A phase in the phase plane."""
@@ -342,29 +362,30 @@ class _Lanes:
             get("brake", lanes, mu=mu), at["dip"] + np.pi / 2,
         )  # fmt: skip
         begin = Start(*(np.ascontiguousarray(np.broadcast_to(x, (m,))) for x in arrays))
-        found = np.full((8, m), np.nan)  # end, duration, peak, top, peak_time, steep, missing, good
-        rest = g.energy == 0.0
-        if np.all(rest):
-            found[:] = s = swing(begin, self.accuracy, self.work)
-        elif np.any(rest):
-            found[:, rest] = swing(Start(*(x[rest] for x in begin)), self.accuracy, self.work)
-        good = found[7] == 1.0
-        cut = good & (g.time + found[1] >= until)
-        x, energy, rate = np.zeros((3, m))
-        needed = np.flatnonzero(~good | cut)
+        found = np.full((8, m), np.nan)
+        good, cut, (x, energy) = np.zeros(m, bool), np.zeros(m, bool), np.zeros((2, m))
+        left = np.broadcast_to(until - g.time, (m,))
+        s = Swings(begin, self.accuracy, self.work)
+        good[:] = s.good
+        found[:] = s.end, s.duration, s.peak, s.top, s.peak_time, s.steep, s.missing, s.good
+        early = np.flatnonzero(s.good & ~(s.duration < left))
+        if len(early):
+            x[early], energy[early], good[early] = s.reach(early, left[early])
+            cut[early], found[6, early] = True, 1e-14
+        needed = np.flatnonzero(~good)
         for k in range(0, len(needed), _COURSES):
             some = needed[k : k + _COURSES]
-            c = Courses(self.balance.names["energy"], Start(*(x[some] for x in begin)))
-            found[:, some] = (c.end, c.duration, c.peak, c.top, c.peak_time, c.steep, c.missing, c.good)
-            left = np.broadcast_to(until - g.time, (m,))[some]
-            over = c.good & (c.duration <= left)
-            cut[some] = c.good & ~over
+            c = Courses(self.balance.names["energy"], begin.some(some))
+            found[:, some] = c.end, c.duration, c.peak, c.top, c.peak_time, c.steep, c.missing, c.good
+            good[some], cut[some] = c.good, c.good & ~(c.duration < left[some])
             if np.any(cut[some]):
-                x[some], energy[some] = c.reach(np.where(over | ~c.good, c.duration / 2, left))
-                rate[some] = c.rates(x[some])[1] / 2
-        good = found[7] == 1.0
+                x[some], energy[some] = c.reach(np.where(cut[some], left[some], c.duration / 2))
+        rate = np.zeros(m)
+        if np.any(cut):
+            turned = begin.drive * np.cos(x) - begin.tilt * np.sin(x) - 2 * begin.constant * np.sin(x / 2) ** 2
+            rate = turned - begin.brake * energy
         if self.water:
-            last = begin.drive * 0.0 + self._at(lanes, g.rotation + g.direction * found[0], g.direction)["press"]
+            last = begin.drive * 0.0 + self._at(lanes, g.rotation + g.direction * found[0])["press"]
             good &= (get("normal", lanes, press=at["press"]) > 0.0) & (get("normal", lanes, press=last) > 0.0)
         first = begin.drive - begin.brake * g.energy
         end, duration, peak, top, peak_time, steep, missing, _ = found
@@ -373,7 +394,9 @@ class _Lanes:
     def _frozen(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, until: Any) -> _Followed:
         """A phase with d(omega)/dt = a - b omega**2, as in `slipcircle.frozen`."""
         m, names = g.time.size, self.balance.names
-        a, b, omega = np.broadcast_arrays(self._drive(lanes, at, mu), self._get("brake", lanes, mu=mu), np.sqrt(g.energy))
+        a, b, omega = np.broadcast_arrays(
+            self._drive(lanes, at, mu), self._get("brake", lanes, mu=mu), np.sqrt(g.energy)
+        )
         braked = "brake" in names
         known = (a, b, omega) if braked else (a, omega)
         stops = a < 0.0
@@ -390,9 +413,7 @@ class _Lanes:
         if self.water:
             good &= self._get("normal", lanes, press=at["press"]) > 0.0
         zero = np.zeros(m)
-        return _Followed(
-            end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a
-        )
+        return _Followed(end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a)
 
     def _doubt(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, f: _Followed) -> None:
         """Carry the doubts through a phase: `uncertainty` with bounds in the place of its sums over the path."""

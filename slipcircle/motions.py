@@ -1,5 +1,6 @@
 """The motions of an ensemble: a scene whose fields are arrays, solved lane by lane."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from generated.effects import EFFECTS
 from slipcircle.arc import Arc
 from slipcircle.balance import bind_lanes
-from slipcircle.lanes import NAMES, Block, Status, empty, run
+from slipcircle.lanes import Block, Status, empty, fill, run
 from slipcircle.motion import Motion, State
 from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
@@ -103,7 +104,7 @@ def _values(scene: Scene) -> dict[str, Any]:
     values: dict[str, Any] = {"end_time": np.inf} | dict(scene.numbers)
     for effect in scene.called:
         values |= {f"{effect}.{p.name}": values.get(f"{effect}.{p.name}", 0.0) for p in EFFECTS[effect].parameters}
-    values = {n: np.asarray(v, dtype=np.float64) for n, v in values.items()}
+    values = {n.replace("friction.coefficient", "friction"): np.asarray(v, np.float64) for n, v in values.items()}
     return values | {"given": scene.arc.given}
 
 
@@ -123,16 +124,17 @@ def lane(scene: Scene, index: tuple[int, ...]) -> Scene:
 
 def solve_ensemble(chosen: Plan) -> Motions:
     """Solve a scene of arrays."""
-    scene = chosen.scene
-    shape = scene.shape
-    lanes = int(np.prod(shape))
-    block = empty(lanes)
+    scene, shape = chosen.scene, chosen.scene.shape
+    block = empty(math.prod(shape))
 
     def one(k: int) -> Motion:
-        return solve_one(plan(lane(scene, np.unravel_index(k, shape)), chosen.accuracy))
+        index = tuple(int(i) for i in np.unravel_index(k, shape))
+        return solve_one(plan(lane(scene, index), chosen.accuracy))
 
-    values = {
-        n: np.broadcast_to(v, shape).reshape(-1) if np.ndim(v) else v for n, v in _values(scene).items()
-    }
-    run(chosen.effects, values, chosen.accuracy, one, block)
+    if chosen.law == "constant":
+        values = {n: np.broadcast_to(v, shape).reshape(-1) if np.ndim(v) else v for n, v in _values(scene).items()}
+        run(chosen.effects, values, chosen.accuracy, one, block)
+    else:
+        for k in range(len(block.status)):
+            fill(block, k, one, chosen.accuracy)
     return Motions(chosen, block)

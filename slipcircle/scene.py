@@ -21,8 +21,8 @@ ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 class Scene:
     """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
 
-    Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their broadcast
-    shape. Tables and given coefficients are no such fields.
+    Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
+    broadcast shape. Tables and given coefficients are no such fields.
 
     Parameters
     ----------

@@ -15,14 +15,13 @@ from slipcircle.scene import Scene
 
 if TYPE_CHECKING:
     from slipcircle.frozen import Frozen
-    from slipcircle.motions import Motions
     from slipcircle.phaseplane import Course
 
 _MOST_PHASES = 2000
 EPS = 2.0**-52
 
 
-def solve(scene: Scene, accuracy: float | None = None) -> "Motion | Motions":
+def solve(scene: Scene, accuracy: float | None = None) -> Any:
     """Solve a scene until it rests, or until its end time; a scene of arrays lane by lane.
 
     Parameters
@@ -33,8 +32,8 @@ def solve(scene: Scene, accuracy: float | None = None) -> "Motion | Motions":
 
     Returns
     -------
-    Motion or Motions
-        Motions of the scene's broadcast shape where its fields are arrays.
+    slipcircle.motion.Motion or slipcircle.motions.Motions
+        Motions, of the scene's broadcast shape, where its fields are arrays.
 
     Raises
     ------
@@ -77,7 +76,8 @@ def _solve(chosen: Plan) -> Motion:
     scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
     follow = _follower(chosen.method)
     omega = float(np.asarray(scene.initial_velocity)) / radius * scale
-    end = math.inf if scene.end_time is None else scene.end_time / scale
+    end_time = None if scene.end_time is None else float(np.asarray(scene.end_time))
+    end = math.inf if end_time is None else end_time / scale
     direction = int(np.sign(omega))
     time = rotation = slip = 0.0
     energy, phases, arrested, change = omega**2, [], False, None
@@ -114,7 +114,7 @@ def _solve(chosen: Plan) -> Motion:
         time = end
     if math.isinf(time):
         _refuse(scene, phases[-1].solved, math.inf)
-    duration = time * scale if arrested or scene.end_time is None else scene.end_time
+    duration = time * scale if arrested or end_time is None else end_time
     return Motion(chosen, balance, phases, duration, arrested)
 
 
