@@ -4,27 +4,26 @@ Lanes of a turning mass go through `slipcircle.swings`, what that does not take 
 ones through their closed form in time; the few that lift off, or that need more, through the scalar solver.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from generated import balance as functions
 from generated import motion as formulas
-from generated.effects import ARGUMENTS
+from generated.effects import ARGUMENTS, EFFECTS
 from slipcircle.arc import QUANTITIES, Arc
 from slipcircle.balance import Balance, bind_lanes
 from slipcircle.courses import Courses, Start
 from slipcircle.phaseplane import EPS
-from slipcircle.scene import bounds
+from slipcircle.plan import plan
+from slipcircle.scene import Scene, bounds
+from slipcircle.solver import solve_one
 from slipcircle.swings import Swings, workspace
 from slipcircle.uncertainty import ROUNDING
-
-if TYPE_CHECKING:
-    from slipcircle.motion import Motion
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -68,44 +67,59 @@ NAMES = tuple(f.name for f in fields(Block))
 NUMBERS = NAMES[3:]
 
 
-def empty(lanes: int) -> Block:
-    """A block to be filled, failed so far."""
-    decided = (np.zeros(lanes, bool) for _ in range(2))
-    return Block(np.full(lanes, Status.FAILED, np.int8), *decided, *(np.full(lanes, np.nan) for _ in NUMBERS))
-
-
-def run(
-    effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, one: Callable[[int], "Motion"], out: Block
-) -> None:
-    """Solve the lanes of a block with constant friction.
+def solve_block(
+    effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, law: Any = None, lanes: int | None = None
+) -> Block:
+    """Solve a block of scenes: a pure function of plain arrays.
 
     Parameters
     ----------
     effects : tuple of str
         In the order of `generated.effects.EFFECTS`.
     values : mapping
-        Arrays of the block's length, or numbers: the arc's by name, ``friction``, ``initial_velocity``, ``end_time``
-        (infinite where there is none), and the effects' parameters as ``effect.parameter``.
+        Arrays of one length, or numbers: the arc's by name, ``friction``, ``initial_velocity``, ``end_time`` (infinite
+        where there is none), and the effects' parameters as ``effect.parameter``, all of them; ``given`` as `Arc` takes
+        it. They need not be valid: what is no scene has the status INVALID.
     accuracy : float
         Relative error asked for.
-    one : callable
-        ``one(k)`` solves lane k by itself: a `Motion`, or raises ValueError.
-    out : Block
-        Filled here.
+    law : mapping or callable, optional
+        Friction that is not constant, as `Scene` takes it; ``values`` has its numbers as ``friction.name``, and they
+        win. Such lanes go through the scalar solver, one by one.
+    lanes : int, optional
+        How many there are, where no value is an array.
     """
-    work = workspace(min(len(out.status), LANES))
-    shared = None  # where it is one for all lanes
+    size = max((len(v) for v in values.values() if np.ndim(v)), default=1) if lanes is None else lanes
+    numbers = (np.full(size, np.nan) for _ in NUMBERS)
+    out = Block(np.full(size, Status.FAILED, np.int8), np.zeros(size, bool), np.zeros(size, bool), *numbers)
+    if law is not None:
+        for k in range(size):
+            _alone(out, k, effects, values, accuracy, law)
+        return out
+    work, shared = workspace(min(size, LANES)), None
     if not any(np.ndim(v) for n, v in values.items() if n not in ("friction", "initial_velocity", "end_time")):
         with np.errstate(all="ignore"):
-            shared = _bind(effects, values)
-    for first in range(0, len(out.status), LANES):
-        part = slice(first, min(first + LANES, len(out.status)))
+            shared = _bind(effects, values)  # one for all lanes
+    for first in range(0, size, LANES):
+        part = slice(first, min(first + LANES, size))
         here = {n: v[part] if np.ndim(v) else v for n, v in values.items()}
         view = Block(*(getattr(out, n)[part] for n in NAMES))
         with np.errstate(all="ignore"):
-            alone = _Lanes(here, shared or _bind(effects, here), accuracy, view, work).solve()
-        for k in np.flatnonzero(alone):
-            fill(out, first + int(k), one, accuracy)
+            left = _Lanes(here, shared or _bind(effects, here), accuracy, view, work).solve()
+        for lane in np.flatnonzero(left):
+            _alone(out, first + int(lane), effects, values, accuracy, None)
+    return out
+
+
+def scene_of(effects: tuple[str, ...], values: Mapping[str, Any], k: int, law: Any = None) -> Scene:
+    """One lane of `solve_block` as a scene of plain numbers."""
+    at = {n: float(v[k] if np.ndim(v) else v) for n, v in values.items() if n != "given"}
+    sizes: dict[str, Any] = {n: at[n] for n in QUANTITIES if n in at}
+    arc = Arc(**sizes, given=values.get("given"))
+    if isinstance(law, Mapping):
+        law = {n: at.get(f"friction.{n}", value) for n, value in law.items()}
+    called = {e: {p.name: at[f"{e}.{p.name}"] for p in EFFECTS[e].parameters} for e in effects}
+    end = None if at["end_time"] == np.inf else at["end_time"]
+    return Scene(arc, at["friction"] if law is None else law, called, at["initial_velocity"], end)
 
 
 def _bind(effects: tuple[str, ...], values: Mapping[str, Any]) -> tuple[Balance, Any]:
@@ -114,11 +128,16 @@ def _bind(effects: tuple[str, ...], values: Mapping[str, Any]) -> tuple[Balance,
     return bind_lanes(effects, arc, values), arc.time_scale
 
 
-def fill(out: Block, k: int, one: Callable[[int], "Motion"], accuracy: float) -> None:
-    """Fill a lane from the scalar solver."""
+def _alone(out: Block, k: int, effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, law: Any) -> None:
+    """Solve a lane by the scalar solver."""
+    try:
+        scene = scene_of(effects, values, k, law)
+    except ValueError:
+        out.status[k] = Status.INVALID
+        return
     try:
         with np.errstate(under="ignore"):
-            motion = one(k)
+            motion = solve_one(plan(scene, accuracy))
             end, peak, error = motion.end, motion.peak, motion.error_estimate
     except ValueError:
         return

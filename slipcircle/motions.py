@@ -1,7 +1,6 @@
 """The motions of an ensemble: a scene whose fields are arrays, solved lane by lane."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -10,13 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.arc import Arc
 from slipcircle.balance import bind_lanes
-from slipcircle.lanes import Block, Status, empty, fill, run
-from slipcircle.motion import Motion, State
+from slipcircle.lanes import Block, Status, scene_of, solve_block
+from slipcircle.motion import State
 from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
-from slipcircle.solver import solve_one
 
 Floats = NDArray[np.float64]
 
@@ -91,16 +88,15 @@ class Motions:
         time, rotation, omega, rate = (x.reshape(self.shape) for x in numbers)
         scene, arc = self.plan.scene, self.plan.scene.arc
         radius, scale = np.asarray(arc.radius), arc.time_scale
-        values = {n: v for n, v in _values(scene).items() if n not in ("friction", "end_time")}
         with np.errstate(all="ignore"):
-            balance = bind_lanes(self.plan.effects, arc, values, stress=True)
+            balance = bind_lanes(self.plan.effects, arc, _values(scene), stress=True)
             press = balance.press_at(rotation)
             stress = balance.get("normal_stress", press=press, omega_2=(omega * scale) ** 2) * arc.reference_stress
         return State(time, rotation, omega, radius * omega, radius * rotation, radius * rate, stress)
 
 
 def _values(scene: Scene) -> dict[str, Any]:
-    """What `slipcircle.lanes.run` reads of a scene, in the scene's own shapes."""
+    """What `slipcircle.lanes.solve_block` reads of a scene, in the scene's own shapes."""
     values: dict[str, Any] = {"end_time": np.inf} | dict(scene.numbers)
     for effect in scene.called:
         values |= {f"{effect}.{p.name}": values.get(f"{effect}.{p.name}", 0.0) for p in EFFECTS[effect].parameters}
@@ -108,33 +104,20 @@ def _values(scene: Scene) -> dict[str, Any]:
     return values | {"given": scene.arc.given}
 
 
-def lane(scene: Scene, index: tuple[int, ...]) -> Scene:
-    """One lane of an ensemble, as a scene of plain numbers."""
+def _flat(scene: Scene) -> dict[str, Any]:
+    """The same as arrays of one length, or numbers."""
     shape = scene.shape
-    at = {n: float(np.broadcast_to(np.asarray(v), shape)[index]) for n, v in scene.numbers.items()}
-    arc = scene.arc
-    sizes = {n: at[n] for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity", "width")}
-    friction: Any = at.get("friction", scene.friction)
-    if isinstance(friction, Mapping):
-        friction = {n: at.get(f"friction.{n}", value) for n, value in friction.items()}
-    effects = {e: {n: at[f"{e}.{n}"] for n in given} for e, given in scene.called.items()}
-    ends = at.get("end_time")
-    return Scene(Arc(**sizes, given=arc.given), friction, effects, at["initial_velocity"], ends, scene.accuracy)
+    return {n: np.broadcast_to(v, shape).reshape(-1) if np.ndim(v) else v for n, v in _values(scene).items()}
+
+
+def lane(scene: Scene, *index: int) -> Scene:
+    """One lane of an ensemble, as a scene of plain numbers."""
+    chosen = plan(scene)
+    k = int(np.ravel_multi_index(index, scene.shape))
+    return scene_of(chosen.effects, _flat(scene), k, None if chosen.law == "constant" else scene.friction)
 
 
 def solve_ensemble(chosen: Plan) -> Motions:
     """Solve a scene of arrays."""
-    scene, shape = chosen.scene, chosen.scene.shape
-    block = empty(math.prod(shape))
-
-    def one(k: int) -> Motion:
-        index = tuple(int(i) for i in np.unravel_index(k, shape))
-        return solve_one(plan(lane(scene, index), chosen.accuracy))
-
-    if chosen.law == "constant":
-        values = {n: np.broadcast_to(v, shape).reshape(-1) if np.ndim(v) else v for n, v in _values(scene).items()}
-        run(chosen.effects, values, chosen.accuracy, one, block)
-    else:
-        for k in range(len(block.status)):
-            fill(block, k, one, chosen.accuracy)
-    return Motions(chosen, block)
+    scene, law = chosen.scene, None if chosen.law == "constant" else chosen.scene.friction
+    return Motions(chosen, solve_block(chosen.effects, _flat(scene), chosen.accuracy, law, math.prod(scene.shape)))

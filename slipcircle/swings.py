@@ -22,6 +22,7 @@ _EXACT = 6e-17  # relative error of a zero that the last step leaves
 _POINTS = ((1e-4, 6), (1e-10, 8), (1e-13, 12), (0.0, 16))  # of the quadrature, by the accuracy asked for
 _REFINED = (16, 24, 48)  # where these do not resolve the time
 _INSIDE = 24  # for places inside a swing
+_STRIP = 8192  # values in one product of matrices: more would start BLAS's own threads
 
 
 def workspace(lanes: int) -> Floats:
@@ -218,10 +219,12 @@ def _deflate(energy: Floats, end: Floats) -> tuple[Floats, Floats]:
 def _terms(rest: Floats, points: int) -> tuple[Floats, Floats]:
     """dt/ds as a cosine series in 2 s, where x = end sin(s)**2, and what the series misses in time, relative."""
     powers, series = _rule(points)
-    rate = powers @ rest
-    np.sqrt(rate, out=rate)
-    np.divide(2.0, rate, out=rate)
-    terms = series @ rate
+    terms, strip = np.empty((points, rest.shape[1])), _STRIP // points
+    for k in range(0, rest.shape[1], strip):
+        rate = powers @ rest[:, k : k + strip]
+        np.sqrt(rate, out=rate)
+        np.divide(2.0, rate, out=rate)
+        np.matmul(series, rate, out=terms[:, k : k + strip])
     # What the next two terms would add, if they fall as the last four do; a pendulum has every other one only.
     last = np.abs(terms[-1]) + np.abs(terms[-2])
     return terms, last * (last / (np.abs(terms[-3]) + np.abs(terms[-4]) + 1e-300)) / (points * terms[0])
