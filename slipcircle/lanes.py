@@ -333,7 +333,7 @@ class _Lanes:
             g.best = np.where((speed > np.abs(g.best[2])) & (when <= stop), summit, g.best)
         else:
             g.best = np.stack(summit)
-        self._doubt(lanes, at, mu, g, f)
+        self._doubt(lanes, at, mu, g, f, stop)
         rotation = g.rotation + g.direction * (np.where(f.cut, f.x, f.end) if cut else f.end)
         way, margin = self._way(lanes, self._at(lanes, rotation if b.turns else None))
         still = (mu == 0.0) & (_pick(b.values.get("cohesion", 0.0), lanes) == 0.0) & np.isinf(until) & b.turns
@@ -434,7 +434,7 @@ class _Lanes:
         zero = np.zeros(m)
         return _Followed(end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a)
 
-    def _doubt(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, f: _Followed) -> None:
+    def _doubt(self, lanes: Any, at: Mapping[str, Any], mu: Any, g: _Going, f: _Followed, stop: Floats) -> None:
         """Carry the doubts through a phase: `uncertainty` with bounds in the place of its sums over the path."""
         b = self.balance
         fall, constant = np.abs(at["fall"]), np.abs(self._get("constant", lanes, mu=mu))
@@ -451,17 +451,26 @@ class _Lanes:
             g.place, g.speed = g.place + top * g.late, np.maximum(g.speed, speed + drive * g.late)
             g.late = g.late + np.where(f.cut, 0.0, growth * elapsed)
             return
-        end, tilt = f.end, np.abs(self._get("tilt", lanes, **at, mu=mu))
+        tilt = np.abs(self._get("tilt", lanes, **at, mu=mu))
+        cut = bool(np.any(f.cut))
+        x, elapsed = (np.where(f.cut, f.x, f.end), stop - g.time) if cut else (f.end, f.duration)
         shift = g.shift + 4 * EPS if g.phases else g.shift
         moved = terms + shift * (_pick(b.weight, lanes) + mu * _pick(b.radial, lanes))
-        bent = _UNIT * tilt * np.minimum(end, 1.0)
-        own = (2 * terms + bent) * end / f.steep + _UNIT * end
-        top = np.sqrt(f.top)
-        high = (moved + bent) * f.peak / np.maximum(top, 1e-300) + _UNIT * top
-        # E grows from the start at least as twice the drive at first, and from its end as it is steep there.
-        rises = np.maximum(2 * drive, g.energy / end) if np.any(g.energy) else 2 * drive
-        relative = (2 * moved + bent) / rises + 2 * (moved + _UNIT * tilt) / f.steep + f.missing + _UNIT
-        late = f.duration * relative
+        # A brake forgets what is further back than this.
+        memory = 0.5 / brake if "brake" in b.names else np.inf
+        bent, back = _UNIT * tilt * np.minimum(x, 1.0), np.minimum(x, memory)
+        noise = (2 * moved + bent) * back
+        own = ((2 * terms + bent) * back + _UNIT * g.energy) / f.steep + _UNIT * x
+        # E grows from the start at least as twice the drive at first; from its end as it is steep there, where the
+        # noise falls with it, and which the motion reaches as the root of what is left.
+        rises = np.maximum(2 * drive, g.energy / x) if np.any(g.energy) else 2 * drive
+        falls = np.sqrt((2 * moved + 2 * _UNIT * tilt) * noise / x) / f.steep
+        top, change = np.sqrt(f.top), np.maximum(drive, f.steep)
+        if cut:
+            own, falls = np.where(f.cut, 0.0, own), np.where(f.cut, np.fmin(falls, noise / f.energy), falls)
+            top = np.where(f.cut, np.sqrt(np.maximum(g.energy, np.where(f.peak < x, f.top, f.energy))), top)
+        late = elapsed * (noise / x / rises + falls + f.missing + _UNIT)
+        high = noise / np.maximum(top, 1e-300) + _UNIT * top
         g.place = np.maximum(g.place, own + shift + top * (late + g.late))
-        g.speed = np.maximum(g.speed, high + np.maximum(drive, f.steep) * (late + g.late))
-        g.shift, g.late = shift * 2 * drive / f.steep + own, g.late + late
+        g.speed = np.maximum(g.speed, high + change * (late + g.late))
+        g.shift, g.late = shift * 2 * drive * np.exp(-2 * brake * f.end) / f.steep + own, g.late + late

@@ -88,7 +88,6 @@ class Swings:
             self.good &= (constant >= 0.0) | ((tilt >= 0.0) & (tilted >= 0.0))
         self._whole, self.end, self.peak = end, end, peak
         passed = self._solve_times(accuracy)
-        self._passed = passed[0] if passed else None
         if self._origin is not None:
             self._begin_later(begin, self._origin, passed[0])
 
@@ -122,8 +121,10 @@ class Swings:
         """x and E of some lanes at times between start and standstill, and where they are good: Newton's method."""
         rest, end, origin = self._rest[:, lanes], self._whole[lanes], np.zeros(len(lanes))
         terms, missing = _terms(rest, _INSIDE)
-        if self._origin is not None and self._passed is not None:
-            origin, time = self._origin[lanes], time + self._passed[lanes]
+        elapsed = time
+        if self._origin is not None:
+            origin = self._origin[lanes]
+            time = time + _part(terms, -origin / end)
         s = time / terms[0]
         for _ in range(12):
             twice = 2.0 * np.cos(2.0 * s)
@@ -142,7 +143,7 @@ class Swings:
         for c in rest[-2::-1]:
             inside = inside * sine + c
         # Just after the start the series is not relatively accurate, which a course is.
-        good = (moved <= 4e-15) & (missing <= 1e-14) & (s > 1e-3)
+        good = (moved <= 4e-15) & (elapsed > np.maximum(5e-3, 1e14 * missing) * terms[0]) & (x > -1.01 * origin)
         return x + origin, -inside * x * end * np.cos(s) ** 2, good
 
 
@@ -233,14 +234,16 @@ def _terms(rest: Floats, points: int) -> tuple[Floats, Floats]:
 def _times(rest: Floats, shares: list[Floats], points: int) -> tuple[list[Floats], Floats]:
     """Times to the end and to shares of the way, by the series integrated, and what is missing of them, relative."""
     terms, missing = _terms(rest, points)
-    times = [terms[0] * (np.pi / 2)]
-    for share in shares:
-        twice = 2.0 - 4.0 * share  # 2 cos(2 s)
-        one, two = terms[-1] / (2 * points - 2), np.zeros_like(share)
-        for k in range(points - 2, 0, -1):  # Clenshaw's recurrence
-            one, two = terms[k] / (2 * k) + twice * one - two, one
-        times.append(terms[0] * np.arcsin(np.sqrt(share)) + one * (2.0 * np.sqrt(share * (1.0 - share))))
-    return times, missing
+    return [terms[0] * (np.pi / 2), *(_part(terms, share) for share in shares)], missing
+
+
+def _part(terms: Floats, share: Floats) -> Floats:
+    """The time to a share of the way."""
+    points, twice = len(terms), 2.0 - 4.0 * share  # 2 cos(2 s)
+    one, two = terms[-1] / (2 * points - 2), np.zeros_like(share)
+    for k in range(points - 2, 0, -1):  # Clenshaw's recurrence
+        one, two = terms[k] / (2 * k) + twice * one - two, one
+    return np.asarray(terms[0] * np.arcsin(np.sqrt(share)) + one * (2.0 * np.sqrt(share * (1.0 - share))))
 
 
 def _standstill_before(begin: Start, work: Floats) -> tuple[Floats, Mask]:
