@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
 from slipcircle.balance import bind_lanes
-from slipcircle.lanes import Block, Status, scene_of, solve_block
+from slipcircle.block import Block, Status
+from slipcircle.lanes import scene_of, solve_block
 from slipcircle.motion import State
 from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
@@ -27,7 +28,7 @@ class Motions:
     plan : Plan
         How they were solved.
     status : ndarray
-        A `slipcircle.lanes.Status` of each lane.
+        A `slipcircle.block.Status` of each lane.
     moves, arrested : ndarray of bool
         Whether the mass moves at all, and whether it rests at the end.
     duration, run_out : ndarray

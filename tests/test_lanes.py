@@ -13,7 +13,8 @@ import pytest
 
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle import swings as swings_module
-from slipcircle.lanes import LANES, NAMES, Block, Status, solve_block
+from slipcircle.block import NAMES, Block, Status
+from slipcircle.lanes import LANES, solve_block
 from slipcircle.motions import Motions, lane
 
 VAIONT = Scene.load("vaiont").arc
