@@ -104,7 +104,7 @@ class Scene:
             found["end_time"] = self.end_time
         return found | {f"{e}.{n}": value for e, given in self.called.items() for n, value in given.items()}
 
-    @property
+    @cached_property
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
