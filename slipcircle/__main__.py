@@ -5,14 +5,16 @@ Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was r
 
 import argparse
 import json
+import shlex
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 import slipcircle
-from slipcircle import Scene, plan, solve, tables
-from slipcircle.scenefile import shipped
+from slipcircle import Motion, Scene, files, plan, solve, tables
+from slipcircle.scenefile import find, shipped
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -22,6 +24,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     which = f"one of {', '.join(shipped())}, or a TOML file"
     run = commands.add_parser("run", help="solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
+    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; png, pdf, svg, ...")
+    run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
+    run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
     planned = commands.add_parser("plan", help="how a scene will be solved, and what that costs")
     what = planned.add_mutually_exclusive_group(required=True)
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
@@ -36,6 +41,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     for command in (run, planned, cost, info):
         command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
+    options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
         {"run": _run, "plan": _plan, "schema": _schema, "cost": _cost, "info": _info}[options.command](options)
     except (ValueError, ImportError) as error:
@@ -49,7 +55,17 @@ def _print(record: Any) -> None:
 
 
 def _run(options: argparse.Namespace) -> None:
+    paths = [find(name) for name in options.scenes]
+    asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
+    files.check({f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
+    if options.plot or options.report:
+        from slipcircle import pictures
+
+        pictures.check(options.plot or "", len(paths))
+    sources = [path.read_bytes() for path in paths] if options.report else []
     motions = [solve(Scene.load(name)) for name in options.scenes]
+    for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:
+        files.write(path, content)
     if options.json:
         found = [tables.motion_record(m) for m in motions]
         _print(found[0] if len(found) == 1 else found)
@@ -64,6 +80,21 @@ def _run(options: argparse.Namespace) -> None:
     for m in motions:
         for warning in m.warnings:
             print(f"slipcircle: {m.plan.scene.name}: {warning}", file=sys.stderr)
+
+
+def _content(kind: str, path: str, motions: list[Motion], sources: list[bytes], options: argparse.Namespace) -> bytes:
+    """A file that `run` writes."""
+    if kind == "csv":
+        from slipcircle.trace import csv
+
+        return csv(motions).encode()
+    if kind == "plot":
+        from slipcircle.pictures import overview
+
+        return overview(motions, Path(path).suffix[1:].lower())
+    from slipcircle.report import report
+
+    return report(motions, sources, options.line).encode()
 
 
 def _plan(options: argparse.Namespace) -> None:
