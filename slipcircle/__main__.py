@@ -24,7 +24,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     which = f"one of {', '.join(shipped())}, or a TOML file"
     run = commands.add_parser("run", help="solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
-    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; png, pdf, svg, ...")
+    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg")
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
     planned = commands.add_parser("plan", help="how a scene will be solved, and what that costs")

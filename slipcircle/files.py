@@ -1,7 +1,6 @@
 """Files that a command writes: checked before the work begins, and never seen half written."""
 
 import os
-import stat
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -26,11 +25,13 @@ def check(outputs: Mapping[str, str], inputs: Sequence[str] = ()) -> None:
     found, taken = [], {os.path.realpath(path): "the scene file" for path in inputs}
     for option, name in outputs.items():
         path = Path(os.path.realpath(name))
+        if _is_device(name):
+            continue
         if path.is_dir() or not path.name or name.endswith(os.sep):
             found.append(f"{option} {name}: is a folder; give a file's name")
         elif not path.parent.is_dir():
             found.append(f"{option} {name}: there is no folder {Path(name).parent}")
-        elif not os.access(path if path.exists() and not path.is_file() else path.parent, os.W_OK):
+        elif not os.access(path.parent, os.W_OK):
             found.append(f"{option} {name}: may not be written")
         elif str(path) in taken:
             found.append(f"{option} {name}: would overwrite {taken[str(path)]}")
@@ -49,8 +50,8 @@ def write(name: str, content: bytes) -> None:
     path = Path(os.path.realpath(name))  # so that a link stays one
     part = path.with_name(f".{path.name[:200]}.{os.getpid()}.part")
     try:
-        if path.exists() and not stat.S_ISREG(path.stat().st_mode):  # a pipe, or /dev/stdout
-            path.write_bytes(content)
+        if _is_device(name):
+            Path(name).write_bytes(content)
             return
         try:
             part.write_bytes(content)
@@ -59,3 +60,8 @@ def write(name: str, content: bytes) -> None:
             part.unlink(missing_ok=True)
     except OSError as error:
         raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
+
+
+def _is_device(name: str) -> bool:
+    """Whether it is no file that could be replaced, such as a pipe or /dev/stdout."""
+    return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)

@@ -10,7 +10,7 @@ import numpy as np
 from slipcircle.files import write
 from slipcircle.motion import Motion
 from slipcircle.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, ending, legend, number
-from slipcircle.trace import Floats
+from slipcircle.trace import Floats, trace
 
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
 _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
@@ -129,14 +129,17 @@ def _forces(ax: Any, motion: Motion, radius: float, first: float, second: float,
     draw(tip, centre, "weight", 2.2)
     _write(ax, "$W$", tip, np.array([0.0, -1.0]))
     ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * shown))
-    way = -1.0 if (motion.run_out or motion.balance.fall) < 0.0 else 1.0
+    way = motion.phases[0].direction if motion.phases else math.copysign(1.0, motion.balance.fall)
+    rough = float(trace(motion)["friction"][0]) > 0.0 or "cohesion" in motion.plan.effects
     for share in _ARROWS:
         at = _points(radius, np.array([middle + share * alpha]))[:, 0]
         outward = at / radius
         along = way * np.array([-outward[1], outward[0]])
         draw(at, at + 0.7 * length * outward, "normal", 1.6)
-        draw(at - 0.55 * length * along + 0.06 * length * outward, at + 0.06 * length * outward, "tangential", 1.6)
-    for words, what in (("normal reaction $dN$", "normal"), ("tangential reaction $dT$", "tangential")):
+        if rough:
+            draw(at - 0.55 * length * along + 0.06 * length * outward, at + 0.06 * length * outward, "tangential", 1.6)
+    reactions = [("normal reaction $dN$", "normal"), ("tangential reaction $dT$", "tangential")]
+    for words, what in reactions[: 1 + rough]:
         ax.plot([], [], color=FORCES[what], lw=1.6, marker=">", ms=5, label=words)
 
 
