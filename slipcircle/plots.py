@@ -60,8 +60,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
     label, unit, curves, per = HISTORIES[what]
     columns = trace(motion)
     first, *more = curves
-    same = [np.allclose(columns[c], columns[first[0]], rtol=1e-9, atol=0.0) for c, _, _ in more]
-    curves = (first, *(c for c, alike in zip(more, same, strict=True) if not alike))
+    curves = (first, *(c for c in more if _differs(columns[c[0]], columns[first[0]])))
     factor, unit = scaled(np.concatenate([columns[c] for c, _, _ in curves]), unit)
     factor *= per
     ax.set(xlabel="time $t$ (s)", ylabel=f"{label} ({unit})")
@@ -104,6 +103,11 @@ def _read(time: float, times: Floats, values: Floats) -> float:
     """A column at one of its times; 0 for what rounding left of it."""
     value = float(np.interp(time, times, values))
     return 0.0 if abs(value) < 1e-9 * float(np.max(np.abs(values))) else value
+
+
+def _differs(one: Floats, other: Floats) -> bool:
+    """Whether there is a curve, and another one."""
+    return bool(np.any(np.isfinite(one))) and not np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
 
 
 def _turned(radius: float, way: int) -> Any:

@@ -46,9 +46,9 @@ def trace(motion: Motion) -> dict[str, Floats]:
     Returns
     -------
     dict of str to ndarray
-        `path` is the accumulated slip, `friction` the coefficient that the law gives for it, `holding_friction` the
-        one at which the mass would just stand still where it is, NaN where nothing presses on the slip surface,
-        `effective_stress` the normal stress without the water's share. `work` and `dissipation` count from the start.
+        `path` is the accumulated slip, `friction` the coefficient that the law gives for it, 0 where nothing
+        presses on the slip surface, `holding_friction` the one at which the mass would just stand still where it is,
+        NaN where nothing presses, `effective_stress` the normal stress without the water's share. `work` and `dissipation` count from the start.
     """
     at = motion.at(time := times(motion))
     energy = motion.energy_at(time)
@@ -59,7 +59,7 @@ def trace(motion: Motion) -> dict[str, Floats]:
     columns: dict[str, Any] = asdict(at) | {
         "path": path,
         "effective_stress": np.maximum(effective, 0.0) * float(motion.plan.scene.arc.reference_stress),
-        "friction": friction(motion.plan.scene.friction).coefficient(path),
+        "friction": np.where(effective > 0.0, friction(motion.plan.scene.friction).coefficient(path), 0.0),
         "holding_friction": np.array([_holding(motion, float(r)) for r in at.rotation]),
         "kinetic_energy": energy.kinetic_end,
         "work": energy.work,

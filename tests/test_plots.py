@@ -23,7 +23,7 @@ from slipcircle.trace import UNITS, csv, trace
 matplotlib.use("agg")
 
 
-def scene(first: float, second: float, friction: Any, effects: list[str], radius: float = 50.0, **more: Any) -> Scene:
+def scene(first: float, second: float, friction: Any, effects: Any, radius: float = 50.0, **more: Any) -> Scene:
     return Scene(Arc(radius, float(np.deg2rad(first)), float(np.deg2rad(second)), 19e3), friction, effects, **more)
 
 
@@ -37,6 +37,7 @@ SCENES = {name: Scene.load(name) for name in ("vaiont", "vaiont-frozen", "vaiont
     "thin": scene(240, 246, 0.36, ["centripetal"], radius=1000.0, end_time=10.0),
     "half disc": scene(160, 340, 0.1, BOTH, radius=20.0),
     "to the left": scene(260, 325, 0.15, BOTH),
+    "lifted": scene(215, 280, 0.2, {"rotation": {}, "pore_pressure": {"pressure": 2e5}}, end_time=6.0),
     "pushed": scene(240, 300, 0.3, ["rotation"], initial_velocity=5.0),
     "pushed up": scene(215, 280, 0.3, BOTH, initial_velocity=-8.0),
 }
@@ -189,6 +190,14 @@ def test_friction_to_stand_still_crosses_at_the_peak() -> None:
     assert columns["holding_friction"][0] == pytest.approx(m.limit_friction)
 
 
+def test_nothing_rubs_where_water_carries_the_mass() -> None:
+    columns = trace(motion("lifted"))
+    assert np.all(columns["friction"] == 0.0)
+    assert np.all(columns["effective_stress"] == 0.0)
+    ax = plots.history(motion("lifted"), "friction", drawn())
+    assert not any("stand still" in t.get_text() for t in ax.get_legend().get_texts())
+
+
 def test_phase_plane_stacks_the_energy() -> None:
     m, ax = motion("wet-slope"), drawn()
     assert plots.phase_plane(m, ax) is ax
@@ -232,7 +241,7 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     said = " ".join(t.get_text() for t in ax.get_legend().get_texts())
     assert f"depth {plotstyle.number(float(arc.depth))} m" in said
     assert f"$R$ = {plotstyle.number(radius)} m" in said
-    assert ("tangential" in said) == (name not in ("swings", "first stop"))
+    assert ("tangential" in said) == (name not in ("swings", "first stop", "lifted"))
 
 
 def arrows(ax: Any) -> Iterator[tuple[Any, Any]]:
