@@ -46,9 +46,10 @@ def trace(motion: Motion) -> dict[str, Floats]:
     Returns
     -------
     dict of str to ndarray
-        `path` is the accumulated slip, `friction` the coefficient that the law gives for it, 0 where nothing
-        presses on the slip surface, `holding_friction` the one at which the mass would just stand still where it is,
-        NaN where nothing presses, `effective_stress` the normal stress without the water's share. `work` and `dissipation` count from the start.
+        `path` is the accumulated slip; `friction` the coefficient that the law gives for it, 0 where nothing presses
+        on the slip surface; `holding_friction` the one at which the mass would just stand still where it is, NaN where
+        nothing presses; `effective_stress` the normal stress without the water's share. `work` and `dissipation`
+        count from the start.
     """
     at = motion.at(time := times(motion))
     energy = motion.energy_at(time)
