@@ -2,17 +2,20 @@
 
 import re
 from collections import Counter
+from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
 from derive import dynamics
 from derive.appendices import APPENDICES, parse
+from derive.approximants import variants
 from derive.effects import EFFECTS, LAWS, ORDER, VALUE, Effect, Law, Parameter, specialised
 from derive.emit import Function
 from derive.integrate import Derivation
 from derive.phase import CONSTANT, ENERGIES, WATER
 from derive.program import Program, operations, program
 from derive.quantities import MOMENTS, QUOTIENTS, RESISTANCE
+from derive.rounding import Record
 from derive.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
 from derive.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -21,7 +24,6 @@ PAPER = "the paper"
 ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
 # alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
-_ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
@@ -33,32 +35,59 @@ def closed_amplitudes(derivations: list[Derivation]) -> dict[str, sp.Expr]:
     return forms | {RESISTANCE[0]: 2 * alpha * (1 - sp.cos(alpha))}
 
 
-def kernels(derivations: list[Derivation]) -> list[Function]:
-    """The base quantities, their quotients, and the two weights of (theta_1, theta_2)."""
+def kernels(derivations: list[Derivation], proved: Iterable[Record] = ()) -> list[Function]:
+    """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
+    bounds: dict[str, dict[tuple[str, str], float]] = {}
+    for r in proved:
+        bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
     closed = closed_amplitudes(derivations)
     declared = {(m.amplitude or (m.name, m.symbol))[0]: ((m.amplitude or (m.name, m.symbol))[1], m.equation, m.help)
                 for m in MOMENTS} | {RESISTANCE[0]: RESISTANCE[1:]}  # fmt: skip
     found = []
     for name, form in closed.items():
         symbol, equation, words = declared[name]
-        found.append(
-            Function(
-                program(name, ("alpha",), alpha**3 * REDUCED[name], let=_CLIP),
-                f"{symbol}: {words}, dimensionless.", f"{symbol} = {form}", f"eq. ({equation}) of {PAPER}", (_ALPHA,),
-                f"{symbol}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
-            )
-        )  # fmt: skip
+        found.append(_of_alpha(name, f"{symbol}: {words}", f"{symbol} = {form}", equation, bounds.get(name)))
     for q in QUOTIENTS:
-        found.append(
-            Function(
-                program(q.name, ("alpha",), QUOTIENT_FORMS[q.name], let=_CLIP),
-                f"{q.symbol}: {q.help}, dimensionless.",
-                f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish.",
-                f"eq. ({q.equation}) of {PAPER}", (_ALPHA,), f"{q.symbol}.",
-                _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
-            )
-        )  # fmt: skip
+        formula = f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
+        found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name)))
     return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
+
+
+def _tiers(name: str) -> dict[str, Program]:
+    """What NumPy runs at each tier of a fitted kernel."""
+    return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
+
+
+def _of_alpha(
+    name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None
+) -> Function:
+    """A kernel of alpha, whose tiers are fitted."""
+    tiers = _tiers(name)
+    return Function(tiers["best"], f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
+                    f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, "", (), _accuracy(name, bounds), tiers)  # fmt: skip
+
+
+def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
+    """What is proved of a kernel, in words."""
+    if not bounds:
+        return ACCURACY
+    plain = bounds["best", "plain"]
+    cheap = "".join(
+        f"; accuracy={tier}: {bound:.3g} relative"
+        for (tier, form), bound in bounds.items()
+        if form == "fused" and tier[0] == "1"
+    )
+    single = f"; float32: {bounds['float32', 'fused']:.3g} ulp" if ("float32", "fused") in bounds else ""
+    return (
+        f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
+        f"{bounds.get(('best', 'numpy'), plain):.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
+    )
+
+
+def stable_forms() -> list[tuple[Program, str]]:
+    """Forms without cancellation, which the fits replace: each kernel's is proved equal to its closed form."""
+    forms = {name: alpha**3 * form for name, form in REDUCED.items()} | QUOTIENT_FORMS
+    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms.items()]
 
 
 _ARC = (
@@ -70,7 +99,7 @@ _ARC_INSIDE = (
     f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
 )
 # alpha and theta_m as difference and sum, with what their rounding lost.
-_DELTA, _EPSILON = sp.symbols("delta epsilon", real=True)
+_DELTA, _EPSILON, _KERNEL = sp.symbols("delta epsilon kernel", real=True)
 _ENDS = {
     alpha: sp.Min((theta_2 - theta_1) / 2, sp.pi / 2),
     _DELTA: RoundingError(theta_2, -theta_1) / 2,
@@ -86,9 +115,9 @@ def _turned(function: type[sp.Function]) -> sp.Expr:
 
 def _limit_friction() -> Function:
     """J_theta/J_r = (C_theta/C_r) tan(psi), from reduced functions."""
-    quotient = QUOTIENT_FORMS["weight_moment_per_radial_weight"]
+    let = _ENDS | {_KERNEL: _tiers("weight_moment_per_radial_weight")["best"]}
     return Function(
-        program("limit_friction", ("theta_1", "theta_2"), quotient * _turned(sp.cos) / _turned(sp.sin), let=_ENDS),
+        program("limit_friction", ("theta_1", "theta_2"), _KERNEL * _turned(sp.cos) / _turned(sp.sin), let=let),
         "mu_eq: friction coefficient at limit equilibrium.",
         "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
         f"eq. (3.21) of {PAPER}", _ARC, "mu_eq.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), ACCURACY,
@@ -101,14 +130,15 @@ def _weight(d: Derivation) -> Function:
     name, symbol = d.moment.amplitude
     # cos(psi) = -sin(theta_m) and sin(psi) = -cos(theta_m), as psi = 3 pi/2 - theta_m.
     direction = _turned(sp.sin if d.moment.weight.has(sp.sin) else sp.cos)
-    amplitude = alpha**3 * REDUCED[name] + _DELTA * SLOPES[name]
+    amplitude = _KERNEL + _DELTA * SLOPES[name]
+    let = _ENDS | {_KERNEL: _tiers(name)["best"]}
     return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=_ENDS),
+        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=let),
         f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
         f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
         f"eq. ({d.moment.equation}) of {PAPER}", _ARC, f"{d.moment.symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0),
-        f"the error of {name} plus 2 ulp of the amplitude (sampled only: no certificate).",
+        f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
     )  # fmt: skip
 
 

@@ -4,12 +4,15 @@ import difflib
 import hashlib
 import os
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 
 import sympy
 
-from derive import emit, functions
+from derive import certificates, certify, emit, emit_c, functions
+from derive.approximants import variants
 from derive.integrate import Derivation
+from derive.rounding import Record
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "generated"
@@ -18,29 +21,72 @@ MEND = "python -m derive"
 KERNELS = "Moments, weights and quotients of the arc, from their definitions."
 MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
 BALANCE = "The balance of momentum and the energy in the phase plane, specialised to the effects that are present."
+STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
-def files(derivations: list[Derivation]) -> dict[str, str]:
+def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
-    kernels, motion = functions.kernels(derivations), functions.motion()
+    kernels, motion = functions.kernels(derivations, proved), functions.motion()
+    c_source = emit_c.source(variants())
     texts = {
+        "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "balance.py": emit.plain_module(BALANCE, functions.balance()[0]),
         "effects.py": functions.effects_module(),
         "kernels.py": emit.module(KERNELS, kernels),
         "motion.py": emit.module(MOTION, motion),
-        "printed.py": emit.raw_module(PRINTED, functions.printed()),
+        "_kernels.c": c_source,
+        "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
+        "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
+        "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
     }  # fmt: skip
-    return {name: (header(text) + text if name.endswith(".py") else text) for name, text in sorted(texts.items())}
+    texts |= certificates.files(proved)
+    return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
-def header(text: str) -> str:
-    """Who writes the file, with what, and the digest of the text below."""
-    digest = hashlib.sha256(text.encode()).hexdigest()
-    return f"# Written by `{MEND}` with SymPy {sympy.__version__}; do not edit.\n# sha256 of the text below: {digest}\n"
+def header(name: str, text: str) -> str:
+    """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
+    written = f"Written by `{MEND}` with SymPy {sympy.__version__}; do not edit."
+    if name.endswith(".c"):
+        return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
+    return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n" if name.endswith(".py") else ""
+
+
+def digest_of(text: str) -> str:
+    """Its sha256."""
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+# Ulps are the measure of these tiers: of a number in [1, 2), the relative error of one.
+ULP = {"best": 2.0**-52, "float32": 2.0**-23}
+
+
+def proofs() -> list[Record]:
+    """The record of every variant: one that is there holds as long as its operations do (`prove` proves it again)."""
+    there = [record for path in sorted((FOLDER / "certificates").glob("*.json")) for record in certify.read(path)]
+    return certificates.records(variants(), there)
+
+
+def tiers_module(records: Iterable[Record], digest: str) -> str:
+    """What the run time must know of the proofs, and of which C source they speak."""
+    kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
+    for r in records:
+        bound, ulp = r["bound"], ULP.get(r["tier"])
+        forms = kernels.setdefault(r["kernel"], {}).setdefault(r["tier"], {})
+        forms[r["form"]] = (bound * ulp, bound) if ulp else (bound, None)
+    lines = []
+    for kernel, tiers in kernels.items():
+        lines += [f"    {kernel!r}: {{\n", *(f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()), "    },\n"]
+    return (
+        '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
+        f'DIGEST = "{digest}"\n\n'
+        "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
+        "# What is not here is sampled only.\n"
+        f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"
+    )
 
 
 def _package(names: list[str]) -> str:
@@ -78,6 +124,7 @@ def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
         if name not in wanted:
             (folder / name).unlink()
             continue
+        (folder / name).parent.mkdir(exist_ok=True)
         handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
         try:
             with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:

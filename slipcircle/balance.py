@@ -8,11 +8,14 @@ from typing import Any
 import numpy as np
 
 from generated import balance as functions
+from generated import kernels
 from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
+from slipcircle.arc import Arc
 from slipcircle.scene import Scene
 
 # Without shaking and heat: what is given anew at each moment comes on top.
-_STILL = {"k_h": 0.0, "k_v": 0.0, "excess": 0.0, "omega": 0.0, "fall_slope": 0.0, "press_slope": 0.0}
+STILL: dict[str, Any] = {"k_h": 0.0, "k_v": 0.0, "excess": 0.0, "omega": 0.0, "fall_slope": 0.0, "press_slope": 0.0}
+LOCAL = {"k_h", "k_v", "excess", "viscosity", "kappa"}  # what time, speed and heat ask for: no lane is solved with it
 
 
 @dataclass(frozen=True)
@@ -45,16 +48,16 @@ class Balance:
     """
 
     names: Mapping[str, str]
-    values: Mapping[str, float]
-    weight: float
-    radial: float
-    dip: float
-    fall: float
-    press: float
-    static_limit: float
+    values: Mapping[str, Any]
+    weight: Any
+    radial: Any
+    dip: Any
+    fall: Any
+    press: Any
+    static_limit: Any
     turns: bool
-    radius: float
-    time_scale: float = 1.0
+    radius: Any
+    time_scale: Any = 1.0
     forcing: Mapping[str, tuple[Any, float]] = field(default_factory=dict)
 
     def has(self, what: str) -> bool:
@@ -88,8 +91,8 @@ class Balance:
     def press_slope_at(self, rotation: Any) -> Any:
         """The derivative of J_r/Theta* by the dip, after any rotation of the mass."""
         if not self.turns:
-            return -self.radial * math.sin(self.dip) + 0.0 * rotation
-        return -self.radial * math.sin(self.dip) * np.cos(rotation) + self.press * np.sin(rotation)
+            return -self.radial * np.sin(self.dip) + 0.0 * rotation
+        return -self.radial * np.sin(self.dip) * np.cos(rotation) + self.press * np.sin(rotation)
 
     def given(self, t: Any, direction: int = 1) -> dict[str, Any]:
         """What changes with time, at dimensionless times, seen in the direction of travel."""
@@ -145,7 +148,7 @@ def bind(scene: Scene) -> Balance:
     press = float(d.radial_weight_per_inertia)
     weight, radial = arc.amplitudes_per_inertia
     level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
-    values = {"level": level, "polar": float(d.polar_moment_per_inertia), **_STILL}
+    values = {"level": level, "polar": float(d.polar_moment_per_inertia), **STILL}
     forcing: dict[str, tuple[Any, float]] = {}
     for effect in chosen:
         given = called[effect]
@@ -156,7 +159,7 @@ def bind(scene: Scene) -> Balance:
             value = given.get(p.name, 0.0)
             if callable(value):
                 forcing[p.symbol] = value, p.dimensionless(1.0, scales | own)
-                value = 0.0 if p.symbol in _STILL else value(0.0)
+                value = 0.0 if p.symbol in STILL else value(0.0)
             values[p.symbol] = p.dimensionless(float(value), scales | own)
     limit = float(d.limit_friction)
     return Balance(
@@ -173,3 +176,30 @@ def bind(scene: Scene) -> Balance:
         float(arc.time_scale),
         forcing,
     )
+
+
+def bind_lanes(effects: tuple[str, ...], arc: Arc, values: Mapping[str, Any], *, stress: bool = False) -> Balance:
+    """The balance of lanes, by the same arithmetic: arrays or numbers, and only what their motion asks for."""
+    names = COMBINATIONS[effects].functions
+    unasked = () if stress else ("effective_stress", "normal_stress")
+    asked = {a for what, n in names.items() if what not in unasked for a in ARGUMENTS[n]}
+    d, alpha = None if arc.given is None else arc.dimensionless, arc.half_angle
+    press, (weight, radial) = arc.press(), arc.amplitudes_per_inertia
+    limit = kernels.limit_friction(arc.theta_1, arc.theta_2) if d is None else d.limit_friction
+    known: dict[str, Any] = {}
+    if asked & {"polar", "level"}:
+        known["polar"] = kernels.polar_moment_per_inertia(alpha) if d is None else d.polar_moment_per_inertia
+    if "level" in asked:
+        dynamic = kernels.dynamic_coefficient(alpha) if d is None else d.dynamic_coefficient
+        static = press * dynamic / known["polar"] if d is None else d.static_normal_stress
+        known["level"] = press / static
+    scales = {"half_angle": alpha, "gravity": arc.gravity, "reference_stress": arc.reference_stress}
+    if "drag" in asked:
+        scales["Theta"] = kernels.moment_of_inertia(alpha) if d is None else d.moment_of_inertia
+    for effect in effects:
+        for p in EFFECTS[effect].parameters:
+            if p.symbol not in ("", *LOCAL) and f"{effect}.{p.name}" in values:
+                known[p.symbol] = p.dimensionless(values[f"{effect}.{p.name}"], scales)
+    known = STILL | known if asked & LOCAL else known
+    turns = any(EFFECTS[e].turns for e in effects)
+    return Balance(names, known, weight, radial, arc.dip, limit * press, press, limit, turns, arc.radius)

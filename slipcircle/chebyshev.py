@@ -92,22 +92,24 @@ def resolve(function: Callable[[Floats], Floats], edges: Floats, tolerance: floa
     edges : ndarray
         First panels: the function must be smooth between them.
     tolerance : float
-        Relative to the integral of the function's size.
+        Relative to the integral of the function's size, from the first edge to the panel.
     """
-    done: list[tuple[float, float, Floats, float]] = []
+    places, sizes, kept = np.zeros(0), np.zeros(0), np.zeros((NODES, 0))  # good panels: left edges, integrals, series
     left, right = edges[:-1], edges[1:]
     while len(left):
         coefficients = _TO_SERIES @ function(left + (right - left) * (_X[:, None] + 1) / 2)
         size = np.abs(coefficients).sum(axis=0) * (right - left) / 2
         tail = np.abs(coefficients[-2:]).sum(axis=0) * (right - left) / 2
-        whole = sum(d[3] for d in done) + float(size.sum())
+        before = np.concatenate([[0.0], np.cumsum(sizes)])[np.searchsorted(places, left)] + np.cumsum(size)
         narrow = (right - left) <= 1e-14 * np.maximum(np.abs(left), np.abs(right))
-        good = (tail <= tolerance * np.maximum(whole * 0.1, size)) | narrow | (len(done) + len(left) > _MAX_PANELS)
-        done += list(zip(left[good], right[good], coefficients.T[good], size[good], strict=True))
+        good = (tail <= tolerance * np.maximum(before * 0.1, size)) | narrow
+        if len(places) + len(left) > _MAX_PANELS:
+            good[:] = True
+        order = np.argsort(np.append(places, left[good]))
+        places, sizes = np.append(places, left[good])[order], np.append(sizes, size[good])[order]
+        kept = np.append(kept, coefficients[:, good], axis=1)[:, order]
+        # Halves of a panel follow each other, so that panels stay in order.
         middle = (left + right)[~good] / 2
-        left, right = np.concatenate([left[~good], middle]), np.concatenate([middle, right[~good]])
-    done.sort(key=lambda d: d[0])
-    ends = np.array([d[0] for d in done] + [done[-1][1]])
-    kept = np.array([d[2] for d in done]).T
-    tails = np.abs(kept[-2:]).sum(axis=0) * np.diff(ends) / 2
-    return Piecewise(ends, kept, float(tails.sum()))
+        left, right = np.ravel([left[~good], middle], "F"), np.ravel([middle, right[~good]], "F")
+    ends = np.append(places, edges[-1])
+    return Piecewise(ends, kept, float((np.abs(kept[-2:]).sum(axis=0) * np.diff(ends)).sum() / 2))

@@ -51,6 +51,13 @@ class Friction:
         """Whether it depends on nothing."""
         return not self.depends_on
 
+    @property
+    def settled(self) -> float:
+        """Slip from which on it is constant, m."""
+        if self.law == "exponential":
+            return 750 * self.scale  # exp(-750) is 0
+        return 0.0 if self.constant else self.kinks[-1] if self.kinks else np.inf
+
 
 def law_mistakes(given: Any) -> list[str]:
     """A sentence for each mistake in a scene's friction."""
@@ -167,9 +174,14 @@ def _named(given: Mapping[str, Any]) -> Friction:
             law.depends_on,
         )
     drop = getattr(balance, f"drop_{name}")
+    rises = numbers["peak"] < numbers["residual"]  # what it rises by is added, or a low start is lost in a high end
+
+    def coefficient(s: Any, v: Any = 0.0, t: Any = 0.0) -> Any:
+        return numbers["peak"] - drop(0.0, s, **numbers) if rises else formula(s, **numbers)
+
     return Friction(
         name,
-        lambda s, v=0.0, t=0.0: formula(s, **numbers),
+        coefficient,
         lambda s, more: drop(s, more, **numbers),
         numbers[law.scale],
         tuple(numbers[k] for k in law.kinks),

@@ -57,6 +57,23 @@ class Frozen:
         x, omega, rate = self._state(*self.coefficients, t)
         return x, omega, rate
 
+    @property
+    def last(self) -> float:
+        """Time at the end of the phase, or the longest; the phase plane has another variable in time's place.
+
+        Where there is neither, late enough for all speeds.
+        """
+        return min(self.duration, self.longest, 1e30)
+
+    def passing(self, t: Floats) -> tuple[Floats, Floats]:
+        """x and E = omega**2."""
+        x, omega, _ = self.when(t)
+        return x, omega**2
+
+    def passed(self, t: Floats) -> Floats:
+        """The time since the start of the phase."""
+        return t
+
     @cached_property
     def change(self) -> tuple[float, float, float] | None:
         """Time, x and E at which the mass lifts off or lands before the phase ends."""
@@ -98,7 +115,7 @@ class Frozen:
 
     @cached_property
     def _losses(self) -> Piecewise:
-        last = min(self.duration, self.longest)
+        last = self.last
         b = float(self.balance.get("brake", mu=self.mu))
         pace = math.sqrt(abs(self.a) * b) + b * self.omega_0  # of change, at first
         steps = [2.0**k / pace for k in range(80) if 2.0**k / pace < last] if pace > 0.0 else []

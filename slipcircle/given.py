@@ -24,7 +24,7 @@ def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, A
     try:
         if name == "shaking":
             return _shaking(given, gravity)
-        if name == "pore_pressure" and ("time" in given or np.ndim(given.get("pressure", 0.0)) == 1):
+        if name == "pore_pressure" and "time" in given:  # without it a list is an ensemble
             return _series_of_lists(given)
     except (ValueError, OSError) as error:
         raise ValueError(f"effects.{name}: {error}") from error
@@ -32,8 +32,8 @@ def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, A
 
 
 def _series_of_lists(given: Mapping[str, Any]) -> dict[str, Any]:
-    if "time" not in given or np.ndim(given.get("pressure", 0.0)) != 1:
-        raise ValueError("time and pressure: must both be lists where one is")
+    if np.ndim(given["time"]) != 1 or np.ndim(given.get("pressure", 0.0)) != 1:
+        raise ValueError("time and pressure: must be two lists of numbers")
     rest = {k: v for k, v in given.items() if k != "time"}
     return rest | {"pressure": Series(np.asarray(given["time"]), np.asarray(given["pressure"]))}
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from slipcircle.balance import Balance
 from slipcircle.checks import INFINITY, mistakes, raise_all
 from slipcircle.friction import friction
-from slipcircle.plan import CLOSED_IN_TIME, Plan
+from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, Plan
 
 if TYPE_CHECKING:
     from slipcircle.frozen import Frozen
@@ -116,6 +116,8 @@ class Motion:
         Times at which water carries the mass, so that nothing presses on the slip surface, s.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
+    energy_error_estimate : float
+        Estimated error of the energy balance, relative to all energy.
     warnings : tuple of str
         What a user should know; empty where all is well.
     """
@@ -196,10 +198,18 @@ class Motion:
         return tuple(t * self._scale for t in times)
 
     @cached_property
-    def error_estimate(self) -> float:
+    def _estimates(self) -> tuple[float, float]:
         from slipcircle.uncertainty import estimate
 
         return estimate(self)
+
+    @property
+    def error_estimate(self) -> float:
+        return self._estimates[0]
+
+    @property
+    def energy_error_estimate(self) -> float:
+        return self._estimates[1]
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -212,6 +222,11 @@ class Motion:
             found.append(
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"
+            )
+        if self.energy_error_estimate > (self.plan.accuracy if self.plan.method == INTEGRATION else 1e-12):
+            found.append(
+                f"ill-conditioned: the energy balance holds to {self.energy_error_estimate:.1e} only, as the "
+                "resistance is a small difference where water and speed carry the mass"
             )
         return found
 
@@ -284,8 +299,10 @@ class Motion:
     def _followed(self, t: Floats) -> tuple[Floats, Floats, Floats]:
         rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
-            for phase, mask, local in self._lanes(t):
-                x, speed, change = phase.solved.when(local)
+            which = np.searchsorted([p.start for p in self.phases], t, side="right") - 1
+            for k in np.unique(which[which >= 0]):
+                phase, mask = self.phases[k], which == k
+                x, speed, change = phase.solved.when(np.minimum(t[mask], phase.end) - phase.start)
                 rotation[mask] = phase.rotation + phase.direction * x
                 moves = ~(phase.rests & (t[mask] > phase.end))  # or rests until the next phase
                 omega[mask], rate[mask] = phase.direction * speed * moves, phase.direction * change * moves

@@ -27,20 +27,23 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 EPS = 2.0**-52
 
-# Collocation on [0, 1]: nodes, node values -> series, and node values of f -> the mean of f on [0, z] at the nodes z
-# and at 1. Means, not integrals, so that E grows from zero without losing digits.
-_Z = (np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES) + 1) / 2
+# Collocation on [0, 1]: nodes, node values -> series, and node values of f -> the mean of f on [0, z] at the nodes z.
+# Means, not integrals, so that E grows from zero without losing digits. The end is a node (Radau), so that a strong
+# brake forgets errors from panel to panel.
+Z = (np.cos(2 * np.pi * np.arange(NODES) / (2 * NODES - 1)) + 1) / 2
 _GAUSS = (np.polynomial.legendre.leggauss(12)[0] + 1) / 2, np.polynomial.legendre.leggauss(12)[1] / 2
-_BACK = np.linalg.inv(np.polynomial.chebyshev.chebvander(2 * _Z - 1, NODES - 1))
+BACK = np.linalg.inv(np.polynomial.chebyshev.chebvander(2 * Z - 1, NODES - 1))
 
 
 def _mean(z: Floats) -> Floats:
-    inside = np.polynomial.chebyshev.chebvander(2 * z[:, None] * _GAUSS[0] - 1, NODES - 1) @ _BACK
+    inside = np.polynomial.chebyshev.chebvander(2 * z[:, None] * _GAUSS[0] - 1, NODES - 1) @ BACK
     return np.einsum("zgn,g->zn", inside, _GAUSS[1])
 
 
-_AT_START = (-1.0) ** np.arange(NODES)
-_MEAN, _MEAN_TO_END = _mean(_Z), _mean(np.ones(1))[0]
+MEAN = _mean(Z)
+HAIRS = Z[-1] * np.array([0.0, 1e-6, 1e-4, 1e-2, 0.3])  # places before the first node, and a series' values there
+PLACES = np.concatenate([Z, HAIRS])
+AT_HAIRS = np.polynomial.chebyshev.chebvander(2 * HAIRS - 1, NODES - 1)
 
 
 def _rules() -> tuple[Floats, Floats]:
@@ -79,12 +82,9 @@ def energy_on_panels(
     return energy, at
 
 
-def of_row(known: list[tuple[Floats, Floats]], row: int) -> tuple[Floats, Floats]:
-    """Of one of the functions that are followed: values at the panels' left edges, and series as columns."""
-    return np.array([v[row] for v, _ in known]), np.array([m[row] for _, m in known]).T
-
-
-_MOST_PANELS = 4000  # of the collocation, halvings counted
+# Panels on which E in closed form is searched for its greatest value, over its end.
+_SHARES = np.concatenate([[0.0], np.geomspace(1e-18, 0.1, 50), np.linspace(0.1, 1.0, 50)[1:]])
+MOST_PANELS = 4000  # of the collocation, halvings counted
 
 
 class Course:
@@ -110,19 +110,21 @@ class Course:
         self.drive = balance.drive(self.at, self.mu)
         self.tilt = float(get("tilt", **self.at, mu=self.mu))
         self.brake = float(get("brake", mu=self.mu))
-        self.steady = law.constant or start.lifted
-        self.furthest = self.at["dip"] + np.pi / 2 if balance.turns else math.inf  # beyond, the mass would hang over
+        self.steady = start.slip >= law.settled or start.lifted
+        # Beyond, the mass would hang over; above zero, for a chord that stands upright to rounding.
+        self.furthest = max(self.at["dip"] + np.pi / 2, 1e-20) if balance.turns else math.inf
         alone = balance.turns and not balance.has("pressurisation")  # E follows from the rotation alone
         self.closed = alone and (self.steady or (law.law == "exponential" and not balance.has("brake")))
         self.unresolved, self.breaks = 0.0, list[float]()  # rotations between which all is smooth, where known
         if self.closed:
             self.energy, self._scalar = self._closed_form()
             self.end, self.stops = self._first_zero()
+            self.panels = self.end * _SHARES
             if self.steady and self.stops:
                 self._both_ways = self._from_both_ends()
         else:
-            self.end, self.stops = self._collocate(longest)
-        self.peak = self._peak()
+            (self.energy, self._scalar), self.end, self.stops = self._collocate(longest)
+        self.peak = self._peak(self.end)
 
     # -- the balance along the path
 
@@ -151,6 +153,12 @@ class Course:
             return self.at["press"] + 0.0 * x
         return self.at["press"] * np.cos(x) - self.at["press_slope"] * np.sin(x)
 
+    def fall(self, x: Any) -> Any:
+        """J_theta/Theta* at x."""
+        if not self.balance.turns:
+            return self.at["fall"] + 0.0 * x
+        return self.at["fall"] * np.cos(x) - self.at["fall_slope"] * np.sin(x)
+
     def pressing(self, x: Any, energy: Any) -> Any:
         """The effective mean normal stress over sigma_ref; the mass lifts off where it is negative."""
         return self.balance.get("effective_stress", press=self.press(x), omega_2=energy)
@@ -161,7 +169,11 @@ class Course:
 
     def friction(self, x: Any) -> Any:
         """The friction coefficient at x."""
-        return self.mu - self.drop(x)
+        fallen = self.drop(x)
+        if self.steady or np.all(fallen <= self.mu / 2):
+            return self.mu - fallen
+        # Where most of it is gone, what is left of it has more digits than the difference.
+        return np.where(fallen > self.mu / 2, self.law.coefficient(self.start.slip + self.radius * x), self.mu - fallen)
 
     def driving(self, x: Any) -> Any:
         """The drive at x: the one at the start, and what turning and softening change, so that no digit is lost."""
@@ -170,7 +182,12 @@ class Course:
             driving = self.drive * np.cos(x) - self.tilt * np.sin(x) - 2 * self.constant * np.sin(x / 2) ** 2
         if self.steady:
             return driving
-        return driving + self.drop(x) * self.balance.get("normal", press=self.press(x), excess=self.start.excess)
+        fallen, normal = self.drop(x), self.balance.get("normal", press=self.press(x), excess=self.start.excess)
+        driving = driving + fallen * normal
+        if np.all(fallen <= self.mu / 2):
+            return driving
+        anew = self.fall(x) - self.balance.get("constant", mu=0.0) - self.friction(x) * normal
+        return np.where(fallen > self.mu / 2, anew, driving)
 
     def braking(self, x: Any) -> Any:
         """The brake at x."""
@@ -297,27 +314,28 @@ class Course:
         """E' at x."""
         return float(self.slope(x, self._scalar(x)))
 
-    def _peak(self) -> float:
-        """Where E is greatest on [0, end]."""
+    def _peak(self, last: float) -> float:
+        """Where E is greatest on [0, last]."""
         rate = self._slope_at
         if self.closed and self.steady and self.constant >= 0.0:
             if self.drive <= self.brake * self.start.energy:
                 return 0.0
             if not self.stops and rate(self.end) >= 0.0:
                 return self.end
-            return halley(self._rates, self.end / 2, 0.0, self.end)
-        grid = self.end * np.sin(np.linspace(0.0, np.pi / 2, 400)) ** 2
+            # A strong brake soon holds the drive, and E' is rounded from then on.
+            held = min(20.0 / max(self.brake, 1e-300), self.end)
+            return max(halley(self._rates, self.end / 2, 0.0, self.end), held, key=self._scalar)
+        steps = np.diff(self.panels)[:, None] * np.linspace(0.0, 1.0, 9)
+        grid = np.unique(np.minimum(self.panels[:-1, None] + steps, last))
         values = self.energy(grid)
         k = int(np.argmax(values))
-        if k in (0, len(grid) - 1):
-            return float(grid[k])
-        left, right = float(grid[k - 1]), float(grid[k + 1])
+        left, right = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, len(grid) - 1)])
         at_left, at_right = rate(left), rate(right)
         return root(rate, left, right, at_left, at_right) if at_left > 0.0 > at_right else float(grid[k])
 
     # -- E by collocation, panel by panel
 
-    def _collocate(self, longest: float) -> tuple[float, bool]:
+    def _collocate(self, longest: float) -> tuple[tuple[Callable[[Any], Any], Callable[[float], float]], float, bool]:
         """E on panels, until it is zero, or the path ends, or more than the longest time has passed."""
         scale = min(self.law.scale / self.radius, 1.0, self.furthest)
         if self.drive > 0.0:
@@ -325,70 +343,64 @@ class Course:
         elif self.drive < 0.0:  # the way to a standstill
             scale = min(scale, self.start.energy / -self.drive)
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
-        left, width, least = 0.0, scale / 16, 0.0
-        values, known = self._at_start(), list[tuple[Floats, Floats]]()
-        edges = [0.0]
+        left, width, value, least = 0.0, scale / 16, self.start.energy, 0.0
+        edges, values, means = [0.0], [value], []
         never = 1e7 * max(1.0, self.law.scale / self.radius if math.isfinite(self.law.scale) else 0.0)
-        for _ in range(_MOST_PANELS):
+        for _ in range(MOST_PANELS):
             right = min([left + width, self.furthest, *(k for k in kinks if k > left)])
             half = right - left
-            rates, sizes, begins = self._panel(left, half, values)
-            means = rates @ _MEAN.T
-            # Also where it begins, which is no node: what falls within a hair of the start would pass unseen.
-            series = rates @ _BACK.T
-            missed = np.maximum(np.abs(series @ _AT_START - begins) - 64 * EPS * np.abs(series).sum(axis=1), 0.0)
-            tails = np.abs(series[:, -2:]).sum(axis=1) + missed
-            # What rounding of the slip leaves of a narrow table is no more than that: its part of E is what counts.
-            missing = np.minimum(tails / sizes, tails * half / np.maximum(np.abs(values), 1e-300))
-            if np.any((tails > 4e-15 * sizes) & (missing > 4e-15)) and half > 1e-13 * right:
+            places = left + half * PLACES
+            drives, brakes = 2 * self.driving(places), 2 * self.braking(places)
+            drive, brake = drives[:NODES], brakes[:NODES]
+            # E = value + (x - left) mean(E') and E' = drive - brake E, at the nodes: a linear system for E'.
+            matrix = brake[:, None] * (half * Z[:, None] * MEAN)
+            matrix[np.diag_indices(NODES)] += 1.0
+            rate = np.linalg.solve(matrix, drive - brake * value)
+            energy, mean = value + half * Z * (MEAN @ rate), BACK @ (MEAN @ rate)
+            rates, series = BACK @ rate, BACK @ energy
+            # Also before the first node: what falls within a hair of the start would pass unseen.
+            before = drives[NODES:] - brakes[NODES:] * (value + half * HAIRS * (AT_HAIRS @ mean))
+            missed = max(float(np.abs(AT_HAIRS @ rates - before).max() - 64 * EPS * np.abs(rates).sum()), 0.0)
+            # Where a strong brake holds the drive, E' is what rounding leaves of their difference; and rounding of the
+            # slip leaves little of a narrow table: there E is what counts, also where its series begins.
+            hair = missed * min(half * Z[-1], 1.0 / max(brake.max(), 1e-300)) + abs(value - AT_HAIRS[0] @ series)
+            missing = min(
+                (missed + np.abs(rates[-2:]).sum()) / max(np.abs(rate).max(), 1e-300),
+                (hair + np.abs(series[-2:]).sum()) / max(value, 1e-300),
+            )
+            if missing > 4e-15 and half > 1e-13 * right:
                 width = half / 2
                 continue
-            self.unresolved = max(self.unresolved, float(missing.max()))
-            following = values + half * (rates @ _MEAN_TO_END)
-            known.append((values, means @ _BACK.T))
+            self.unresolved = max(self.unresolved, missing)
             edges.append(right)
-            value, after, energy = float(values[0]), float(following[0]), values[0] + half * _Z * means[0]
-            ended = energy.min() <= 0.0 or after <= 0.0
-            least += half / math.sqrt(max(float(energy.max()), value, after, 1e-300))
+            values.append(float(energy[0]))
+            means.append(mean)
+            ended = energy.min() <= 0.0
+            least += half / math.sqrt(max(float(energy.max()), value, 1e-300))
             if not (ended or right >= self.furthest or least > longest or (math.isinf(longest) and right > never)):
-                left, values, width = right, following, 2 * half
+                left, value, width = right, values[-1], 2 * half
                 continue
-            self._keep(np.array(edges), known)
+            found = energy_on_panels(np.array(edges), np.array(values), np.array(means).T)
             if not ended:
-                return right, False
-            grid = np.append((left + half * _Z)[::-1], right)
-            below = int(np.argmax(np.append(energy[::-1], after) <= 0.0))
+                self.panels = np.array(edges)
+                return found, right, False
+            grid = (left + half * Z)[::-1]
+            below = int(np.argmax(energy[::-1] <= 0.0))
             low, high = (float(grid[below - 1]) if below else left), float(grid[below])
             # The series are rounded otherwise than the values at the nodes that the bracket comes from.
-            E = self._scalar
-            end = root(E, low, high, max(E(low), 1e-300), min(E(high), -1e-300))
-            if left == 0.0 and 0.0 < end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
-                width, least, edges, known = 4 * end, 0.0, [0.0], []
+            end = root(found[1], low, high, max(found[1](low), 1e-300), min(found[1](high), -1e-300))
+            if left == 0.0 and end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
+                width, least, edges, values, means = max(4 * end, 0.01 * half), 0.0, [0.0], [value], []
                 continue
-            return end, True
+            stops = float(self.slope(end, 0.0)) < 0.0
+            if not stops:  # E has only become too small for a number
+                end = left
+            self.panels = np.array([*edges[:-1], end])
+            return found, end, stops
         raise ValueError(
-            f"friction: changes too sharply for {_MOST_PANELS} panels of the energy equation, near a slip of "
+            f"friction: changes too sharply for {MOST_PANELS} panels of the energy equation, near a slip of "
             f"{self.start.slip + self.radius * left:.6g} m; give a smoother law"
         )
-
-    def _at_start(self) -> Floats:
-        """What is followed along the path, at the start."""
-        return np.array([self.start.energy])
-
-    def _panel(self, left: float, half: float, values: Floats) -> tuple[Floats, Floats, Floats]:
-        """Slopes at a panel's nodes of what is followed, the sizes of their terms, and the slopes where it begins."""
-        drive, brake = 2 * self.driving(left + half * _Z), 2 * self.braking(left + half * _Z)
-        # E = value + (x - left) mean(E') and E' = drive - brake E, at the nodes: a linear system for E'.
-        matrix = brake[:, None] * (half * _Z[:, None] * _MEAN)
-        matrix[np.diag_indices(NODES)] += 1.0
-        rate = np.linalg.solve(matrix, drive - brake * values[0])
-        # Where a strong brake holds the drive, their difference is rounded, and E is as good as the drive.
-        size = max(np.abs(rate).max(), np.abs(drive).max(), 1e-300)
-        return rate[None], np.array([size]), np.array([float(self.slope(np.array([left]), values[0])[0])])
-
-    def _keep(self, edges: Floats, known: list[tuple[Floats, Floats]]) -> None:
-        """Make functions of the panels' values and series."""
-        self.energy, self._scalar = energy_on_panels(edges, *of_row(known, 0))
 
     # -- time
 
@@ -404,10 +416,12 @@ class Course:
         if self.stops and self.steady and self.closed:
             return np.maximum(self._both_ways(x, left), 0.0)
         found = np.asarray(self.energy(x))
-        if self.stops and np.any(left < 0.05 * self.end):
+        # From the end a brake lets errors grow, by exp(2 brake left), and further on E is what the brake makes of it.
+        reach = min(0.05 * self.end, 0.5 / max(abs(float(self.braking(self.end))), 1e-300))
+        if self.stops and np.any(left < reach):
             found, begins, held = found.copy(), 0.0, 0.0
             kinks = [self.end - (k - self.start.slip) / self.radius for k in reversed(self.law.kinks)]
-            for stops in [*(k for k in kinks if 0.0 < k < 0.05 * self.end), 0.05 * self.end]:  # from the end
+            for stops in [*(k for k in kinks if 0.0 < k < reach), reach]:  # from the end
                 near = (left >= begins) & (left < stops)
                 found[near] = held + self._gained(begins, left[near])
                 begins, held = stops, held + float(self._gained(begins, np.array([stops]))[0])
@@ -426,7 +440,8 @@ class Course:
         places = [self._variable(k) for k in (*inner, *self.breaks)]
         # Over what E first changes: softening, a strong brake, a slow start. Panels grow from there.
         slow = self.start.energy / max(abs(self.drive), 1e-300)
-        paces = (self.law.scale / self.radius, 1.0 / max(2 * self.brake, 1e-300), slow)
+        softening = math.inf if self.steady else self.law.scale / self.radius
+        paces = (softening, 1.0 / max(2 * self.brake, 1e-300), slow)
         scales = [p / self.end for p in paces if 0.0 < p < 0.01 * self.end]
         first = [math.sqrt(p) * 2.0**k for p in scales for k in range(0, 600, 2) if math.sqrt(p) * 2.0**k < last / 2]
 
@@ -450,10 +465,11 @@ class Course:
     def _times(self) -> tuple[float, float, float]:
         """Times to the end and to the peak, and what is estimated to be missing from them.
 
-        Two Gauss-Legendre rules in one evaluation; where they differ, the series on refined panels.
+        Two Gauss-Legendre rules in one evaluation; where they differ, or both would pass over a start that a strong
+        brake soon ends, the series on refined panels.
         """
         last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
-        if self.steady and self.closed and self.start.energy == 0.0:
+        if self.steady and self.closed and self.start.energy == 0.0 and self.brake * self.end < 100.0:
             values = self._rate(np.concatenate([last * _RULES[0], top * _RULES[0]]))
             coarse, fine = _RULES[1] @ values.reshape(2, -1).T
             missing = abs(coarse[0] - fine[0]) + abs(coarse[1] - fine[1])
@@ -469,10 +485,15 @@ class Course:
 
     def fastest(self) -> tuple[float, float, float, float]:
         """Time, x, omega and d(omega)/dt at the greatest speed."""
-        energy = max(self._scalar(self.peak), 0.0)
-        inside = 0.0 < self.peak < self.end
-        rate = 0.0 if inside else float(self.slope(self.peak, energy)) / 2
-        return self._times[1], self.peak, math.sqrt(energy), rate
+        time, peak = self._times[1], self.peak
+        if time > self.longest and not (
+            self.closed and self.steady and self.constant >= 0.0
+        ):  # E may have risen and fallen before
+            peak = self._peak(self.state(self.longest)[0])
+            time = float(self.clock(np.array([self._variable(peak)]))[0])
+        energy = max(self._scalar(peak), 0.0)
+        rate = 0.0 if 0.0 < peak < self.end else float(self.slope(peak, energy)) / 2
+        return time, peak, math.sqrt(energy), rate
 
     def state(self, t: float) -> tuple[float, float, float]:
         """x, omega and d(omega)/dt at one time."""
@@ -506,6 +527,26 @@ class Course:
         s = s.copy()
         s[early] = z
         return s
+
+    # -- along the variable s
+
+    @property
+    def last(self) -> float:
+        """Where the phase ends, or the longest time."""
+        if self.duration <= self.longest:
+            return np.pi / 2 if self.stops else 1.0
+        return float(self._reached(np.array([self.longest]))[0])
+
+    def passing(self, s: Floats) -> tuple[Floats, Floats]:
+        """x and E."""
+        x, left, _ = self._place(s)
+        return x, self.speed_squared(x, left)
+
+    def passed(self, s: Floats) -> Floats:
+        """The time since the start of the phase."""
+        return accumulate(self._rate, self.clock, s)
+
+    # -- at any time
 
     def when(self, t: Floats) -> tuple[Floats, Floats, Floats]:
         """x, omega and d(omega)/dt at times since the start of the phase."""

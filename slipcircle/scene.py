@@ -2,15 +2,16 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from os import PathLike
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from generated.effects import EFFECTS, Parameter
-from slipcircle.arc import Arc
-from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
+from generated.effects import EFFECTS, LAWS, Parameter
+from slipcircle.arc import ARC_BOUNDS, QUANTITIES, Arc
+from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 from slipcircle.friction import law_mistakes
 from slipcircle.given import resolved
 
@@ -20,6 +21,9 @@ ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 @dataclass(frozen=True)
 class Scene:
     """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
+
+    Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
+    broadcast shape. Tables and given coefficients are no such fields.
 
     Parameters
     ----------
@@ -36,7 +40,7 @@ class Scene:
         record's file, or a list with its times.
     initial_velocity : float or array_like, optional
         Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
-    end_time : float, optional
+    end_time : float or array_like, optional
         s; by default until the mass rests.
     accuracy : float, optional
         Relative error that is asked for; the call's own wins.
@@ -53,7 +57,7 @@ class Scene:
     friction: ArrayLike | Mapping[str, Any] | Callable[[Any], Any]
     effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: ArrayLike = 0.0
-    end_time: float | None = None
+    end_time: ArrayLike | None = None
     accuracy: float | None = None
     name: str = ""
     note: str = ""
@@ -87,6 +91,7 @@ class Scene:
                     effects[name] = resolved(name, effects[name], float(np.asarray(self.arc.gravity).flat[0]))
                 except ValueError as error:
                     found.append(str(error))
+        found += [] if found else shape_mistakes(self.numbers)
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @property
@@ -94,6 +99,32 @@ class Scene:
         """Effects by name, each with its parameters, however they were given."""
         assert isinstance(self.effects, Mapping)
         return self.effects
+
+    @cached_property
+    def numbers(self) -> Mapping[str, ArrayLike]:
+        """All fields that may be arrays, by name: the arc's, ``friction.peak``, ``pore_pressure.ratio``, ..."""
+        found: dict[str, Any] = {n: getattr(self.arc, n) for n in QUANTITIES}
+        law = self.friction
+        if isinstance(law, Mapping):
+            tables = any(p.kind == "list" for p in LAWS[law["law"]].parameters) if law.get("law") in LAWS else True
+            found |= {f"friction.{n}": value for n, value in law.items() if n not in ("law", "rate") and not tables}
+        elif not callable(law):
+            found["friction"] = law
+        found["initial_velocity"] = self.initial_velocity
+        if self.end_time is not None:
+            found["end_time"] = self.end_time
+        known = {e: {p.name for p in EFFECTS[e].parameters if p.kind in ("number", "series")} for e in self.called}
+        return found | {
+            f"{e}.{n}": value
+            for e, given in self.called.items()
+            for n, value in given.items()
+            if n in known[e] and not callable(value)
+        }
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
+        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
 
     @staticmethod
     def load(name: str | PathLike[str]) -> "Scene":
@@ -162,3 +193,11 @@ def _allowed(p: Parameter) -> str:
     kinds = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers",
              "series": "a function of time, a Series or a Pulse"}  # fmt: skip
     return kinds.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
+
+
+def bounds(names: Iterable[str]) -> dict[str, tuple[float, float]]:
+    """Open bounds of those of a scene's numbers that have any, the effects' as ``effect.parameter``."""
+    known = {n: (low, high) for n, (low, high, _) in ARC_BOUNDS.items()}
+    known |= {"friction": (-5e-324, INFINITY), "initial_velocity": (-INFINITY, INFINITY)}
+    known |= {f"{e}.{p.name}": (p.lower, p.upper) for e, effect in EFFECTS.items() for p in effect.parameters}
+    return {n: known[n] for n in names if n in known}

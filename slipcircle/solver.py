@@ -1,13 +1,12 @@
 """From a plan to a motion: phase after phase, each in one direction, until the mass rests or its time is over."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.arc import QUANTITIES
 from slipcircle.balance import Balance, bind
 from slipcircle.friction import Friction, friction
 from slipcircle.motion import Motion, Phase, Start
@@ -23,24 +22,25 @@ if TYPE_CHECKING:
 _MOST_PHASES = 2000
 
 
-def solve(scene: Scene, accuracy: float | None = None) -> Motion:
-    """Solve a scene until it rests, or until its end time.
+def solve(scene: Scene, accuracy: float | None = None) -> Any:
+    """Solve a scene until it rests, or until its end time; a scene of arrays lane by lane.
 
     Parameters
     ----------
     scene : Scene
-        Its fields must be numbers here, not arrays.
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
 
     Returns
     -------
-    Motion
+    slipcircle.motion.Motion or slipcircle.motions.Motions
+        Motions, of the scene's broadcast shape, where its fields are arrays.
 
     Raises
     ------
     ValueError
-        If the scene never rests and has no end time, turns over, holds arrays, or overflows.
+        If the scene never rests and has no end time, turns over, or overflows; of an ensemble, such lanes have the
+        status FAILED.
 
     Notes
     -----
@@ -49,17 +49,18 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     nothing brings to rest (no friction, or none that presses on the slip surface, and no cohesion) is followed to its
     first standstill.
     """
-    numbers = {n: getattr(scene, n) for n in ("initial_velocity", "end_time")}
-    numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
-    numbers |= {} if callable(scene.friction) or isinstance(scene.friction, Mapping) else {"friction": scene.friction}
-    for name, value in numbers.items():
-        if not isinstance(value, (int, float)) and np.ndim(value) != 0:
-            raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
-    return solved_otherwise(plan(scene, accuracy))
+    if scene.shape:
+        from slipcircle.motions import solve_ensemble
+
+        return solve_ensemble(plan(scene, accuracy))
+    return solve_one(plan(scene, accuracy))
 
 
-def solved_otherwise(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
-    """The motion; an integration to another tolerance, or with weights changed by a share, tells its error."""
+def solve_one(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
+    """Solve one scene of plain numbers.
+
+    An integration to another tolerance, or with weights changed by a share, tells its error.
+    """
     scene = chosen.scene
     try:
         with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
@@ -82,7 +83,8 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
     follow = _follower(chosen, balance, law, tolerance)
     two_way = bool(scene.called.get("shaking", {}).get("two_way", False))
     omega = float(np.asarray(scene.initial_velocity)) / radius * scale
-    end = math.inf if scene.end_time is None else scene.end_time / scale
+    end_time = None if scene.end_time is None else float(np.asarray(scene.end_time))
+    end = math.inf if end_time is None else end_time / scale
     direction = int(np.sign(omega))
     time = rotation = slip = excess = 0.0
     energy, phases, arrested, change = omega**2, list[Phase](), False, None
@@ -118,7 +120,7 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
         solved = follow(start, end - time, time)
         change = solved.change
         duration = solved.duration if change is None else change[0]
-        stop = time + duration
+        stop, solved.longest = time + duration, min(solved.longest, duration)
         phases.append(Phase(time, min(stop, end), rotation, direction, solved, solved.stops and stop < end))
         if stop >= end:
             break
@@ -137,7 +139,7 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
         time = end
     if math.isinf(time):
         _refuse(scene, phases[-1].solved, math.inf)
-    duration = time * scale if arrested or scene.end_time is None else scene.end_time
+    duration = time * scale if arrested or end_time is None else end_time
     return Motion(chosen, whole, phases, duration, arrested)
 
 

@@ -313,6 +313,33 @@ CASES = (
         says="initial_velocity",
     ),
     HardScene("never rests", SLOPE, 0.2, "frozen, and below its limit", "runs for ever", FROZEN, says="end_time"),
+    HardScene(
+        "a strong brake",
+        arc(80.0, 0.3),
+        0.3,
+        "the speed is held from the first micrometres on, and forgets nothing else",
+        "a rule of a fixed number of points passes over the start: 1e-7 of the duration",
+        {"rotation": {}, "drag": {"xi": 1e-4}},
+    ),
+    HardScene(
+        "a brake strong beyond reason",
+        SLOPE,
+        0.2,
+        "E is rounded drive over brake, its slope nothing but rounding",
+        "integrates rounding back from the standstill: 1e-4 of the duration",
+        {"rotation": {}, "drag": {"xi": 1e-10}},
+        tolerance=1e-9,
+    ),
+    HardScene(
+        "a strong brake, moving",
+        SLOPE,
+        0.2,
+        "the start's speed is gone within a micrometre",
+        "steps of a fixed size, or a first step by guess, pass over all of it",
+        {"rotation": {}, "drag": {"xi": 1e-4}},
+        initial_velocity=1.0,
+        tolerance=1e-11,
+    ),
 )
 
 
@@ -390,6 +417,7 @@ class Leg:
     def duration(self, end: mpf) -> mpf:
         """int dx/sqrt(E), on panels as fine as softening, or a start next to standstill, needs."""
         scales = ([1 / self.p] if self.drop else []) + ([self.energy / abs(self.a)] if self.energy else [])
+        scales += [1 / self.q] if self.q * end > 10 else []
         fine = sorted({x for scale in scales for x in (4**k * scale for k in range(-2, 40)) if x < end / 4})
         inner = [mpmath.asin(mpmath.sqrt(x / end)) for x in fine]
         edges = [mpf(0), *inner, *(mpmath.pi / 2 * (1 - mpf(2) ** -k) for k in (1, 2)), mpmath.pi / 2]
@@ -456,6 +484,8 @@ def leg(case: HardScene, c: Coefficients, phi: mpf, direction: int, energy: mpf,
     psi = direction * (dip - phi)
     fall, press = c.turning / c.inertia, c.pressing / c.inertia * share
     q = 2 * mu * c.polar / c.inertia if "centripetal" in scene.called else mpf(0)
+    if "drag" in scene.called:
+        q += 4 * c.gravity * c.half / (c.inertia * mpf(scene.called["drag"]["xi"]))
     a = fall * mpmath.sin(psi) - mu * press * mpmath.cos(psi)
     b = fall * mpmath.cos(psi) + mu * press * mpmath.sin(psi)
     return Leg(energy, a, b, mpf(0), q, drop, p, press * mpmath.cos(psi), press * mpmath.sin(psi), short)
@@ -516,6 +546,11 @@ def frozen_answer(case: HardScene) -> Answer:
         )
 
 
+def ill_conditioned(motion: Motion) -> bool:
+    """Whether the user is told so."""
+    return any("ill-conditioned" in w for w in motion.warnings)
+
+
 def finite(motion: Motion) -> None:
     """No NaN, no infinity, states at rest after an arrest, phases in order, and the energy balance."""
     times = np.linspace(0.0, motion.duration, 17)
@@ -523,7 +558,10 @@ def finite(motion: Motion) -> None:
     assert all(np.all(np.isfinite(x)) for s in states for x in asdict(s).values())
     assert np.isfinite([motion.run_out, motion.duration, motion.error_estimate]).all()
     assert not np.isnan([motion.factor_of_safety, motion.limit_friction, motion.yield_coefficient]).any()
-    assert residual(motion, 9) <= max(1e-12, motion.error_estimate)
+    if ill_conditioned(motion):
+        assert residual(motion, 21) <= max(1e-12, motion.error_estimate, motion.energy_error_estimate)
+    else:
+        assert residual(motion, 21) <= 1e-12
     assert all(p.start <= p.end for p in motion.phases)
     assert all(a.end == b.start for a, b in zip(motion.phases, motion.phases[1:], strict=False))
     assert size(states[0].velocity) <= abs(float(motion.peak.velocity)) * (1 + 1e-12)
@@ -570,46 +608,57 @@ def anything(rng: np.random.Generator) -> dict[str, Any]:
     def power(low: float, high: float) -> float:
         return float(10.0 ** rng.uniform(low, high))
 
-    end = power(-9, 9) if rng.random() < 0.6 else None
-    effects: dict[str, dict[str, float]] = {e: {} for e in ("rotation", "centripetal") if rng.random() < 0.6}
+    def one_of(*values: float) -> float:
+        return float(values[rng.integers(len(values))])
+
+    effects: dict[str, dict[str, float]] = {e: {} for e in ("rotation", "centripetal") if rng.random() < 0.7}
+    end = power(-9, 9) if rng.random() < 0.5 else None
+    half = min(one_of(power(-8, 0.2), power(-8, 0), math.pi / 2), math.pi / 2)
+    tilt = power(-15, 0)
+    level, upright = (0.0, tilt, -tilt), (math.pi / 2, math.pi / 2 - tilt, tilt - math.pi / 2)
+    dip = one_of(rng.uniform(-1.57, 1.57), rng.uniform(0.0, 1.57), *level, *upright)
+    fields = {"radius": power(-3, 6), "unit_weight": power(0, 6), "gravity": power(-3, 3), "width": power(-3, 6)}
+    given = {**fields, "theta_1": 1.5 * math.pi - dip - half, "theta_2": 1.5 * math.pi - dip + half}
+    unit = math.sqrt(fields["radius"] * fields["gravity"])
     if "rotation" in effects and end is not None:
-        end = min(end, 100.0 * rng.random())  # of the time scale: not thousands of swings
+        end = min(end, 100.0 * rng.random() * unit / fields["gravity"])  # not thousands of swings
+    many = end is not None or "rotation" not in effects  # without an end, next to no friction means thousands of swings
+    stress = fields["unit_weight"] * fields["radius"] * half**2
+    if rng.random() < 0.4:
+        effects["pore_pressure"] = {
+            "ratio": one_of(0.0, rng.random(), 1 - power(-15, -1), 1 - 1e-15) * (1.0 if many else 0.9),
+            "pressure": one_of(0.0, stress * power(-12, 2), stress * power(-9, -2)),
+        }
+    if rng.random() < 0.4:
+        effects["cohesion"] = {"cohesion": one_of(0.0, stress * power(-12, 3), stress * power(-3, 0))}
+    if rng.random() < 0.4:
+        effects["drag"] = {"xi": fields["gravity"] / half**2 / power(-12, 12)}
+    limit = abs(math.tan(dip))
     least = 0.0 if end is not None else 0.03
 
     def angle() -> float:
-        return max(float(rng.choice([0.0, 1.0, rng.uniform(0, 2), power(-12, 0)])), least)
+        return max(one_of(0.0, 1.0, rng.uniform(0, 2), power(-12, 0), power(0, 4), limit), least)
 
-    half = min(power(-8, 0.2), math.pi / 2)
-    dip = float(rng.choice([rng.uniform(-1.57, 1.57), power(-15, 0), math.pi / 2 - power(-12, 0), 0.0, -power(-3, 0)]))
-    fields = {"radius": power(-3, 6), "unit_weight": power(0, 6), "gravity": power(-3, 3), "width": power(-3, 6)}
-    given = {**fields, "theta_1": 1.5 * math.pi - dip - half, "theta_2": 1.5 * math.pi - dip + half}
-    stress = fields["unit_weight"] * fields["radius"] * half**2
-    if rng.random() < 0.4:
-        ratio = min(rng.choice([0.0, 1 - power(-15, -1), rng.random()]), 1.0 if end is not None else 0.9)
-        effects["pore_pressure"] = {
-            "ratio": float(ratio),
-            "pressure": float(rng.choice([0.0, stress * power(-9, 2 if end is not None else -2)])),
-        }
-    if rng.random() < 0.4:
-        effects["cohesion"] = {"cohesion": float(rng.choice([0.0, stress * power(-12, 2)]))}
-    if rng.random() < 0.4:
-        effects["drag"] = {"xi": fields["gravity"] / half**2 / power(-9, 3)}
-    length = power(-12, 12)
-    slips = np.concatenate([[0.0], np.cumsum([power(-6, 3) for _ in range(4)])]).tolist()
+    low, steps = one_of(-13, -6, -3, 0), one_of(1, 3, 9)
+    slips = np.concatenate([[0.0], np.cumsum([power(low, low + steps) for _ in range(rng.integers(1, 8))])]).tolist()
     friction = [
-        angle(), max(abs(math.tan(dip)) * (1 + power(-15, -1) * float(rng.choice([-1, 1]))), least),
-        softening(str(rng.choice(["exponential", "linear", "hyperbolic"])), angle(), angle(), length),
+        angle(),
+        max(limit * (1 + power(-15, -1) * one_of(-1, 1)), least),
+        float(np.nextafter(limit, one_of(0.0, math.inf, limit))),
+        softening(str(rng.choice(["exponential", "linear", "hyperbolic"])), angle(), angle(), power(-12, 12)),
         {"law": "tabulated", "slip": slips, "coefficient": [angle() for _ in slips]},
         partial(smooth, angle(), angle(), power(-3, 4)),
-    ][rng.choice(5, p=[0.25, 0.15, 0.35, 0.15, 0.1])]  # fmt: skip
-    unit = math.sqrt(fields["radius"] * fields["gravity"])
-    velocity = float(rng.choice([0.0, unit * power(-12, 2), -unit * power(-12, 1), unit * power(-1, 0)]))
-    end = end and end * unit / fields["gravity"]
+    ][rng.choice(6, p=[0.2, 0.15, 0.1, 0.3, 0.15, 0.1])]  # fmt: skip
+    speed = power(-12, 3)
+    velocity = one_of(0.0, speed, -speed, unit * power(-1, 0.5), -unit * power(-12, 1))
     return {"arc": given, "friction": friction, "effects": effects, "initial_velocity": velocity, "end_time": end}
 
 
 def run_anything(fields: Mapping[str, Any]) -> str:
-    """What became of it: an answer that is consistent, or one sentence that begins with a field."""
+    """What became of it: an answer that is consistent, or one sentence that begins with a field.
+
+    The energy balances to 1e-12, or to the estimate where the answer says that it is ill-conditioned.
+    """
     try:
         given = Arc(**fields["arc"])
         motion = solve(
@@ -619,14 +668,16 @@ def run_anything(fields: Mapping[str, Any]) -> str:
         return "refused" if FIELD.match(str(error)) else f"refused without a field: {error}"
     finite(motion)
     assert motion.arrested or motion.duration == fields["end_time"] or fields["end_time"] is None
-    return "rests" if motion.arrested else "moves"
+    return ("ill-conditioned, " if ill_conditioned(motion) else "") + ("rests" if motion.arrested else "moves")
 
 
 @pytest.mark.parametrize("seed", range(5))
 def test_anything_has_an_answer_or_one_clear_error(seed: int) -> None:
     rng = np.random.default_rng([20250103, seed])
-    counts = Counter(run_anything(anything(rng)) for _ in range(100))
-    assert set(counts) <= {"rests", "moves", "refused"}
-    assert counts["rests"] > 15
-    assert counts["moves"] > 15
-    assert counts["refused"] < 60
+    counts = Counter(run_anything(anything(rng)) for _ in range(150))
+    ill = {"ill-conditioned, rests", "ill-conditioned, moves"}
+    assert set(counts) <= {"rests", "moves", "refused", *ill}
+    assert counts["rests"] > 50
+    assert counts["moves"] > 20
+    assert counts["refused"] < 50
+    assert sum(counts[i] for i in ill) < 15

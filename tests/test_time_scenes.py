@@ -458,7 +458,7 @@ REFUSED: list[tuple[Any, Any, str]] = [
     (0.3, {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 1.0), "two_way": 1}}, "two_way = 1: must be True"),
     (0.3, {"shaking": {"horizontal": 0.1}}, "horizontal = 0.1: must be a function of time"),
     (0.3, {"shaking": {"horizontal": math.sin}}, "must be a function of time"),
-    (0.3, {"pore_pressure": {"pressure": [1.0, 2.0]}}, "time and pressure: must both be lists"),
+    (0.3, {"pore_pressure": {"pressure": 1.0, "time": [1.0, 2.0]}}, "time and pressure: must be two lists"),
     (0.3, {"pore_pressure": {"pressure": [1.0, 2.0], "time": [1.0, 1.0]}}, "repeats"),
     (0.3, {"viscosity": {"viscosity": -1.0, "thickness": 1.0}}, "viscosity = -1"),
     (0.3, {"viscosity": {"viscosity": 1.0}}, "'thickness' is missing"),

@@ -1,0 +1,422 @@
+"""The checker: proves the error bound of a straight-line float64 program on the whole domain, rounding included.
+
+It reads plain data (`generated/certificates/*.json`) and uses the standard library and python-flint only; of the
+generator it knows nothing, and `derive.truth` has the exact functions. Per box of alpha,
+
+    |computed - exact| <= |P - F| + sum_i sup |dP/dn_i| d_i + half an ulp,
+
+where P is the program in real arithmetic (Taylor models), n_i the rounding error of operation i with its bound d_i, and
+the derivatives are taken backwards through the program in ball arithmetic, over all alpha of the box and all errors
+within their bounds (mean value theorem, so that nothing of higher order is dropped). Exact operations have no n_i, and
+an operation that computes the rounding error of another one *is* that n_i, so compensation counts.
+"""
+
+import hashlib
+import heapq
+import json
+import math
+import time
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+
+from flint import arb
+
+from derive import rounding, truth
+from derive.rounding import DOWN, LOG_ULPS, ROUNDING_BITS, TINY, UP, Record, Tape, Unbounded, Undecided, specialise
+from derive.truth import BITS, CUBE, QUOTIENTS, SEGMENTS, TOP, Model, Segment, ball, working
+
+FOLDER = Path(__file__).resolve().parent.parent / "generated" / "certificates"
+
+SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
+UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds
+VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
+QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
+UNITS = {"best": "ulp", "float32": "ulp of float32", "1e-10": "relative", "1e-6": "relative"}
+ASSUMPTIONS = {"log": f"np.log within {LOG_ULPS} ulp"}
+
+
+class Rejected(Exception):
+    """A certificate that is refused, with the name of the check that refuses it."""
+
+    def __init__(self, check: str, record: Record, why: str) -> None:
+        super().__init__(f"{check}: {record['kernel']} {record['tier']} {record['form']}: {why}")
+        self.check = check
+
+
+# --- the parts of the domain ---------------------------------------------------------------------------------------
+
+
+def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
+    """Parts of [lower, upper], both ends included, no double left out, each with one tape.
+
+    Where to cut first is guessed from the constants, which matters for the time only: what is undecided is halved.
+    """
+    constants = [float.fromhex(v) for kind, _, v in record["operations"] if kind == "const"]
+    guesses = {QUARTER, TOP, *constants, *(TOP - c for c in constants)}
+    if any(v == "exponent" for _, _, v in record["operations"]):
+        guesses |= {TOP - 0.75 * 2.0**-k for k in range(54)}
+    inner = sorted(c for c in guesses if lower < c < upper)
+    starts = sorted({lower, upper, *inner, *(math.nextafter(c, 9.0) for c in inner)})
+    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise(starts)] + [(upper, upper)]
+    found: list[tuple[float, float, Tape]] = []
+    todo.reverse()
+    while todo:
+        a, b = todo.pop()
+        try:
+            tape = specialise(record, a, b)
+        except (Undecided, Unbounded):
+            if a == b:
+                raise
+            middle = min(a + (b - a) / 2, math.nextafter(b, -9.0))
+            todo += [(math.nextafter(middle, 9.0), b), (a, middle)]
+            continue
+        if found and found[-1][2] == tape:
+            found[-1] = (found[-1][0], b, tape)
+        else:
+            found.append((a, b, tape))
+    return found
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A piece of the domain within a segment: what bounds the error on any box of it.
+
+    ``difference`` is (P - F) times the denominator of F, if it has one; on the first segment ``difference`` and
+    ``above`` are divided by alpha**degree. In a window (top > 0) a box is one of xi, and alpha = s xi, s <= top.
+    """
+
+    tape: Tape
+    segment: Segment
+    lower: float
+    upper: float
+    difference: Model
+    above: Model
+    below: Model | None
+    degree: int
+    top: float = 0.0
+
+    def error(self, lower: float, upper: float) -> tuple[float, float, float]:
+        """|before the last rounding - exact| and the last rounding's error at most, |exact| at least (over s**degree).
+
+        Raises
+        ------
+        Unbounded
+            If the box is too wide for finite bounds.
+        """
+        with working(ROUNDING_BITS):
+            x = ball(lower, upper)
+            total, last = rounding.rounding_sum(self.tape, x)
+            t = (ball(0.0, self.top) if self.top else x) - self.segment.centre
+            factor = x * x * x if self.degree and self.segment.lower == 0 else arb(1)
+            difference, exact = self.difference(t) * factor, self.above(t) * factor
+            if self.below is not None:
+                divisor = self.below(t)
+                difference, exact = difference / divisor, exact / divisor
+            distance = (float(difference.abs_upper()) * UP + total) * UP
+            smallest = float(exact.abs_lower()) * DOWN
+            if not (distance < math.inf and smallest >= 0):
+                raise Unbounded("the error is not finite")
+            return distance, last, smallest
+
+    def remainder(self) -> float:
+        """Of the series of the difference, over the value at the centre."""
+        with working(BITS):
+            reach = max(abs(arb(x) - self.segment.centre).upper() for x in (self.lower, self.upper))
+            rest = abs(self.difference.last) * reach**self.difference.power / abs(self.above.main(arb(0)))
+            return float(rest.upper()) if rest.is_finite() else math.inf
+
+    def window(self, top: float, bottom: float) -> "Patch":
+        """For every alpha = s xi, s in [bottom, top] a power of two, xi in [1/2, 1]."""
+        tape = rounding.scaled(self.tape, self.degree, top, bottom)
+        return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
+
+
+def patch(kernel: str, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
+    """Models of the program and of the exact function, and of what lies between them."""
+    above, below = QUOTIENTS.get(kernel, (kernel, None))
+    degree = 0 if below else CUBE
+    first = truth.kernel(above, segment)
+    second = truth.kernel(below, segment) if below else None
+    with working(BITS):
+        order = degree if segment.lower == 0 else 0
+        fat = ball(min(lower, segment.centre), max(upper, segment.centre))
+        own = truth.model(rounding.ideal(tape, arb(segment.centre)), rounding.ideal(tape, fat), order)
+        if second is None:
+            difference = Model(own.main - first.main, own.last - first.last, own.power)
+        else:  # (P - F1/F2) F2
+            t = fat - segment.centre
+            rest = [m.last * arb(0, 1) * t.abs_upper() ** m.power for m in (own, first, second)]
+            last = rest[0] * second(t) + own.main(t) * rest[2] - rest[1]
+            difference = Model(own.main * second.main - first.main, last, 0)
+    return Patch(tape, segment, lower, upper, difference, first, second, degree)
+
+
+def fine_patches(kernel: str, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
+    """One patch, or several on shorter segments, until the remainders of the series are far below an ulp."""
+    middle = (segment.lower + segment.upper) / 2
+    narrow = upper - lower < 2.0**-10 * (TOP - lower)
+    try:
+        found = patch(kernel, tape, segment, lower, upper)
+        if narrow or found.remainder() < 2.0**-64:
+            yield found
+            return
+    except (ArithmeticError, ValueError):  # a division by a series, or a logarithm, that contains 0
+        if narrow:
+            raise
+    for part in (Segment(segment.lower, middle), Segment(middle, segment.upper)):
+        if max(part.lower, lower) < min(part.upper, upper):
+            yield from fine_patches(kernel, tape, part, max(part.lower, lower), min(part.upper, upper))
+
+
+def patches(record: Record) -> Iterator[Patch]:
+    """The domain: one window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then all pieces on all segments."""
+    kernel = record["kernel"]
+    near = patch(kernel, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
+    yield near.window(SMALL, UNDERFLOW) if near.degree else near
+    for a, b, tape in pieces(record, SMALL, TOP):
+        for segment in SEGMENTS:
+            for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):
+                lower, upper = max(a, segment.lower, start), min(b, segment.upper, end)
+                if lower < upper or lower == upper in (a, b):
+                    yield from fine_patches(kernel, tape, segment, lower, upper)
+
+
+# --- the proof -----------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """Bounds on the error: on the whole domain from UNDERFLOW on, up to pi/4 only, and below UNDERFLOW.
+
+    Tiers best and float32: in ulp of the exact value, and the ulp is never less than the format's least number. Tiers
+    1e-10 and 1e-6: relative, and below UNDERFLOW in units of (whole times the exact value + 2**-1074).
+    """
+
+    whole: float
+    quarter: float
+    underflow: float
+
+
+def ulp(x: float, bits: int) -> float:
+    """Unit in the last place of an exact value x >= 0, exponents unbounded: the smaller one at a power of two."""
+    mantissa, exponent = math.frexp(x)
+    return math.ldexp(1.0, exponent - bits - (mantissa == 0.5)) if x else 0.0
+
+
+def in_units(tier: str, distance: float, last: float, smallest: float, least: float = 0.0) -> float:
+    """The error on a box in the unit of its tier; ``least`` is the least ulp.
+
+    |rounded - exact| is at most the distance before the last rounding plus half an ulp *of the exact value*, if that
+    distance is at most one ulp: where the exact value lies below a power of two and the number to be rounded above it,
+    the power of two is the nearest double.
+    """
+    if not smallest > 0 and not least > 0:
+        return math.inf  # the box is too wide
+    if tier in ("1e-10", "1e-6"):
+        return (distance + last) / smallest * UP
+    if tier == "float32":  # computed in double precision, then rounded once more
+        distance += last
+    unit = max(ulp(smallest, 24 if tier == "float32" else 53), least)
+    if distance <= unit:
+        return (distance / unit + 0.5) * UP
+    return (distance + last) / unit * UP if tier == "best" else math.inf
+
+
+def below_underflow(record: Record, whole: float) -> float:
+    """A bound below UNDERFLOW, where s**-3 times the least number is not negligible.
+
+    One window for each s down to VANISHING, and there the absolute error.
+    """
+    kernel, tier = record["kernel"], record["tier"]
+    if kernel in QUOTIENTS or tier == "float32":
+        return 0.0  # quotients do not underflow, nor does double precision for the least float32
+    near = patch(kernel, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
+
+    def bound(distance: float, last: float, smallest: float, least: float) -> float:
+        if tier == "best":
+            return in_units(tier, distance, last, smallest, least)
+        return (distance + last) / (whole * smallest + least) * UP
+
+    s = VANISHING
+    worst = bound(*near.window(s, s).error(0.0, 1.0), TINY / s / s / s)
+    while s < UNDERFLOW:
+        s *= 2
+        window = near.window(s, s)
+        for i in range(16, 32):
+            worst = max(worst, bound(*window.error(i / 32, (i + 1) / 32), TINY / s / s / s))
+    return worst
+
+
+def limit_at_end(kernel: str) -> float:
+    """|F(TOP)/F(pi/2) - 1| in ulp of float32, whose pi/2 lies above pi/2: it is clipped to TOP and stands for pi/2."""
+    with working(BITS):
+        half = arb.pi() / 2
+        names = QUOTIENTS.get(kernel, (kernel,))
+        value = [truth.KERNELS[name](half, arb(1), arb(0), arb(0)) for name in names]
+        limit = value[0] / value[1] if len(value) > 1 else value[0]
+        return float((truth.value(kernel, arb(TOP)) / limit - 1).abs_upper()) * 2.0**24 * UP
+
+
+def error(record: Record, part: Patch, lower: float, upper: float) -> float:
+    """A bound on the error on one box, in the unit of its tier; infinite if the box is too wide."""
+    try:
+        found = in_units(record["tier"], *part.error(lower, upper))
+    except Unbounded:
+        return math.inf
+    at_end = record["tier"] == "float32" and upper == TOP
+    return found + limit_at_end(record["kernel"]) if at_end else found
+
+
+def check_zero(record: Record) -> None:
+    """0 at alpha = 0, exactly; the value of a quotient there is inside the domain like any other."""
+    with working(ROUNDING_BITS):
+        value = rounding.forward(specialise(record, 0.0, 0.0), arb(0))[0][-1]
+    if record["kernel"] not in QUOTIENTS and not value == 0:
+        raise Rejected("zero", record, "not 0 at alpha = 0")
+
+
+def prove(record: Record) -> Bounds:
+    """Prove what the record claims, on the whole domain.
+
+    Returns
+    -------
+    Bounds
+        The proved bounds, not above the claimed ones.
+
+    Raises
+    ------
+    Rejected
+        With the name of the check that failed: digest, assumptions, program, zero, bound or underflow.
+    """
+    if record["sha256"] != digest(record):
+        raise Rejected("digest", record, "the operations are not those that were certified")
+    if record["assumptions"] != assumptions(record):
+        raise Rejected("assumptions", record, "they do not name what the program relies on")
+    try:
+        return _prove(record)
+    except Unbounded as fault:
+        raise Rejected("bound", record, f"no finite bound: {fault}") from fault
+    except (ArithmeticError, LookupError, TypeError, Undecided, ValueError) as fault:
+        raise Rejected("program", record, f"{type(fault).__name__}: {fault}") from fault
+
+
+def _prove(record: Record) -> Bounds:
+    if record["tier"] not in UNITS:
+        raise ValueError(f"no tier is called {record['tier']}")
+    if any(not 0 <= a < i for i, (_, args, _) in enumerate(record["operations"]) for a in args):
+        raise ValueError("an operation uses a later one")
+    check_zero(record)
+    proved = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
+    for part in patches(record):
+        claim = claimed(part)
+        todo = [(part.lower, part.upper)]
+        while todo:
+            lower, upper = todo.pop()
+            found = error(record, part, lower, upper)
+            if found <= record[claim]:
+                proved[claim] = max(proved[claim], found)
+                continue
+            middle = (lower + upper) / 2
+            if not lower < middle < upper or upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53):
+                where = f"at {'s ' if part.top else ''}{lower!r}, s any small power of two" if part.top else repr(lower)
+                raise Rejected("bound", record, f"{found:.4g} is not within {record[claim]}, alpha near {where}")
+            todo += [(lower, middle), (middle, upper)]
+    underflow = below_underflow(record, record["bound"])
+    if not underflow <= record["bound_underflow"]:
+        raise Rejected("underflow", record, f"{underflow:.4g} is not within {record['bound_underflow']}")
+    return Bounds(max(proved.values()), proved["bound_to_quarter_pi"], underflow)
+
+
+def claimed(part: Patch) -> str:
+    """The claim that covers a patch."""
+    return "bound_to_quarter_pi" if part.top or part.upper <= QUARTER else "bound"
+
+
+@dataclass(frozen=True)
+class Worst:
+    """A box on which the bound is largest: of alpha, or of xi in a window."""
+
+    lower: float
+    upper: float
+    window: bool
+
+
+def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]:
+    """Find bounds that can be proved: the worst box is halved, again and again. With them the patches' worst boxes."""
+    found = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
+    every = list(patches(record))
+    worst = []
+    for claim in found:
+        heap = [
+            (-error(record, part, part.lower, part.upper), number, part.lower, part.upper)
+            for number, part in enumerate(every)
+            if claimed(part) == claim
+        ]
+        heapq.heapify(heap)
+        for _ in range(halvings):
+            _, number, lower, upper = heap[0]
+            middle = (lower + upper) / 2
+            if not lower < middle < upper:
+                break
+            halves = ((lower, middle), (middle, upper))
+            entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
+            heapq.heapreplace(heap, entries[0])
+            heapq.heappush(heap, entries[1])
+        found[claim] = -heap[0][0]
+        of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
+        for _, number, lower, upper in heapq.nsmallest(16, of_patch.values()):
+            worst.append(Worst(lower, upper, every[number].top > 0))
+    whole = max(found.values())
+    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
+
+
+def digest(record: Record) -> str:
+    """sha256 of what is certified: kernel, tier, form, operations and output."""
+    certified = [record[key] for key in ("kernel", "tier", "form", "operations", "output")]
+    return hashlib.sha256(json.dumps(certified, separators=(",", ":")).encode()).hexdigest()
+
+
+def assumptions(record: Record) -> list[str]:
+    """What the proof takes for granted, from the calls that the program makes."""
+    called = {value for kind, _, value in record["operations"] if kind == "call"}
+    return [words for call, words in ASSUMPTIONS.items() if call in called]
+
+
+# --- files and command line ----------------------------------------------------------------------------------------
+
+
+def read(path: Path) -> list[Record]:
+    """The records of one certificate file."""
+    return list(json.loads(path.read_text(encoding="utf-8"))["certificates"])
+
+
+def judge(record: Record) -> tuple[Record, Bounds | Rejected, float]:
+    """A record, what came of its proof, and the seconds that it took."""
+    start = time.perf_counter()
+    try:
+        result: Bounds | Rejected = prove(record)
+    except Rejected as refusal:
+        result = refusal
+    return record, result, time.perf_counter() - start
+
+
+def prove_all(folder: Path = FOLDER, processes: int = 2) -> bool:
+    """Prove every certificate of a folder and print a table; true if none is rejected."""
+    records = [record for path in sorted(folder.glob("*.json")) for record in read(path)]
+    start, accepted = time.perf_counter(), bool(records)
+    print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
+    with ProcessPoolExecutor(processes) as pool:
+        for record, result, seconds in pool.map(judge, records):
+            name = f"{record['kernel']:<32} {record['tier']:<8} {record['form']:<6}"
+            if isinstance(result, Rejected):
+                accepted = False
+                print(f"{name} REJECTED by {result}")
+            else:
+                claimed_too = f"{record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
+                print(f"{name} {result.whole:>9.4g} {claimed_too}  {UNITS[record['tier']]:<14} {seconds:>7.2f}")
+    print(f"{len(records)} certificates, {'all proved' if accepted else 'NOT all proved'}, ", end="")
+    print(f"{time.perf_counter() - start:.1f} s with {processes} processes")
+    return accepted
