@@ -61,6 +61,16 @@ def derive_all() -> dict[str, str]:
     return texts
 
 
+def binary() -> str:
+    """Compile the kernels where the source changed, and say what serves now."""
+    from derive.build import NoBinaryError, build
+
+    try:
+        return build().name
+    except NoBinaryError as error:
+        return f"NumPy serves: {error}"
+
+
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call."""
     parser = argparse.ArgumentParser(prog="python -m derive", description=str(__doc__))
@@ -92,6 +102,7 @@ def main(argv: list[str] | None = None) -> int:
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
     changed = write.write(texts)
+    timed("kernels", "compile", "{0}", binary)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
     return 0

@@ -1,14 +1,17 @@
-"""A `Program` becomes NumPy source: plain operators and calls, so that other array types pass through."""
+"""A `Program` becomes NumPy source: plain operators and calls, so that another library's arrays may pass through."""
 
 import textwrap
 from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 
 from derive.program import Op, Program, operations
 
 _INFIX = {"add": ("+", 1), "sub": ("-", 1), "mul": ("*", 2), "div": ("/", 2), "less": ("<", 0)}
-_CALL = {"min": "np.minimum", "max": "np.maximum", "select": "np.where"}
+_CALL = {"min": "minimum", "max": "maximum", "select": "where"}
+_ACCURACY = """    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the best tier.
+"""
 _LINE = 96  # an expression longer than this gets a name
 
 
@@ -26,15 +29,19 @@ class Function:
     inside: str  # in Python, over the arguments and `eps` of their type
     safe: tuple[float, ...]  # a point inside, used in the place of arguments outside
     accuracy: str
+    tiers: Mapping[str, Program] = field(default_factory=dict)  # a kernel of alpha: what NumPy runs at each tier
 
 
-def body(program: Program) -> str:
-    """The private function that computes a program, one output or a tuple of them."""
+def body(program: Program, name: str = "", space: str = "np") -> str:
+    """The private function that computes a program, one output or a tuple of them.
+
+    ``space`` is the name of the module of array functions; if it is not NumPy's own, callers may pass another.
+    """
     uses = Counter(i for op in program.ops for i in op.args) + Counter(program.outputs)
     text: dict[int, tuple[str, int]] = {}
     lines: list[str] = []
     for index, op in enumerate(program.ops):
-        expression, rank = _expression(op, text)
+        expression, rank = _expression(op, text, space)
         free = op.kind in ("input", "const")
         if free or (uses[index] == 1 and len(expression) < _LINE and index not in program.outputs):
             text[index] = (expression, rank)
@@ -42,13 +49,13 @@ def body(program: Program) -> str:
             text[index] = (f"v{index}", 9)
             lines.append(f"v{index} = {expression}")
     results = ", ".join(text[i][0] for i in program.outputs)
-    signature = ", ".join(f"{x}: Array" for x in program.inputs)
+    signature = ", ".join(f"{x}: Array" for x in program.inputs) + (f", {space}: Any = np" if space != "np" else "")
     returned = "Array" if len(program.outputs) == 1 else f"tuple[{', '.join(['Array'] * len(program.outputs))}]"
     code = "\n".join([*lines, f"return {results}"])
-    return f"def _{program.name}({signature}) -> {returned}:\n{textwrap.indent(code, '    ')}\n"
+    return f"def _{name or program.name}({signature}) -> {returned}:\n{textwrap.indent(code, '    ')}\n"
 
 
-def _expression(op: Op, text: dict[int, tuple[str, int]]) -> tuple[str, int]:
+def _expression(op: Op, text: dict[int, tuple[str, int]], space: str) -> tuple[str, int]:
     """Source of one operation, and how tightly it binds."""
     if op.kind == "input":
         return str(op.value), 9
@@ -66,10 +73,10 @@ def _expression(op: Op, text: dict[int, tuple[str, int]]) -> tuple[str, int]:
         first = left[0] if left[1] >= rank else f"({left[0]})"
         second = right[0] if right[1] > rank else f"({right[0]})"
         return f"{first} {sign} {second}", rank
-    if op.kind == "fma":
-        raise ValueError("NumPy has no fused multiply-add: emit the plain program")
-    name = _CALL.get(op.kind) or f"np.{op.value}"
-    return f"{name}({', '.join(text[i][0] for i in op.args)})", 9
+    if op.kind == "fma" or op.value in ("exponent", "significand"):
+        raise ValueError(f"NumPy has no {op.value or op.kind}: emit the plain program, or NumPy's own")
+    name = _CALL.get(op.kind) or op.value
+    return f"{space}.{name}({', '.join(text[i][0] for i in op.args)})", 9
 
 
 def function(f: Function) -> str:
@@ -86,7 +93,7 @@ def function(f: Function) -> str:
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
-
+{_ACCURACY if f.tiers else ""}
     Returns
     -------
     ndarray or scalar
@@ -100,6 +107,8 @@ def function(f: Function) -> str:
     """
 '''
     doc = "\n".join(_fill(line) for line in doc.splitlines()) + "\n"
+    if f.tiers:
+        return _kernel(f, doc)
     names = ", ".join(p.inputs)
     typed = ", ".join(f"{x}: ArrayLike" for x in p.inputs)
     safe = ", ".join(repr(x) for x in f.safe) + ("," if len(f.safe) == 1 else "")
@@ -109,6 +118,25 @@ def function(f: Function) -> str:
         f"def {p.name}({typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:\n{doc}"
         f"    return evaluate(_{p.name}, lambda eps, {names}: {f.inside}, ({safe}), ({args}), out, where)\n"
     )
+
+
+def _kernel(f: Function, doc: str) -> str:
+    """A kernel of alpha: the text of each tier, and a function that leaves the choice to `generated._compiled`."""
+    name = f.program.name
+    bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
+    texts = "".join(f"{body(p, bodies[tier], 'xp')}\n\n" for tier, p in f.tiers.items())
+    listed = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
+    return (
+        f'{texts}TEXTS["{name}"] = {{{listed}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"])\n\n\n'
+        f"def {name}(\n"
+        "    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None\n"
+        f") -> Any:\n{doc}    return _call_{name}(alpha, out, where, accuracy)\n"
+    )
+
+
+def identifier(kernel: str, tier: str) -> str:
+    """Name of a kernel's tier in source: ``polar_moment_1e_10``."""
+    return f"{kernel}_{tier}".replace("-", "_").rstrip("_")
 
 
 def _fill(line: str) -> str:
@@ -123,10 +151,14 @@ def module(docstring: str, functions: Iterable[Function]) -> str:
     """A module of public functions."""
     functions = list(functions)
     names = ",\n    ".join(f'"{f.program.name}"' for f in functions)
+    imports, texts = "from generated._evaluate import Array, evaluate\n", ""
+    if any(f.tiers for f in functions):
+        imports = f"from generated._compiled import Text, kernel\n{imports}"
+        texts = "\n# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
     head = (
         f'"""{docstring}"""\n\nfrom typing import Any\n\n'
         "import numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n\n"
-        f"from generated._evaluate import Array, evaluate\n\n__all__ = [\n    {names},\n]\n"
+        f"{imports}\n__all__ = [\n    {names},\n]\n{texts}"
     )
     return head + "".join(f"\n\n{function(f)}" for f in functions)
 

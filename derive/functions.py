@@ -6,6 +6,7 @@ import sympy as sp
 
 from derive import dynamics
 from derive.appendices import APPENDICES, parse
+from derive.approximants import variants
 from derive.effects import EFFECTS, LAWS, ORDER, VALUE, Effect, Law, Parameter, specialised
 from derive.emit import Function
 from derive.integrate import Derivation
@@ -20,7 +21,6 @@ PAPER = "the paper"
 ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
 # alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
-_ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
@@ -40,24 +40,19 @@ def kernels(derivations: list[Derivation]) -> list[Function]:
     found = []
     for name, form in closed.items():
         symbol, equation, words = declared[name]
-        found.append(
-            Function(
-                program(name, ("alpha",), alpha**3 * REDUCED[name], let=_CLIP),
-                f"{symbol}: {words}, dimensionless.", f"{symbol} = {form}", f"eq. ({equation}) of {PAPER}", (_ALPHA,),
-                f"{symbol}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
-            )
-        )  # fmt: skip
+        found.append(_of_alpha(name, alpha**3 * REDUCED[name], f"{symbol}: {words}", f"{symbol} = {form}", equation))
     for q in QUOTIENTS:
-        found.append(
-            Function(
-                program(q.name, ("alpha",), QUOTIENT_FORMS[q.name], let=_CLIP),
-                f"{q.symbol}: {q.help}, dimensionless.",
-                f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish.",
-                f"eq. ({q.equation}) of {PAPER}", (_ALPHA,), f"{q.symbol}.",
-                _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.5,), ACCURACY,
-            )
-        )  # fmt: skip
+        formula = f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
+        found.append(_of_alpha(q.name, QUOTIENT_FORMS[q.name], f"{q.symbol}: {q.help}", formula, q.equation))
     return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
+
+
+def _of_alpha(name: str, stable: sp.Expr, words: str, formula: str, equation: str) -> Function:
+    """A kernel of alpha: what NumPy runs at each tier is fitted, or, where nothing is, the stable form."""
+    tiers = {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
+    tiers = tiers or {"best": program(name, ("alpha",), stable, let=_CLIP)}
+    return Function(tiers["best"], f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
+                    f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, "", (), ACCURACY, tiers)  # fmt: skip
 
 
 _ARC = (

@@ -212,18 +212,20 @@ def program(
         index = builder.add(value)
         builder.done = {e: i for e, i in builder.done.items() if not e.has(symbol)} | {symbol: index}
     results = tuple(builder.add(e) for e in outputs)
-    # Drop what nothing reads: a `let` of which only a part was used.
-    alive = set(results)
-    for index in range(len(builder.ops) - 1, -1, -1):
+    return without_dead(Program(name, inputs, tuple(builder.ops), results))  # of a `let`, a part may not be used
+
+
+def without_dead(p: Program) -> Program:
+    """The same program without the operations that no output needs."""
+    alive = set(p.outputs)
+    for index in range(len(p.ops) - 1, -1, -1):
         if index in alive:
-            alive |= set(builder.ops[index].args)
+            alive |= set(p.ops[index].args)
     place = {index: new for new, index in enumerate(sorted(alive))}
     ops = tuple(
-        Op(op.kind, tuple(place[i] for i in op.args), op.value)
-        for index, op in enumerate(builder.ops)
-        if index in alive
+        Op(op.kind, tuple(place[i] for i in op.args), op.value) for index, op in enumerate(p.ops) if index in alive
     )
-    return Program(name, inputs, ops, tuple(place[i] for i in results))
+    return Program(p.name, p.inputs, ops, tuple(place[i] for i in p.outputs))
 
 
 def operations(counts: Mapping[str, int]) -> str:

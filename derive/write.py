@@ -2,13 +2,17 @@
 
 import difflib
 import hashlib
+import json
 import os
 import tempfile
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 import sympy
 
-from derive import emit, functions
+from derive import emit, emit_c, functions
+from derive.approximants import variants
 from derive.integrate import Derivation
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -24,23 +28,60 @@ PRINTED = "The paper's own forms, as printed, for comparison only: they cancel a
 def files(derivations: list[Derivation]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels, motion = functions.kernels(derivations), functions.motion()
+    c_source = emit_c.source(variants())
     texts = {
+        "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "balance.py": emit.plain_module(BALANCE, functions.balance()[0]),
         "effects.py": functions.effects_module(),
         "kernels.py": emit.module(KERNELS, kernels),
         "motion.py": emit.module(MOTION, motion),
+        "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, functions.printed()),
+        "tiers.py": tiers_module(certificates(), _digest(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
     }  # fmt: skip
-    return {name: (header(text) + text if name.endswith(".py") else text) for name, text in sorted(texts.items())}
+    return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
-def header(text: str) -> str:
-    """Who writes the file, with what, and the digest of the text below."""
-    digest = hashlib.sha256(text.encode()).hexdigest()
-    return f"# Written by `{MEND}` with SymPy {sympy.__version__}; do not edit.\n# sha256 of the text below: {digest}\n"
+def header(name: str, text: str) -> str:
+    """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
+    written = f"Written by `{MEND}` with SymPy {sympy.__version__}; do not edit."
+    if name.endswith(".c"):
+        return f'/* {written} */\n#define DIGEST "{_digest(text)}"\n'
+    return f"# {written}\n# sha256 of the text below: {_digest(text)}\n" if name.endswith(".py") else ""
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+# Ulps are the measure of these tiers: of a number in [1, 2), the relative error of one.
+ULP = {"best": 2.0**-52, "float32": 2.0**-23}
+
+
+def certificates() -> list[dict[str, Any]]:
+    """The records of what is proved, in the order of their files."""
+    paths = sorted((FOLDER / "certificates").glob("*.json"))
+    return [record for path in paths for record in json.loads(path.read_text(encoding="utf-8"))]
+
+
+def tiers_module(records: Iterable[Mapping[str, Any]], digest: str) -> str:
+    """What the run time must know of the proofs, and of which C source they speak."""
+    kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
+    for r in records:
+        bound, ulp = r["bound"], ULP.get(r["tier"])
+        forms = kernels.setdefault(r["kernel"], {}).setdefault(r["tier"], {})
+        forms[r["form"]] = (bound * ulp, bound) if ulp else (bound, None)
+    lines = [f"    {n!r}: {{\n{''.join(f'        {t!r}: {f!r},{chr(10)}' for t, f in of.items())}    }},\n" for n, of in kernels.items()]
+    return (
+        '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
+        f'DIGEST = "{digest}"\n\n'
+        "# kernel -> tier -> form of the program -> (relative error, error in ulp or None where it is not the measure).\n"
+        "# What is not here is sampled only.\n"
+        f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"
+    )
 
 
 def _package(names: list[str]) -> str:

@@ -1,36 +1,19 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 63dcce9afc5758d75259e47adb4c7eb611227d0bbe6c0d6e26aaaaa148a34e68
+# sha256 of the text below: e31978e61a2723ae12baeaa7558516967ebd903e4ea755d515c0dc0b54a332e5
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
+BLOCK = 8192  # elements whose intermediate values stay in the cache
 
 
-def evaluate(
-    body: Callable[..., Array],
-    inside: Callable[..., Any],
-    safe: tuple[float, ...],
-    args: tuple[Any, ...],
-    out: NDArray[Any] | None,
-    where: ArrayLike,
-) -> Any:
-    """Compute ``body(*args)`` in float64 and return it in the arguments' floating type.
-
-    Parameters
-    ----------
-    body : callable
-        Straight-line code over float64 arrays.
-    inside : callable
-        ``inside(eps, *args)`` is true in the domain; eps is that of the arguments' type.
-    safe : tuple of float
-        A point of the domain, which stands in for arguments outside it.
-    args, out, where
-        As NumPy's ufuncs take them.
+def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
+    """The arguments as arrays, or as Python's numbers, and the floating type of the result.
 
     Raises
     ------
@@ -43,23 +26,71 @@ def evaluate(
         kind = np.dtype(np.float64)
     if kind.kind != "f" or kind.itemsize > 8:
         raise TypeError(f"arguments of type {kind} are not supported: give real numbers of at most 64 bits")
-    values = [np.asarray(x, dtype=np.float64) for x in items]
-    wanted = np.asarray(where, dtype=bool)
-    with np.errstate(all="ignore"):  # a lane outside, or not asked for, may do what it likes here
-        valid = inside(float(np.finfo(kind).eps), *values)
-    use = valid & wanted
-    if not np.all(use):
-        values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
-    with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
-        result = np.asarray(body(*values)).astype(kind, copy=False)
-    if result.shape != use.shape or any(result is x for x in values):  # a body may leave out an argument, or return it
-        result = np.broadcast_to(result, use.shape).copy()
-    invalid = wanted & (~valid | np.isnan(result))
-    if np.any(invalid):
+    return items, kind
+
+
+def evaluate(
+    body: Callable[..., Array],
+    inside: Callable[..., Any],
+    safe: tuple[float, ...],
+    args: tuple[Any, ...],
+    out: NDArray[Any] | None,
+    where: ArrayLike,
+) -> Any:
+    """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
+
+    Parameters
+    ----------
+    body : callable
+        Straight-line code over float64 arrays.
+    inside : callable
+        ``inside(eps, *args)`` is true in the domain; eps is that of the arguments' type.
+    safe : tuple of float
+        A point of the domain, which stands in for arguments outside it.
+    args, out, where
+        As NumPy's ufuncs take them.
+    """
+    items, kind = real(args)
+    eps = float(np.finfo(kind).eps)
+    given = [np.asarray(x) for x in (*items, np.asarray(where, dtype=bool))]
+    result = np.empty(np.broadcast_shapes(*(x.shape for x in given)), kind)
+    if result.size <= BLOCK:
+        invalid = _block(body, inside, eps, safe, given, result)
+    else:
+        types = [*[np.float64] * len(items), np.bool_, kind]
+        modes = [*[["readonly"]] * len(given), ["writeonly"]]
+        with np.nditer([*given, result], ["external_loop", "buffered"], modes, types, buffersize=BLOCK) as blocks:
+            invalid = False
+            for *values, part in blocks:
+                invalid |= _block(body, inside, eps, safe, values, part)
+    if invalid:
         np.subtract(np.inf, np.inf)  # NumPy's own `invalid`, handled as np.errstate says
-    if not np.all(use):
-        result = np.where(use, result, kind.type(np.nan))
     if out is None:
         return result[()]
-    np.copyto(out, result, where=wanted, casting="same_kind")
+    np.copyto(out, result, where=given[-1], casting="same_kind")
     return out
+
+
+def _block(
+    body: Callable[..., Array],
+    inside: Callable[..., Any],
+    eps: float,
+    safe: tuple[float, ...],
+    given: Sequence[NDArray[Any]],
+    result: NDArray[Any],
+) -> bool:
+    """Fill one part of the result; whether a lane that was asked for is invalid."""
+    values, wanted = [np.asarray(x, dtype=np.float64) for x in given[:-1]], given[-1]
+    with np.errstate(all="ignore"):  # a lane outside, or not asked for, may do what it likes here
+        valid = inside(eps, *values)
+    use = valid & wanted
+    whole = bool(np.all(use))
+    if not whole:
+        values = [np.where(use, x, s) for x, s in zip(values, safe, strict=True)]
+    with np.errstate(under="ignore"):  # a result that underflows is correctly rounded, or nearly so
+        result[...] = body(*values)
+    bad = np.isnan(result) & wanted
+    if not whole:
+        np.copyto(result, np.nan, where=~use)
+        bad |= wanted & ~valid
+    return bool(np.any(bad))

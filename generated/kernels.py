@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9c9f21d6d77b632fffece75249217b2eb0c7cee422a7d489bac0ce2056af2663
+# sha256 of the text below: 65b8309b6b16188a942c6048bebef74dcfc6220e479f06511cffd0ba24f08b3c
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from typing import Any
@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from generated._compiled import Text, kernel
 from generated._evaluate import Array, evaluate
 
 __all__ = [
@@ -25,38 +26,62 @@ __all__ = [
     "limit_friction",
 ]
 
-
-def _polar_moment(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v4 = v2 * v2
-    v14 = ((1.9572941063391263e-20 * v4 + -8.22063524662433e-18) * v4 + 2.8114572543455206e-15) * v4 + -7.647163731819816e-13
-    v23 = ((v14 * v4 + 1.6059043836821613e-10) * v4 + -2.505210838544172e-08) * v4 + 2.7557319223985893e-06
-    v33 = (((v23 * v4 + -0.0001984126984126984) * v4 + 0.008333333333333333) * v4 + -0.16666666666666666) * v4
-    v34 = v33 + 1.0
-    v35 = np.cos(v2)
-    v38 = v34 / (1.0 + v35) * v2
-    v39 = v38 * v38
-    v42 = 1.0 - v39
-    v45 = np.minimum(0.4, v38)
-    v46 = v45 * v45
-    v56 = ((0.024390243902439025 * v46 + 0.02564102564102564) * v46 + 0.02702702702702703) * v46 + 0.02857142857142857
-    v66 = (((v56 * v46 + 0.030303030303030304) * v46 + 0.03225806451612903) * v46 + 0.034482758620689655) * v46
-    v77 = (((v66 + 0.037037037037037035) * v46 + 0.04) * v46 + 0.043478260869565216) * v46 + 0.047619047619047616
-    v87 = (((v77 * v46 + 0.05263157894736842) * v46 + 0.058823529411764705) * v46 + 0.06666666666666667) * v46
-    v98 = (((v87 + 0.07692307692307693) * v46 + 0.09090909090909091) * v46 + 0.1111111111111111) * v46 + 0.14285714285714285
-    v109 = np.minimum(0.9999999999999999, np.maximum(0.4, v38))
-    v120 = np.where(v38 < 0.4, (v98 * v46 + 0.2) * v46 + 0.3333333333333333, (0.5 * np.log1p(2.0 * v109 / (1.0 - v109)) - v109) / (v109 * (v109 * v109)))
-    v134 = 4.0 * v2 * v2
-    v144 = ((9.183689863795546e-29 * v134 + -6.446950284384474e-26) * v134 + 3.868170170630684e-23) * v134 + -1.9572941063391263e-20
-    v153 = ((v144 * v134 + 8.22063524662433e-18) * v134 + -2.8114572543455206e-15) * v134 + 7.647163731819816e-13
-    v162 = ((v153 * v134 + -1.6059043836821613e-10) * v134 + 2.505210838544172e-08) * v134 + -2.7557319223985893e-06
-    v171 = ((v162 * v134 + 0.0001984126984126984) * v134 + -0.008333333333333333) * v134 + 0.16666666666666666
-    v173 = (1.0 + v39) * (3.0 - v42 * v42 * v120 - v39) * v35 * (v34 * (v34 * v34)) / 12.0 + 2.6666666666666665 * v171
-    v176 = v173 * v2 * v2 * v2
-    return v176
+# What NumPy runs, by kernel and tier.
+TEXTS: dict[str, dict[str, Text]] = {}
 
 
-def polar_moment(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+def _polar_moment(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((5.168625993130202e-10 * v1 + -1.6576286070544384e-09) * v1 + 4.229027862047401e-09) * v1 + -2.294785799497861e-09
+    v22 = (((v11 * v1 + 1.105655322025256e-08) * v1 + 2.735267439239966e-08) * v1 + 6.229864974936299e-08) * v1
+    v31 = (((v22 + 1.8822972508971063e-06) * v1 + -3.157332872662651e-05) * v1 + 0.0005900272525386768) * v1
+    v42 = (((v31 + -0.007054673721059087) * v1 + 0.057142857142847545) * v1 + -0.26666666666666655) * v1 + 0.16666666666666666
+    v48 = 1.5707963267948966 - alpha
+    v49 = v48 * v48
+    v59 = ((-2.5902481829787356e-05 * v49 + 0.000366809753599211) * v49 + -0.0045198575980835536) * v49 + 0.03611109475585648
+    v78 = ((3.304584814267213e-05 * v49 + -0.0004988439913579735) * v49 + 0.005209840469412508) * v49 + -0.03306606290744626
+    v85 = ((v59 * v49 + -0.16666666675971478) * v49 + 0.33333333333338067) * xp.log(xp.maximum(v48, 8.673617379884035e-19))
+    v92 = v48 * v49 * (v85 + ((v78 * v49 + 0.09885786312498492) * v49 + -0.008826837964346697)) + 5.360408832255455e-17
+    v96 = xp.where(alpha < 0.95, (v1 * v42 + v1 * 0.5) * alpha, alpha + -0.5235987755982989 + v92)
+    return v96
+
+
+def _polar_moment_1e_10(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v3 = 2.4674011002723395 - v1
+    v13 = ((0.058876226263682115 * v3 + 2.924173333296739) * v3 + 17.372410880113158) * v3 + 101.88292373597345
+    v25 = (((v13 * v3 + 188.0609794452953) * v3 + 92.09333594378792) * v3 + 11.481432227545879) * v3 + 0.27018982302843847
+    v36 = ((-0.1210440526494234 * v3 + 3.451058209446253) * v3 + -40.532846996251536) * v3 + 167.31840391801205
+    v48 = (((v36 * v3 + 592.4905912523266) * v3 + 327.93026766650274) * v3 + 42.18998405310376) * v3 + 1.0
+    v50 = v25 * v1 / v48 * alpha
+    return v50
+
+
+def _polar_moment_1e_6(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((1.3553916148132743e-05 * v1 + -0.00012300991011412324) * v1 + 0.0004641334116873807) * v1 + -0.0009462187190355254
+    v22 = (((v11 * v1 + 0.001603521078160282) * v1 + -0.007671609149860532) * v1 + 0.05732983555205492) * v1
+    v28 = ((v22 + -0.26668864793741015) * v1 + 0.6666671005494391) * v1 * alpha
+    return v28
+
+
+def _polar_moment_float32(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v3 = 2.4674011002723395 - v1
+    v13 = ((0.06414296134293003 * v3 + 0.9297869610419341) * v3 + 6.300636026761616) * v3 + 29.69445259391
+    v25 = (((v13 * v3 + 69.64967393431827) * v3 + 47.82136127644069) * v3 + 8.321440448598144) * v3 + 0.2701898230006029
+    v36 = ((0.23038315612586163 * v3 + -5.545295729315065) * v3 + 32.75732007943386) * v3 + 204.0410319285895
+    v47 = v25 * v1 / (((v36 * v3 + 167.63021002311652) * v3 + 30.494533122537817) * v3 + 1.0) * alpha
+    return v47
+
+
+TEXTS["polar_moment"] = {"best": _polar_moment, "1e-10": _polar_moment_1e_10, "1e-6": _polar_moment_1e_6, "float32": _polar_moment_float32}
+_call_polar_moment = kernel("polar_moment", TEXTS["polar_moment"])
+
+
+def polar_moment(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """I_p*: polar surface moment of inertia of the moving mass, dimensionless.
 
     I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3
@@ -69,6 +94,9 @@ def polar_moment(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where:
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -80,29 +108,55 @@ def polar_moment(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where:
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (2.17) of the paper. Operations: 62 mul, 44 add, 5 sub, 4 div, 3 min, 1 max, 1 less, 1 select, 1
-    cos, 1 log1p.
+    Source: eq. (2.17) of the paper. Operations: 31 mul, 28 add, 1 sub, 1 max, 1 less, 1 select, 1 log.
     """
-    return evaluate(_polar_moment, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_polar_moment(alpha, out, where, accuracy)
 
 
-def _moment_of_inertia(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v4 = v2 * v2
-    v14 = ((1.9572941063391263e-20 * v4 + -8.22063524662433e-18) * v4 + 2.8114572543455206e-15) * v4 + -7.647163731819816e-13
-    v23 = ((v14 * v4 + 1.6059043836821613e-10) * v4 + -2.505210838544172e-08) * v4 + 2.7557319223985893e-06
-    v33 = (((v23 * v4 + -0.0001984126984126984) * v4 + 0.008333333333333333) * v4 + -0.16666666666666666) * v4
-    v35 = v33 + 1.0
-    v44 = 4.0 * v2 * v2
-    v54 = ((9.183689863795546e-29 * v44 + -6.446950284384474e-26) * v44 + 3.868170170630684e-23) * v44 + -1.9572941063391263e-20
-    v63 = ((v54 * v44 + 8.22063524662433e-18) * v44 + -2.8114572543455206e-15) * v44 + 7.647163731819816e-13
-    v72 = ((v63 * v44 + -1.6059043836821613e-10) * v44 + 2.505210838544172e-08) * v44 + -2.7557319223985893e-06
-    v82 = 2.0 * (((v72 * v44 + 0.0001984126984126984) * v44 + -0.008333333333333333) * v44 + 0.16666666666666666)
-    v86 = (np.cos(v2) * (v35 * (v35 * v35)) / 3.0 + v82) * v2 * v2 * v2
-    return v86
+def _moment_of_inertia(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-2.855680067158568e-12 * v1 + 1.136422044139104e-10) * v1 + -3.5882486043151087e-09) * v1 + 9.415628707786396e-08
+    v20 = ((v11 * v1 + -2.012583430963377e-06) * v1 + 3.4217009244075565e-05) * v1 + -0.00044926267202941695
+    v31 = (((v20 * v1 + 0.00438672438684678) * v1 + -0.03033509700177941) * v1 + 0.13968253968254069) * v1
+    v42 = 1.5707963267948966 - alpha
+    v43 = v42 * v42
+    v53 = ((-1.1937049677530915e-07 * v43 + 2.05744095772437e-06) * v43 + -3.423984087167627e-05) * v43 + 0.0004488358070079107
+    v62 = ((v53 * v43 + -0.0043696247326275185) * v43 + 0.029864785768700504) * v43 + -0.13121693124481915
+    v73 = v42 * (((v62 * v43 + 0.31111111111234796) * v43 + -0.22222222222224858) * v43 + -0.16666666666666646)
+    v81 = xp.where(alpha < 1.0, (v1 * ((v31 + -0.4) * v1 + 0.16666666666666666) + v1 * 0.5) * alpha, 0.5 * alpha + -0.1171875 + (v73 + 0.11718749999999999))
+    return v81
 
 
-def moment_of_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+def _moment_of_inertia_1e_10(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-2.3953502944853665e-09 * v1 + 8.812338767321207e-08) * v1 + -1.9950359696495124e-06) * v1 + 3.4185573188242115e-05
+    v22 = (((v11 * v1 + -0.0004492273466971816) * v1 + 0.004386699926783207) * v1 + -0.0303350871470488) * v1
+    v31 = (((v22 + 0.1396825376348758) * v1 + -0.3999999998316554) * v1 + 0.6666666666643195) * v1 * alpha
+    return v31
+
+
+def _moment_of_inertia_1e_6(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((2.0082920286826588e-05 * v1 + -0.000403298571291692) * v1 + 0.004308477621092885) * v1 + -0.03026448683123845
+    v22 = (((v11 * v1 + 0.13965129672735824) * v1 + -0.39999462582420825) * v1 + 0.6666665071706455) * v1 * alpha
+    return v22
+
+
+def _moment_of_inertia_float32(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((6.067635607731889e-08 * v1 + -1.8634045174042801e-06) * v1 + 3.384325821315492e-05) * v1 + -0.0004487049076745006
+    v22 = (((v11 * v1 + 0.004386227374003602) * v1 + -0.030334844229585666) * v1 + 0.13968247408715742) * v1
+    v28 = ((v22 + -0.39999999328741215) * v1 + 0.6666666665497277) * v1 * alpha
+    return v28
+
+
+TEXTS["moment_of_inertia"] = {"best": _moment_of_inertia, "1e-10": _moment_of_inertia_1e_10, "1e-6": _moment_of_inertia_1e_6, "float32": _moment_of_inertia_float32}
+_call_moment_of_inertia = kernel("moment_of_inertia", TEXTS["moment_of_inertia"])
+
+
+def moment_of_inertia(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """Theta*: moment of inertia of the moving mass about the centre, dimensionless.
 
     Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24
@@ -115,6 +169,9 @@ def moment_of_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, w
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -126,35 +183,68 @@ def moment_of_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, w
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (3.12) of the paper. Operations: 32 mul, 23 add, 1 div, 1 min, 1 cos.
+    Source: eq. (3.12) of the paper. Operations: 27 mul, 24 add, 1 sub, 1 less, 1 select.
     """
-    return evaluate(_moment_of_inertia, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_moment_of_inertia(alpha, out, where, accuracy)
 
 
-def _radial_weight_amplitude(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v5 = v2 * v2
-    v15 = ((1.9572941063391263e-20 * v5 + -8.22063524662433e-18) * v5 + 2.8114572543455206e-15) * v5 + -7.647163731819816e-13
-    v24 = ((v15 * v5 + 1.6059043836821613e-10) * v5 + -2.505210838544172e-08) * v5 + 2.7557319223985893e-06
-    v34 = (((v24 * v5 + -0.0001984126984126984) * v5 + 0.008333333333333333) * v5 + -0.16666666666666666) * v5
-    v35 = v34 + 1.0
-    v39 = v35 / (1.0 + np.cos(v2)) * v2
-    v40 = v39 * v39
-    v43 = 1.0 - v40
-    v46 = np.minimum(0.4, v39)
-    v47 = v46 * v46
-    v57 = ((0.024390243902439025 * v47 + 0.02564102564102564) * v47 + 0.02702702702702703) * v47 + 0.02857142857142857
-    v67 = (((v57 * v47 + 0.030303030303030304) * v47 + 0.03225806451612903) * v47 + 0.034482758620689655) * v47
-    v78 = (((v67 + 0.037037037037037035) * v47 + 0.04) * v47 + 0.043478260869565216) * v47 + 0.047619047619047616
-    v88 = (((v78 * v47 + 0.05263157894736842) * v47 + 0.058823529411764705) * v47 + 0.06666666666666667) * v47
-    v99 = (((v88 + 0.07692307692307693) * v47 + 0.09090909090909091) * v47 + 0.1111111111111111) * v47 + 0.14285714285714285
-    v110 = np.minimum(0.9999999999999999, np.maximum(0.4, v39))
-    v121 = np.where(v39 < 0.4, (v99 * v47 + 0.2) * v47 + 0.3333333333333333, (0.5 * np.log1p(2.0 * v110 / (1.0 - v110)) - v110) / (v110 * (v110 * v110)))
-    v132 = 0.25 * (1.0 + v40) * (3.0 - v43 * v43 * v121 - v40) * (v35 * (v35 * v35)) * v2 * v2 * v2
-    return v132
+def _radial_weight_amplitude(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-1.4221669551817225e-09 * v1 + 8.886939911289569e-09) * v1 + -2.8454575100932283e-08) * v1 + 5.3681538685951145e-08
+    v20 = ((v11 * v1 + -7.494696739063352e-08) * v1 + 5.9364558201916204e-08) * v1 + -7.498484365937765e-08
+    v29 = ((v20 * v1 + -6.722111408844424e-08) * v1 + -3.154008251985666e-07) * v1 + -1.0621260068948484e-06
+    v38 = ((v29 * v1 + -3.834630088040768e-06) * v1 + -1.572623480726951e-05) * v1 + -1.9540650317766474e-05
+    v48 = (((v38 * v1 + -0.0013668430332074324) * v1 + 0.01825396825396029) * v1 + -0.19999999999999993) * v1
+    v58 = 1.5707963267948966 - alpha
+    v59 = v58 * v58
+    v69 = ((-4.9168401285595965e-06 * v59 + 0.0001406780287090666) * v59 + -0.0031746522241927555) * v59 + 0.04444444366472531
+    v90 = ((1.1438171613493169e-05 * v59 + -0.0003320128199016475) * v59 + 0.006850740800236919) * v59 + -0.08591864000408327
+    v97 = ((v69 * v59 + -0.333333333323824) * v59 + 1.0000000000000464) * xp.log(xp.maximum(2.0 * v58, 8.673617379884035e-19))
+    v105 = v58 * (v58 * -1.875 + 1.0) + v59 * (v97 + ((v90 * v59 + 0.5870981203831558) * v59 + -0.011294361119764083))
+    v109 = xp.where(alpha < 1.03, (v1 * (v48 + 0.16666666666666666) + v1 * 0.5) * alpha, 1.0 - v58 + v105)
+    return v109
 
 
-def radial_weight_amplitude(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+def _radial_weight_amplitude_1e_10(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v3 = 2.4674011002723395 - v1
+    v13 = ((34205630.793633714 * v3 + 813313646.8119079) * v3 + 5646454336.979666) * v3 + 13342513505.110321
+    v25 = (((v13 * v3 + 11890031808.210299) * v3 + 4006787534.1965985) * v3 + 487791535.0085183) * v3 + 19765640.525143933
+    v45 = ((14117638.984697843 * v3 + -481748049.5507379) * v3 + 4809333505.187634) * v3 + 30457363960.293766
+    v57 = (((v45 * v3 + 37692912285.01263) * v3 + 14432151525.685879) * v3 + 1844741626.5491843) * v3 + 76059724.29630841
+    v67 = (((v25 * v3 + 233461.82406543285) * v3 + 641.5972189319754) * v3 + 0.2580122754802636) * v1 / (((v57 * v3 + 903337.2314638863) * v3 + 2486.084692390184) * v3 + 1.0)
+    v68 = v67 * alpha
+    return v68
+
+
+def _radial_weight_amplitude_1e_6(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v3 = 2.4674011002723395 - v1
+    v13 = ((7.195953669006319 * v3 + 34.76818674305253) * v3 + 36.601032371134735) * v3 + 8.224581008808277
+    v27 = ((0.2995744918708443 * v3 + -7.813125850567415) * v3 + 65.38467016559643) * v3 + 123.25899356161463
+    v35 = (v13 * v3 + 0.25801236203059347) * v1 / ((v27 * v3 + 31.26943231679909) * v3 + 1.0) * alpha
+    return v35
+
+
+def _radial_weight_amplitude_float32(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v3 = 2.4674011002723395 - v1
+    v13 = ((430153.8542312948 * v3 + 11285361.253041798) * v3 + 72463713.17090172) * v3 + 148401585.24043858
+    v25 = (((v13 * v3 + 108350816.76157898) * v3 + 27787633.640274998) * v3 + 2330133.7496379497) * v3 + 56347.855766680615
+    v42 = ((230360.80867666923 * v3 + -7497699.99752473) * v3 + 74805268.88796055) * v3 + 370828964.64343065
+    v54 = (((v42 * v3 + 359918483.66369116) * v3 + 102370874.21533594) * v3 + 8899441.692057962) * v3 + 217650.15907975892
+    v61 = ((v25 * v3 + 315.3984503326471) * v3 + 0.25801227552627604) * v1 / ((v54 * v3 + 1221.8085422638378) * v3 + 1.0)
+    v62 = v61 * alpha
+    return v62
+
+
+TEXTS["radial_weight_amplitude"] = {"best": _radial_weight_amplitude, "1e-10": _radial_weight_amplitude_1e_10, "1e-6": _radial_weight_amplitude_1e_6, "float32": _radial_weight_amplitude_float32}
+_call_radial_weight_amplitude = kernel("radial_weight_amplitude", TEXTS["radial_weight_amplitude"])
+
+
+def radial_weight_amplitude(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """C_r: weight of the moving mass along the radius, dimensionless.
 
     C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha))
@@ -167,6 +257,9 @@ def radial_weight_amplitude(alpha: ArrayLike, /, out: NDArray[Any] | None = None
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -178,24 +271,51 @@ def radial_weight_amplitude(alpha: ArrayLike, /, out: NDArray[Any] | None = None
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (2.23) of the paper. Operations: 47 mul, 31 add, 5 sub, 3 div, 3 min, 1 max, 1 less, 1 select, 1
-    cos, 1 log1p.
+    Source: eq. (2.23) of the paper. Operations: 36 mul, 31 add, 2 sub, 1 max, 1 less, 1 select, 1 log.
     """
-    return evaluate(_radial_weight_amplitude, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_radial_weight_amplitude(alpha, out, where, accuracy)
 
 
-def _weight_moment_amplitude(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v4 = v2 * v2
-    v14 = ((1.9572941063391263e-20 * v4 + -8.22063524662433e-18) * v4 + 2.8114572543455206e-15) * v4 + -7.647163731819816e-13
-    v23 = ((v14 * v4 + 1.6059043836821613e-10) * v4 + -2.505210838544172e-08) * v4 + 2.7557319223985893e-06
-    v33 = (((v23 * v4 + -0.0001984126984126984) * v4 + 0.008333333333333333) * v4 + -0.16666666666666666) * v4
-    v35 = v33 + 1.0
-    v41 = 0.6666666666666666 * (v35 * (v35 * v35)) * v2 * v2 * v2
-    return v41
+def _weight_moment_amplitude(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v3 = v1 - 1.5
+    v13 = ((-7.48664059255431e-15 * v3 + 4.729537997954169e-13) * v3 + -2.6062983535142563e-11) * v3 + 1.1884194487023759e-09
+    v22 = ((v13 * v3 + -4.3935663408279237e-08) * v3 + 1.284693982418436e-06) * v3 + -2.879170456961079e-05
+    v33 = (((v22 * v3 + 0.00047470508443483625) * v3 + -0.00544772383773238) * v3 + 0.04022226784472187) * v3
+    v39 = v1 * ((v33 + -0.168694879540106) * v3 + 0.30210092961985757) * alpha
+    return v39
 
 
-def weight_moment_amplitude(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+def _weight_moment_amplitude_1e_10(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((1.2431444217923382e-09 * v1 + -5.8896078807575524e-08) * v1 + 1.8246695364307174e-06) * v1 + -4.266582272700972e-05
+    v22 = (((v11 * v1 + 0.0007396327967499843) * v1 + -0.009038797804484562) * v1 + 0.07222222146402071) * v1
+    v28 = ((v22 + -0.33333333325541464) * v1 + 0.6666666666653104) * v1 * alpha
+    return v28
+
+
+def _weight_moment_amplitude_1e_6(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-3.0487249815407907e-05 * v1 + 0.0007055263399624791) * v1 + -0.008992837331217642) * v1 + 0.07219326041626052
+    v19 = ((v11 * v1 + -0.3333263814016009) * v1 + 0.6666663784539829) * v1 * alpha
+    return v19
+
+
+def _weight_moment_amplitude_float32(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-4.6119747876616884e-08 * v1 + 1.7710020240603323e-06) * v1 + -4.254754715360433e-05) * v1 + 0.0007394869977279918
+    v22 = (((v11 * v1 + -0.009038698970556838) * v1 + 0.07222218799987005) * v1 + -0.3333333288344924) * v1
+    v25 = (v22 + 0.6666666665660732) * v1 * alpha
+    return v25
+
+
+TEXTS["weight_moment_amplitude"] = {"best": _weight_moment_amplitude, "1e-10": _weight_moment_amplitude_1e_10, "1e-6": _weight_moment_amplitude_1e_6, "float32": _weight_moment_amplitude_float32}
+_call_weight_moment_amplitude = kernel("weight_moment_amplitude", TEXTS["weight_moment_amplitude"])
+
+
+def weight_moment_amplitude(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """C_theta: moment of the weight about the centre, dimensionless.
 
     C_theta = 2*sin(alpha)**3/3
@@ -208,6 +328,9 @@ def weight_moment_amplitude(alpha: ArrayLike, /, out: NDArray[Any] | None = None
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -219,23 +342,47 @@ def weight_moment_amplitude(alpha: ArrayLike, /, out: NDArray[Any] | None = None
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (3.13) of the paper. Operations: 17 mul, 10 add, 1 min.
+    Source: eq. (3.13) of the paper. Operations: 14 mul, 11 add, 1 sub.
     """
-    return evaluate(_weight_moment_amplitude, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_weight_moment_amplitude(alpha, out, where, accuracy)
 
 
-def _resistance_factor(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v5 = 0.25 * v2 * v2
-    v15 = ((1.9572941063391263e-20 * v5 + -8.22063524662433e-18) * v5 + 2.8114572543455206e-15) * v5 + -7.647163731819816e-13
-    v24 = ((v15 * v5 + 1.6059043836821613e-10) * v5 + -2.505210838544172e-08) * v5 + 2.7557319223985893e-06
-    v34 = (((v24 * v5 + -0.0001984126984126984) * v5 + 0.008333333333333333) * v5 + -0.16666666666666666) * v5
-    v36 = v34 + 1.0
-    v40 = v36 * v36 * v2 * v2 * v2
-    return v40
+def _resistance_factor(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((3.0090535662212205e-16 * v1 + -9.552400725452637e-14) * v1 + 2.2941293244035988e-11) * v1 + -4.175351054736609e-09
+    v22 = (((v11 * v1 + 5.511463841362367e-07) * v1 + -4.960317460298492e-05) * v1 + 0.002777777777777727) * v1
+    v27 = (v1 * ((v22 + -0.08333333333333333) * v1) + v1) * alpha
+    return v27
 
 
-def resistance_factor(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+def _resistance_factor_1e_10(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-4.007433105099138e-09 * v1 + 5.506785717843854e-07) * v1 + -4.960257036031239e-05) * v1 + 0.002777777423221201
+    v19 = ((v11 * v1 + -0.08333333325677353) * v1 + 0.9999999999972994) * v1 * alpha
+    return v19
+
+
+def _resistance_factor_1e_6(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-4.692255852080745e-05 * v1 + 0.002773612256777145) * v1 + -0.08333123626934905) * v1 + 0.9999998318478346
+    v13 = v11 * v1 * alpha
+    return v13
+
+
+def _resistance_factor_float32(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-4.007433105099138e-09 * v1 + 5.506785717843854e-07) * v1 + -4.960257036031239e-05) * v1 + 0.002777777423221201
+    v19 = ((v11 * v1 + -0.08333333325677353) * v1 + 0.9999999999972994) * v1 * alpha
+    return v19
+
+
+TEXTS["resistance_factor"] = {"best": _resistance_factor, "1e-10": _resistance_factor_1e_10, "1e-6": _resistance_factor_1e_6, "float32": _resistance_factor_float32}
+_call_resistance_factor = kernel("resistance_factor", TEXTS["resistance_factor"])
+
+
+def resistance_factor(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """lambda: lever of the resistance, arc length times depth, dimensionless.
 
     lambda = 2*alpha*(1 - cos(alpha))
@@ -248,6 +395,9 @@ def resistance_factor(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, w
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -259,47 +409,38 @@ def resistance_factor(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, w
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (3.14) of the paper. Operations: 16 mul, 10 add, 1 min.
+    Source: eq. (3.14) of the paper. Operations: 11 mul, 8 add.
     """
-    return evaluate(_resistance_factor, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_resistance_factor(alpha, out, where, accuracy)
 
 
-def _dynamic_coefficient(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v4 = v2 * v2
-    v14 = ((1.9572941063391263e-20 * v4 + -8.22063524662433e-18) * v4 + 2.8114572543455206e-15) * v4 + -7.647163731819816e-13
-    v23 = ((v14 * v4 + 1.6059043836821613e-10) * v4 + -2.505210838544172e-08) * v4 + 2.7557319223985893e-06
-    v33 = (((v23 * v4 + -0.0001984126984126984) * v4 + 0.008333333333333333) * v4 + -0.16666666666666666) * v4
-    v34 = v33 + 1.0
-    v35 = np.cos(v2)
-    v38 = v34 / (1.0 + v35) * v2
-    v39 = v38 * v38
-    v42 = 1.0 - v39
-    v45 = np.minimum(0.4, v38)
+def _dynamic_coefficient(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((5.168625993130202e-10 * v1 + -1.6576286070544384e-09) * v1 + 4.229027862047401e-09) * v1 + -2.294785799497861e-09
+    v22 = (((v11 * v1 + 1.105655322025256e-08) * v1 + 2.735267439239966e-08) * v1 + 6.229864974936299e-08) * v1
+    v31 = (((v22 + 1.8822972508971063e-06) * v1 + -3.157332872662651e-05) * v1 + 0.0005900272525386768) * v1
+    v42 = (((v31 + -0.007054673721059087) * v1 + 0.057142857142847545) * v1 + -0.26666666666666655) * v1 + 0.16666666666666666
+    v45 = 1.5707963267948966 - alpha
     v46 = v45 * v45
-    v56 = ((0.024390243902439025 * v46 + 0.02564102564102564) * v46 + 0.02702702702702703) * v46 + 0.02857142857142857
-    v66 = (((v56 * v46 + 0.030303030303030304) * v46 + 0.03225806451612903) * v46 + 0.034482758620689655) * v46
-    v77 = (((v66 + 0.037037037037037035) * v46 + 0.04) * v46 + 0.043478260869565216) * v46 + 0.047619047619047616
-    v87 = (((v77 * v46 + 0.05263157894736842) * v46 + 0.058823529411764705) * v46 + 0.06666666666666667) * v46
-    v98 = (((v87 + 0.07692307692307693) * v46 + 0.09090909090909091) * v46 + 0.1111111111111111) * v46 + 0.14285714285714285
-    v109 = np.minimum(0.9999999999999999, np.maximum(0.4, v38))
-    v120 = np.where(v38 < 0.4, (v98 * v46 + 0.2) * v46 + 0.3333333333333333, (0.5 * np.log1p(2.0 * v109 / (1.0 - v109)) - v109) / (v109 * (v109 * v109)))
-    v134 = 4.0 * v2 * v2
-    v144 = ((9.183689863795546e-29 * v134 + -6.446950284384474e-26) * v134 + 3.868170170630684e-23) * v134 + -1.9572941063391263e-20
-    v153 = ((v144 * v134 + 8.22063524662433e-18) * v134 + -2.8114572543455206e-15) * v134 + 7.647163731819816e-13
-    v162 = ((v153 * v134 + -1.6059043836821613e-10) * v134 + 2.505210838544172e-08) * v134 + -2.7557319223985893e-06
-    v171 = ((v162 * v134 + 0.0001984126984126984) * v134 + -0.008333333333333333) * v134 + 0.16666666666666666
-    v173 = (1.0 + v39) * (3.0 - v42 * v42 * v120 - v39) * v35 * (v34 * (v34 * v34)) / 12.0 + 2.6666666666666665 * v171
-    v176 = 0.25 * v2 * v2
-    v181 = ((1.9572941063391263e-20 * v176 + -8.22063524662433e-18) * v176 + 2.8114572543455206e-15) * v176
-    v186 = ((v181 + -7.647163731819816e-13) * v176 + 1.6059043836821613e-10) * v176 + -2.505210838544172e-08
-    v192 = ((v186 * v176 + 2.7557319223985893e-06) * v176 + -0.0001984126984126984) * v176 + 0.008333333333333333
-    v196 = (v192 * v176 + -0.16666666666666666) * v176 + 1.0
-    v198 = v173 / (v196 * v196)
-    return v198
+    v56 = ((-2.5902481829787356e-05 * v46 + 0.000366809753599211) * v46 + -0.0045198575980835536) * v46 + 0.03611109475585648
+    v75 = ((3.304584814267213e-05 * v46 + -0.0004988439913579735) * v46 + 0.005209840469412508) * v46 + -0.03306606290744626
+    v82 = ((v56 * v46 + -0.16666666675971478) * v46 + 0.33333333333338067) * xp.log(xp.maximum(v45, 8.673617379884035e-19))
+    v89 = v45 * v46 * (v82 + ((v75 * v46 + 0.09885786312498492) * v46 + -0.008826837964346697)) + 5.360408832255455e-17
+    v92 = alpha < 0.95
+    v103 = ((3.0090535662212205e-16 * v1 + -9.552400725452637e-14) * v1 + 2.2941293244035988e-11) * v1 + -4.175351054736609e-09
+    v114 = (((v103 * v1 + 5.511463841362367e-07) * v1 + -4.960317460298492e-05) * v1 + 0.002777777777777727) * v1
+    v116 = (v114 + -0.08333333333333333) * v1
+    v123 = xp.where(v92, v42 + 0.5, alpha + -0.5235987755982989 + v89) / xp.where(v92, v116 + 1.0, (v1 * v116 + v1) * alpha)
+    return v123
 
 
-def dynamic_coefficient(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+TEXTS["dynamic_coefficient"] = {"best": _dynamic_coefficient}
+_call_dynamic_coefficient = kernel("dynamic_coefficient", TEXTS["dynamic_coefficient"])
+
+
+def dynamic_coefficient(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """A: share of the centripetal term in the mean normal stress, dimensionless.
 
     A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish.
@@ -312,6 +453,9 @@ def dynamic_coefficient(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *,
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -323,30 +467,41 @@ def dynamic_coefficient(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *,
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (2.24) of the paper. Operations: 72 mul, 54 add, 5 sub, 5 div, 3 min, 1 max, 1 less, 1 select, 1
-    cos, 1 log1p.
+    Source: eq. (2.24) of the paper. Operations: 38 mul, 37 add, 1 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
     """
-    return evaluate(_dynamic_coefficient, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_dynamic_coefficient(alpha, out, where, accuracy)
 
 
-def _weight_moment_per_inertia(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v4 = v2 * v2
-    v14 = ((1.9572941063391263e-20 * v4 + -8.22063524662433e-18) * v4 + 2.8114572543455206e-15) * v4 + -7.647163731819816e-13
-    v23 = ((v14 * v4 + 1.6059043836821613e-10) * v4 + -2.505210838544172e-08) * v4 + 2.7557319223985893e-06
-    v33 = (((v23 * v4 + -0.0001984126984126984) * v4 + 0.008333333333333333) * v4 + -0.16666666666666666) * v4
-    v35 = v33 + 1.0
-    v37 = v35 * (v35 * v35)
-    v46 = 4.0 * v2 * v2
-    v56 = ((9.183689863795546e-29 * v46 + -6.446950284384474e-26) * v46 + 3.868170170630684e-23) * v46 + -1.9572941063391263e-20
-    v65 = ((v56 * v46 + 8.22063524662433e-18) * v46 + -2.8114572543455206e-15) * v46 + 7.647163731819816e-13
-    v74 = ((v65 * v46 + -1.6059043836821613e-10) * v46 + 2.505210838544172e-08) * v46 + -2.7557319223985893e-06
-    v84 = 2.0 * (((v74 * v46 + 0.0001984126984126984) * v46 + -0.008333333333333333) * v46 + 0.16666666666666666)
-    v86 = 0.6666666666666666 * v37 / (np.cos(v2) * v37 / 3.0 + v84)
-    return v86
+def _weight_moment_per_inertia(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((5.001505994449722e-13 * v1 + -3.371593788571054e-11) * v1 + 1.5916423603850018e-09) * v1 + -6.051113992001625e-08
+    v20 = ((v11 * v1 + 1.8288063759966314e-06) * v1 + -4.2672091028127684e-05) * v1 + 0.0007396384479051326
+    v33 = (((v20 * v1 + -0.00903880070545745) * v1 + 0.0722222222222215) * v1 + -0.3333333333333333) * v1 + 0.16666666666666666
+    v36 = 1.5707963267948966 - alpha
+    v37 = v36 * v36
+    v48 = ((3.288361855471376e-07 * v37 + -9.135845964510098e-06) * v37 + 0.00018491124374270671) * v37 + -0.0027121909092596313
+    v62 = v37 * v37 * (((v48 * v37 + 0.027132936463543637) * v37 + -0.16944444444220988) * v37 + 0.583333333333291)
+    v67 = 0.5 * alpha
+    v70 = v67 + -0.11873149673078165 + (v36 * (0.5 - v36) + (v62 + (v36 * -1.2246467991473532e-16 + 3.700743415417188e-17)))
+    v72 = alpha < 1.0
+    v83 = ((-2.855680067158568e-12 * v1 + 1.136422044139104e-10) * v1 + -3.5882486043151087e-09) * v1 + 9.415628707786396e-08
+    v92 = ((v83 * v1 + -2.012583430963377e-06) * v1 + 3.4217009244075565e-05) * v1 + -0.00044926267202941695
+    v103 = (((v92 * v1 + 0.00438672438684678) * v1 + -0.03033509700177941) * v1 + 0.13968253968254069) * v1
+    v117 = ((-1.1937049677530915e-07 * v37 + 2.05744095772437e-06) * v37 + -3.423984087167627e-05) * v37 + 0.0004488358070079107
+    v126 = ((v117 * v37 + -0.0043696247326275185) * v37 + 0.029864785768700504) * v37 + -0.13121693124481915
+    v137 = v36 * (((v126 * v37 + 0.31111111111234796) * v37 + -0.22222222222224858) * v37 + -0.16666666666666646)
+    v142 = xp.where(v72, (v103 + -0.4) * v1 + 0.16666666666666666 + 0.5, v67 + -0.1171875 + (v137 + 0.11718749999999999))
+    v143 = xp.where(v72, v33 + 0.5, v70) / v142
+    return v143
 
 
-def weight_moment_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+TEXTS["weight_moment_per_inertia"] = {"best": _weight_moment_per_inertia}
+_call_weight_moment_per_inertia = kernel("weight_moment_per_inertia", TEXTS["weight_moment_per_inertia"])
+
+
+def weight_moment_per_inertia(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """C_theta/Theta*: drive of gravity in the equation of motion, dimensionless.
 
     C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both
@@ -360,6 +515,9 @@ def weight_moment_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = No
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -371,42 +529,43 @@ def weight_moment_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = No
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (3.17) of the paper. Operations: 30 mul, 23 add, 2 div, 1 min, 1 cos.
+    Source: eq. (3.17) of the paper. Operations: 44 mul, 46 add, 2 sub, 1 div, 1 less, 2 select.
     """
-    return evaluate(_weight_moment_per_inertia, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_weight_moment_per_inertia(alpha, out, where, accuracy)
 
 
-def _radial_weight_per_inertia(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v5 = v2 * v2
-    v15 = ((1.9572941063391263e-20 * v5 + -8.22063524662433e-18) * v5 + 2.8114572543455206e-15) * v5 + -7.647163731819816e-13
-    v24 = ((v15 * v5 + 1.6059043836821613e-10) * v5 + -2.505210838544172e-08) * v5 + 2.7557319223985893e-06
-    v34 = (((v24 * v5 + -0.0001984126984126984) * v5 + 0.008333333333333333) * v5 + -0.16666666666666666) * v5
-    v35 = v34 + 1.0
-    v36 = np.cos(v2)
-    v39 = v35 / (1.0 + v36) * v2
-    v40 = v39 * v39
-    v43 = 1.0 - v40
-    v46 = np.minimum(0.4, v39)
-    v47 = v46 * v46
-    v57 = ((0.024390243902439025 * v47 + 0.02564102564102564) * v47 + 0.02702702702702703) * v47 + 0.02857142857142857
-    v67 = (((v57 * v47 + 0.030303030303030304) * v47 + 0.03225806451612903) * v47 + 0.034482758620689655) * v47
-    v78 = (((v67 + 0.037037037037037035) * v47 + 0.04) * v47 + 0.043478260869565216) * v47 + 0.047619047619047616
-    v88 = (((v78 * v47 + 0.05263157894736842) * v47 + 0.058823529411764705) * v47 + 0.06666666666666667) * v47
-    v99 = (((v88 + 0.07692307692307693) * v47 + 0.09090909090909091) * v47 + 0.1111111111111111) * v47 + 0.14285714285714285
-    v110 = np.minimum(0.9999999999999999, np.maximum(0.4, v39))
-    v121 = np.where(v39 < 0.4, (v99 * v47 + 0.2) * v47 + 0.3333333333333333, (0.5 * np.log1p(2.0 * v110 / (1.0 - v110)) - v110) / (v110 * (v110 * v110)))
-    v126 = v35 * (v35 * v35)
-    v134 = 4.0 * v2 * v2
-    v144 = ((9.183689863795546e-29 * v134 + -6.446950284384474e-26) * v134 + 3.868170170630684e-23) * v134 + -1.9572941063391263e-20
-    v153 = ((v144 * v134 + 8.22063524662433e-18) * v134 + -2.8114572543455206e-15) * v134 + 7.647163731819816e-13
-    v162 = ((v153 * v134 + -1.6059043836821613e-10) * v134 + 2.505210838544172e-08) * v134 + -2.7557319223985893e-06
-    v171 = ((v162 * v134 + 0.0001984126984126984) * v134 + -0.008333333333333333) * v134 + 0.16666666666666666
-    v174 = 0.25 * (1.0 + v40) * (3.0 - v43 * v43 * v121 - v40) * v126 / (v36 * v126 / 3.0 + 2.0 * v171)
-    return v174
+def _radial_weight_per_inertia(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((-1.4221669551817225e-09 * v1 + 8.886939911289569e-09) * v1 + -2.8454575100932283e-08) * v1 + 5.3681538685951145e-08
+    v20 = ((v11 * v1 + -7.494696739063352e-08) * v1 + 5.9364558201916204e-08) * v1 + -7.498484365937765e-08
+    v29 = ((v20 * v1 + -6.722111408844424e-08) * v1 + -3.154008251985666e-07) * v1 + -1.0621260068948484e-06
+    v38 = ((v29 * v1 + -3.834630088040768e-06) * v1 + -1.572623480726951e-05) * v1 + -1.9540650317766474e-05
+    v48 = (((v38 * v1 + -0.0013668430332074324) * v1 + 0.01825396825396029) * v1 + -0.19999999999999993) * v1
+    v55 = 1.5707963267948966 - alpha
+    v56 = v55 * v55
+    v66 = ((-4.9168401285595965e-06 * v56 + 0.0001406780287090666) * v56 + -0.0031746522241927555) * v56 + 0.04444444366472531
+    v87 = ((1.1438171613493169e-05 * v56 + -0.0003320128199016475) * v56 + 0.006850740800236919) * v56 + -0.08591864000408327
+    v94 = ((v66 * v56 + -0.333333333323824) * v56 + 1.0000000000000464) * xp.log(xp.maximum(2.0 * v55, 8.673617379884035e-19))
+    v102 = v55 * (v55 * -1.875 + 1.0) + v56 * (v94 + ((v87 * v56 + 0.5870981203831558) * v56 + -0.011294361119764083))
+    v105 = alpha < 1.03
+    v116 = ((4.57753278921582e-13 * v1 + -5.548620913076601e-12) * v1 + 1.2052958467791444e-10) * v1 + -3.5982823958341344e-09
+    v125 = ((v116 * v1 + 9.416545026318226e-08) * v1 + -2.0125888686507808e-06) * v1 + 3.421701134578372e-05
+    v136 = (((v125 * v1 + -0.00044926267254467134) * v1 + 0.004386724386922003) * v1 + -0.03033509700178515) * v1
+    v152 = ((-1.7039030552510834e-07 * v56 + 2.1246918811419113e-06) * v56 + -3.4276716122893775e-05) * v56
+    v161 = (((v152 + 0.00044884668554678663) * v56 + -0.0043696265965371605) * v56 + 0.029864785955206526) * v56
+    v171 = (((v161 + -0.1312169312551838) * v56 + 0.31111111111262857) * v56 + -0.22222222222225121) * v56 + -0.16666666666666646
+    v179 = xp.where(v105, ((v136 + 0.13968253968254085) * v1 + -0.4) * v1 + 0.16666666666666666 + 0.5, 0.5 * alpha + -0.1171875 + (v55 * v171 + 0.11718749999999999))
+    v180 = xp.where(v105, v48 + 0.16666666666666666 + 0.5, 1.0 - v55 + v102) / v179
+    return v180
 
 
-def radial_weight_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+TEXTS["radial_weight_per_inertia"] = {"best": _radial_weight_per_inertia}
+_call_radial_weight_per_inertia = kernel("radial_weight_per_inertia", TEXTS["radial_weight_per_inertia"])
+
+
+def radial_weight_per_inertia(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """C_r/Theta*: brake of static friction in the equation of motion, dimensionless.
 
     C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
@@ -419,6 +578,9 @@ def radial_weight_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = No
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -430,43 +592,43 @@ def radial_weight_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = No
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (3.17) of the paper. Operations: 60 mul, 44 add, 5 sub, 5 div, 3 min, 1 max, 1 less, 1 select, 1
-    cos, 1 log1p.
+    Source: eq. (3.17) of the paper. Operations: 56 mul, 56 add, 2 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
     """
-    return evaluate(_radial_weight_per_inertia, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_radial_weight_per_inertia(alpha, out, where, accuracy)
 
 
-def _polar_moment_per_inertia(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v4 = v2 * v2
-    v14 = ((1.9572941063391263e-20 * v4 + -8.22063524662433e-18) * v4 + 2.8114572543455206e-15) * v4 + -7.647163731819816e-13
-    v23 = ((v14 * v4 + 1.6059043836821613e-10) * v4 + -2.505210838544172e-08) * v4 + 2.7557319223985893e-06
-    v33 = (((v23 * v4 + -0.0001984126984126984) * v4 + 0.008333333333333333) * v4 + -0.16666666666666666) * v4
-    v34 = v33 + 1.0
-    v35 = np.cos(v2)
-    v38 = v34 / (1.0 + v35) * v2
-    v39 = v38 * v38
-    v42 = 1.0 - v39
-    v45 = np.minimum(0.4, v38)
-    v46 = v45 * v45
-    v56 = ((0.024390243902439025 * v46 + 0.02564102564102564) * v46 + 0.02702702702702703) * v46 + 0.02857142857142857
-    v66 = (((v56 * v46 + 0.030303030303030304) * v46 + 0.03225806451612903) * v46 + 0.034482758620689655) * v46
-    v77 = (((v66 + 0.037037037037037035) * v46 + 0.04) * v46 + 0.043478260869565216) * v46 + 0.047619047619047616
-    v87 = (((v77 * v46 + 0.05263157894736842) * v46 + 0.058823529411764705) * v46 + 0.06666666666666667) * v46
-    v98 = (((v87 + 0.07692307692307693) * v46 + 0.09090909090909091) * v46 + 0.1111111111111111) * v46 + 0.14285714285714285
-    v109 = np.minimum(0.9999999999999999, np.maximum(0.4, v38))
-    v120 = np.where(v38 < 0.4, (v98 * v46 + 0.2) * v46 + 0.3333333333333333, (0.5 * np.log1p(2.0 * v109 / (1.0 - v109)) - v109) / (v109 * (v109 * v109)))
-    v125 = v34 * (v34 * v34)
-    v134 = 4.0 * v2 * v2
-    v144 = ((9.183689863795546e-29 * v134 + -6.446950284384474e-26) * v134 + 3.868170170630684e-23) * v134 + -1.9572941063391263e-20
-    v153 = ((v144 * v134 + 8.22063524662433e-18) * v134 + -2.8114572543455206e-15) * v134 + 7.647163731819816e-13
-    v162 = ((v153 * v134 + -1.6059043836821613e-10) * v134 + 2.505210838544172e-08) * v134 + -2.7557319223985893e-06
-    v171 = ((v162 * v134 + 0.0001984126984126984) * v134 + -0.008333333333333333) * v134 + 0.16666666666666666
-    v178 = ((1.0 + v39) * (3.0 - v42 * v42 * v120 - v39) * v35 * v125 / 12.0 + 2.6666666666666665 * v171) / (v35 * v125 / 3.0 + 2.0 * v171)
-    return v178
+def _polar_moment_per_inertia(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((2.678785639883319e-10 * v1 + -1.1948752164090461e-09) * v1 + 3.2255206167281327e-09) * v1 + -3.972432721750019e-09
+    v20 = ((v11 * v1 + 6.7097461068657905e-09) * v1 + 4.2720306610181334e-09) * v1 + 3.0935602383989865e-08
+    v29 = ((v20 * v1 + 6.096812694588104e-08) * v1 + 1.8826405809840912e-06) * v1 + -3.157338857200392e-05
+    v40 = (((v29 * v1 + 0.0005900272592389474) * v1 + -0.007054673721500878) * v1 + 0.05714285714286215) * v1
+    v48 = 1.5707963267948966 - alpha
+    v49 = v48 * v48
+    v59 = ((-2.5945329335152922e-05 * v49 + 0.00036666972541074983) * v49 + -0.004519922077362515) * v49 + 0.036111088421710145
+    v78 = ((3.310128751531202e-05 * v49 + -0.0004988389017989785) * v49 + 0.0052097899146714855) * v49 + -0.033066072663597075
+    v85 = ((v59 * v49 + -0.1666666668862208) * v49 + 0.33333333333307696) * xp.log(xp.maximum(v48, 8.673617379884035e-19))
+    v92 = v48 * v49 * (v85 + ((v78 * v49 + 0.09885786282011913) * v49 + -0.008826837965495118)) + 5.360408832255455e-17
+    v95 = alpha < 1.0
+    v96 = xp.where(v95, (v40 + -0.2666666666666667) * v1 + 0.16666666666666666 + 0.5, alpha + -0.5235987755982989 + v92)
+    v106 = ((-2.855680067158568e-12 * v1 + 1.136422044139104e-10) * v1 + -3.5882486043151087e-09) * v1 + 9.415628707786396e-08
+    v115 = ((v106 * v1 + -2.012583430963377e-06) * v1 + 3.4217009244075565e-05) * v1 + -0.00044926267202941695
+    v126 = (((v115 * v1 + 0.00438672438684678) * v1 + -0.03033509700177941) * v1 + 0.13968253968254069) * v1
+    v140 = ((-1.1937049677530915e-07 * v49 + 2.05744095772437e-06) * v49 + -3.423984087167627e-05) * v49 + 0.0004488358070079107
+    v149 = ((v140 * v49 + -0.0043696247326275185) * v49 + 0.029864785768700504) * v49 + -0.13121693124481915
+    v160 = v48 * (((v149 * v49 + 0.31111111111234796) * v49 + -0.22222222222224858) * v49 + -0.16666666666666646)
+    v166 = xp.where(v95, (v126 + -0.4) * v1 + 0.16666666666666666 + 0.5, 0.5 * alpha + -0.1171875 + (v160 + 0.11718749999999999))
+    v167 = v96 / v166
+    return v167
 
 
-def polar_moment_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+TEXTS["polar_moment_per_inertia"] = {"best": _polar_moment_per_inertia}
+_call_polar_moment_per_inertia = kernel("polar_moment_per_inertia", TEXTS["polar_moment_per_inertia"])
+
+
+def polar_moment_per_inertia(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """I_p*/Theta*: brake of centripetal friction in the equation of motion, dimensionless.
 
     I_p*/Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish.
@@ -479,6 +641,9 @@ def polar_moment_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = Non
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -490,35 +655,42 @@ def polar_moment_per_inertia(alpha: ArrayLike, /, out: NDArray[Any] | None = Non
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (3.18) of the paper. Operations: 61 mul, 45 add, 5 sub, 6 div, 3 min, 1 max, 1 less, 1 select, 1
-    cos, 1 log1p.
+    Source: eq. (3.18) of the paper. Operations: 51 mul, 53 add, 1 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
     """
-    return evaluate(_polar_moment_per_inertia, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_polar_moment_per_inertia(alpha, out, where, accuracy)
 
 
-def _weight_moment_per_radial_weight(alpha: Array) -> Array:
-    v2 = np.minimum(1.5707963267948966, alpha)
-    v5 = v2 * v2
-    v15 = ((1.9572941063391263e-20 * v5 + -8.22063524662433e-18) * v5 + 2.8114572543455206e-15) * v5 + -7.647163731819816e-13
-    v24 = ((v15 * v5 + 1.6059043836821613e-10) * v5 + -2.505210838544172e-08) * v5 + 2.7557319223985893e-06
-    v34 = (((v24 * v5 + -0.0001984126984126984) * v5 + 0.008333333333333333) * v5 + -0.16666666666666666) * v5
-    v39 = (v34 + 1.0) / (1.0 + np.cos(v2)) * v2
-    v40 = v39 * v39
-    v43 = 1.0 - v40
-    v46 = np.minimum(0.4, v39)
-    v47 = v46 * v46
-    v57 = ((0.024390243902439025 * v47 + 0.02564102564102564) * v47 + 0.02702702702702703) * v47 + 0.02857142857142857
-    v67 = (((v57 * v47 + 0.030303030303030304) * v47 + 0.03225806451612903) * v47 + 0.034482758620689655) * v47
-    v78 = (((v67 + 0.037037037037037035) * v47 + 0.04) * v47 + 0.043478260869565216) * v47 + 0.047619047619047616
-    v88 = (((v78 * v47 + 0.05263157894736842) * v47 + 0.058823529411764705) * v47 + 0.06666666666666667) * v47
-    v99 = (((v88 + 0.07692307692307693) * v47 + 0.09090909090909091) * v47 + 0.1111111111111111) * v47 + 0.14285714285714285
-    v110 = np.minimum(0.9999999999999999, np.maximum(0.4, v39))
-    v121 = np.where(v39 < 0.4, (v99 * v47 + 0.2) * v47 + 0.3333333333333333, (0.5 * np.log1p(2.0 * v110 / (1.0 - v110)) - v110) / (v110 * (v110 * v110)))
-    v126 = 2.6666666666666665 / ((1.0 + v40) * (3.0 - v43 * v43 * v121 - v40))
-    return v126
+def _weight_moment_per_radial_weight(alpha: Array, xp: Any = np) -> Array:
+    v1 = alpha * alpha
+    v11 = ((5.232553437961233e-13 * v1 + -3.382232778917949e-11) * v1 + 1.5918475098118753e-09) * v1 + -6.051135465240077e-08
+    v20 = ((v11 * v1 + 1.8288065081316203e-06) * v1 + -4.267209107643332e-05) * v1 + 0.0007396384479151915
+    v30 = (((v20 * v1 + -0.009038800705458512) * v1 + 0.07222222222222154) * v1 + -0.3333333333333333) * v1
+    v36 = 1.5707963267948966 - alpha
+    v37 = v36 * v36
+    v48 = ((3.302768333827866e-07 * v37 + -9.137450665577807e-06) * v37 + 0.00018491195613477677) * v37 + -0.0027121910690977753
+    v62 = v37 * v37 * (((v48 * v37 + 0.027132936482417516) * v37 + -0.16944444444330195) * v37 + 0.5833333333333145)
+    v70 = 0.5 * alpha + -0.11873149673078165 + (v36 * (0.5 - v36) + (v62 + (v36 * -1.2246467991473532e-16 + 3.700743415417188e-17)))
+    v72 = alpha < 1.03
+    v83 = ((-1.4221669551817225e-09 * v1 + 8.886939911289569e-09) * v1 + -2.8454575100932283e-08) * v1 + 5.3681538685951145e-08
+    v92 = ((v83 * v1 + -7.494696739063352e-08) * v1 + 5.9364558201916204e-08) * v1 + -7.498484365937765e-08
+    v101 = ((v92 * v1 + -6.722111408844424e-08) * v1 + -3.154008251985666e-07) * v1 + -1.0621260068948484e-06
+    v110 = ((v101 * v1 + -3.834630088040768e-06) * v1 + -1.572623480726951e-05) * v1 + -1.9540650317766474e-05
+    v120 = (((v110 * v1 + -0.0013668430332074324) * v1 + 0.01825396825396029) * v1 + -0.19999999999999993) * v1
+    v133 = ((-4.9168401285595965e-06 * v37 + 0.0001406780287090666) * v37 + -0.0031746522241927555) * v37 + 0.04444444366472531
+    v154 = ((1.1438171613493169e-05 * v37 + -0.0003320128199016475) * v37 + 0.006850740800236919) * v37 + -0.08591864000408327
+    v161 = ((v133 * v37 + -0.333333333323824) * v37 + 1.0000000000000464) * xp.log(xp.maximum(2.0 * v36, 8.673617379884035e-19))
+    v169 = v36 * (v36 * -1.875 + 1.0) + v37 * (v161 + ((v154 * v37 + 0.5870981203831558) * v37 + -0.011294361119764083))
+    v172 = xp.where(v72, v30 + 0.16666666666666666 + 0.5, v70) / xp.where(v72, v120 + 0.16666666666666666 + 0.5, 1.0 - v36 + v169)
+    return v172
 
 
-def weight_moment_per_radial_weight(alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:
+TEXTS["weight_moment_per_radial_weight"] = {"best": _weight_moment_per_radial_weight}
+_call_weight_moment_per_radial_weight = kernel("weight_moment_per_radial_weight", TEXTS["weight_moment_per_radial_weight"])
+
+
+def weight_moment_per_radial_weight(
+    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None
+) -> Any:
     """C_theta/C_r: limit friction over tan(psi), dimensionless.
 
     C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
@@ -532,6 +704,9 @@ def weight_moment_per_radial_weight(alpha: ArrayLike, /, out: NDArray[Any] | Non
         Where the result goes.
     where : array_like of bool, optional
         Lanes to compute; others keep what `out` holds (NaN without `out`).
+    accuracy : float, optional
+        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the
+        best tier.
 
     Returns
     -------
@@ -543,10 +718,9 @@ def weight_moment_per_radial_weight(alpha: ArrayLike, /, out: NDArray[Any] | Non
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
     Accuracy: at most 16 ulp (sampled only: no certificate).
-    Source: eq. (3.21) of the paper. Operations: 40 mul, 31 add, 5 sub, 4 div, 3 min, 1 max, 1 less, 1 select, 1
-    cos, 1 log1p.
+    Source: eq. (3.21) of the paper. Operations: 54 mul, 53 add, 3 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
     """
-    return evaluate(_weight_moment_per_radial_weight, lambda eps, alpha: (alpha >= 0.0) & (alpha <= 1.5707963267948966 * (1.0 + 4.0 * eps)), (0.5,), (alpha,), out, where)
+    return _call_weight_moment_per_radial_weight(alpha, out, where, accuracy)
 
 
 def _radial_weight(theta_1: Array, theta_2: Array) -> Array:

@@ -1,0 +1,25 @@
+"""At install time: a binary of the kernels where it can be made, else a wheel of pure Python."""
+
+import sys
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+
+
+class KernelsHook(BuildHookInterface[Any]):
+    """Hatchling calls it for wheels; an editable install finds the binary in place."""
+
+    def initialize(self, version: str, build_data: dict[str, Any]) -> None:
+        """Compile, and mark the wheel as one for this platform."""
+        sys.path.insert(0, self.root)
+        from derive.build import NoBinaryError, build
+
+        try:
+            binary = build(Path(self.root) / "generated")
+        except (NoBinaryError, OSError) as error:
+            self.app.display_warning(f"no compiled kernels, NumPy serves: {error}")
+            return
+        if version != "editable":
+            build_data["force_include"][str(binary)] = f"generated/{binary.name}"
+            build_data["pure_python"], build_data["infer_tag"] = False, True

@@ -1,0 +1,249 @@
+/* Ufunc loops of the certified kernels.
+ *
+ * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
+ * processors, and the module offers those that can run here, the widest first. What a fused program asks for is one
+ * rounding (fma); a plain program has none of that, so that no processor needs a library call. Nothing may be
+ * reordered, contracted or flushed: the proofs are about these operations in this order. */
+#define PY_SSIZE_T_CLEAN
+#define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
+#include <Python.h>
+#include <fenv.h>
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+#include <numpy/arrayobject.h>
+#include <numpy/ufuncobject.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "unsafe float flags: compile without -ffast-math and its parts"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "float64 arithmetic must round to float64"
+#endif
+
+#if defined(__GNUC__)
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static __forceinline
+#endif
+#if defined(__clang__)
+#define INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define INDEPENDENT
+#endif
+
+/* Levels: which program, compiled for what. */
+#if defined(__GNUC__) && defined(__x86_64__)
+#define LEVELS(X) X(avx512, fused) X(avx2, fused) X(baseline, plain)
+#define TARGET_avx512 __attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma,prefer-vector-width=512")))
+#define TARGET_avx2 __attribute__((target("avx2,fma")))
+#define RUNS_avx512 (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && \
+                     __builtin_cpu_supports("avx512vl") && RUNS_avx2)
+#define RUNS_avx2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+#elif defined(__GNUC__) && (defined(__FP_FAST_FMA) || defined(__aarch64__))
+#define LEVELS(X) X(fma, fused) X(baseline, plain)
+#define TARGET_fma
+#define RUNS_fma 1
+#else
+#define LEVELS(X) X(baseline, plain)
+#define NO_FMA
+#endif
+#define TARGET_baseline
+#define RUNS_baseline 1
+
+#define HALF_PI @HALF_PI@
+#define END_double @END_double@ /* pi/2 (1 + 4 eps), with the eps of the type */
+#define END_float @END_float@
+#define LAST_double @LAST_double@ /* pattern of the largest number of the type that is not above pi/2 */
+#define LAST_float @LAST_float@
+
+enum { BLOCK = 128 };
+
+typedef uint64_t PATTERN_double;
+typedef uint32_t PATTERN_float;
+INLINE PATTERN_double pattern_double(double x) { PATTERN_double u; memcpy(&u, &x, sizeof u); return u; }
+INLINE PATTERN_float pattern_float(float x) { PATTERN_float u; memcpy(&u, &x, sizeof u); return u; }
+#define NEGATIVE(u) ((u) >> (8 * sizeof(u) - 1))
+#define bits pattern_double
+INLINE double number(uint64_t u) { double x; memcpy(&x, &u, sizeof x); return x; }
+
+/* x = significand * 2**exponent for a normal x > 0, significand in [3/4, 3/2), both exact. */
+/* The biased exponent, of 3/4 that of 1: the patterns of 3/4 and 1 are half of one exponent apart. */
+INLINE uint64_t biased(double x) { return (bits(x) + (UINT64_C(1) << 51)) >> 52; }
+/* An integer k below 2**52 as a float64: the pattern of 2**52 + k, less 2**52. */
+INLINE double exponent_of(double x) { return number(biased(x) | bits(0x1p52)) - (0x1p52 + 1023); }
+INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 52) + bits(1.0)); }
+
+@BODIES@
+/* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
+ * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
+ * its seam, its first piece alone. Else `refused` has the bits of NaN for what is outside the domain, which make a NaN
+ * of any result. A loop may run in place, or on an input that lies ahead of its output. */
+#define PASS(T, STATEMENTS) \
+    INDEPENDENT \
+    for (npy_intp i = start; i < stop; i++) { \
+        const double x = in[i]; \
+        STATEMENTS \
+    }
+#define CAREFUL(T, PROGRAM) \
+    const double clipped = x < HALF_PI ? x : HALF_PI; /* NaN becomes pi/2 */ \
+    const double sign = clipped >= 0.0 ? 0.0 : NAN; \
+    const uint64_t refused = bits(x <= END_##T ? sign : NAN); \
+    out[i] = (T)number(bits(PROGRAM(clipped)) | refused); \
+    outside |= refused;
+#define BARE(T, PROGRAM) PASS(T, out[i] = (T)PROGRAM(x);)
+/* Kinds of programs: of two pieces, whole, or so short that over doubles care costs less than a look. */
+#define LOOK_pieces(T) 1
+#define LOOK_whole(T) 1
+#define LOOK_short(T) (sizeof(T) == sizeof(float))
+#define ABOVE_pieces(T, PROGRAM, pattern) PROGRAM##_BELOW_##T - pattern
+#define ABOVE_whole(T, PROGRAM, pattern) 0
+#define ABOVE_short(T, PROGRAM, pattern) 0
+#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) BARE(T, PROGRAM) else BARE(T, PROGRAM##_below)
+#define RUN_whole(T, PROGRAM) BARE(T, PROGRAM)
+#define RUN_short(T, PROGRAM) BARE(T, PROGRAM)
+#define LOOP(T, NAME, FORM, LEVEL) LOOP_OF(T, NAME##_##FORM##_KIND, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
+#define LOOP_OF(T, KIND, PROGRAM, LOOP_NAME, LEVEL) LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL)
+#define LOOP_KIND(T, KIND, PROGRAM, LOOP_NAME, LEVEL) \
+    TARGET_##LEVEL static int LOOP_NAME(const void *from, void *to, npy_intp count) \
+    { \
+        const T *in = from; \
+        T *out = to; \
+        uint64_t outside = 0; \
+        for (npy_intp start = 0, stop; start < count; start = stop) { \
+            PATTERN_##T beyond = 0, above = 0; \
+            stop = count - start < BLOCK ? count : start + BLOCK; \
+            for (npy_intp i = start; LOOK_##KIND(T) && i < stop; i++) { \
+                const PATTERN_##T pattern = pattern_##T(in[i]); \
+                beyond |= (LAST_##T - pattern) | pattern; \
+                above |= ABOVE_##KIND(T, PROGRAM, pattern); \
+            } \
+            if (!LOOK_##KIND(T) || NEGATIVE(beyond)) { \
+                PASS(T, CAREFUL(T, PROGRAM)) \
+            } \
+            else { \
+                RUN_##KIND(T, PROGRAM) \
+            } \
+            (void)above; \
+        } \
+        return outside != 0; \
+    }
+
+@LOOPS@
+/* The first unsafe float flag that this was compiled with, or NULL. */
+INLINE const char *unsafe(void)
+{
+    static volatile const double numbers[] = {1.0, 0x1p-60, 1.0 + 0x1p-30, 1.0 + 0x1p-29, DBL_MIN, 5.0, 5.0 / 3.0, NAN};
+    const double one = numbers[0], tiny = numbers[1], odd = numbers[2], square = numbers[3], least = numbers[4];
+    const double five = numbers[5], quotient = numbers[6], nan = numbers[7];
+    if ((one + tiny) - one != 0.0) return "sums are reordered";
+    if (odd * odd - square != 0.0) return "products and sums are contracted";
+    if (least / 4.0 * 4.0 != least) return "subnormal numbers are flushed to zero";
+    if (five / 3.0 != quotient) return "divisions are multiplications by a reciprocal";
+    if (nan == nan) return "NaN is not expected";
+    return NULL;
+}
+#define UNSAFE(LEVEL, FORM) TARGET_##LEVEL static const char *unsafe_##LEVEL(void) { return unsafe(); }
+LEVELS(UNSAFE)
+
+typedef int (*Loop)(const void *, void *, npy_intp);
+
+/* NumPy's inner loop around one of ours: strided operands go through a block. Of the exceptions only `invalid` is
+ * meant, for what is outside: an underflow is correctly rounded, and pieces that are not used may raise anything. */
+enum { RAISED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW };
+
+INLINE void walk(char **args, npy_intp const *count, npy_intp const *steps, Loop loop, size_t size)
+{
+    const int before = fetestexcept(RAISED);
+    int outside = 0;
+    if (steps[0] == (npy_intp)size && steps[1] == (npy_intp)size) {
+        outside = loop(args[0], args[1], *count);
+    }
+    else {
+        double in[BLOCK], out[BLOCK];
+        for (npy_intp done = 0; done < *count; done += BLOCK) {
+            const npy_intp n = *count - done < BLOCK ? *count - done : BLOCK;
+            const char *from = args[0] + done * steps[0];
+            char *to = args[1] + done * steps[1];
+            for (npy_intp i = 0; i < n; i++) memcpy((char *)in + i * size, from + i * steps[0], size);
+            outside |= loop(in, out, n);
+            for (npy_intp i = 0; i < n; i++) memcpy(to + i * steps[1], (char *)out + i * size, size);
+        }
+    }
+    if (fetestexcept(RAISED) & ~before) feclearexcept(RAISED & ~before);
+    if (outside) feraiseexcept(FE_INVALID);
+}
+
+static void walk_float(char **args, npy_intp const *count, npy_intp const *steps, void *loop)
+{
+    walk(args, count, steps, (Loop)loop, sizeof(float));
+}
+
+static void walk_double(char **args, npy_intp const *count, npy_intp const *steps, void *loop)
+{
+    walk(args, count, steps, (Loop)loop, sizeof(double));
+}
+
+static PyUFuncGenericFunction walks[] = {walk_float, walk_double};
+static const char types[] = {NPY_FLOAT, NPY_FLOAT, NPY_DOUBLE, NPY_DOUBLE};
+
+/* A ufunc; where `loops[0]` is NULL it has no loop for float32. */
+typedef struct { const char *kernel, *tier; void *loops[2]; } Ufunc;
+
+@UFUNCS@
+static PyObject *ufuncs(Ufunc *table)
+{
+    PyObject *tiers = PyDict_New();
+    for (; tiers && table->kernel; table++) {
+        const int first = table->loops[0] == NULL;
+        PyObject *ufunc = PyUFunc_FromFuncAndData(walks + first, table->loops + first, types + 2 * first, 2 - first,
+                                                  1, 1, PyUFunc_None, table->kernel, table->tier, 0);
+        PyObject *of_tier = PyDict_GetItemString(tiers, table->tier); /* borrowed */
+        if (of_tier == NULL && (of_tier = PyDict_New()) != NULL) {
+            const int failed = PyDict_SetItemString(tiers, table->tier, of_tier);
+            Py_DECREF(of_tier);
+            if (failed) of_tier = NULL;
+        }
+        if (ufunc == NULL || of_tier == NULL || PyDict_SetItemString(of_tier, table->kernel, ufunc)) Py_CLEAR(tiers);
+        Py_XDECREF(ufunc);
+    }
+    return tiers;
+}
+
+/* DIGEST of the source; LEVELS: level -> (form, tier -> kernel -> ufunc), the widest first; UNSAFE: a flag, or None. */
+static int fill(PyObject *module)
+{
+    PyObject *levels = PyDict_New();
+    const char *flag = NULL;
+    int failed = PyArray_ImportNumPyAPI() < 0 || PyUFunc_ImportUFuncAPI() < 0 || levels == NULL;
+#ifdef RUNS_avx2
+    __builtin_cpu_init();
+#endif
+#define ADD(LEVEL, FORM) \
+    if (!failed && (RUNS_##LEVEL)) { \
+        PyObject *pair = Py_BuildValue("(sN)", #FORM, ufuncs(ufuncs_##LEVEL)); \
+        failed = pair == NULL || PyDict_SetItemString(levels, #LEVEL, pair); \
+        Py_XDECREF(pair); \
+        flag = flag ? flag : unsafe_##LEVEL(); \
+    }
+    LEVELS(ADD)
+    failed = failed || PyModule_AddObjectRef(module, "LEVELS", levels) ||
+             PyModule_AddStringConstant(module, "DIGEST", DIGEST) ||
+             (flag ? PyModule_AddStringConstant(module, "UNSAFE", flag)
+                   : PyModule_AddObjectRef(module, "UNSAFE", Py_None));
+    Py_XDECREF(levels);
+    return failed ? -1 : 0;
+}
+
+static PyModuleDef_Slot slots[] = {
+    {Py_mod_exec, fill},
+#ifdef Py_mod_gil
+    {Py_mod_gil, Py_MOD_GIL_NOT_USED},
+#endif
+    {0, NULL},
+};
+static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_kernels", NULL, 0, NULL, slots, NULL, NULL, NULL};
+PyMODINIT_FUNC PyInit__kernels(void) { return PyModuleDef_Init(&definition); }

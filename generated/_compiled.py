@@ -1,0 +1,170 @@
+# Written by `python -m derive` with SymPy 1.14.0; do not edit.
+# sha256 of the text below: bf25eafac5efb556404168942832c8e2ca972e8286e09926a2209a81023728a9
+"""What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
+
+The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
+"""
+
+import os
+import warnings
+from collections.abc import Callable, Mapping
+from functools import partial
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from generated._evaluate import Array, evaluate, real
+from generated.tiers import BOUNDS, DIGEST
+
+Text = Callable[..., Array]
+CHEAPEST_FIRST = ("1e-6", "1e-10", "best")
+HALF_PI = np.pi / 2
+
+
+def load(digest: str = DIGEST) -> dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]]:
+    """What can run here, the fastest first: level -> (form of its programs, tier -> kernel -> ufunc).
+
+    NumPy comes last and has no ufuncs. A binary that was made from another source, or with float flags under which
+    the proofs do not hold, is left out with one warning.
+    """
+    found: dict[str, tuple[str, Mapping[str, Mapping[str, Any]]]] = {"numpy": ("numpy", {})}
+    if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
+        return found
+    try:
+        binary = import_module("generated._kernels")
+    except ModuleNotFoundError:
+        return found
+    except ImportError as error:
+        fault = f"they cannot be loaded ({error})"
+    else:
+        if digest != binary.DIGEST:
+            fault = "they were built from another source"
+        elif binary.UNSAFE:
+            fault = f"they were built with unsafe float flags ({binary.UNSAFE})"
+        else:
+            return binary.LEVELS | found
+    warnings.warn(
+        f"the compiled kernels are refused, NumPy serves: {fault}; run `python -m derive.build` or install again",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+    return found
+
+
+LEVELS = load()
+LEVEL = next(iter(LEVELS))
+
+
+def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
+    """The function ``(alpha, out, where, accuracy)`` behind a public kernel.
+
+    Parameters
+    ----------
+    name : str
+    texts : mapping
+        The NumPy text of every tier; a kernel that has the tier ``best`` alone is sampled only.
+    level : str, optional
+        One of `LEVELS`; by default the fastest.
+    """
+    form, loops = LEVELS[level]
+    loop = loops.get("best", {}).get(name)
+    # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
+    proved = {tier: of.get(form, of.get("plain")) for tier, of in BOUNDS.get(name, {}).items()}
+
+    def choose(kind: str, accuracy: float) -> str:
+        """The cheapest tier that is proved to meet a relative error in a float format."""
+        if not accuracy > 0:
+            raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
+        best: float | None = None
+        for tier in {"d": CHEAPEST_FIRST, "f": ("float32",)}.get(kind, ()):
+            bound = proved.get(tier)
+            if bound is not None and bound[0] <= accuracy:
+                return tier
+            best = best if bound is None else bound[0]
+        limit = "nothing is proved" if best is None else f"the best tier is proved to {best:.3g}"
+        raise ValueError(f"{name} cannot promise a relative error of {accuracy!r} here: {limit}")
+
+    def call(alpha: Any, out: Any = None, where: ArrayLike = True, accuracy: float | None = None) -> Any:
+        of = type(alpha)
+        simple = loop is not None and out is None and where is True and accuracy is None
+        if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
+            return loop(alpha)
+        if not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS):
+            return _elsewhere(name, texts, alpha, out, where, accuracy)
+        (x,), kind = real((alpha,))
+        tier = "float32" if kind.char == "f" and "float32" in texts else "best"
+        if accuracy is not None:
+            tier = choose(kind.char, accuracy)
+        chosen = loops.get("best" if tier == "float32" else tier, {}).get(name)
+        if chosen is None or kind.char not in "df":
+            return evaluate(partial(_clipped, texts[tier]), _inside, (0.5,), (x,), out, where)
+        x, wanted = np.asarray(x, dtype=kind), np.asarray(where, dtype=bool)
+        if out is None and wanted.ndim == 0 and wanted:
+            return chosen(x)
+        if out is None:
+            return chosen(x, out=np.full(np.broadcast_shapes(x.shape, wanted.shape), np.nan, kind), where=wanted)[()]
+        return chosen(x, out=out, where=wanted)
+
+    return call
+
+
+_SCALARS = frozenset((float, np.float64, np.float32))
+
+
+def _inside(eps: float, alpha: Array) -> Any:
+    return (alpha >= 0.0) & (alpha <= HALF_PI * (1.0 + 4.0 * eps))
+
+
+def _clipped(text: Text, alpha: Array) -> Array:
+    return text(np.minimum(HALF_PI, alpha))
+
+
+# --- arrays of other libraries ---------------------------------------------------------------------------------------
+
+_PROTOCOLS = ("__array_namespace__", "__array_ufunc__")
+
+
+class _Space:
+    """The functions of an array library that traces. At a tie, minimum and maximum hand on the whole slope."""
+
+    def __init__(self, functions: Any) -> None:
+        self._functions = functions
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._functions, name)
+
+    def minimum(self, a: Any, b: Any) -> Any:
+        a, b = (b, a) if isinstance(a, float) else (a, b)
+        return self.where(a > b, b, a)
+
+    def maximum(self, a: Any, b: Any) -> Any:
+        a, b = (b, a) if isinstance(a, float) else (a, b)
+        return self.where(a < b, b, a)
+
+
+def _elsewhere(
+    name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: ArrayLike, accuracy: float | None
+) -> Any:
+    """What another library's array gives: an array of that library."""
+    call = getattr(import_module("generated.kernels"), name)  # the public function travels to other processes by name
+    if out is not None or where is not True:
+        raise TypeError(f"`out` and `where` are for NumPy's arrays, not for {type(alpha).__name__}")
+    if hasattr(alpha, "dimensionality"):  # pint: radians and degrees are dimensionless, a length is an error
+        return type(alpha)(call(alpha.to("dimensionless").magnitude, accuracy=accuracy))
+    if not hasattr(alpha, "__array_namespace__"):  # dask, xarray, pandas: as if this were a ufunc
+        ufunc = partial(call, accuracy=accuracy)
+        ufunc.__dict__.update(__name__="kernel", nin=1, nout=1, signature=None)
+        result = alpha.__array_ufunc__(ufunc, "__call__", alpha)
+        if result is NotImplemented:
+            raise TypeError(f"arguments of type {type(alpha).__name__} are not supported")
+        return result
+    if accuracy is not None:
+        raise ValueError(f"nothing is proved in the arithmetic of {alpha.__array_namespace__().__name__}")
+    xp = _Space(alpha.__array_namespace__())
+    alpha = alpha * 1.0  # of integers, the library's own float
+    eps = float(xp.finfo(alpha.dtype).eps)
+    single = eps > 2.0**-52 and "float32" in texts
+    value = texts["float32" if single else "best"](xp.minimum(alpha, HALF_PI), xp)
+    return xp.where(_inside(eps, alpha), value, np.nan)
