@@ -128,9 +128,9 @@ def _kernel(f: Function, doc: str) -> str:
     listed = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
     return (
         f'{texts}TEXTS["{name}"] = {{{listed}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"])\n\n\n'
-        f"def {name}(\n"
-        "    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True, accuracy: float | None = None\n"
-        f") -> Any:\n{doc}    return _call_{name}(alpha, out, where, accuracy)\n"
+        f"def {name}(\n    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, "
+        f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
+        f"    return _call_{name}(alpha, out, where, accuracy)\n"
     )
 
 

@@ -47,10 +47,14 @@ def kernels(derivations: list[Derivation]) -> list[Function]:
     return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
 
 
+def _tiers(name: str) -> dict[str, Program]:
+    """What NumPy runs at each tier of a fitted kernel."""
+    return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
+
+
 def _of_alpha(name: str, stable: sp.Expr, words: str, formula: str, equation: str) -> Function:
     """A kernel of alpha: what NumPy runs at each tier is fitted, or, where nothing is, the stable form."""
-    tiers = {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
-    tiers = tiers or {"best": program(name, ("alpha",), stable, let=_CLIP)}
+    tiers = _tiers(name) or {"best": program(name, ("alpha",), stable, let=_CLIP)}
     return Function(tiers["best"], f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
                     f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, "", (), ACCURACY, tiers)  # fmt: skip
 
@@ -64,7 +68,7 @@ _ARC_INSIDE = (
     f"(theta_2 >= theta_1) & (0.5 * theta_2 - 0.5 * theta_1 <= {HALF_PI} * (1.0 + 4.0 * eps)) & np.isfinite(theta_1)"
 )
 # alpha and theta_m as difference and sum, with what their rounding lost.
-_DELTA, _EPSILON = sp.symbols("delta epsilon", real=True)
+_DELTA, _EPSILON, _KERNEL = sp.symbols("delta epsilon kernel", real=True)
 _ENDS = {
     alpha: sp.Min((theta_2 - theta_1) / 2, sp.pi / 2),
     _DELTA: RoundingError(theta_2, -theta_1) / 2,
@@ -80,9 +84,9 @@ def _turned(function: type[sp.Function]) -> sp.Expr:
 
 def _limit_friction() -> Function:
     """J_theta/J_r = (C_theta/C_r) tan(psi), from reduced functions."""
-    quotient = QUOTIENT_FORMS["weight_moment_per_radial_weight"]
+    let = _ENDS | {_KERNEL: _tiers("weight_moment_per_radial_weight")["best"]}
     return Function(
-        program("limit_friction", ("theta_1", "theta_2"), quotient * _turned(sp.cos) / _turned(sp.sin), let=_ENDS),
+        program("limit_friction", ("theta_1", "theta_2"), _KERNEL * _turned(sp.cos) / _turned(sp.sin), let=let),
         "mu_eq: friction coefficient at limit equilibrium.",
         "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
         f"eq. (3.21) of {PAPER}", _ARC, "mu_eq.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), ACCURACY,
@@ -95,14 +99,15 @@ def _weight(d: Derivation) -> Function:
     name, symbol = d.moment.amplitude
     # cos(psi) = -sin(theta_m) and sin(psi) = -cos(theta_m), as psi = 3 pi/2 - theta_m.
     direction = _turned(sp.sin if d.moment.weight.has(sp.sin) else sp.cos)
-    amplitude = alpha**3 * REDUCED[name] + _DELTA * SLOPES[name]
+    amplitude = _KERNEL + _DELTA * SLOPES[name]
+    let = _ENDS | {_KERNEL: _tiers(name)["best"]}
     return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=_ENDS),
+        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=let),
         f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
         f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
         f"eq. ({d.moment.equation}) of {PAPER}", _ARC, f"{d.moment.symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0),
-        f"the error of {name} plus 2 ulp of the amplitude (sampled only: no certificate).",
+        f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
     )  # fmt: skip
 
 

@@ -71,6 +71,16 @@ class _Builder:
         with mpmath.workprec(300):
             return self.put("const", value=float(mpmath.mpf(sp.N(value, 80)._mpf_)))
 
+    def inline(self, p: Program) -> int:
+        """Append the operations of a program of one output; its inputs are symbols that are known here."""
+        place: list[int] = []
+        for op in p.ops:
+            if op.kind == "input":
+                place.append(self.done[sp.Symbol(str(op.value), real=True)])
+            else:
+                place.append(self.put(op.kind, *(place[i] for i in op.args), value=op.value))
+        return place[p.outputs[0]]
+
     def put_call(self, name: str, *args: int) -> int:
         return self.put("call", *args, value=name)
 
@@ -186,7 +196,7 @@ def _order(e: sp.Basic) -> tuple[object, ...]:
 
 
 def program(
-    name: str, inputs: tuple[str, ...], *outputs: sp.Expr, let: Mapping[sp.Symbol, sp.Expr] | None = None
+    name: str, inputs: tuple[str, ...], *outputs: sp.Expr, let: Mapping[sp.Symbol, sp.Expr | Program] | None = None
 ) -> Program:
     """Make a `Program` from SymPy expressions.
 
@@ -198,7 +208,8 @@ def program(
     *outputs : sympy.Expr
         Stable primitives are lowered as they are met; equal subexpressions are computed once.
     let : mapping, optional
-        Intermediate values by symbol, in order; one may replace an input of the same name from there on.
+        Intermediate values by symbol, in order, as expressions or as programs of what is known by then; one may
+        replace an input of the same name from there on.
 
     Raises
     ------
@@ -209,7 +220,7 @@ def program(
     for x in inputs:
         builder.done[sp.Symbol(x, real=True)] = builder.put("input", value=x)
     for symbol, value in (let or {}).items():
-        index = builder.add(value)
+        index = builder.inline(value) if isinstance(value, Program) else builder.add(value)
         builder.done = {e: i for e, i in builder.done.items() if not e.has(symbol)} | {symbol: index}
     results = tuple(builder.add(e) for e in outputs)
     return without_dead(Program(name, inputs, tuple(builder.ops), results))  # of a `let`, a part may not be used

@@ -38,7 +38,7 @@ def files(derivations: list[Derivation]) -> dict[str, str]:
         "motion.py": emit.module(MOTION, motion),
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, functions.printed()),
-        "tiers.py": tiers_module(certificates(), _digest(c_source)),
+        "tiers.py": tiers_module(certificates(), digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
     }  # fmt: skip
@@ -49,11 +49,12 @@ def header(name: str, text: str) -> str:
     """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
     written = f"Written by `{MEND}` with SymPy {sympy.__version__}; do not edit."
     if name.endswith(".c"):
-        return f'/* {written} */\n#define DIGEST "{_digest(text)}"\n'
-    return f"# {written}\n# sha256 of the text below: {_digest(text)}\n" if name.endswith(".py") else ""
+        return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
+    return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n" if name.endswith(".py") else ""
 
 
-def _digest(text: str) -> str:
+def digest_of(text: str) -> str:
+    """Its sha256."""
     return hashlib.sha256(text.encode()).hexdigest()
 
 
@@ -74,11 +75,13 @@ def tiers_module(records: Iterable[Mapping[str, Any]], digest: str) -> str:
         bound, ulp = r["bound"], ULP.get(r["tier"])
         forms = kernels.setdefault(r["kernel"], {}).setdefault(r["tier"], {})
         forms[r["form"]] = (bound * ulp, bound) if ulp else (bound, None)
-    lines = [f"    {n!r}: {{\n{''.join(f'        {t!r}: {f!r},{chr(10)}' for t, f in of.items())}    }},\n" for n, of in kernels.items()]
+    lines = []
+    for kernel, tiers in kernels.items():
+        lines += [f"    {kernel!r}: {{\n", *(f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()), "    },\n"]
     return (
         '"""Proved error bounds of the kernels, and the digest of the C source that they speak of."""\n\n'
         f'DIGEST = "{digest}"\n\n'
-        "# kernel -> tier -> form of the program -> (relative error, error in ulp or None where it is not the measure).\n"
+        "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
         "# What is not here is sampled only.\n"
         f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"
     )

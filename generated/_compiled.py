@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: bf25eafac5efb556404168942832c8e2ca972e8286e09926a2209a81023728a9
+# sha256 of the text below: 1b9bb45741258736dde71b144d39eff1640eea9a9fee1e1cba2228db0780ce66
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -13,7 +13,7 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from generated._evaluate import Array, evaluate, real
 from generated.tiers import BOUNDS, DIGEST
@@ -69,7 +69,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
         One of `LEVELS`; by default the fastest.
     """
     form, loops = LEVELS[level]
-    loop = loops.get("best", {}).get(name)
+    loop: Any = loops.get("best", {}).get(name)
     # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
     proved = {tier: of.get(form, of.get("plain")) for tier, of in BOUNDS.get(name, {}).items()}
 
@@ -86,7 +86,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
         limit = "nothing is proved" if best is None else f"the best tier is proved to {best:.3g}"
         raise ValueError(f"{name} cannot promise a relative error of {accuracy!r} here: {limit}")
 
-    def call(alpha: Any, out: Any = None, where: ArrayLike = True, accuracy: float | None = None) -> Any:
+    def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
         simple = loop is not None and out is None and where is True and accuracy is None
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
@@ -145,7 +145,7 @@ class _Space:
 
 
 def _elsewhere(
-    name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: ArrayLike, accuracy: float | None
+    name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None
 ) -> Any:
     """What another library's array gives: an array of that library."""
     call = getattr(import_module("generated.kernels"), name)  # the public function travels to other processes by name

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e31978e61a2723ae12baeaa7558516967ebd903e4ea755d515c0dc0b54a332e5
+# sha256 of the text below: e18a2b47b3377765cc6cf6be2932c033dc033891c3bcda152c6f4cadbcded01c
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -58,7 +58,7 @@ def evaluate(
         invalid = _block(body, inside, eps, safe, given, result)
     else:
         types = [*[np.float64] * len(items), np.bool_, kind]
-        modes = [*[["readonly"]] * len(given), ["writeonly"]]
+        modes: Any = [*[["readonly"]] * len(given), ["writeonly"]]
         with np.nditer([*given, result], ["external_loop", "buffered"], modes, types, buffersize=BLOCK) as blocks:
             invalid = False
             for *values, part in blocks:

@@ -4,6 +4,7 @@ Each test is skipped where its library is missing; `pip install '.[peers]'` brin
 """
 
 import pickle
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -39,7 +40,7 @@ def test_dask(name: str) -> None:
 
 @each_kernel
 def test_xarray(name: str) -> None:
-    """Dimensions, coordinates and attributes stay; so does a lazy inside; a Dataset is computed variable by variable."""
+    """Dimensions, coordinates and attributes stay; so does a lazy inside; a Dataset goes variable by variable."""
     xr, da = pytest.importorskip("xarray"), pytest.importorskip("dask.array")
     function = getattr(kernels, name)
     labelled = xr.DataArray(ALPHAS, dims="arc", coords={"arc": np.arange(ALPHAS.size)}, name="alpha")
@@ -107,7 +108,7 @@ def slope(name: str, alpha: float) -> float:
     function = getattr(kernels, name)
     h = 2.0**-10
     rows = [(function(alpha + k * h) - function(alpha - k * h)) / (2 * k * h) for k in (1, 2, 4)]
-    once = [(4 * a - b) / 3 for a, b in zip(rows, rows[1:], strict=False)]
+    once = [(4 * a - b) / 3 for a, b in pairwise(rows)]
     return float((16 * once[0] - once[1]) / 15)
 
 

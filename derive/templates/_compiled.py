@@ -11,7 +11,7 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from generated._evaluate import Array, evaluate, real
 from generated.tiers import BOUNDS, DIGEST
@@ -67,7 +67,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
         One of `LEVELS`; by default the fastest.
     """
     form, loops = LEVELS[level]
-    loop = loops.get("best", {}).get(name)
+    loop: Any = loops.get("best", {}).get(name)
     # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
     proved = {tier: of.get(form, of.get("plain")) for tier, of in BOUNDS.get(name, {}).items()}
 
@@ -84,7 +84,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
         limit = "nothing is proved" if best is None else f"the best tier is proved to {best:.3g}"
         raise ValueError(f"{name} cannot promise a relative error of {accuracy!r} here: {limit}")
 
-    def call(alpha: Any, out: Any = None, where: ArrayLike = True, accuracy: float | None = None) -> Any:
+    def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
         simple = loop is not None and out is None and where is True and accuracy is None
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
@@ -143,7 +143,7 @@ class _Space:
 
 
 def _elsewhere(
-    name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: ArrayLike, accuracy: float | None
+    name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None
 ) -> Any:
     """What another library's array gives: an array of that library."""
     call = getattr(import_module("generated.kernels"), name)  # the public function travels to other processes by name

@@ -56,7 +56,7 @@ def evaluate(
         invalid = _block(body, inside, eps, safe, given, result)
     else:
         types = [*[np.float64] * len(items), np.bool_, kind]
-        modes = [*[["readonly"]] * len(given), ["writeonly"]]
+        modes: Any = [*[["readonly"]] * len(given), ["writeonly"]]
         with np.nditer([*given, result], ["external_loop", "buffered"], modes, types, buffersize=BLOCK) as blocks:
             invalid = False
             for *values, part in blocks:
