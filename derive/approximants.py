@@ -18,8 +18,8 @@ from derive.fit import (
     near_fit,
     polar_fit,
     radial_fit,
+    weight_even_fit,
     weight_fit,
-    whole_fit,
 )
 from derive.program import Kind, Op, Program
 from derive.quantities import QUOTIENTS
@@ -113,17 +113,19 @@ class Code:
 # --- pieces --------------------------------------------------------------------------------------------------------
 
 
-def excess(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[int, int]:
-    """Plain: W as (a simple number) + q. The rounded 2/3 alone would lean to one side."""
-    limit = LIMIT[name]
-    simple = Fraction(1) if limit == 1 else Fraction(1, 2)
-    q = code.mul(code.horner(u, near_fit(name, seam, degree)), u)
-    return code.const(float(simple)), q if limit == simple else code.add(q, code.const(float(limit - simple)))
+def excess(code: Code, u: int, name: str, seam: float, degree: int) -> int:
+    """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
+    return code.mul(code.horner(u, near_fit(name, seam, degree, Fraction(1))), u)
+
+
+def to_limit(code: Code, name: str, w: int) -> int:
+    """w times 1 or 2/3, rounded once."""
+    return w if LIMIT[name] == 1 else code.put("div", w, code.const(float(1 / LIMIT[name])))
 
 
 def near_sum(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[Pair, int, int]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
-    c = near_fit(name, seam, degree)
+    c = near_fit(name, seam, degree, LIMIT[name])
     c0 = float(LIMIT[name])
     c0_low = float(LIMIT[name] - Fraction(c0))
     p2 = code.horner(u, c[1:])
@@ -154,8 +156,7 @@ def near_value(code: Code, x: int, name: str, seam: float, degree: int) -> int:
         h = near(code, x, name, seam, degree)
         return code.fma(x, h.high, code.mul(x, h.low))
     u = code.mul(x, x)
-    simple, q = excess(code, u, name, seam, degree)
-    return code.mul(code.fma(u, q, u if LIMIT[name] == 1 else code.mul(u, simple)), x)
+    return code.mul(to_limit(code, name, code.fma(u, excess(code, u, name, seam, degree), u)), x)
 
 
 def logarithm(code: Code, b: int) -> int:
@@ -203,10 +204,13 @@ def inertia_far(code: Code, x: int, seam: float, degree: int) -> Pair:
 
 
 def weight_far(code: Code, x: int, seam: float, degree: int) -> Pair:
-    """(alpha/2 + line) + (constant + tilt b + b (1/2 - b) + b**4 E(b**2))."""
-    line, constant, tilt, e = weight_fit(seam, degree)
+    """(alpha/2 + line) + (constant + tilt b + b (1/2 - b) + b**4 E(b**2)); plain simply c0 + b**2 E(b**2)."""
     b = code.sub(code.const(HALF_PI), x)
     w = code.mul(b, b)
+    if not code.fused:
+        c0, *others = weight_even_fit(seam, degree + 2)
+        return Pair(code.const(c0), code.mul(w, code.horner(w, others)))
+    line, constant, tilt, e = weight_fit(seam, degree)
     bend = code.fma(code.mul(w, w), code.horner(w, e), code.fma(b, code.const(tilt), code.const(constant)))
     bend = code.fma(b, code.sub(code.const(0.5), b), bend)
     return Pair(code.add(code.mul(code.const(0.5), x), code.const(line)), bend)
@@ -227,7 +231,7 @@ SHAPES = {
     "polar_moment": (0.95, 13, 5),
     "moment_of_inertia": (1.0, 11, 9),
     "radial_weight_amplitude": (1.03, 16, 5),
-    "weight_moment_amplitude": (1.14, 10, 5),
+    "weight_moment_amplitude": (1.14, 10, 6),
     "resistance_factor": (HALF_PI, 8, 0),
 }
 
@@ -236,21 +240,12 @@ def best(name: str, form: str) -> Program:
     """A base quantity, to the last place or nearly so."""
     code = Code(form)
     x = code.put("input", value="alpha")
-    if name == "weight_moment_amplitude" and not code.fused:
-        return whole(code, x, name)
     seam, degree, far_degree = SHAPES[name]
     value = near_value(code, x, name, seam, degree)
     if far_degree:
         far = FAR[name](code, x, seam, far_degree)
         value = code.below(x, seam, value, code.add(far.high, far.low))
     return code.program(name, value)
-
-
-def whole(code: Code, x: int, name: str) -> Program:
-    """F = x u W, W one polynomial in u - 3/2: half the operations of two pieces, where a few ulp are allowed."""
-    u = code.mul(x, x)
-    w = code.horner(code.sub(u, code.const(1.5)), whole_fit(name, 11))
-    return code.program(name, code.mul(code.mul(u, w), x))
 
 
 # Seam of both parts; numerator's and denominator's coefficients near and degrees far.
@@ -269,9 +264,12 @@ def quotient(name: str, form: str) -> Program:
     seam, *degrees = QUOTIENT_SHAPES[name]
     code = Code(form)
     x = code.put("input", value="alpha")
-    over, under = (part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
     if not code.fused:
-        return code.program(name, code.put("div", over.high, under.high))
+        top, bottom = (plain_part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
+        if LIMIT[parts[0]] != LIMIT[parts[1]]:
+            top = code.below(x, seam, to_limit(code, parts[0], top), top)
+        return code.program(name, code.put("div", top, bottom))
+    over, under = (part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
     inverse = code.put("div", code.const(1.0), under.high)
     q = code.mul(over.high, inverse)
     missed = code.add(code.fma(code.neg(q), under.high, over.high), over.low)
@@ -279,26 +277,29 @@ def quotient(name: str, form: str) -> Program:
 
 
 def part(code: Code, x: int, name: str, seam: float, degree: int, far_degree: int) -> Pair:
-    """W below the seam, F above it; what is lost in `low`, fused."""
-    end = HALF_PI if name == "resistance_factor" else seam
+    """W below the seam, F above it; what is lost in `low`."""
+    end = seam if far_degree else HALF_PI
     u = code.mul(x, x)
-    if code.fused:
-        w, _, p1 = near_sum(code, u, name, end, degree)
-        near_pair = Pair(w.high, code.fma(code.fma(x, x, code.neg(u)), p1, w.low))
-    else:
-        simple, q = excess(code, u, name, end, degree)
-        near_pair = Pair(code.add(q, simple), code.const(0.0))
+    w, _, p1 = near_sum(code, u, name, end, degree)
+    w = Pair(w.high, code.fma(code.fma(x, x, code.neg(u)), p1, w.low))
     if far_degree:
         far = FAR[name](code, x, seam, far_degree)
         total = code.add(far.high, far.low)
-        lost = code.sub(far.low, code.sub(total, far.high)) if code.fused else near_pair.low
-    elif code.fused:
+        lost = code.sub(far.low, code.sub(total, far.high))
+    else:
         h = near(code, x, name, end, degree)
         total = code.mul(x, h.high)
         lost = code.fma(x, h.low, code.fma(x, h.high, code.neg(total)))
-    else:
-        total, lost = near_value(code, x, name, end, degree), near_pair.low
-    return Pair(code.below(x, seam, near_pair.high, total), code.below(x, seam, near_pair.low, lost))
+    return Pair(code.below(x, seam, w.high, total), code.below(x, seam, w.low, lost))
+
+
+def plain_part(code: Code, x: int, name: str, seam: float, degree: int, far_degree: int) -> int:
+    """W below the seam, but for its limit, F above it."""
+    w = code.add(code.const(1.0), excess(code, code.mul(x, x), name, seam if far_degree else HALF_PI, degree))
+    if not far_degree:
+        return code.below(x, seam, w, near_value(code, x, name, HALF_PI, degree))
+    far = FAR[name](code, x, seam, far_degree)
+    return code.below(x, seam, w, code.add(far.high, far.low))
 
 
 # --- cheaper tiers -------------------------------------------------------------------------------------------------

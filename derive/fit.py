@@ -186,30 +186,23 @@ HALF_PI = float.fromhex("0x1.921fb54442d18p+0")  # the double nearest to pi/2, b
 LIMIT = dict.fromkeys(REDUCED, Fraction(2, 3)) | {"resistance_factor": Fraction(1)}  # of F/alpha**3 at 0
 
 
-def reduced(name: str) -> Function:
-    """F/alpha**3 as a function of alpha**2."""
-    return lambda u: value(name, u.sqrt()) / (u * u.sqrt())
+def scaled(name: str, limit: Fraction) -> Function:
+    """F/alpha**3 as a function of alpha**2, times what makes `limit` its limit at 0."""
+    factor = limit / LIMIT[name]
+    return lambda u: exact(factor) * value(name, u.sqrt()) / (u * u.sqrt())
 
 
 @cache
-def near_fit(name: str, seam: float, count: int) -> tuple[float, ...]:
-    """c1, c2, ... of (F/alpha**3 - its limit)/alpha**2 in alpha**2, for the least relative error of F up to a seam."""
+def near_fit(name: str, seam: float, count: int, limit: Fraction) -> tuple[float, ...]:
+    """c1, c2, ... of W = limit + u (c1 + u (c2 + ...)), u = alpha**2: F/alpha**3, or its multiple with that limit at 0.
+
+    For the least relative error up to the seam.
+    """
     with ctx.workprec(_GUARD):
-        function = reduced(name)
+        function = scaled(name, limit)
         points = grid(arb(0), exact(seam) ** 2, count)
-        samples = sample(function, lambda u: 1 / function(u), points).without(exact(LIMIT[name]))
+        samples = sample(function, lambda u: 1 / function(u), points).without(exact(limit))
     return rounded(samples, count - 1, careful=3)
-
-
-@cache
-def whole_fit(name: str, degree: int) -> tuple[float, ...]:
-    """F/alpha**3 in alpha**2 - 3/2."""
-    function = reduced(name)
-    with ctx.workprec(_GUARD):
-        points = grid(arb(0), (arb.pi() / 2) ** 2, degree + 1)
-        samples = sample(function, lambda u: 1 / function(u), points)
-        samples.points = [(u - exact(1.5)).mid() for u in points]
-    return tuple(map(nearest, minimax(samples, degree)[0]))
 
 
 @cache
@@ -224,7 +217,7 @@ def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
 @cache
 def cheap_fit(name: str, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Numerator and denominator of F/alpha**3: a polynomial in alpha**2, or a rational in pi**2/4 - alpha**2."""
-    function = reduced(name)
+    function = scaled(name, LIMIT[name])
     with ctx.workprec(_GUARD):
         largest = (arb.pi() / 2) ** 2
         at: Function = (lambda w: largest - w) if below else (lambda u: u)
@@ -306,3 +299,9 @@ def weight_fit(seam: float, degree: int) -> tuple[float, float, float, tuple[flo
         tilt = nearest(2 * exact(HALF_PI) - arb.pi())
     samples = _far(name, lambda b, f: (f - straight - exact(tilt) * b + b * b) / b**4, 4, seam, degree)
     return line, constant, tilt, rounded(samples, degree, careful=2)
+
+
+@cache
+def weight_even_fit(seam: float, degree: int) -> tuple[float, ...]:
+    """C_theta in b**2."""
+    return rounded(_far("weight_moment_amplitude", lambda b, f: f, 0, seam, degree), degree, careful=2)

@@ -42,6 +42,7 @@ def files(derivations: list[Derivation]) -> dict[str, str]:
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
     }  # fmt: skip
+    texts |= {f"certificates/{path.name}": path.read_text(encoding="utf-8") for path in _certificates()}
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
@@ -64,8 +65,11 @@ ULP = {"best": 2.0**-52, "float32": 2.0**-23}
 
 def certificates() -> list[dict[str, Any]]:
     """The records of what is proved, in the order of their files."""
-    paths = sorted((FOLDER / "certificates").glob("*.json"))
-    return [record for path in paths for record in json.loads(path.read_text(encoding="utf-8"))]
+    return [record for path in _certificates() for record in json.loads(path.read_text(encoding="utf-8"))]
+
+
+def _certificates() -> list[Path]:
+    return sorted((FOLDER / "certificates").glob("*.json"))
 
 
 def tiers_module(records: Iterable[Mapping[str, Any]], digest: str) -> str:
@@ -122,6 +126,7 @@ def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
         if name not in wanted:
             (folder / name).unlink()
             continue
+        (folder / name).parent.mkdir(exist_ok=True)
         handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
         try:
             with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:

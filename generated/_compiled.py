@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1b9bb45741258736dde71b144d39eff1640eea9a9fee1e1cba2228db0780ce66
+# sha256 of the text below: 597de23d813c2a2b04fb6a09f3062847d5b1d6ee5471a63e3b8ab8668d9e92a1
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -13,7 +13,6 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from generated._evaluate import Array, evaluate, real
 from generated.tiers import BOUNDS, DIGEST
@@ -144,9 +143,7 @@ class _Space:
         return self.where(a < b, b, a)
 
 
-def _elsewhere(
-    name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None
-) -> Any:
+def _elsewhere(name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None) -> Any:
     """What another library's array gives: an array of that library."""
     call = getattr(import_module("generated.kernels"), name)  # the public function travels to other processes by name
     if out is not None or where is not True:

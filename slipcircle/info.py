@@ -7,11 +7,12 @@ from pathlib import Path
 
 import generated
 import slipcircle
+from generated._compiled import LEVEL
 
 
 def facts() -> dict[str, str]:
-    """Versions of the package, Python and the libraries that it can use, and digests of the generated text."""
-    found = {"slipcircle": slipcircle.__version__, "python": platform.python_version(), "kernels": "NumPy"}
+    """Versions of the package, Python and the libraries that it can use, what runs, digests of the generated text."""
+    found = {"slipcircle": slipcircle.__version__, "python": platform.python_version(), "kernels": LEVEL}
     for library in ("numpy", "scipy", "pydantic", "rich", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
         try:
             found[library] = metadata.version(library)

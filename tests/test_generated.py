@@ -94,8 +94,8 @@ def test_check_finds_it_stale(
     match fault:
         case "contents":
             path = copy / "kernels.py"
-            path.write_text(path.read_text("utf-8").replace("0.6666666666666666", "0.6666666666666667", 1), "utf-8")
-            shown = ["--- generated/kernels.py", "+++ derived/kernels.py", "0.6666666666666667", "0.6666666666666666"]
+            path.write_text(path.read_text("utf-8").replace("1.5707963267948966", "1.5707963267948968", 1), "utf-8")
+            shown = ["--- generated/kernels.py", "+++ derived/kernels.py", "1.5707963267948968", "1.5707963267948966"]
         case "missing":
             (copy / "motion.py").unlink()
             shown = ["--- /dev/null", "+++ derived/motion.py"]

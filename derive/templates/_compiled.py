@@ -11,7 +11,6 @@ from importlib import import_module
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from generated._evaluate import Array, evaluate, real
 from generated.tiers import BOUNDS, DIGEST
@@ -142,9 +141,7 @@ class _Space:
         return self.where(a < b, b, a)
 
 
-def _elsewhere(
-    name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None
-) -> Any:
+def _elsewhere(name: str, texts: Mapping[str, Text], alpha: Any, out: Any, where: Any, accuracy: float | None) -> Any:
     """What another library's array gives: an array of that library."""
     call = getattr(import_module("generated.kernels"), name)  # the public function travels to other processes by name
     if out is not None or where is not True:

@@ -1,0 +1,448 @@
+"""A program on a box of alpha: no comparisons left, exact steps and compensations recognised, rounding bounded.
+
+Part of the checker (`derive.certify`): standard library and python-flint only. Ranges of computed values are balls, the
+bound on a rounding error is half an ulp of the largest value in the range, and the derivatives of the result by every
+rounding error are taken backwards over those ranges.
+"""
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from flint import arb, arb_series, fmpq
+
+from derive import truth
+from derive.truth import ball, working
+
+Record = dict[str, Any]
+
+ROUNDING_BITS = 80  # precision of the balls
+UP, DOWN = 1 + 2.0**-40, 1 - 2.0**-40  # more than all roundings of the float arithmetic done on bounds
+TINY = 2.0**-1074
+LOG_ULPS = 4  # what np.log is assumed to keep
+PRODUCTS = ("mul", "div", "fma", "error", "sqrt", "log")  # what may underflow; sums are exact there
+
+
+class Undecided(Exception):
+    """A comparison, or the exponent of a number, differs within the box."""
+
+
+class Unbounded(Exception):
+    """No finite bound on this box."""
+
+
+# --- ranges and errors ---------------------------------------------------------------------------------------------
+
+
+class Node(NamedTuple):
+    """One operation on a tape, in one of the kinds of a program or one of these.
+
+    x is alpha; ``error``, with one argument, is the rounding error of that product times ``value``, with two, that of
+    the second times ``value`` less that of the first; ``scale`` multiplies by something between 0 and ``value``. An
+    operation that is always exact does not round; if it is a product, it may still underflow, by less than ``floor``.
+    """
+
+    kind: str
+    args: tuple[int, ...] = ()
+    value: float = 0.0
+    rounds: bool = False
+    floor: float = TINY
+
+
+Tape = tuple[Node, ...]
+
+
+def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> arb:
+    """Range of the exact result of one operation on ranges; that of an error term is its bound."""
+    kind, args = node.kind, node.args
+    if kind == "fma":
+        return values[args[0]] * values[args[1]] + values[args[2]]
+    if kind == "mul":
+        return values[args[0]] * values[args[1]]
+    if kind == "add":
+        return values[args[0]] + values[args[1]]
+    if kind == "sub":
+        return values[args[0]] - values[args[1]]
+    if kind == "const":
+        return arb(node.value)
+    if kind == "error":
+        return arb(0, sum(noise[a] for a in args) * UP)
+    if kind == "div":
+        return values[args[0]] / values[args[1]]
+    if kind == "neg":
+        return -values[args[0]]
+    if kind == "scale":
+        return values[args[0]] * ball(0.0, node.value)
+    return values[args[0]].log() if kind == "log" else values[args[0]].sqrt()
+
+
+def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
+    """Bound on the rounding error of an operation with this range, in round-to-nearest."""
+    if exact == 0:
+        return 0.0
+    if not node.rounds:
+        return node.floor if node.kind in PRODUCTS else 0.0
+    largest = float(exact.abs_upper()) * UP + TINY
+    if not largest < 2.0**900:
+        raise Unbounded(f"{node.kind} is unbounded")
+    if node.kind in ("add", "sub"):  # Sterbenz: a difference no larger than either operand is exact
+        smaller = min(float(values[i].abs_lower()) for i in node.args) * DOWN
+        if largest <= smaller:
+            return 0.0
+    half = math.ldexp(1.0, math.frexp(largest)[1] - 54)
+    return ((half if node.kind != "log" else 2 * LOG_ULPS * half) + node.floor) * UP
+
+
+def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
+    """Ranges of all computed values for alpha in x, and bounds on their rounding errors."""
+    values: list[arb] = []
+    noise: list[float] = []
+    for node in tape:
+        exact = x if node.kind == "x" else _operate(node, values, noise)
+        bound = _rounding(node, exact, values)
+        values.append(exact + arb(0, bound) if bound else exact)
+        noise.append(bound)
+    return values, noise
+
+
+def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
+    """For alpha in x: bounds on what all roundings but the last one do to the result, and on the last one."""
+    values, noise = forward(tape, x)
+    last = len(tape) - 1
+    adjoint: list[Any] = [None] * len(tape)
+    weight: list[Any] = [None] * len(tape)  # of the rounding error of a node, by the error terms that compute it
+    adjoint[last] = arb(1)
+    total = 0.0
+
+    def more(i: int, w: arb) -> None:
+        adjoint[i] = w if adjoint[i] is None else adjoint[i] + w
+
+    for i in range(last, -1, -1):
+        w, (kind, args, value, _, _) = adjoint[i], tape[i]
+        if i != last and kind not in ("x", "const"):
+            by = weight[i] if w is None else w if weight[i] is None else w + weight[i]
+            if by is None:
+                continue
+            total += (float(by.abs_upper()) * UP + TINY) * noise[i]
+        if w is None:
+            continue
+        if kind == "fma":
+            more(args[0], w * values[args[1]])
+            more(args[1], w * values[args[0]])
+            more(args[2], w)
+        elif kind == "mul":
+            more(args[0], w * values[args[1]])
+            more(args[1], w * values[args[0]])
+        elif kind == "add":
+            more(args[0], w)
+            more(args[1], w)
+        elif kind == "sub":
+            more(args[0], w)
+            more(args[1], -w)
+        elif kind == "neg":
+            more(args[0], -w)
+        elif kind == "error":
+            for a, term in zip(args, (-w, w * value) if len(args) == 2 else (w * value,), strict=True):
+                weight[a] = term if weight[a] is None else weight[a] + term
+        elif kind == "div":
+            more(args[0], w / values[args[1]])
+            more(args[1], -w * values[i] / values[args[1]])
+        elif kind == "scale":
+            more(args[0], w * ball(0.0, value))
+        elif kind == "log":
+            more(args[0], w / values[args[0]])
+        elif kind == "sqrt":
+            more(args[0], w / (2 * values[args[0]].sqrt()))
+    return total * UP + 2.0**-1000, noise[last]  # 2**-1000: more than what underflowed in this sum
+
+
+# --- what is decided, exact and compensated on a box ---------------------------------------------------------------
+
+
+class _Specialise:
+    """Makes the tape of a program on [lower, upper]: decides comparisons, finds what is exact and what compensates.
+
+    Of a node that is an exact affine function of alpha, both ends of the range are known exactly; others have the ball
+    of `forward`. ``grid`` is k where all values are known to be multiples of 2**k.
+    """
+
+    def __init__(self, record: Record, lower: float, upper: float) -> None:
+        self.operations = record["operations"]
+        self.ends = Fraction(lower), Fraction(upper)
+        self.tape: list[Node] = []
+        self.values: list[arb] = []
+        self.noise: list[float] = []
+        self.affine: list[tuple[Fraction, Fraction] | None] = []
+        self.grid: list[int] = []
+        self.known: dict[Node, int] = {}
+        self.done: dict[int, int] = {}
+
+    def run(self, output: int) -> Tape:
+        """The live operations only, the output last."""
+        last = self.visit(output)
+        if self.tape[last].kind == "log":
+            raise ValueError("the last operation must be one that is rounded correctly")
+        alive = {last}
+        for i in range(last, -1, -1):
+            if i in alive:
+                alive |= set(self.tape[i].args)
+        place = {old: new for new, old in enumerate(sorted(alive))}
+        return tuple(n._replace(args=tuple(place[a] for a in n.args)) for i, n in enumerate(self.tape) if i in alive)
+
+    def visit(self, i: int) -> int:
+        if i not in self.done:
+            self.done[i] = self._visit(*self.operations[i])
+        return self.done[i]
+
+    def _visit(self, kind: str, args: Sequence[int], value: Any) -> int:
+        if kind == "input":
+            return self.put(Node("x"))
+        if kind == "const":
+            return self.put(Node("const", (), float.fromhex(value)))
+        if kind == "select":
+            return self.visit(args[1] if self.less(*self.operations[args[0]]) else args[2])
+        nodes = tuple(self.visit(a) for a in args)
+        if kind in ("min", "max"):
+            (low, high), (other_low, other_high) = (self.range(n) for n in nodes)
+            if high <= other_low:
+                return nodes[0 if kind == "min" else 1]
+            if other_high <= low:
+                return nodes[1 if kind == "min" else 0]
+            raise Undecided(kind)
+        if kind == "call" and value in ("exponent", "significand"):
+            k = self.exponent(nodes[0])
+            if value == "exponent":
+                return self.put(Node("const", (), float(k)))
+            return self.put(Node("mul", (nodes[0], self.put(Node("const", (), 2.0**-k)))))
+        node = Node(str(value) if kind == "call" else kind, nodes)
+        if node.kind not in ("add", "sub", "mul", "div", "neg", "fma", "sqrt", "log"):
+            raise ValueError(f"no rule for the operation {node.kind}")
+        return self.put(self.compensation(node) or node)
+
+    def less(self, kind: str, args: Sequence[int], _: Any) -> bool:
+        if kind != "less":
+            raise ValueError("select needs a comparison")
+        (low, high), (other_low, other_high) = (self.range(self.visit(a)) for a in args)
+        if high < other_low:
+            return True
+        if low >= other_high:
+            return False
+        raise Undecided(kind)
+
+    def range(self, i: int) -> tuple[Fraction, Fraction]:
+        """All values of a node lie between these."""
+        if (line := self.affine[i]) is not None:
+            first, second = (line[0] * x + line[1] for x in self.ends)
+            return min(first, second), max(first, second)
+        if not self.values[i].is_finite():
+            raise Unbounded("a comparison with an unbounded number")
+        return _fraction(self.values[i].lower()), _fraction(self.values[i].upper())
+
+    def exponent(self, i: int) -> int:
+        """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
+        low, high = self.range(i)
+        if low < Fraction(1, 2**1022):
+            raise Undecided("exponent")
+        k = math.frexp(float(low))[1]
+        k -= low * Fraction(2) ** -k < Fraction(3, 4)
+        if not Fraction(3, 4) <= low * Fraction(2) ** -k <= high * Fraction(2) ** -k < Fraction(3, 2):
+            raise Undecided("exponent")
+        return k
+
+    def put(self, node: Node) -> int:
+        """Append a node, or find the equal one; exact ones are marked."""
+        if node in self.known:
+            return self.known[node]
+        line, grid, exact = self._shape(node)
+        rounds = not exact and node.kind not in ("x", "const", "neg")
+        marked = node._replace(rounds=rounds)
+        if line is not None and not rounds:
+            low, high = sorted(line[0] * x + line[1] for x in self.ends)
+            value, bound = ball(_arb(low), _arb(high)), 0.0
+        else:
+            line, value = None, _operate(marked, self.values, self.noise)
+            bound = _rounding(marked, value, self.values)
+        self.tape.append(marked)
+        self.affine.append(line)
+        self.grid.append(max(grid, -1074))
+        self.values.append(value + arb(0, bound) if bound else value)
+        self.noise.append(bound)
+        self.known[node] = len(self.tape) - 1
+        return len(self.tape) - 1
+
+    def _shape(self, node: Node) -> tuple[tuple[Fraction, Fraction] | None, int, bool]:
+        """An affine form, a grid of the exact result, and whether that is always a double (exponents unbounded)."""
+        kind, args = node.kind, node.args
+        if kind == "x":
+            grid = math.frexp(float(self.ends[0]))[1] - 53 if self.ends[0] else -1074
+            return (Fraction(1), Fraction(0)), max(grid, -1074), True
+        if kind == "const":
+            c = Fraction(node.value)
+            return (Fraction(0), c), _trailing(c), True
+        lines, grids = [self.affine[a] for a in args], [self.grid[a] for a in args]
+        if kind == "neg":
+            return lines[0] and (-lines[0][0], -lines[0][1]), grids[0], True
+        if kind in ("add", "sub"):
+            sign = 1 if kind == "add" else -1
+            a, b = lines
+            line = (a[0] + sign * b[0], a[1] + sign * b[1]) if a and b else None
+            grid = min(grids)
+            if line is not None:
+                size = max(abs(line[0] * x + line[1]) for x in self.ends)
+                return line, grid, size <= Fraction(2) ** (grid + 53)
+            return None, grid, self._fits(node, grid)
+        if kind == "mul":
+            for a, other in (args, args[::-1]):
+                if self.tape[a].kind == "const" and _power_of_two(self.tape[a].value):
+                    factor, line = Fraction(self.tape[a].value), self.affine[other]
+                    grid = self.grid[other] + _trailing(factor)
+                    if line and grid >= -1074:
+                        return (line[0] * factor, line[1] * factor), grid, True
+                    return None, grid, True
+            return None, sum(grids), self._fits(node, sum(grids))
+        if kind == "fma":
+            grid = min(grids[0] + grids[1], grids[2])
+            return None, grid, self._fits(node, grid)
+        if kind == "error":
+            return None, -1074, len(args) == 1  # the error of a product is a double, that of an fma is not
+        return None, -1074, False
+
+    def _fits(self, node: Node, grid: int) -> bool:
+        """Multiples of 2**grid up to 2**(grid + 53) are doubles."""
+        size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
+        return grid >= -1074 and size <= 2.0 ** min(grid + 53, 1000)
+
+    def compensation(self, node: Node) -> Node | None:
+        """The node as the rounding error of another one, if that is what it computes."""
+        kind, args = node.kind, node.args
+        if kind == "fma":  # a b - p with p = a b rounded, or p - a b
+            a, b, c = args
+            if self.tape[c].kind == "neg" and self._is_product(p := self.tape[c].args[0], a, b):
+                return Node("error", (p,), -1.0)
+            for first, second in ((a, b), (b, a)):
+                if self.tape[first].kind == "neg" and self._is_product(c, self.tape[first].args[0], second):
+                    return Node("error", (c,), 1.0)
+            if self.tape[c].kind == "sub":  # a b + (d - s) with s = d + a b: minus the error of s, rounded
+                d, s = self.tape[c].args
+                if self.tape[s].kind == "fma" and self.tape[s].args in ((a, b, d), (b, a, d)):
+                    return Node("error", (s, c), 1.0)
+        if kind == "sub" and self.tape[args[1]].kind == "sub":  # b - (s - a) with s = a + b, the same
+            b, (s, a) = args[0], self.tape[args[1]].args
+            if self.tape[s].kind == "add" and self.tape[s].args in ((a, b), (b, a)):
+                return Node("error", (s, args[1]), -1.0)
+        return None
+
+    def _is_product(self, p: int, *factors: int) -> bool:
+        return self.tape[p].kind == "mul" and sorted(self.tape[p].args) == sorted(factors)
+
+
+def _arb(x: Fraction) -> arb:
+    return arb(fmpq(x.numerator, x.denominator))
+
+
+def _fraction(x: arb) -> Fraction:
+    mantissa, exponent = x.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def _trailing(x: Fraction) -> int:
+    """The largest k with x a multiple of 2**k."""
+    if not x:
+        return 2000
+    return (x.numerator & -x.numerator).bit_length() - x.denominator.bit_length()
+
+
+def _power_of_two(x: float) -> bool:
+    return math.frexp(abs(x))[0] == 0.5
+
+
+def specialise(record: Record, lower: float, upper: float) -> Tape:
+    """The tape of the program for alpha in [lower, upper]."""
+    with working(ROUNDING_BITS):
+        return _Specialise(record, lower, upper).run(record["output"])
+
+
+def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
+    """The tape over xi in [1/2, 1], for alpha = s xi with any power of two s in [bottom, top] at once.
+
+    Every value has a degree k, and is s**k times the value on the new tape; rounding scales with it, underflow is at
+    most TINY/2 bottom**-k. Where degrees meet in a sum, or would exceed that of the result, factors s**j are taken as
+    unknown between 0 and top**j.
+    """
+    new: list[Node] = []
+    degrees: list[int] = []
+    place: list[int] = []
+
+    def put(node: Node, k: int) -> int:
+        floor = TINY
+        for _ in range(k):
+            floor /= bottom  # in steps: bottom**-k overflows
+        new.append(node._replace(floor=floor / 2 if k > 0 else TINY))
+        degrees.append(k)
+        return len(new) - 1
+
+    def lower(i: int, by: int) -> int:
+        return put(Node("scale", (i,), top**by), degrees[i] - by) if by else i
+
+    for node in tape:
+        args = [place[a] for a in node.args]
+        k = [degrees[a] for a in args]
+        match node.kind:
+            case "x":
+                result = 1
+            case "const":
+                result = 0
+            case "neg" | "error" if len(set(k)) == 1:
+                result = k[0]
+            case "add" | "sub":
+                result = min(k)
+                args = [lower(a, d - result) for a, d in zip(args, k, strict=True)]
+            case "mul":
+                result = min(k[0] + k[1], degree)
+                args[0] = lower(args[0], k[0] + k[1] - result)
+            case "fma":
+                result = min(k[0] + k[1], k[2], degree)
+                args = [lower(args[0], k[0] + k[1] - result), args[1], lower(args[2], k[2] - result)]
+            case "div":
+                result = min(k[0] - k[1], degree)
+                args[0] = lower(args[0], k[0] - k[1] - result)
+            case kind:
+                raise Unbounded(f"{kind} near zero")
+        place.append(put(node._replace(args=tuple(args)), result))
+    if degrees[-1] != degree:
+        raise Unbounded("near zero the program is not of the order of the kernel")
+    return tuple(new)
+
+
+def ideal(tape: Tape, centre: arb) -> list[arb]:
+    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
+    done: list[Any] = []
+    for node in tape:
+        v = [done[a] for a in node.args]
+        match node.kind:
+            case "x":
+                done.append(arb_series([centre, 1]))
+            case "const":
+                done.append(arb_series([arb(node.value)]))
+            case "error":
+                done.append(arb_series([arb(0)]))
+            case "fma":
+                done.append(v[0] * v[1] + v[2])
+            case "add":
+                done.append(v[0] + v[1])
+            case "sub":
+                done.append(v[0] - v[1])
+            case "mul":
+                done.append(v[0] * v[1])
+            case "div":
+                done.append(v[0] / v[1])
+            case "neg":
+                done.append(-v[0])
+            case "log":
+                done.append(v[0].log())
+            case "sqrt":
+                done.append(v[0].sqrt())
+            case kind:
+                raise ValueError(f"no rule for the operation {kind}")
+    return truth.coefficients(done[-1])
