@@ -72,11 +72,15 @@ def test_the_same_bits_as_exact_arithmetic(variant: Variant) -> None:
     with np.errstate(all="ignore"):
         expected = exact.run(variant.program, np.minimum(alpha.astype(float), HALF_PI)).astype(alpha.dtype)
     order = np.argsort(alpha)  # whole blocks below a seam, and above
+    pieces = emit_c.below(variant.program)
+    seam = np.repeat(np.nextafter(pieces[0], [0, pieces[0], 9]) if pieces else [], 128)
+    at_seam = exact.run(variant.program, seam)
     for form, loops in (LEVELS[x] for x in COMPILED):
         if form == variant.form:
             loop = loops["best" if single else variant.tier][variant.kernel]
             np.testing.assert_array_equal(bits(loop(alpha)), bits(expected))
             np.testing.assert_array_equal(bits(loop(alpha[order])), bits(expected[order]))
+            np.testing.assert_array_equal(bits(loop(seam)), bits(at_seam))
 
 
 @needs_binary
@@ -181,11 +185,12 @@ def test_shapes_and_types(level: str) -> None:
 @pytest.mark.parametrize("name", FITTED)
 def test_no_flag_but_invalid(name: str, level: str) -> None:
     """None inside, however small; outside `invalid` and no other, and not in lanes that are not asked for."""
-    function = kernel(name, level)
+    function, end = kernel(name, level), HALF_PI * (1 + 4 * 2.0**-52)
+    assert function(end) == function(np.full(200, end))[-1] == function(HALF_PI)
     for alpha in (points(), points().astype(np.float32), points()[::2]):
         with np.errstate(all="raise"):
             function(alpha)
-    for bad in (-5e-324, -1.0, -1e308, -np.inf, HALF_PI * (1 + 6e-15), 1.6, 1e308, np.inf, np.nan):
+    for bad in (-5e-324, -1.0, -1e308, -np.inf, float(np.nextafter(end, 9)), 1.6, 1e308, np.inf, np.nan):
         with np.errstate(all="raise", invalid="ignore"):
             assert np.isnan(function(bad)), bad
             assert np.isnan(function(np.full(33, bad))).all()
