@@ -56,6 +56,7 @@ class Code:
 
     @property
     def fused(self) -> bool:
+        """Whether multiply-adds are one operation."""
         return self.form == "fused"
 
     def put(self, kind: Kind, *args: int, value: str | float | None = None) -> int:
@@ -89,12 +90,19 @@ class Code:
         return self.sub(product, last.args[0]) if last.kind == "neg" else self.add(product, c)
 
     def horner(self, x: int, coefficients: Sequence[float]) -> int:
+        """The polynomial with these coefficients, lowest first."""
         result = self.const(coefficients[-1])
         for c in reversed(coefficients[:-1]):
             result = self.fma(result, x, self.const(c))
         return result
 
+    def halves(self, x: int, coefficients: Sequence[float]) -> int:
+        """The same as its even and its odd part: for one product more half as many operations wait for each other."""
+        y = self.mul(x, x)
+        return self.fma(x, self.horner(y, coefficients[1::2]), self.horner(y, coefficients[::2]))
+
     def below(self, x: int, seam: float, near: int, far: int) -> int:
+        """`near` where x < seam, else `far`."""
         return self.put("select", self.put("less", x, self.const(seam)), near, far)
 
     def program(self, name: str, output: int) -> Program:
@@ -128,16 +136,15 @@ def near_sum(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[P
     c = near_fit(name, seam, degree, LIMIT[name])
     c0 = float(LIMIT[name])
     c0_low = float(LIMIT[name] - Fraction(c0))
-    p2 = code.horner(u, c[1:])
+    p2 = code.fma(u, code.halves(u, c[2:]), code.const(c[1]))
     p1 = code.fma(p2, u, code.const(c[0]))
     w = code.fma(p1, u, code.const(c0))
     low = code.fma(p1, u, code.sub(code.const(c0), w))
     turn = code.sub(code.const(c[0]), p1)
     low = code.fma(u, code.fma(p2, u, turn), code.add(low, code.const(c0_low)) if c0_low else low)
-    # u W' is nearly W - c0 + u (P1 - c1), whose last part is small where W stays close to 1
-    slope = code.fma(code.const(2.0), w, code.const(-c0))
-    if c0_low:
-        slope = code.fma(code.neg(u), turn, slope)
+    slope = w
+    if c0_low:  # u W' is nearly W - c0 + u (P1 - c1); left out where W stays close to 1
+        slope = code.fma(code.neg(u), turn, code.fma(code.const(2.0), w, code.const(-c0)))
     return Pair(w, low), slope, p1
 
 
@@ -228,9 +235,9 @@ FAR = {
 # Seam, coefficients near, degree far. Where a seam lies, its doubles are so far apart that F grows by more than both
 # pieces' errors from one to the next.
 SHAPES = {
-    "polar_moment": (0.95, 13, 5),
+    "polar_moment": (0.93, 12, 5),
     "moment_of_inertia": (1.0, 11, 9),
-    "radial_weight_amplitude": (1.03, 16, 5),
+    "radial_weight_amplitude": (1.02, 15, 5),
     "weight_moment_amplitude": (1.14, 10, 6),
     "resistance_factor": (HALF_PI, 8, 0),
 }
@@ -250,7 +257,7 @@ def best(name: str, form: str) -> Program:
 
 # Seam of both parts; numerator's and denominator's coefficients near and degrees far.
 QUOTIENT_SHAPES = {
-    "dynamic_coefficient": (0.95, (13, 5), (8, 0)),
+    "dynamic_coefficient": (0.93, (12, 5), (8, 0)),
     "weight_moment_per_inertia": (1.0, (10, 6), (11, 9)),
     "radial_weight_per_inertia": (1.03, (16, 5), (12, 9)),
     "polar_moment_per_inertia": (1.0, (14, 5), (11, 9)),

@@ -20,6 +20,7 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 
 from flint import arb
@@ -34,8 +35,8 @@ SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands fo
 UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds
 VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
+UNITS = {"best": "ulp", "float32": "ulp of float32", "1e-10": "relative", "1e-6": "relative"}
 ASSUMPTIONS = {"log": f"np.log within {LOG_ULPS} ulp"}
-FLOAT32_LEAST = 2.0**-149
 
 
 class Rejected(Exception):
@@ -60,7 +61,7 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
         guesses |= {TOP - 0.75 * 2.0**-k for k in range(54)}
     inner = sorted(c for c in guesses if lower < c < upper)
     starts = sorted({lower, upper, *inner, *(math.nextafter(c, 9.0) for c in inner)})
-    todo = [(a, math.nextafter(b, -9.0)) for a, b in zip(starts, starts[1:], strict=False)] + [(upper, upper)]
+    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise(starts)] + [(upper, upper)]
     found: list[tuple[float, float, Tape]] = []
     todo.reverse()
     while todo:
@@ -288,7 +289,7 @@ def prove(record: Record) -> Bounds:
     Raises
     ------
     Rejected
-        With the name of the check that failed: digest, assumptions, program, zero, underflow or bound.
+        With the name of the check that failed: digest, assumptions, program, zero, bound or underflow.
     """
     if record["sha256"] != digest(record):
         raise Rejected("digest", record, "the operations are not those that were certified")
@@ -296,11 +297,15 @@ def prove(record: Record) -> Bounds:
         raise Rejected("assumptions", record, "they do not name what the program relies on")
     try:
         return _prove(record)
-    except (ArithmeticError, Undecided, Unbounded, ValueError) as fault:
-        raise Rejected("program", record, str(fault)) from fault
+    except (ArithmeticError, LookupError, TypeError, Undecided, Unbounded, ValueError) as fault:
+        raise Rejected("program", record, f"{type(fault).__name__}: {fault}") from fault
 
 
 def _prove(record: Record) -> Bounds:
+    if record["tier"] not in UNITS:
+        raise ValueError(f"no tier is called {record['tier']}")
+    if any(not 0 <= a < i for i, (_, args, _) in enumerate(record["operations"]) for a in args):
+        raise ValueError("an operation uses a later one")
     check_zero(record)
     proved = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
     for part in patches(record):
@@ -328,10 +333,20 @@ def claimed(part: Patch) -> str:
     return "bound_to_quarter_pi" if part.top or part.upper <= QUARTER else "bound"
 
 
-def establish(record: Record, boxes: int = 3000) -> Bounds:
-    """Find bounds that can be proved: the worst box is halved again and again, within a number of boxes."""
+@dataclass(frozen=True)
+class Worst:
+    """A box on which the bound is largest: of alpha, or of xi in a window."""
+
+    lower: float
+    upper: float
+    window: bool
+
+
+def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]:
+    """Find bounds that can be proved: the worst box is halved, again and again. With them the patches' worst boxes."""
     found = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
     every = list(patches(record))
+    worst = []
     for claim in found:
         heap = [
             (-error(record, part, part.lower, part.upper), number, part.lower, part.upper)
@@ -339,7 +354,7 @@ def establish(record: Record, boxes: int = 3000) -> Bounds:
             if claimed(part) == claim
         ]
         heapq.heapify(heap)
-        for _ in range(boxes // 4):
+        for _ in range(halvings):
             _, number, lower, upper = heap[0]
             middle = (lower + upper) / 2
             if not lower < middle < upper:
@@ -349,8 +364,11 @@ def establish(record: Record, boxes: int = 3000) -> Bounds:
             heapq.heapreplace(heap, entries[0])
             heapq.heappush(heap, entries[1])
         found[claim] = -heap[0][0]
+        of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
+        for _, number, lower, upper in heapq.nsmallest(16, of_patch.values()):
+            worst.append(Worst(lower, upper, every[number].top > 0))
     whole = max(found.values())
-    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole))
+    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
 
 
 def digest(record: Record) -> str:
@@ -363,3 +381,44 @@ def assumptions(record: Record) -> list[str]:
     """What the proof takes for granted, from the calls that the program makes."""
     called = {value for kind, _, value in record["operations"] if kind == "call"}
     return [words for call, words in ASSUMPTIONS.items() if call in called]
+
+
+# --- files and command line ----------------------------------------------------------------------------------------
+
+
+def read(path: Path) -> list[Record]:
+    """The records of one certificate file."""
+    return list(json.loads(path.read_text(encoding="utf-8"))["certificates"])
+
+
+def judge(record: Record) -> tuple[Record, Bounds | Rejected, float]:
+    """A record, what came of its proof, and the seconds that it took."""
+    start = time.perf_counter()
+    try:
+        result: Bounds | Rejected = prove(record)
+    except Rejected as refusal:
+        result = refusal
+    return record, result, time.perf_counter() - start
+
+
+def prove_all(folder: Path = FOLDER, processes: int = 2) -> bool:
+    """Prove every certificate of a folder and print a table; true if none is rejected."""
+    records = [record for path in sorted(folder.glob("*.json")) for record in read(path)]
+    start, accepted = time.perf_counter(), bool(records)
+    print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
+    with ProcessPoolExecutor(processes) as pool:
+        for record, result, seconds in pool.map(judge, records):
+            name = f"{record['kernel']:<32} {record['tier']:<8} {record['form']:<6}"
+            if isinstance(result, Rejected):
+                accepted = False
+                print(f"{name} REJECTED by {result}")
+            else:
+                claimed_too = f"{record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
+                print(f"{name} {result.whole:>9.4g} {claimed_too}  {UNITS[record['tier']]:<14} {seconds:>7.2f}")
+    print(f"{len(records)} certificates, {'all proved' if accepted else 'NOT all proved'}, ", end="")
+    print(f"{time.perf_counter() - start:.1f} s with {processes} processes")
+    return accepted
+
+
+if __name__ == "__main__":
+    sys.exit(0 if prove_all() else 1)

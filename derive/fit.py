@@ -1,4 +1,4 @@
-"""Best approximation: weighted minimax polynomials and rationals of given functions, in flint's arithmetic.
+"""Best approximation: weighted minimax polynomials and rationals, in flint's arithmetic, and those the kernels need.
 
 Everything runs in balls whose radii are dropped (`mid`), so the result is a function of the definition alone, the same
 on every machine; only then are coefficients rounded to doubles. Nothing here proves anything: the proof is another
@@ -34,8 +34,7 @@ def nearest(x: arb) -> float:
 
 # --- the functions -------------------------------------------------------------------------------------------------
 
-REDUCED: dict[str, Function] = {
-    # Closed forms of (2.17), (3.12), (2.23), (3.13), (3.14), as derived in derive.integrate, over alpha**3.
+CLOSED: dict[str, Function] = {  # of (2.17), (3.12), (2.23), (3.13), (3.14), as derive.integrate finds them
     "polar_moment": lambda a: (2 * a - a.sin() * a.cos() - a.cos() ** 3 * a.sin().atanh()) / 3,
     "moment_of_inertia": lambda a: a / 2 - (2 * a).sin() / 6 - (4 * a).sin() / 24,
     "radial_weight_amplitude": lambda a: a.sin() - a.cos() ** 2 * a.sin().atanh(),
@@ -47,7 +46,7 @@ REDUCED: dict[str, Function] = {
 def value(name: str, a: arb) -> arb:
     """A base quantity at alpha, by its closed form with bits to spare for what cancels."""
     with ctx.workprec(_GUARD):
-        return REDUCED[name](a).mid()
+        return CLOSED[name](a).mid()
 
 
 # --- minimax -------------------------------------------------------------------------------------------------------
@@ -183,7 +182,7 @@ def rounded(samples: Samples, degree: int, careful: int) -> tuple[float, ...]:
 # --- what the programs need ----------------------------------------------------------------------------------------
 
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")  # the double nearest to pi/2, below it
-LIMIT = dict.fromkeys(REDUCED, Fraction(2, 3)) | {"resistance_factor": Fraction(1)}  # of F/alpha**3 at 0
+LIMIT = dict.fromkeys(CLOSED, Fraction(2, 3)) | {"resistance_factor": Fraction(1)}  # of F/alpha**3 at 0
 
 
 def scaled(name: str, limit: Fraction) -> Function:
@@ -239,12 +238,13 @@ def _far(name: str, rest: Callable[[arb, arb], arb], power: int, seam: float, co
 
 
 def _line(name: str, slope: Fraction, line: float | None = None) -> tuple[float, float, arb]:
-    """The line slope alpha + `line`, a multiple of 2**-53 so that alpha in [pi/4, pi/2] makes no rounding error; what F
-    at the end has beyond it; and the two together at the end.
+    """The line slope alpha + `line`; what F at the end has beyond it; and the two together at the end.
+
+    `line` is a multiple of 2**-52, as alpha >= 1 is, so that the sum makes no rounding error.
     """
     end = exact(slope) * exact(HALF_PI)
     beyond = value(name, exact(HALF_PI)) - end
-    line = nearest((beyond * 2**53 + exact(0.5)).floor()) / 2**53 if line is None else line
+    line = nearest((beyond * 2**52 + exact(0.5)).floor()) / 2**52 if line is None else line
     constant = nearest(beyond - exact(line))
     return line, constant, (end + exact(line) + exact(constant)).mid()
 

@@ -285,8 +285,8 @@ class _Specialise:
             return lines[0] and (-lines[0][0], -lines[0][1]), grids[0], True
         if kind in ("add", "sub"):
             sign = 1 if kind == "add" else -1
-            a, b = lines
-            line = (a[0] + sign * b[0], a[1] + sign * b[1]) if a and b else None
+            first, second = lines
+            line = (first[0] + sign * second[0], first[1] + sign * second[1]) if first and second else None
             grid = min(grids)
             if line is not None:
                 size = max(abs(line[0] * x + line[1]) for x in self.ends)
@@ -392,7 +392,7 @@ def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
             case "x":
                 result = 1
             case "const":
-                result = 0
+                result = 0 if node.value else degree
             case "neg" | "error" if len(set(k)) == 1:
                 result = k[0]
             case "add" | "sub":

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cache, cached_property
 from typing import Any
 
 from flint import arb, arb_poly, arb_series, ctx, fmpq_series
@@ -46,7 +46,7 @@ def working(bits: int, terms: int = TERMS + 1) -> Iterator[None]:
         ctx.prec, ctx.cap = before
 
 
-def ball(lower: float, upper: float) -> arb:
+def ball(lower: float | arb, upper: float | arb) -> arb:
     """The ball over [lower, upper]."""
     low, high = arb(lower), arb(upper)
     return arb((low + high) / 2, (high - low) / 2)
@@ -80,7 +80,7 @@ def coefficients(series: Any) -> list[arb]:
     return found
 
 
-@lru_cache(maxsize=None)
+@cache
 def _at_zero(name: str) -> list[arb]:
     """Exact Taylor coefficients at 0; that the first three vanish is checked in rational arithmetic."""
     a = fmpq_series([0, 1])
@@ -143,7 +143,7 @@ def _segments() -> tuple[Segment, ...]:
 SEGMENTS = _segments()
 
 
-@lru_cache(maxsize=None)
+@cache
 def kernel(name: str, segment: Segment) -> Model:
     """Taylor model of a kernel on a segment; over alpha**3 on the first one."""
     with working(BITS):
