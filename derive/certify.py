@@ -158,14 +158,15 @@ def patch(kernel: str, tape: Tape, segment: Segment, lower: float, upper: float)
 def fine_patches(kernel: str, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
     """One patch, or several on shorter segments, until the remainders of the series are far below an ulp."""
     middle = (segment.lower + segment.upper) / 2
+    narrow = upper - lower < 2.0**-10 * (TOP - lower)
     try:
         found = patch(kernel, tape, segment, lower, upper)
-        fine = found.remainder() < 2.0**-64
+        if narrow or found.remainder() < 2.0**-64:
+            yield found
+            return
     except (ArithmeticError, ValueError):  # a division by a series, or a logarithm, that contains 0
-        fine = False
-    if fine or upper - lower < 2.0**-10 * (TOP - lower):
-        yield found
-        return
+        if narrow:
+            raise
     for part in (Segment(segment.lower, middle), Segment(middle, segment.upper)):
         if max(part.lower, lower) < min(part.upper, upper):
             yield from fine_patches(kernel, tape, part, max(part.lower, lower), min(part.upper, upper))
@@ -297,7 +298,9 @@ def prove(record: Record) -> Bounds:
         raise Rejected("assumptions", record, "they do not name what the program relies on")
     try:
         return _prove(record)
-    except (ArithmeticError, LookupError, TypeError, Undecided, Unbounded, ValueError) as fault:
+    except Unbounded as fault:
+        raise Rejected("bound", record, f"no finite bound: {fault}") from fault
+    except (ArithmeticError, LookupError, TypeError, Undecided, ValueError) as fault:
         raise Rejected("program", record, f"{type(fault).__name__}: {fault}") from fault
 
 

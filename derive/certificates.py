@@ -1,0 +1,134 @@
+"""The certificates of `generated`: for each variant its operations, the bounds proved for it and the worst input seen.
+
+The proof itself is the checker's (`derive.certify`), which reads the records made here as plain data.
+"""
+
+import itertools
+import json
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from decimal import ROUND_CEILING, Context
+
+import numpy as np
+from flint import arb, ctx
+
+from derive import certify, exact, truth
+from derive.approximants import Variant
+from derive.certify import UNITS, Worst
+from derive.exact import Floats
+from derive.rounding import Record
+
+
+def plain(variant: Variant) -> Record:
+    """What is certified of a variant, as plain data: floats in hexadecimal, no bounds yet."""
+    operations = [
+        [op.kind, list(op.args), op.value.hex() if isinstance(op.value, float) else op.value]
+        for op in variant.program.ops
+    ]
+    record: Record = {
+        "kernel": variant.kernel, "tier": variant.tier, "form": variant.form,
+        "output": variant.program.outputs[0], "operations": operations,
+    }  # fmt: skip
+    return record | {"assumptions": certify.assumptions(record), "sha256": certify.digest(record)}
+
+
+def round_up(x: float) -> float:
+    """To three significant digits."""
+    return float(Context(prec=3, rounding=ROUND_CEILING).create_decimal_from_float(x))
+
+
+def certified(variant: Variant) -> Record:
+    """A variant's record with bounds that are proved and, where the interpreter is exact, the witness."""
+    record = plain(variant)
+    bounds, boxes = certify.establish(record)
+    record["bound"] = round_up(bounds.whole)
+    record["bound_to_quarter_pi"] = round_up(bounds.quarter)
+    record["bound_underflow"] = round_up(certify.below_underflow(record, record["bound"]))
+    if variant.form != "numpy":  # whose logarithm is not the same everywhere
+        alpha, error = worst(variant, boxes)
+        record["witness"] = {"alpha": alpha.hex(), "error": round_up(error)}
+    return record
+
+
+README = [
+    "Written by `python -m derive`; `python -m derive.certify` proves every bound again, rounding included.",
+    "Bounds on |computed - exact| for every double alpha in [0, pi/2] (float32: every float32), exact unrounded.",
+    "Tier best: in ulp of the exact value, float32: in ulp of float32, 1e-10 and 1e-6: relative.",
+    "bound_to_quarter_pi: up to pi/4 only. Both from alpha = 2**-320 on; bound_underflow: below, in ulp but at least",
+    "2**-1074 (1e-10 and 1e-6: in units of bound times exact plus 2**-1074); 0 where nothing underflows.",
+    "The witness is the worst input that a search from the worst boxes found, not a proof. Constants are hexadecimal.",
+]
+
+
+# --- the worst input -----------------------------------------------------------------------------------------------
+
+
+def errors(variant: Variant, alpha: Floats) -> list[float]:
+    """Errors at these inputs, in the variant's unit, against the unrounded reference in ball arithmetic."""
+    results = exact.run(variant.program, alpha)
+    if variant.tier == "float32":
+        results = results.astype(np.float32).astype(np.float64)
+    found = []
+    with ctx.workprec(200):  # of which the closed forms lose less than 40 above 2**-12
+        for x, y in zip(alpha.tolist(), results.tolist(), strict=True):
+            reference = truth.value(variant.kernel, arb(x))
+            distance = abs(arb(y) - reference)
+            if UNITS[variant.tier] == "relative":
+                unit = reference
+            else:
+                unit = arb(certify.ulp(float(reference), 24 if variant.tier == "float32" else 53))
+            found.append(float((distance / unit).mid()))
+    return found
+
+
+def worst(variant: Variant, boxes: Iterable[Worst]) -> tuple[float, float]:
+    """The worst input that a search from the worst boxes of the proof finds, and its error.
+
+    Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
+    """
+    single = variant.tier == "float32"
+    top = float(np.nextafter(np.float32(truth.TOP), np.float32(0))) if single else truth.TOP
+
+    def best(points: Iterable[float]) -> tuple[float, float]:
+        alpha = np.unique(np.clip(np.array(list(points)), 2.0**-12, top))
+        alpha = np.unique(alpha.astype(np.float32).astype(np.float64)) if single else alpha
+        found = errors(variant, alpha)
+        k = max(range(len(found)), key=found.__getitem__)
+        return float(alpha[k]), found[k]
+
+    # A window of the proof stands for every power of two: here it is taken at alpha near 2**-10.
+    places = [(box.lower * 2.0**-10, box.upper * 2.0**-10) if box.window else (box.lower, box.upper) for box in boxes]
+    count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
+    alpha, error = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
+    for step in (2.0**k for k in range(30, -1, -2)):
+        ulp = certify.ulp(alpha, 24 if single else 53)
+        near, error_near = best(alpha + step * ulp * k for k in range(-20, 21))
+        if error_near > error:
+            alpha, error = near, error_near
+    return alpha, error
+
+
+# --- files ---------------------------------------------------------------------------------------------------------
+
+
+def text(kernel: str, records: Iterable[Record]) -> str:
+    """One file: a record's fields one a line, an operation a line."""
+    blocks = []
+    for record in records:
+        lines = [f"      {json.dumps(op)}" for op in record["operations"]]
+        fields = {k: json.dumps(v) for k, v in record.items() if k != "operations"}
+        fields["operations"] = "[\n" + ",\n".join(lines) + "\n    ]"
+        blocks.append("  {\n" + ",\n".join(f'    "{k}": {v}' for k, v in fields.items()) + "\n  }")
+    opening = "".join(f" {json.dumps(k)}: {json.dumps(v)},\n" for k, v in (("kernel", kernel), ("read me", README)))
+    return "{\n" + opening + ' "certificates": [\n' + ",\n".join(blocks) + "\n ]\n}\n"
+
+
+def files(variants: Iterable[Variant], processes: int = 2) -> dict[str, str]:
+    """Text of every certificate file, by its name under `generated`."""
+    with ProcessPoolExecutor(processes) as pool:
+        records = list(pool.map(certified, variants))
+    return {f"certificates/{kernel}.json": text(kernel, group) for kernel, group in _by_kernel(records)}
+
+
+def _by_kernel(records: Iterable[Record]) -> Iterator[tuple[str, Iterator[Record]]]:
+    return itertools.groupby(sorted(records, key=lambda r: r["kernel"]), key=lambda r: r["kernel"])
