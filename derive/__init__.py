@@ -9,6 +9,8 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 ``effects``     what a scene may ask for, declared once as data
 ``program``     SymPy expression -> straight-line `Program`
 ``emit``        `Program` -> NumPy source
+``emit_c``      `Program` -> C source of ufunc loops
+``build``       C source -> extension module, here and at install time (``build_hook``)
 ``write``       source -> the files of `generated`, atomically, or a diff against them
 ``appendices``, ``paper``, ``evidence``, ``verify``, ``hard``   the paper's claims, judged; the hard cases, measured
 """

@@ -64,8 +64,8 @@ ULP = {"best": 2.0**-52, "float32": 2.0**-23}
 
 
 def certificates() -> list[dict[str, Any]]:
-    """The records of what is proved, in the order of their files."""
-    return [r for path in _certificates() for r in json.loads(path.read_text(encoding="utf-8"))["certificates"]]
+    """The records of what is proved, of the files that are there, in their order."""
+    return [record for path in _certificates() for record in json.loads(path.read_text("utf-8"))["certificates"]]
 
 
 def _certificates() -> list[Path]:

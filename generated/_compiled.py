@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 597de23d813c2a2b04fb6a09f3062847d5b1d6ee5471a63e3b8ab8668d9e92a1
+# sha256 of the text below: 75374b5433e3e886962f3a5c0e555fa98fad50aaf4adb6affd0357efceea01a5
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from generated._evaluate import Array, evaluate, real
+from generated._evaluate import BLOCK, Array, evaluate, real
 from generated.tiers import BOUNDS, DIGEST
 
 Text = Callable[..., Array]
@@ -87,9 +87,9 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
 
     def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
-        simple = loop is not None and out is None and where is True and accuracy is None
+        simple = loop is not None and where is True and accuracy is None
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
-            return loop(alpha)
+            return loop(alpha) if out is None else loop(alpha, out)
         if not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
         (x,), kind = real((alpha,))
@@ -98,18 +98,40 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
             tier = choose(kind.char, accuracy)
         chosen = loops.get("best" if tier == "float32" else tier, {}).get(name)
         if chosen is None or kind.char not in "df":
-            return evaluate(partial(_clipped, texts[tier]), _inside, (0.5,), (x,), out, where)
-        x, wanted = np.asarray(x, dtype=kind), np.asarray(where, dtype=bool)
-        if out is None and wanted.ndim == 0 and wanted:
-            return chosen(x)
+            return _numpy(texts[tier], x, kind, out, where)
+        x = np.asarray(x, dtype=kind)
+        if where is True:
+            return chosen(x) if out is None else chosen(x, out)
+        wanted = np.asarray(where, dtype=bool)
         if out is None:
-            return chosen(x, out=np.full(np.broadcast_shapes(x.shape, wanted.shape), np.nan, kind), where=wanted)[()]
-        return chosen(x, out=out, where=wanted)
+            return chosen(x, np.full(np.broadcast_shapes(x.shape, wanted.shape), np.nan, kind), where=wanted)[()]
+        return chosen(x, out, where=wanted)
 
     return call
 
 
 _SCALARS = frozenset((float, np.float64, np.float32))
+
+
+def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any:
+    """By blocks; those that lie in [0, pi/2], as a rule, need no masks."""
+    body = partial(_clipped, text)
+    if where is not True:
+        return evaluate(body, _inside, (0.5,), (x,), out, where)
+    given = np.asarray(x, dtype=kind)
+    result = np.empty(given.shape, kind)
+    flat, values = given.reshape(-1), result.reshape(-1)
+    with np.errstate(under="ignore"):  # an underflow is correctly rounded, or nearly so
+        for start in range(0, flat.size, BLOCK):
+            block = flat[start : start + BLOCK]
+            if block.min() >= 0.0 and block.max() <= HALF_PI:
+                values[start : start + BLOCK] = text(block.astype(np.float64, copy=False))
+            else:
+                values[start : start + BLOCK] = evaluate(body, _inside, (0.5,), (block,), None, True)
+    if out is None:
+        return result[()]
+    np.copyto(out, result, casting="same_kind")
+    return out
 
 
 def _inside(eps: float, alpha: Array) -> Any:

@@ -285,6 +285,25 @@ def test_accuracy_that_cannot_be(level: str) -> None:
         _compiled.kernel("unknown", {"best": lambda x: x}, level)(0.5, accuracy=1.0)
 
 
+def test_bounds_are_those_of_the_certificates() -> None:
+    """In ulp where that is the measure, and always as a relative error."""
+    records = [
+        {"kernel": "polar_moment", "tier": tier, "form": form, "bound": bound}
+        for tier, form, bound in (("best", "fused", 0.75), ("best", "numpy", 3.0), ("1e-6", "plain", 2e-7),
+                                  ("float32", "fused", 0.5))
+    ]  # fmt: skip
+    made: dict[str, Any] = {}
+    exec(write.tiers_module(records, "digest"), made)
+    assert made["DIGEST"] == "digest"
+    assert made["BOUNDS"] == {
+        "polar_moment": {
+            "best": {"fused": (0.75 * 2.0**-52, 0.75), "numpy": (3 * 2.0**-52, 3.0)},
+            "1e-6": {"plain": (2e-7, None)},
+            "float32": {"fused": (2.0**-24, 0.5)},
+        }
+    }
+
+
 # --- the object ----------------------------------------------------------------------------------------------------
 
 
