@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 75374b5433e3e886962f3a5c0e555fa98fad50aaf4adb6affd0357efceea01a5
+# sha256 of the text below: 87ee06a6360d732c37d770ac66f7159d295f7005e13df0fabe43508bcf77b1a7
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -124,7 +124,7 @@ def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any
     with np.errstate(under="ignore"):  # an underflow is correctly rounded, or nearly so
         for start in range(0, flat.size, BLOCK):
             block = flat[start : start + BLOCK]
-            if block.min() >= 0.0 and block.max() <= HALF_PI:
+            if block.min() >= 0.0 and float(block.max()) <= HALF_PI:  # in float64: float32's pi/2 lies above
                 values[start : start + BLOCK] = text(block.astype(np.float64, copy=False))
             else:
                 values[start : start + BLOCK] = evaluate(body, _inside, (0.5,), (block,), None, True)
