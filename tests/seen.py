@@ -427,7 +427,11 @@ def float32_runs(kernel: str) -> Iterator[Run]:
         record = run.record
         if kernel in truth.QUOTIENTS:
             record = record | {"tier": "float32", "bound": 0.5 + record["bound"] * 2.0**-29}
-        if record["tier"] == "float32" and (run.level not in ("numpy", "exact") or _compiled.LEVEL == "numpy"):
+        if (
+            record["tier"] == "float32"
+            and run.level != "exact"
+            and (run.level != "numpy" or run.level == _compiled.LEVEL)
+        ):
             yield Run(record, run.level, run.call)
 
 
