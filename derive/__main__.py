@@ -1,4 +1,4 @@
-"""Command line: `python -m derive [--check]`, `python -m derive verify`, `python -m derive hard`."""
+"""Command line: `python -m derive [--check]`, `python -m derive verify | hard | prove`."""
 
 import argparse
 import sys
@@ -57,8 +57,8 @@ def derive_all() -> dict[str, str]:
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("friction laws", "solve", "{0} claims proved", lambda: len(effects.prove_laws()))
     timed("phase plane", "solve", "{0} claims proved", lambda: len(phase.prove_energies()))
-    texts = timed("generated", "emit", "", write.files, derivations)
-    return texts
+    proved = timed("kernels", "certify", "", write.proofs)
+    return timed("generated", "emit", "", write.files, derivations, proved)
 
 
 def binary() -> str:
@@ -75,14 +75,19 @@ def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call."""
     parser = argparse.ArgumentParser(prog="python -m derive", description=str(__doc__))
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
-    commands = parser.add_subparsers(dest="command", metavar="{verify,hard}")
+    commands = parser.add_subparsers(dest="command", metavar="{verify,hard,prove}")
     verify = commands.add_parser("verify", help="judge every numbered equation, table entry and appendix of the paper")
     form = verify.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a list of objects on stdout")
     form.add_argument("--markdown", action="store_true", help="a page for a colleague")
     hard = commands.add_parser("hard", help="the hard cases: error of the printed form beside ours")
     hard.add_argument("--json", action="store_true", help="a list of objects on stdout")
+    commands.add_parser("prove", help="prove the error bounds of the kernels again, from their certificates alone")
     options = parser.parse_args(argv)
+    if options.command == "prove":
+        from derive.certify import prove_all
+
+        return 0 if prove_all() else 1
     if options.command == "verify":
         from derive.verify import report
 

@@ -5,7 +5,7 @@ The proof itself is the checker's (`derive.certify`), which reads the records ma
 
 import itertools
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
 from decimal import ROUND_CEILING, Context
 
@@ -51,7 +51,7 @@ def certified(variant: Variant) -> Record:
 
 
 README = [
-    "Written by `python -m derive`; `python -m derive.certify` proves every bound again, rounding included.",
+    "Written by `python -m derive`; `python -m derive prove` proves every bound again, rounding included.",
     "Bounds on |computed - exact| for every double alpha in [0, pi/2] (float32: every float32), exact unrounded.",
     "Tier best: in ulp of the exact value, float32: in ulp of float32, 1e-10 and 1e-6: relative.",
     "bound_to_quarter_pi: up to pi/4 only. Both from alpha = 2**-320 on; bound_underflow: below, in ulp but at least",
@@ -123,12 +123,23 @@ def text(kernel: str, records: Iterable[Record]) -> str:
     return "{\n" + opening + ' "certificates": [\n' + ",\n".join(blocks) + "\n ]\n}\n"
 
 
-def files(variants: Iterable[Variant], processes: int = 2) -> dict[str, str]:
+def records(variants: Iterable[Variant], known: Iterable[Record] = (), processes: int = 2) -> list[Record]:
+    """The record of every variant: the known one where its operations are the same, else proved anew."""
+    known = {record["sha256"]: record for record in known}
+    chosen = list(variants)
+    found = {number: known.get(plain(variant)["sha256"]) for number, variant in enumerate(chosen)}
+    new = [number for number, record in found.items() if record is None]
+    if new:
+        with ProcessPoolExecutor(processes) as pool:
+            found |= zip(new, pool.map(certified, (chosen[number] for number in new)), strict=True)
+    return [record for record in found.values() if record is not None]
+
+
+def files(records: Iterable[Record]) -> dict[str, str]:
     """Text of every certificate file, by its name under `generated`."""
-    with ProcessPoolExecutor(processes) as pool:
-        records = list(pool.map(certified, variants))
-    return {f"certificates/{kernel}.json": text(kernel, group) for kernel, group in _by_kernel(records)}
+    by_kernel = itertools.groupby(sorted(records, key=_kernel), key=_kernel)
+    return {f"certificates/{kernel}.json": text(kernel, group) for kernel, group in by_kernel}
 
 
-def _by_kernel(records: Iterable[Record]) -> Iterator[tuple[str, Iterator[Record]]]:
-    return itertools.groupby(sorted(records, key=lambda r: r["kernel"]), key=lambda r: r["kernel"])
+def _kernel(record: Record) -> str:
+    return str(record["kernel"])

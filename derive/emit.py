@@ -175,7 +175,7 @@ def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
         typed, names = ", ".join(f"{x}: Array" for x in p.inputs), ", ".join(p.inputs)
         text += (
             f"\n\n{body(p)}\n\ndef {p.name}({typed}) -> Array:\n"
-            f'    """{source}, as printed: float64 arrays, no domain check.\n\n'
+            f'    """{source}: float64 arrays, no domain check.\n\n'
             f'    Operations: {operations(p.operations())}.\n    """\n'
             f'    with np.errstate(all="ignore"):\n        return _{p.name}({names})\n'
         )

@@ -1,6 +1,7 @@
 """What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
 
 from collections import Counter
+from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
@@ -13,6 +14,7 @@ from derive.integrate import Derivation
 from derive.phase import CONSTANT, ENERGIES, WATER
 from derive.program import Program, operations, program
 from derive.quantities import MOMENTS, QUOTIENTS, RESISTANCE
+from derive.rounding import Record
 from derive.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
 from derive.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -32,18 +34,21 @@ def closed_amplitudes(derivations: list[Derivation]) -> dict[str, sp.Expr]:
     return forms | {RESISTANCE[0]: 2 * alpha * (1 - sp.cos(alpha))}
 
 
-def kernels(derivations: list[Derivation]) -> list[Function]:
-    """The base quantities, their quotients, and the two weights of (theta_1, theta_2)."""
+def kernels(derivations: list[Derivation], proved: Iterable[Record] = ()) -> list[Function]:
+    """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
+    bounds: dict[str, dict[tuple[str, str], float]] = {}
+    for r in proved:
+        bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
     closed = closed_amplitudes(derivations)
     declared = {(m.amplitude or (m.name, m.symbol))[0]: ((m.amplitude or (m.name, m.symbol))[1], m.equation, m.help)
                 for m in MOMENTS} | {RESISTANCE[0]: RESISTANCE[1:]}  # fmt: skip
     found = []
     for name, form in closed.items():
         symbol, equation, words = declared[name]
-        found.append(_of_alpha(name, alpha**3 * REDUCED[name], f"{symbol}: {words}", f"{symbol} = {form}", equation))
+        found.append(_of_alpha(name, f"{symbol}: {words}", f"{symbol} = {form}", equation, bounds.get(name)))
     for q in QUOTIENTS:
         formula = f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
-        found.append(_of_alpha(q.name, QUOTIENT_FORMS[q.name], f"{q.symbol}: {q.help}", formula, q.equation))
+        found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name)))
     return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
 
 
@@ -52,11 +57,36 @@ def _tiers(name: str) -> dict[str, Program]:
     return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
 
 
-def _of_alpha(name: str, stable: sp.Expr, words: str, formula: str, equation: str) -> Function:
-    """A kernel of alpha: what NumPy runs at each tier is fitted, or, where nothing is, the stable form."""
-    tiers = _tiers(name) or {"best": program(name, ("alpha",), stable, let=_CLIP)}
+def _of_alpha(
+    name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None
+) -> Function:
+    """A kernel of alpha, whose tiers are fitted."""
+    tiers = _tiers(name)
     return Function(tiers["best"], f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
-                    f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, "", (), ACCURACY, tiers)  # fmt: skip
+                    f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, "", (), _accuracy(name, bounds), tiers)  # fmt: skip
+
+
+def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
+    """What is proved of a kernel, in words."""
+    if not bounds:
+        return ACCURACY
+    plain = bounds["best", "plain"]
+    cheap = "".join(
+        f"; accuracy={tier}: {bound:.3g} relative"
+        for (tier, form), bound in bounds.items()
+        if form == "fused" and tier[0] == "1"
+    )
+    single = f"; float32: {bounds['float32', 'fused']:.3g} ulp" if ("float32", "fused") in bounds else ""
+    return (
+        f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
+        f"{bounds.get(('best', 'numpy'), plain):.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
+    )
+
+
+def stable_forms() -> list[tuple[Program, str]]:
+    """Forms without cancellation, which the fits replace: each kernel's is proved equal to its closed form."""
+    forms = {name: alpha**3 * form for name, form in REDUCED.items()} | QUOTIENT_FORMS
+    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms.items()]
 
 
 _ARC = (

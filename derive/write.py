@@ -2,18 +2,17 @@
 
 import difflib
 import hashlib
-import json
 import os
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 import sympy
 
-from derive import emit, emit_c, functions
+from derive import certificates, certify, emit, emit_c, functions
 from derive.approximants import variants
 from derive.integrate import Derivation
+from derive.rounding import Record
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "generated"
@@ -22,12 +21,13 @@ MEND = "python -m derive"
 KERNELS = "Moments, weights and quotients of the arc, from their definitions."
 MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
 BALANCE = "The balance of momentum and the energy in the phase plane, specialised to the effects that are present."
+STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
-def files(derivations: list[Derivation]) -> dict[str, str]:
+def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
-    kernels, motion = functions.kernels(derivations), functions.motion()
+    kernels, motion = functions.kernels(derivations, proved), functions.motion()
     c_source = emit_c.source(variants())
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
@@ -37,12 +37,13 @@ def files(derivations: list[Derivation]) -> dict[str, str]:
         "kernels.py": emit.module(KERNELS, kernels),
         "motion.py": emit.module(MOTION, motion),
         "_kernels.c": c_source,
-        "printed.py": emit.raw_module(PRINTED, functions.printed()),
-        "tiers.py": tiers_module(certificates(), digest_of(c_source)),
+        "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
+        "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
+        "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
     }  # fmt: skip
-    texts |= {f"certificates/{path.name}": path.read_text(encoding="utf-8") for path in _certificates()}
+    texts |= certificates.files(proved)
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
@@ -63,16 +64,13 @@ def digest_of(text: str) -> str:
 ULP = {"best": 2.0**-52, "float32": 2.0**-23}
 
 
-def certificates() -> list[dict[str, Any]]:
-    """The records of what is proved, of the files that are there, in their order."""
-    return [record for path in _certificates() for record in json.loads(path.read_text("utf-8"))["certificates"]]
+def proofs() -> list[Record]:
+    """The record of every variant: one that is there holds as long as its operations do (`prove` proves it again)."""
+    there = [record for path in sorted((FOLDER / "certificates").glob("*.json")) for record in certify.read(path)]
+    return certificates.records(variants(), there)
 
 
-def _certificates() -> list[Path]:
-    return sorted((FOLDER / "certificates").glob("*.json"))
-
-
-def tiers_module(records: Iterable[Mapping[str, Any]], digest: str) -> str:
+def tiers_module(records: Iterable[Record], digest: str) -> str:
     """What the run time must know of the proofs, and of which C source they speak."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
     for r in records:

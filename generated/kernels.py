@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1d9645416eb194f6c00a28d5bdfb29bc1b3151b1ad10a0b76235755eb03d10e9
+# sha256 of the text below: 3c76e67ee89e68ee6e7be3b44039eaf01572e7dc6574efd79b1aafa0cac97d80
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from typing import Any
@@ -106,7 +106,9 @@ def polar_moment(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 0.83 ulp compiled with FMA, 3.72 without, 3.72 in NumPy;
+    accuracy=1e-10: 6.69e-11 relative; accuracy=1e-6: 6.63e-07 relative; float32: 0.503 ulp
+    (certificates/polar_moment.json).
     Source: eq. (2.17) of the paper. Operations: 29 mul, 26 add, 1 sub, 1 div, 1 max, 1 less, 1 select, 1 log.
     """
     return _call_polar_moment(alpha, out, where, accuracy)
@@ -181,7 +183,9 @@ def moment_of_inertia(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 0.783 ulp compiled with FMA, 3.9 without, 3.9 in NumPy; accuracy=1e-10:
+    3.57e-12 relative; accuracy=1e-6: 2.42e-07 relative; float32: 0.503 ulp
+    (certificates/moment_of_inertia.json).
     Source: eq. (3.12) of the paper. Operations: 26 mul, 23 add, 1 sub, 1 div, 1 less, 1 select.
     """
     return _call_moment_of_inertia(alpha, out, where, accuracy)
@@ -269,7 +273,9 @@ def radial_weight_amplitude(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 0.889 ulp compiled with FMA, 3.93 without, 3.93 in NumPy;
+    accuracy=1e-10: 5.86e-11 relative; accuracy=1e-6: 3.41e-07 relative; float32: 0.505 ulp
+    (certificates/radial_weight_amplitude.json).
     Source: eq. (2.23) of the paper. Operations: 34 mul, 29 add, 2 sub, 1 div, 1 max, 1 less, 1 select, 1 log.
     """
     return _call_radial_weight_amplitude(alpha, out, where, accuracy)
@@ -343,7 +349,9 @@ def weight_moment_amplitude(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 0.824 ulp compiled with FMA, 4.92 without, 4.92 in NumPy;
+    accuracy=1e-10: 2.07e-12 relative; accuracy=1e-6: 4.38e-07 relative; float32: 0.503 ulp
+    (certificates/weight_moment_amplitude.json).
     Source: eq. (3.13) of the paper. Operations: 22 mul, 18 add, 1 sub, 1 div, 1 less, 1 select.
     """
     return _call_weight_moment_amplitude(alpha, out, where, accuracy)
@@ -410,7 +418,9 @@ def resistance_factor(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 0.65 ulp compiled with FMA, 3.01 without, 3.01 in NumPy;
+    accuracy=1e-10: 2.74e-12 relative; accuracy=1e-6: 1.71e-07 relative; float32: 0.501 ulp
+    (certificates/resistance_factor.json).
     Source: eq. (3.14) of the paper. Operations: 11 mul, 8 add.
     """
     return _call_resistance_factor(alpha, out, where, accuracy)
@@ -468,7 +478,8 @@ def dynamic_coefficient(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 0.924 ulp compiled with FMA, 4.62 without, 4.9 in NumPy
+    (certificates/dynamic_coefficient.json).
     Source: eq. (2.24) of the paper. Operations: 37 mul, 35 add, 1 sub, 2 div, 1 max, 1 less, 3 select, 1 log.
     """
     return _call_dynamic_coefficient(alpha, out, where, accuracy)
@@ -527,7 +538,8 @@ def weight_moment_per_inertia(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 1.03 ulp compiled with FMA, 3.6 without, 3.6 in NumPy
+    (certificates/weight_moment_per_inertia.json).
     Source: eq. (3.17) of the paper. Operations: 42 mul, 41 add, 1 sub, 1 div, 1 less, 2 select.
     """
     return _call_weight_moment_per_inertia(alpha, out, where, accuracy)
@@ -590,7 +602,8 @@ def radial_weight_per_inertia(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 1.13 ulp compiled with FMA, 3.16 without, 3.17 in NumPy
+    (certificates/radial_weight_per_inertia.json).
     Source: eq. (3.17) of the paper. Operations: 56 mul, 54 add, 2 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
     """
     return _call_radial_weight_per_inertia(alpha, out, where, accuracy)
@@ -652,7 +665,8 @@ def polar_moment_per_inertia(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 0.885 ulp compiled with FMA, 3.01 without, 3.01 in NumPy
+    (certificates/polar_moment_per_inertia.json).
     Source: eq. (3.18) of the paper. Operations: 51 mul, 51 add, 1 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
     """
     return _call_polar_moment_per_inertia(alpha, out, where, accuracy)
@@ -714,7 +728,8 @@ def weight_moment_per_radial_weight(
     -----
     Domain: 0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends; elsewhere NaN and NumPy's ``invalid``
     flag.
-    Accuracy: at most 16 ulp (sampled only: no certificate).
+    Accuracy: proved, rounding included: 1.15 ulp compiled with FMA, 4.99 without, 4.85 in NumPy
+    (certificates/weight_moment_per_radial_weight.json).
     Source: eq. (3.21) of the paper. Operations: 51 mul, 48 add, 2 sub, 1 div, 1 max, 1 less, 2 select, 1 log.
     """
     return _call_weight_moment_per_radial_weight(alpha, out, where, accuracy)

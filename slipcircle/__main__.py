@@ -5,16 +5,16 @@ Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was r
 
 import argparse
 import json
+import shlex
 import sys
 from collections.abc import Sequence
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 import slipcircle
-from slipcircle import Scene, plan, solve, tables
-from slipcircle.scenefile import shipped
+from slipcircle import Motion, Scene, files, plan, solve, tables
+from slipcircle.scenefile import find, shipped
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -24,6 +24,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     which = f"one of {', '.join(shipped())}, or a TOML file"
     run = commands.add_parser("run", help="solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
+    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg")
+    run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
+    run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
     planned = commands.add_parser("plan", help="how a scene will be solved, and what that costs")
     what = planned.add_mutually_exclusive_group(required=True)
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
@@ -32,10 +35,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
     cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
+    cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
+    cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
     info = commands.add_parser("info", help="versions and digests of what is installed")
     for command in (run, planned, cost, info):
         command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
+    options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
         {"run": _run, "plan": _plan, "schema": _schema, "cost": _cost, "info": _info}[options.command](options)
     except (ValueError, ImportError) as error:
@@ -49,7 +55,17 @@ def _print(record: Any) -> None:
 
 
 def _run(options: argparse.Namespace) -> None:
+    paths = [find(name) for name in options.scenes]
+    asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
+    files.check({f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
+    if options.plot or options.report:
+        from slipcircle import pictures
+
+        pictures.check(options.plot or "", len(paths))
+    sources = [path.read_bytes() for path in paths] if options.report else []
     motions = [solve(Scene.load(name)) for name in options.scenes]
+    for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:
+        files.write(path, content)
     if options.json:
         found = [tables.motion_record(m) for m in motions]
         _print(found[0] if len(found) == 1 else found)
@@ -64,6 +80,21 @@ def _run(options: argparse.Namespace) -> None:
     for m in motions:
         for warning in m.warnings:
             print(f"slipcircle: {m.plan.scene.name}: {warning}", file=sys.stderr)
+
+
+def _content(kind: str, path: str, motions: list[Motion], sources: list[bytes], options: argparse.Namespace) -> bytes:
+    """A file that `run` writes."""
+    if kind == "csv":
+        from slipcircle.trace import csv
+
+        return csv(motions).encode()
+    if kind == "plot":
+        from slipcircle.pictures import overview
+
+        return overview(motions, Path(path).suffix[1:].lower())
+    from slipcircle.report import report
+
+    return report(motions, sources, options.line).encode()
 
 
 def _plan(options: argparse.Namespace) -> None:
@@ -91,17 +122,23 @@ def _schema(options: argparse.Namespace) -> None:
 
 
 def _cost(options: argparse.Namespace) -> None:
-    from slipcircle import cost
+    from slipcircle import cost, costtext
 
-    found = cost.measure(options.functions or [*cost.FUNCTIONS, *cost.SOLVERS], progress=sys.stderr)
+    found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
+    if options.csv:
+        costtext.write_csv(found, options.csv)
+    if options.plot:
+        from slipcircle.costplot import plot
+
+        plot(found, options.plot)
     if options.json:
-        # JSON knows no infinity: the error of a way that fails somewhere is null.
-        rows = [asdict(row) | {"error": row.error if np.isfinite(row.error) else None} for row in found]
-        _print({"machine": cost.machine(), "rows": rows})
+        _print({"machine": costtext.machine(), "rows": [costtext.record(row) for row in found]})
         return
     for name in dict.fromkeys(row.function for row in found):
-        tables.show(cost.COLUMNS, cost.cells([row for row in found if row.function == name]), title=name)
-    print(f"{cost.machine()}.\nbeaten: by that way, which is at least as accurate and over {cost.BEATEN} times faster.")
+        rows = [row for row in found if row.function == name]
+        tables.show(*costtext.table(rows), title=name, tight=True)
+        print(costtext.verdict(rows) + "\n")
+    print(costtext.wrapped([*costtext.NOTES, f"{costtext.machine()}."]))
 
 
 def _info(options: argparse.Namespace) -> None:

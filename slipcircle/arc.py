@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from generated import kernels
 from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 
-_BOUNDS: Mapping[str, Bounds] = {
+ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (0.0, INFINITY, "a positive length in m"),
     "theta_1": (-INFINITY, INFINITY, "a finite angle in rad"),
     "theta_2": (-INFINITY, INFINITY, "a finite angle in rad"),
@@ -19,7 +19,7 @@ _BOUNDS: Mapping[str, Bounds] = {
     "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
     "width": (0.0, INFINITY, "a positive length in m"),
 }
-QUANTITIES = tuple(_BOUNDS)
+QUANTITIES = tuple(ARC_BOUNDS)
 
 
 @dataclass(frozen=True)
@@ -95,8 +95,8 @@ class Arc:
     given: Mapping[str, float] | None = None
 
     def __post_init__(self) -> None:
-        values = {name: getattr(self, name) for name in _BOUNDS}
-        found = mistakes(values, _BOUNDS)
+        values = {name: getattr(self, name) for name in ARC_BOUNDS}
+        found = mistakes(values, ARC_BOUNDS)
         if not found:
             found = shape_mistakes(values)
         if not found:
@@ -108,8 +108,17 @@ class Arc:
             if "weight_moment" in bounds:
                 bounds["weight_moment"] = (-INFINITY, INFINITY, "a finite number")
             found += [f"given: {m}" for m in mistakes(self.given, bounds)]
+            found += [f"given.{n}: must be one number" for n in bounds if np.ndim(self.given[n])]
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
+
+    @staticmethod
+    def unchecked(**values: Any) -> "Arc":
+        """An arc of values that were checked elsewhere, or will be."""
+        arc = object.__new__(Arc)
+        for f in fields(Arc):
+            object.__setattr__(arc, f.name, values.get(f.name, f.default))
+        return arc
 
     def _geometry_mistakes(self) -> list[str]:
         first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
@@ -163,9 +172,8 @@ class Arc:
             )
         alpha = self.half_angle
         # Quotients come from reduced functions, so that thin arcs do not underflow.
-        towards = self._towards()
         dynamic = kernels.dynamic_coefficient(alpha)
-        per_inertia = self.amplitudes_per_inertia[1] * towards
+        per_inertia = self.press()
         polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
         return Dimensionless(
             moment_of_inertia=kernels.moment_of_inertia(alpha),
@@ -188,6 +196,12 @@ class Arc:
             press = self.dimensionless.radial_weight_per_inertia
             return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
         return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
+
+    def press(self) -> Any:
+        """J_r/Theta* at the start."""
+        if self.given is not None:
+            return self.dimensionless.radial_weight_per_inertia
+        return self.amplitudes_per_inertia[1] * self._towards()
 
     def _towards(self) -> Any:
         """cos(psi) = -sin(theta_m), with the rounding error of theta_1 + theta_2 (TwoSum), which a steep dip shows."""

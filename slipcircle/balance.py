@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 
 from generated import balance as functions
+from generated import kernels
 from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
+from slipcircle.arc import Arc
 from slipcircle.scene import Scene
 
 
@@ -37,15 +39,15 @@ class Balance:
     """
 
     names: Mapping[str, str]
-    values: Mapping[str, float]
-    weight: float
-    radial: float
-    dip: float
-    fall: float
-    press: float
-    static_limit: float
+    values: Mapping[str, Any]
+    weight: Any
+    radial: Any
+    dip: Any
+    fall: Any
+    press: Any
+    static_limit: Any
     turns: bool
-    radius: float
+    radius: Any
 
     def has(self, what: str) -> bool:
         """Whether this combination has such a term."""
@@ -127,3 +129,28 @@ def bind(scene: Scene) -> Balance:
         any(EFFECTS[e].turns for e in chosen),
         float(np.asarray(arc.radius)),
     )
+
+
+def bind_lanes(effects: tuple[str, ...], arc: Arc, values: Mapping[str, Any], *, stress: bool = False) -> Balance:
+    """The balance of lanes, by the same arithmetic: arrays or numbers, and only what their motion asks for."""
+    names = COMBINATIONS[effects].functions
+    unasked = () if stress else ("effective_stress", "normal_stress")
+    asked = {a for what, n in names.items() if what not in unasked for a in ARGUMENTS[n]}
+    d, alpha = None if arc.given is None else arc.dimensionless, arc.half_angle
+    press, (weight, radial) = arc.press(), arc.amplitudes_per_inertia
+    limit = kernels.limit_friction(arc.theta_1, arc.theta_2) if d is None else d.limit_friction
+    known: dict[str, Any] = {}
+    if asked & {"polar", "level"}:
+        known["polar"] = kernels.polar_moment_per_inertia(alpha) if d is None else d.polar_moment_per_inertia
+    if "level" in asked:
+        dynamic = kernels.dynamic_coefficient(alpha) if d is None else d.dynamic_coefficient
+        static = press * dynamic / known["polar"] if d is None else d.static_normal_stress
+        known["level"] = press / static
+    scales = {"half_angle": alpha, "gravity": arc.gravity, "reference_stress": arc.reference_stress}
+    if "drag" in asked:
+        scales["Theta"] = kernels.moment_of_inertia(alpha) if d is None else d.moment_of_inertia
+    for effect in effects:
+        for p in EFFECTS[effect].parameters:
+            known[p.symbol] = p.dimensionless(values[f"{effect}.{p.name}"], scales)
+    turns = any(EFFECTS[e].turns for e in effects)
+    return Balance(names, known, weight, radial, arc.dip, limit * press, press, limit, turns, arc.radius)

@@ -1,135 +1,88 @@
-"""What accuracy costs in time: each way to compute a function, its worst error seen, and its time, measured here.
+"""What accuracy costs in time: each way to compute a function, its proved and its worst seen error, its time, here.
 
-Ratios within one run mean something; absolute times belong to the machine that the report names.
+Ratios within one run mean something; absolute times belong to the machine that the report names. All ways to compute
+one function are timed in turns, so that what disturbs the machine disturbs all alike.
 """
 
-import math
-import platform
-import statistics
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+import tracemalloc
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
+from statistics import median
 from typing import Any, TextIO
 
 import numpy as np
-from numpy.typing import NDArray
 
-from generated import kernels, motion, printed
+from slipcircle import solvercost
+from slipcircle.reference import Floats, Reference
+from slipcircle.ways import FLOOR, FUNCTIONS, Subject, Way, multiprecision
 
-Floats = NDArray[np.float64]
-
-ELEMENTS = 10_000  # an array that stays in cache
-GAUSS_POINTS = (4, 8, 16, 32, 64)
-MP_DIGITS = (30, 50)
-REFERENCE_DIGITS = 50
-COLUMNS = ("way", "worst relative error", "seen at", "time", "times ours", "verdict")
-OURS = ("stable form", "slipcircle, 1e-09")  # ways that the others are compared with
+SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that does not
 BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
+REPEATS = 9
+_TICK, _PASS, _PATIENCE = 5e-4, 0.1, 0.08  # seconds: shortest thing timed, longest single pass, all repeats of one
+FRONTIER, LOST = "frontier", "beaten: "
+NAMES = [*FUNCTIONS, *solvercost.SOLVERS]
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Errors of a way over its inputs."""
+
+    points: Floats
+    ulp: Floats  # signed
+    relative: Floats
 
 
 @dataclass(frozen=True)
 class Row:
-    """One way to compute one function: worst relative error seen, where, median time, and the verdict."""
+    """One way to compute one function.
+
+    Attributes
+    ----------
+    bound, bound_ulp
+        Proved bounds of the relative error and of the error in ulp of `kind`; None: sampled only.
+    error, ulp
+        The worst seen, on so many `points`; NaN for the floor, which computes nothing.
+    worst_input, worst_input_ulp
+        Where.
+    ns_1, ns_1e4, ns_1e6
+        Time of an element, ns, with N elements in a call: the median of several turns.
+    elements
+        How many elements the last of them was measured on; fewer than N for slow ways.
+    memory
+        Bytes allocated besides argument and result at the worst moment, for an element.
+    cheaper
+        How many times less time it takes than the next more accurate way on the frontier.
+    verdict
+        "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate.
+    """
 
     function: str
     way: str
     error: float
     worst_input: tuple[float, ...]
-    nanoseconds: float
-    verdict: str
+    ns_1: float
+    ns_1e4: float | None = None
+    ns_1e6: float | None = None
+    elements: int = 1
+    memory: float | None = None
+    bound: float | None = None
+    bound_ulp: float | None = None
+    ulp: float | None = None
+    worst_input_ulp: tuple[float, ...] = ()
+    points: int = 1
+    kind: str = "float64"
+    ours: bool = False
+    cheaper: float | None = None
+    verdict: str = ""
+    profile: Profile | None = field(default=None, repr=False, compare=False)
 
-
-@dataclass(frozen=True)
-class Subject:
-    """A function to be priced: NumPy ways by name, mpmath's formula, and the reference, all of scalars or columns."""
-
-    ways: dict[str, Callable[..., Any]]
-    mp: Callable[..., Any]  # mp(context, *args), the closed form
-    reference: Callable[..., Any]  # reference(context, *args), at the context's digits
-    points: Floats  # one row per argument
-    bulk: Floats
-
-
-def gauss_legendre(power: int, turned: bool, count: int, alpha: Floats) -> Floats:
-    """The double integral of r**power (times cos u) by count Gauss-Legendre points in u; exact in r.
-
-    The depth of the chord is written as a product, so that the rule and not the cancellation is measured.
-    """
-    x, w = np.polynomial.legendre.leggauss(count)
-    u = alpha[:, None] * (x + 1) / 2
-    depth = 2 * np.sin((alpha[:, None] - u) / 2) * np.sin((alpha[:, None] + u) / 2) / np.cos(u)
-    near, far = 1 - depth * (1 - 1 / np.sqrt(3)) / 2, 1 - depth * (1 + 1 / np.sqrt(3)) / 2
-    ring = depth / 2 * (near**power + far**power) * (np.cos(u) if turned else 1.0)
-    return np.asarray(alpha * (ring @ w))
-
-
-def _quadrature(power: int, turned: bool, mp: Any, alpha: Any) -> Any:
-    """The same integral by mpmath's adaptive quadrature, from the definition."""
-
-    def ring(u: Any) -> Any:
-        chord = mp.cos(alpha) / mp.cos(u)
-        return (1 - chord ** (power + 1)) / (power + 1) * (mp.cos(u) if turned else 1)
-
-    return 2 * mp.quad(ring, [0, alpha])
-
-
-def _polar(mp: Any, x: Any) -> Any:
-    return (2 * x - mp.sin(2 * x) / 2 - mp.log(mp.tan(mp.pi / 4 + x / 2)) * mp.cos(x) ** 3) / 3
-
-
-def _factor(mp: Any, x: Any) -> Any:
-    return 2 * x * (1 - mp.cos(x))
-
-
-def _y(mp: Any, a: Any, b: Any, t: Any) -> Any:
-    return mp.cosh(mp.sqrt(a * b) * t)
-
-
-_CLOSED: dict[str, tuple[Callable[..., Any], Callable[..., Any], tuple[int, bool] | None]] = {
-    "polar_moment": (_polar, partial(_quadrature, 2, False), (2, False)),
-    "moment_of_inertia": (
-        lambda mp, x: (x - mp.sin(2 * x) * (1 + 2 * mp.cos(x) ** 2) / 6) / 2,
-        partial(_quadrature, 3, False), (3, False)),
-    "radial_weight_amplitude": (
-        lambda mp, x: mp.sin(x) - mp.cos(x) ** 2 * mp.atanh(mp.sin(x)), partial(_quadrature, 1, True), (1, True)),
-    "weight_moment_amplitude": (lambda mp, x: 2 * mp.sin(x) ** 3 / 3, partial(_quadrature, 2, True), (2, True)),
-    "resistance_factor": (_factor, _factor, None),
-    "dynamic_coefficient": (
-        lambda mp, x: _polar(mp, x) / _factor(mp, x),
-        lambda mp, x: _quadrature(2, False, mp, x) / _factor(mp, x), None),
-}  # fmt: skip
-
-
-def _kernel(name: str) -> Subject:
-    closed, reference, gauss = _CLOSED[name]
-    points = np.unique(np.concatenate([np.geomspace(1e-8, 1.0, 17), np.linspace(0.05, 1.55, 16), [np.pi / 2]]))
-    bulk = np.random.default_rng(0).uniform(0.0, np.pi / 2, ELEMENTS)
-    ways: dict[str, Callable[..., Any]] = {
-        "printed form": getattr(printed, name),
-        "stable form": getattr(kernels, name),
-    }
-    if gauss:
-        ways |= {f"Gauss, {n} points": partial(gauss_legendre, *gauss, n) for n in GAUSS_POINTS}
-    return Subject(ways, closed, reference, points[None], bulk[None])
-
-
-def _motion(name: str, closed: Callable[..., Any]) -> Subject:
-    rng = np.random.default_rng(0)
-    points = np.array([[0.24, 0.19, 1e-8], [0.24, 0.19, 1e-4], [0.24, 0.19, 2.4], [0.24, 1e-12, 2.4],
-                       [0.24, 0.19, 100.0], [0.24, 0.19, 1e4], [1e-12, 0.19, 2.4]]).T  # fmt: skip
-    bulk = rng.uniform(0.1, 2.0, (3, ELEMENTS))
-    stable = getattr(motion, f"frozen_centripetal_{name}")
-    ways = {"printed form": getattr(printed, name), "stable form": lambda a, b, t: stable(a, b, 0.0, t)}
-    return Subject(ways, closed, closed, points, bulk)
-
-
-FUNCTIONS: Mapping[str, Callable[[], Subject]] = {name: partial(_kernel, name) for name in _CLOSED} | {
-    "angular_velocity": partial(
-        _motion, "angular_velocity", lambda mp, a, b, t: mp.sqrt(a / b) * mp.tanh(mp.sqrt(a * b) * t)
-    ),
-    "rotation": partial(_motion, "rotation", lambda mp, a, b, t: mp.log(_y(mp, a, b, t)) / b),
-}
+    @property
+    def price(self) -> float:
+        """The time that verdicts compare, ns: in an array that stays in cache, or of one call."""
+        return self.ns_1 if self.ns_1e4 is None else self.ns_1e4
 
 
 def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
@@ -138,7 +91,7 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     Parameters
     ----------
     names : sequence of str
-        Keys of `FUNCTIONS` or `SOLVERS`.
+        Keys of `ways.FUNCTIONS` or `solvercost.SOLVERS`.
     progress : text file, optional
         Where to say what is being measured.
 
@@ -147,207 +100,172 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     ValueError
         For an unknown function.
     ImportError
-        Without mpmath, which gives the reference.
+        Without mpmath and python-flint, which give the reference.
     """
-    known = {**FUNCTIONS, **SOLVERS}
-    unknown = [n for n in names if n not in known]
+    unknown = [n for n in names if n not in NAMES]
     if unknown:
-        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join(known)}")
-    try:
-        import mpmath
-    except ImportError as error:
-        raise ImportError("the reference needs mpmath: pip install 'slipcircle[derive]'") from error
+        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join(NAMES)}")
+    multiprecision(30)
     found = []
     for name in names:
         if progress:
             print(f"measuring {name}", file=progress, flush=True)
-        rows = _solved(name, mpmath, progress) if name in SOLVERS else _measure_one(name, FUNCTIONS[name](), mpmath)
-        found += _judged(rows)
+        rows = _solvers(name, progress) if name in solvercost.SOLVERS else _functions(name, FUNCTIONS[name]())
+        found += judged(rows)
     return found
 
 
-def _measure_one(name: str, subject: Subject, mpmath: Any) -> list[Row]:
-    mp = mpmath.mp.clone()
-    mp.dps = REFERENCE_DIGITS + 40  # quadrature loses what thin arcs cancel
-    exact = [subject.reference(mp, *map(mp.mpf, p)) for p in subject.points.T.tolist()]
+def _functions(name: str, subject: Subject) -> list[Row]:
+    rows, arguments = [], subject.bulk(SIZES[-1])
+    for way, times in zip(subject.ways, _times(subject), strict=True):
+        elements = times[-1][1]
+        one = 1 if way.few else elements
+        row = Row(
+            name, way.name, float("nan"), (), times[0][0], times[1][0], times[2][0], elements,
+            _memory(_work(way, arguments, one), one), way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
+        )  # fmt: skip
+        rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
+    return rows
+
+
+def _solvers(name: str, progress: TextIO | None) -> list[Row]:
+    works, exact = solvercost.solutions(name, progress)
     rows = []
-    for way, function in subject.ways.items():
-        values = np.asarray(function(*subject.points), dtype=np.float64).tolist()
-        took = _time(partial(function, *subject.bulk), ELEMENTS)
-        rows.append(_row(name, way, subject, [mp.mpf(v) for v in values], exact, took))
-    for digits in MP_DIGITS:
-        at = mpmath.mp.clone()
-        at.dps = digits
-        few = [tuple(map(at.mpf, p)) for p in subject.bulk.T[:40].tolist()]
-
-        def work(at: Any = at, few: Any = few) -> None:
-            for p in few:
-                subject.mp(at, *p)
-
-        values = [mp.mpf(subject.mp(at, *map(at.mpf, p))) for p in subject.points.T.tolist()]
-        rows.append(_row(name, f"mpmath, {digits} digits", subject, values, exact, _time(work, len(few))))
+    for (way, work), seconds in zip(works.items(), interleaved(list(works.values())), strict=True):
+        error = max(abs(v / e - 1) if e else abs(v) for v, e in zip(work(), exact, strict=True))
+        memory = _memory(work, 1)
+        rows.append(Row(name, way, error, (), median(seconds) * 1e9, memory=memory, ours=way.startswith("slipcircle")))
     return rows
 
 
-# --- solvers: one scene, to its run-out, peak velocity and duration
-
-ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12)
-SOLVERS = {
-    "closed form in time": ("vaiont-frozen", False),
-    "closed form in the phase plane": ("vaiont", False),
-    "energy equation": ("vaiont", True),  # the same scene, its friction given as a function, so its solution is known
-}
+# --- errors --------------------------------------------------------------------------------------------------------
 
 
-def _solved(name: str, mpmath: Any, progress: TextIO | None) -> list[Row]:
-    """This package at each accuracy, beside SciPy's solve_ivp with a hand-written right-hand side and events."""
-    from slipcircle import Scene, solve
-
-    shipped, as_function = SOLVERS[name]
-    scene = Scene.load(shipped)
-    mu = float(np.asarray(scene.friction))
-    if as_function:
-        scene = replace(scene, friction=lambda slip: mu + 0.0 * slip)
-    exact = _reference(scene, mu, mpmath)
-
-    def row(way: str, work: Callable[[], tuple[float, float, float]]) -> Row:
-        errors = [abs(v / float(e) - 1) if e else abs(v) for v, e in zip(work(), exact, strict=True)]
-        return Row(name, way, max(errors), (), _time(work, 1, repeats=15), "")
-
-    def ours(accuracy: float) -> tuple[float, float, float]:
-        motion = solve(scene, accuracy)
-        return motion.run_out, float(motion.peak.velocity), motion.duration
-
-    rows = [row(f"slipcircle, {accuracy:.0e}", partial(ours, accuracy)) for accuracy in ACCURACIES]
-    try:
-        import scipy.integrate  # noqa: F401
-    except ImportError:
-        if progress:
-            print("solve_ivp is missing: pip install 'slipcircle[scenes]'", file=progress)
-        return rows
-    for method in ("RK45", "DOP853", "LSODA"):
-        rows += [row(f"{method}, rtol {a:.0e}", partial(_integrated, scene, mu, method, a)) for a in ACCURACIES]
-    return rows
+def _seen(row: Row, way: Way, exact: Reference) -> Row:
+    """The row with the worst errors of its way."""
+    if way.few:
+        exact = exact.some(way.few)
+        ulp, relative = _exactly([way.function(*p) for p in exact.points.T.tolist()], exact)
+    else:
+        ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
+    at, at_ulp = int(np.argmax(relative)), int(np.argmax(np.abs(ulp)))
+    points = exact.points.T
+    return replace(
+        row, error=float(relative[at]), ulp=float(abs(ulp[at_ulp])), points=len(points),
+        worst_input=tuple(points[at].tolist()), worst_input_ulp=tuple(points[at_ulp].tolist()),
+        profile=Profile(exact.points[0], ulp, relative),
+    )  # fmt: skip
 
 
-def _integrated(scene: Any, mu: float, method: str, tolerance: float) -> tuple[float, float, float]:
-    """Run-out, peak velocity and duration by solve_ivp, with events for the peak and the standstill."""
-    from scipy.integrate import solve_ivp
-
-    arc, d = scene.arc, scene.arc.dimensionless
-    scale, radius, dip = float(arc.time_scale), float(arc.radius), float(arc.dip)
-    turns, polar = "rotation" in scene.called, float(d.polar_moment_per_inertia)
-    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
-
-    def rate(_: float, y: Any) -> tuple[float, float]:
-        psi = dip - y[0] if turns else dip
-        return y[1], weight * math.sin(psi) - mu * (radial * math.cos(psi) + polar * y[1] * y[1])
-
-    def stands(_: float, y: Any) -> float:
-        return float(y[1])
-
-    def turns_slower(t: float, y: Any) -> float:
-        return rate(t, y)[1]
-
-    events: list[Any] = [stands, turns_slower]
-    for event in events:
-        event.terminal, event.direction = event is stands, -1.0
-    end = scene.end_time / scale if scene.end_time else 1e3
-    found = solve_ivp(rate, (0.0, end), (0.0, 0.0), method, rtol=tolerance, atol=tolerance * 1e-3, events=events)
-    peak = found.y_events[1][0][1] if len(found.y_events[1]) else found.y[1, -1]
-    return radius * found.y[0, -1], radius * peak / scale, found.t[-1] * scale
+def _exactly(results: Sequence[Any], exact: Reference) -> tuple[Floats, Floats]:
+    """Errors of numbers that may have more digits than a double."""
+    mp, ulp, relative = multiprecision(110), [], []
+    for result, ball, unit in zip(results, exact.values, exact.unit.tolist(), strict=True):
+        value = mp.mpf(ball.str(100, radius=False) if hasattr(ball, "rad") else ball)
+        error = mp.mpf(result) - value
+        ulp.append(float(error / unit) if error == error else float("inf"))
+        relative.append(float(abs(error) / max(abs(value), exact.smallest)) if error == error else float("inf"))
+    return np.array(ulp), np.array(relative)
 
 
-def _reference(scene: Any, mu: float, mpmath: Any) -> tuple[Any, Any, Any]:
-    """The same three numbers at 30 digits, with constant friction, by textbook formulas and adaptive quadrature."""
-    mp = mpmath.mp.clone()
-    mp.dps = 40
-    arc = scene.arc
-    alpha = (mp.mpf(float(arc.theta_2)) - mp.mpf(float(arc.theta_1))) / 2
-    psi = 3 * mp.pi / 2 - (mp.mpf(float(arc.theta_2)) + mp.mpf(float(arc.theta_1))) / 2
-    base = {n: _CLOSED[n][1](mp, alpha) for n in ("polar_moment", "moment_of_inertia", "radial_weight_amplitude",
-                                                  "weight_moment_amplitude")}  # fmt: skip
-    inertia = base["moment_of_inertia"]
-    weight, radial = base["weight_moment_amplitude"] / inertia, mu * base["radial_weight_amplitude"] / inertia
-    brake, radius = mu * base["polar_moment"] / inertia, mp.mpf(float(arc.radius))
-    scale = mp.sqrt(radius / mp.mpf(float(arc.gravity)))
-    if "rotation" not in scene.called:
-        drive, end = weight * mp.sin(psi) - radial * mp.cos(psi), mp.mpf(scene.end_time) / scale
-        k = mp.sqrt(drive * brake)
-        return (
-            radius * mp.log(mp.cosh(k * end)) / brake,
-            radius * mp.sqrt(drive / brake) * mp.tanh(k * end) / scale,
-            end * scale,
-        )
-    q, length = 2 * brake, mp.hypot(weight, radial)
-    tilted = psi - mp.atan(radial / weight)
-
-    def steady(y: Any) -> Any:  # the solution of E' + q E = 2 K sin(y) that does not decay, y = tilted - phi
-        return 2 * length * (q * mp.sin(y) + mp.cos(y)) / (1 + q * q)
-
-    def energy(phi: Any) -> Any:
-        return steady(tilted - phi) - steady(tilted) * mp.exp(-q * phi)
-
-    end = mp.findroot(energy, 2 * tilted * (1 - q / 8))
-    top = mp.findroot(lambda x: 2 * length * mp.sin(tilted - x) - q * energy(x), end / 2)
-    pace = lambda s: end * mp.sin(2 * s) / mp.sqrt(energy(end * mp.sin(s) ** 2))  # noqa: E731
-    time = mp.quad(pace, [0, mp.pi / 4, mp.pi / 2], method="gauss-legendre")
-    return radius * end, radius * mp.sqrt(energy(top)) / scale, time * scale
+# --- times and memory ----------------------------------------------------------------------------------------------
 
 
-def _row(name: str, way: str, subject: Subject, values: Iterable[Any], exact: list[Any], nanoseconds: float) -> Row:
-    errors = [float(abs(v - e) / abs(e)) if v == v else float("inf") for v, e in zip(values, exact, strict=True)]
-    worst = int(np.argmax(errors))
-    return Row(name, way, errors[worst], tuple(subject.points.T[worst].tolist()), nanoseconds, "")
+def _times(subject: Subject) -> list[list[tuple[float, int]]]:
+    """For each way and each of `SIZES`: ns an element, and on how many elements."""
+    found: list[list[tuple[float, int]]] = [[] for _ in subject.ways]
+    for size in SIZES:
+        arguments = subject.bulk(size)
+        counts = [_fitting(way, size, sofar) for way, sofar in zip(subject.ways, found, strict=True)]
+        works = [_work(w, arguments, n) for w, n in zip(subject.ways, counts, strict=True)]
+        for sofar, count, seconds in zip(found, counts, interleaved(works), strict=True):
+            sofar.append((median(seconds) / count * 1e9, count))
+    return found
 
 
-def _time(work: Callable[[], object], elements: int, repeats: int = 7) -> float:
-    """Median time of an element, ns, over repeats of at least a millisecond each."""
-    work()
+def _fitting(way: Way, size: int, sofar: list[tuple[float, int]]) -> int:
+    """How many elements a pass has time for."""
+    if way.few:
+        return min(size, way.few)
+    while sofar and size > SIZES[1] and size * sofar[-1][0] * 1e-9 > _PASS:
+        size //= 10
+    return size
+
+
+def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
+    """One pass over so many elements: a call on numbers, or on an array, or one call for each of a few."""
+    if way.few:
+        few = arguments.T[:count].tolist()
+        return lambda: [way.function(*p) for p in few]
+    if count == 1:
+        numbers = arguments[:, 0].tolist()
+        return partial(way.function, *(numbers if way.kind == "float64" else map(np.dtype(way.kind).type, numbers)))
+    rows = arguments[:, :count].astype(way.kind, copy=False)
+    return partial(way.into, *rows, np.empty_like(rows[0])) if way.into else partial(way.function, *rows)
+
+
+def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
+    """Seconds that each piece of work took, several times, all of them in turns."""
+    # glibc gives the heap's top back to the system, and faults every page again, until a large array came and went:
+    # NumPy's expressions take up to three times longer before. Most programs are past that, so this one shall be.
+    np.ones(4_000_000)
+    plans = []
+    for work in works:
+        work()
+        took = _timed(work, 1)
+        loops = max(1, int(_TICK / took))
+        plans.append((loops, min(REPEATS, max(3, int(_PATIENCE / (took * loops))))))
+    samples: list[list[float]] = [[] for _ in works]
+    for turn in range(REPEATS):
+        for work, (loops, repeats), sample in zip(works, plans, samples, strict=True):
+            if turn < repeats:
+                if loops > 1:  # short work finds the caches as the one before left them
+                    work()
+                sample.append(_timed(work, loops))
+    return samples
+
+
+def _timed(work: Callable[[], object], loops: int) -> float:
     start = time.perf_counter()
-    work()
-    loops = max(1, int(1e-3 / max(time.perf_counter() - start, 1e-9)))
-    found = []
-    for _ in range(repeats):
-        start = time.perf_counter()
-        for _ in range(loops):
-            work()
-        found.append((time.perf_counter() - start) / loops / elements * 1e9)
-    return statistics.median(found)
+    for _ in range(loops):
+        work()
+    return max((time.perf_counter() - start) / loops, 1e-9)
 
 
-def _judged(rows: list[Row]) -> list[Row]:
-    """Mark the frontier: a way that another beats in time by more than `BEATEN` at no larger error names the winner."""
-    judged = []
-    for row in rows:
-        better = [r for r in rows if r.error <= row.error and r.nanoseconds * BEATEN < row.nanoseconds]
-        best = min(better, key=lambda r: r.nanoseconds, default=None)
-        verdict = f"beaten: {best.way}" if best else "frontier"
-        judged.append(Row(row.function, row.way, row.error, row.worst_input, row.nanoseconds, verdict))
-    return judged
-
-
-def _shown(nanoseconds: float) -> str:
-    """A time of one element or one solution, with its unit."""
-    scale, unit = next((s, u) for s, u in ((1e6, "ms"), (1e3, "us"), (1.0, "ns")) if nanoseconds >= s or s == 1.0)
-    return f"{nanoseconds / scale:.3g} {unit}"
-
-
-def cells(rows: Sequence[Row]) -> Iterable[list[str]]:
-    """Rows of one function as text."""
-    stable = next(r.nanoseconds for r in rows if r.way in OURS)
-    for row in rows:
-        at = ", ".join(f"{x:.3g}" for x in row.worst_input)
-        ratio = f"{row.nanoseconds / stable:.2g}"
-        yield [row.way, f"{row.error:.1e}", at, _shown(row.nanoseconds), ratio, row.verdict]
-
-
-def machine() -> str:
-    """Processor and versions, to stand beside the times."""
+def _memory(work: Callable[[], object], elements: int) -> float:
+    """Bytes for an element that one pass holds at its worst moment, besides what it returns."""
+    tracemalloc.start()
     try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            processor = next(line.split(":", 1)[1].strip() for line in file if line.startswith("model name"))
-    except (OSError, StopIteration):
-        processor = platform.processor() or platform.machine()
-    versions = f"Python {platform.python_version()}, NumPy {np.__version__}"
-    return f"{processor}, {platform.system()}, {versions}; medians of 7 runs"
+        before = tracemalloc.get_traced_memory()[0]
+        result = work()
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    returned = result.nbytes if isinstance(result, np.ndarray) and result.size > 1 else 0
+    return max(0.0, (peak - before - returned) / elements)
+
+
+# --- verdicts ------------------------------------------------------------------------------------------------------
+
+
+def judged(rows: Sequence[Row]) -> list[Row]:
+    """Mark the frontier: a way that another beats in time by more than `BEATEN` at no larger error names the winner."""
+    found = []
+    for row in rows:
+        better = [r for r in rows if r.error <= row.error and r.price * BEATEN < row.price]
+        best = min(better, key=lambda r: r.price, default=None)
+        if row.error != row.error:
+            said = "floor"
+        elif row.error >= 1:
+            said = "no digit"
+        else:
+            said = LOST + best.way if best else FRONTIER
+        found.append(replace(row, verdict=said))
+    front = [r for r in found if r.verdict == FRONTIER]
+    return [replace(row, cheaper=_cheaper(row, front)) for row in found]
+
+
+def _cheaper(row: Row, front: Sequence[Row]) -> float | None:
+    """Times cheaper than the next more accurate way on the frontier."""
+    above = max((r for r in front if r.error < row.error), key=lambda r: r.error, default=None)
+    return above.price / row.price if above else None

@@ -2,14 +2,16 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from os import PathLike
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from generated.effects import EFFECTS
-from slipcircle.arc import Arc
-from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.arc import ARC_BOUNDS, QUANTITIES, Arc
+from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 from slipcircle.friction import law_mistakes
 
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
@@ -18,6 +20,9 @@ ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 @dataclass(frozen=True)
 class Scene:
     """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
+
+    Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
+    broadcast shape. Tables and given coefficients are no such fields.
 
     Parameters
     ----------
@@ -31,7 +36,7 @@ class Scene:
         Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any.
     initial_velocity : float or array_like, optional
         Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
-    end_time : float, optional
+    end_time : float or array_like, optional
         s; by default until the mass rests.
     accuracy : float, optional
         Relative error that is asked for; the call's own wins.
@@ -48,7 +53,7 @@ class Scene:
     friction: ArrayLike | Mapping[str, Any] | Callable[[Any], Any]
     effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: ArrayLike = 0.0
-    end_time: float | None = None
+    end_time: ArrayLike | None = None
     accuracy: float | None = None
     name: str = ""
     note: str = ""
@@ -75,6 +80,7 @@ class Scene:
                 "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
             )
         found += [m for name, parameters in effects.items() for m in _effect_mistakes(name, parameters)]
+        found += [] if found else shape_mistakes(self.numbers)
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @property
@@ -82,6 +88,26 @@ class Scene:
         """Effects by name, each with its parameters, however they were given."""
         assert isinstance(self.effects, Mapping)
         return self.effects
+
+    @cached_property
+    def numbers(self) -> Mapping[str, ArrayLike]:
+        """All fields that may be arrays, by name: the arc's, ``friction.peak``, ``pore_pressure.ratio``, ..."""
+        found: dict[str, Any] = {n: getattr(self.arc, n) for n in QUANTITIES}
+        law = self.friction
+        if isinstance(law, Mapping):
+            tables = law.get("law") == "tabulated"
+            found |= {f"friction.{n}": value for n, value in law.items() if n != "law" and not tables}
+        elif not callable(law):
+            found["friction"] = law
+        found["initial_velocity"] = self.initial_velocity
+        if self.end_time is not None:
+            found["end_time"] = self.end_time
+        return found | {f"{e}.{n}": value for e, given in self.called.items() for n, value in given.items()}
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
+        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
 
     @staticmethod
     def load(name: str | PathLike[str]) -> "Scene":
@@ -128,3 +154,11 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     ]
     bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in parameters}
     return found + [f"effects.{name}.{m}" for m in mistakes(parameters, bounds)]
+
+
+def bounds(names: Iterable[str]) -> dict[str, tuple[float, float]]:
+    """Open bounds of those of a scene's numbers that have any, the effects' as ``effect.parameter``."""
+    known = {n: (low, high) for n, (low, high, _) in ARC_BOUNDS.items()}
+    known |= {"friction": (-5e-324, INFINITY), "initial_velocity": (-INFINITY, INFINITY)}
+    known |= {f"{e}.{p.name}": (p.lower, p.upper) for e, effect in EFFECTS.items() for p in effect.parameters}
+    return {n: known[n] for n in names if n in known}

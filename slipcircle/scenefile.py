@@ -26,11 +26,18 @@ def shipped() -> tuple[str, ...]:
 
 def load(name: str | PathLike[str]) -> Scene:
     """A scene that ships, by name, or one's own, by the path of its file; see `Scene.load`."""
+    if name in shipped():
+        return _scene(find(name), f"{name}.toml", check=False)
+    return read(find(name))
+
+
+def find(name: str | PathLike[str]) -> Any:
+    """The file of a scene that ships, by name; or one's own, by its path."""
     if name in (names := shipped()):
-        return _scene(_FOLDER / f"{name}.toml", f"{name}.toml", check=False)
+        return _FOLDER / f"{name}.toml"
     path = Path(name)
     if os.path.exists(path) and not os.path.isdir(path):  # no error for names that no file can have
-        return read(path)
+        return path
     near = get_close_matches(path.stem, names, 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"

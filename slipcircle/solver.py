@@ -1,12 +1,11 @@
 """From a plan to a motion: phase after phase, each in one direction, until the mass rests or its time is over."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.arc import QUANTITIES
 from slipcircle.balance import Balance, bind
 from slipcircle.friction import Friction, friction
 from slipcircle.motion import Motion, Phase, Start
@@ -22,24 +21,25 @@ _MOST_PHASES = 2000
 EPS = 2.0**-52
 
 
-def solve(scene: Scene, accuracy: float | None = None) -> Motion:
-    """Solve a scene until it rests, or until its end time.
+def solve(scene: Scene, accuracy: float | None = None) -> Any:
+    """Solve a scene until it rests, or until its end time; a scene of arrays lane by lane.
 
     Parameters
     ----------
     scene : Scene
-        Its fields must be numbers here, not arrays.
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
 
     Returns
     -------
-    Motion
+    slipcircle.motion.Motion or slipcircle.motions.Motions
+        Motions, of the scene's broadcast shape, where its fields are arrays.
 
     Raises
     ------
     ValueError
-        If the scene never rests and has no end time, turns over, holds arrays, or overflows.
+        If the scene never rests and has no end time, turns over, or overflows; of an ensemble, such lanes have the
+        status FAILED.
 
     Notes
     -----
@@ -47,13 +47,16 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     resistance, and turns back if not. A mass that nothing brings to rest (no friction, no cohesion) is followed to
     its first standstill.
     """
-    numbers = {n: getattr(scene, n) for n in ("initial_velocity", "end_time")}
-    numbers |= {f"arc.{n}": getattr(scene.arc, n) for n in QUANTITIES}
-    numbers |= {} if callable(scene.friction) or isinstance(scene.friction, Mapping) else {"friction": scene.friction}
-    for name, value in numbers.items():
-        if not isinstance(value, (int, float)) and np.ndim(value) != 0:
-            raise ValueError(f"{name}: has shape {np.shape(value)}; solve takes one scene of plain numbers")
-    chosen = plan(scene, accuracy)
+    if scene.shape:
+        from slipcircle.motions import solve_ensemble
+
+        return solve_ensemble(plan(scene, accuracy))
+    return solve_one(plan(scene, accuracy))
+
+
+def solve_one(chosen: Plan) -> Motion:
+    """Solve one scene of plain numbers."""
+    scene = chosen.scene
     try:
         with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
             motion = _solve(chosen)
@@ -73,7 +76,8 @@ def _solve(chosen: Plan) -> Motion:
     scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
     follow = _follower(chosen.method)
     omega = float(np.asarray(scene.initial_velocity)) / radius * scale
-    end = math.inf if scene.end_time is None else scene.end_time / scale
+    end_time = None if scene.end_time is None else float(np.asarray(scene.end_time))
+    end = math.inf if end_time is None else end_time / scale
     direction = int(np.sign(omega))
     time = rotation = slip = 0.0
     energy, phases, arrested, change = omega**2, [], False, None
@@ -110,7 +114,7 @@ def _solve(chosen: Plan) -> Motion:
         time = end
     if math.isinf(time):
         _refuse(scene, phases[-1].solved, math.inf)
-    duration = time * scale if arrested or scene.end_time is None else scene.end_time
+    duration = time * scale if arrested or end_time is None else end_time
     return Motion(chosen, balance, phases, duration, arrested)
 
 

@@ -125,7 +125,9 @@ def combination_rows() -> list[list[str]]:
     return [[", ".join(c) or "none", str(f.count), f.operations] for c, f in COMBINATIONS.items()]
 
 
-def show(head: Sequence[str], rows: Iterable[Sequence[str]], title: str = "", caption: str = "") -> None:
+def show(
+    head: Sequence[str], rows: Iterable[Sequence[str]], title: str = "", caption: str = "", *, tight: bool = False
+) -> None:
     """Print a table on stdout, at most 100 columns wide; plain text where stdout is no terminal."""
     try:
         from rich import box
@@ -136,6 +138,7 @@ def show(head: Sequence[str], rows: Iterable[Sequence[str]], title: str = "", ca
     shown = Table(
         *head, title=title or None, title_justify="left", title_style="bold", caption=caption or None,
         caption_justify="left", caption_style="", box=box.SIMPLE_HEAD, show_header=any(head),
+        padding=0 if tight else (0, 1), show_edge=not tight,
     )  # fmt: skip
     for row in rows:
         shown.add_row(*row)

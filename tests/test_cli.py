@@ -283,25 +283,44 @@ def test_info() -> None:
         assert re.search(rf"{re.escape(key)} +{re.escape(value)}", table.stdout)
 
 
+@pytest.fixture
+def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in {"SIZES": (1, 50, 400), "REPEATS": 1, "_TICK": 1e-7, "_PATIENCE": 0.0}.items():
+        monkeypatch.setattr(cost, name, value)
+
+
 def test_cost_of_a_way_that_fails_is_json_too(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    fails = cost.Row("f", "printed form", float("inf"), (1.5,), 3.0, "frontier")
+    fails = cost.Row("f", "printed form", float("inf"), (1.5,), 3.0)
     monkeypatch.setattr(cost, "measure", lambda names, progress: [fails])
     assert main(["cost", "--json"]) == 0
     assert strict(capsys.readouterr().out)["rows"][0]["error"] is None
 
 
-def test_cost(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["cost", "resistance_factor", "--json"]) == 0
+@pytest.mark.usefixtures("_quick")
+def test_cost(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    table, picture = tmp_path / "cost.csv", tmp_path / "cost.png"
+    assert main(["cost", "resistance_factor", "--json", "--csv", str(table), "--plot", str(picture)]) == 0
     out, err = capsys.readouterr()
     assert err == "measuring resistance_factor\n"
     found = strict(out)
     assert np.__version__ in found["machine"]
-    ways = {row["way"] for row in found["rows"]}
-    assert ways == {"printed form", "stable form", "mpmath, 30 digits", "mpmath, 50 digits"}
+    ways = [row["way"] for row in found["rows"]]
+    assert {"printed, float64", "half-angle, NumPy", "mpmath, 30 digits", "np.copyto (floor)"} <= set(ways)
     assert {row["function"] for row in found["rows"]} == {"resistance_factor"}
+    assert table.read_text("utf-8").count("\nresistance_factor,") == len(ways)
+    assert picture.read_bytes().startswith(b"\x89PNG")
     assert main(["cost", "resistance_factor"]) == 0
-    table = capsys.readouterr().out
-    assert max(map(len, table.splitlines())) <= 100
-    assert all(re.search(rf"^ *{way} ", table, re.MULTILINE) for way in ways)
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 100
+    for number, way in enumerate(ways, 1):
+        assert any(re.match(rf"{number} +{re.escape(way)} ", line) for line in lines), way
+    assert any(line.startswith("Frontier: ") for line in lines)
+
+
+def test_without_matplotlib_cost_says_what_to_type() -> None:
+    hidden = "sys.modules['matplotlib'] = None; from slipcircle import cost; cost.measure = lambda *a, **k: []"
+    done = python(f"{hidden}; {MAIN}; sys.exit(status)", "cost", "--plot", "cost.png")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr == "slipcircle: pictures need matplotlib: pip install 'slipcircle[plot]'\n"

@@ -1,7 +1,15 @@
-"""The cost report: errors against quadrature in ball arithmetic, and verdicts that follow from the rows. No timings."""
+"""The price list: references against quadrature in ball arithmetic; verdicts that follow from the rows. No timings."""
 
+import csv
 import io
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -9,158 +17,484 @@ import oracle
 import pytest
 from mpmath import mpf
 
-from slipcircle import cost
+from generated import _compiled, kernels, printed
+from slipcircle import cost, costtext, reference, solvercost, tables, ways
 from slipcircle.cost import Row
+from slipcircle.ways import Way
 
-SEEN = (1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.pi / 2))
+SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
+FORMS = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _quick() -> Iterator[None]:
+    """Few elements and few turns: no test is about how long something takes."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0}.items():
+            patch.setattr(cost, name, value)
+        yield
 
 
 @pytest.fixture(scope="module")
-def rows() -> list[Row]:
+def rows(_quick: None) -> list[Row]:
     return cost.measure([MEASURED])
 
 
-# --- what is measured ----------------------------------------------------------------------------------------------
+def digits(ball: Any) -> mpf:
+    with mpmath.workdps(70):
+        return mpf(ball.str(60, radius=False))
 
 
-@pytest.mark.parametrize("name", [*oracle.BASE, "dynamic_coefficient"])
-def test_references_are_the_definitions(name: str) -> None:
-    """Reference and mpmath's closed form, 30 digits, at the ends of the domain too."""
-    subject = cost.FUNCTIONS[name]()
+# --- what everything is compared with ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", ["float64", "float32"])
+@pytest.mark.parametrize("name", ways.KERNELS)
+def test_references_are_the_definitions(name: str, kind: str) -> None:
+    """Exact values by quadrature of the double integral; of each format the ends and some points between."""
+    found = reference.kernel(name, kind)
+    points = found.points[0]
+    chosen = {int(np.searchsorted(points, x)) for x in SEEN if points[0] <= x <= points[-1]} | {1, len(points) - 1}
     with mpmath.workdps(90):
-        for alpha in SEEN:
-            exact = mpf(oracle.kernel(name, alpha).str(50, radius=False))
-            for function in (subject.reference, subject.mp):
-                assert abs(function(mpmath.mp, mpf(alpha)) / exact - 1) < mpf(10) ** -30, (name, alpha)
+        for at in chosen:
+            exact = digits(oracle.kernel(name, Fraction(points[at])))
+            assert abs(digits(found.values[at]) / exact - 1) < mpf(10) ** -45, points[at]
+            unit = mpf(float(np.spacing(np.dtype(kind).type(found.nearest[at]))))
+            value = mpf(found.nearest[at]) + mpf(found.rest[at]) * unit
+            assert abs(value - exact) < unit * mpf(10) ** -12
+
+
+@pytest.mark.parametrize("kind", ["float64", "float32"])
+def test_the_set_is_dense_at_both_ends(kind: str) -> None:
+    points = reference.inputs(kind)
+    assert points.dtype == kind
+    assert points[0] == 0.0
+    assert points[-1] == points.dtype.type(np.pi / 2)
+    assert np.all(np.diff(points) > 0)
+    assert len(points) > 0.8 * reference.POINTS
+    place = cost_axis(points.astype(float))
+    decades = np.histogram(place, np.arange(-7 if kind == "float32" else -14, 7 if kind == "float32" else 14))[0]
+    assert min(decades) > 20
+    assert np.mean((points > 0.1) & (points < 1.5)) > 0.2
+    np.testing.assert_array_equal(reference.inputs.__wrapped__(kind), points)  # drawn anew, the same
+
+
+def cost_axis(alpha: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    from slipcircle.costplot import both_ends
+
+    return both_ends(alpha)
+
+
+def test_errors_are_fractional_and_hold_among_denormal_numbers() -> None:
+    found = reference.kernel("resistance_factor")
+    some = np.linspace(1, found.points.shape[1] - 1, 60).astype(int)
+    results = found.nearest[some] + 3 * found.unit[some]
+    picked = reference.reference(found.points[:, some], [found.values[i] for i in some])
+    ulp, relative = picked.errors(results)
+    for result, ball, seen in zip(results, picked.values, ulp, strict=True):
+        assert abs(seen) == pytest.approx(oracle.ulps(result, ball), rel=1e-9)
+    with mpmath.workdps(60):
+        for result, ball, seen in zip(results, picked.values, relative, strict=True):
+            size = max(digits(ball), mpf(float(np.finfo(float).smallest_normal)))
+            assert seen == pytest.approx(float(abs(mpf(float(result)) - digits(ball)) / size), rel=1e-9)
+    results[3], results[5] = np.nan, -np.inf
+    ulp, relative = picked.errors(results)
+    assert ulp[3] == ulp[5] == relative[3] == relative[5] == np.inf
+
+
+# --- ways ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ways.KERNELS)
+def test_printed_forms(name: str) -> None:
+    """The same formula over mpmath, in longdouble and in the generated text."""
+    exact = [digits(oracle.kernel(name, alpha)) for alpha in (0.3, 0.8, 1.5)]
+    alpha = np.array([0.3, 0.8, 1.5])
+    with mpmath.workdps(50):
+        for x, value in zip(alpha.tolist(), exact, strict=True):
+            assert abs(ways.closed(name, mpmath.mp, mpf(x)) / value - 1) < mpf(10) ** -40
+    np.testing.assert_allclose(ways._printed(name, alpha), np.array(exact, float), rtol=1e-12)
+    if np.finfo(np.longdouble).nmant > 52:
+        found = ways._long(name, alpha)
+        assert found.dtype == np.longdouble
+        with mpmath.workdps(30):
+            errors = [abs(mpf(str(v)) / value - 1) for v, value in zip(found, exact, strict=True)]
+        assert max(errors) < 3e-17  # with float64's constants it would be 1e-15
+    if hasattr(printed, name):
+        np.testing.assert_array_equal(ways._printed(name, alpha), getattr(printed, name)(alpha))
+
+
+@pytest.mark.parametrize("name", list(ways._RINGS))
+def test_quadrature_is_the_integral(name: str) -> None:
+    alpha = np.array([1e-8, 1e-3, 0.5385, 1.0])
+    found = ways.gauss_legendre(*ways._RINGS[name], 64, alpha)
+    for value, half in zip(found, alpha, strict=True):
+        assert oracle.ulps(float(value), oracle.kernel(name, float(half))) < 16
+    assert ways.dblquad(*ways._RINGS[name], 0.8) == pytest.approx(float(oracle.kernel(name, 0.8)), rel=1e-12)
+    many = np.linspace(0.1, 1.5, 3 * ways._BLOCK // 64 + 1)  # blocks meet without a seam
+    np.testing.assert_array_equal(ways.gauss_legendre(*ways._RINGS[name], 64, many)[-5:],
+                                  ways.gauss_legendre(*ways._RINGS[name], 64, many[-5:]))  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ways.KERNELS)
+def test_mpmath_has_the_digits_that_it_is_sold_with(name: str) -> None:
+    with mpmath.workdps(90):
+        for count in ways.MP_DIGITS:
+            for alpha in SEEN:
+                exact = digits(oracle.kernel(name, alpha))
+                assert abs(mpf(ways._digits(name, count, alpha)) / exact - 1) < mpf(10) ** (1 - count), alpha
 
 
 def test_references_of_the_motion_are_the_equations_solution() -> None:
     with mpmath.workdps(60):
         for name, exact in (("angular_velocity", oracle.angular_velocity), ("rotation", oracle.rotation)):
-            subject = cost.FUNCTIONS[name]()
-            for a, b, t in subject.points.T.tolist():
-                found = subject.reference(mpmath.mp, mpf(a), mpf(b), mpf(t))
-                assert abs(found / exact(mpf(a), mpf(b), mpf(0), mpf(t)) - 1) < mpf(10) ** -30
+            found = ways.FUNCTIONS[name]().reference("float64")
+            for (a, b, t), value in zip(found.points.T.tolist(), found.values, strict=True):
+                assert abs(mpf(value) / exact(mpf(a), mpf(b), mpf(0), mpf(t)) - 1) < mpf(10) ** -30
 
 
-@pytest.mark.parametrize(
-    ("name", "power", "turned"),
-    [
-        ("polar_moment", 2, False), ("moment_of_inertia", 3, False),
-        ("radial_weight_amplitude", 1, True), ("weight_moment_amplitude", 2, True),
-    ],
-)  # fmt: skip
-def test_gauss_legendre_is_the_integral(name: str, power: int, turned: bool) -> None:
-    alpha = np.array([1e-8, 1e-3, 0.5385, 1.0])
-    found = cost.gauss_legendre(power, turned, 64, alpha)
-    for value, half in zip(found, alpha, strict=True):
-        assert oracle.ulps(float(value), oracle.kernel(name, float(half))) < 16
+# --- tiers, by a stand-in that has the compiled kernels' interface -------------------------------------------------
+
+TIERS = {"best": (3e-16, 2.0), "1e-10": (8e-11, None), "1e-6": (7e-7, None), "float32": (6e-8, 0.505)}
+
+
+def stand_in(exact: Callable[..., Any], spoilt: str = "") -> SimpleNamespace:
+    """A module like `generated._compiled`, whose tiers keep what they promise, all but the one that is spoilt."""
+
+    asked: list[str] = []
+
+    def kernel(name: str, texts: Any, level: str) -> Callable[..., Any]:
+        asked.append(level)
+
+        def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
+            x = np.asarray(alpha)
+            tier = {8e-11: "1e-10", 7e-7: "1e-6"}[accuracy] if accuracy else "best" if x.dtype == float else "float32"
+            value = exact(np.minimum(x.astype(float), np.pi / 2)) * (1 + TIERS[tier][0] / 2 * (accuracy is not None))
+            value = (value * (1 + 1e-6 * (tier == spoilt))).astype(x.dtype)
+            if out is None:
+                return value[()]
+            np.copyto(out, value)
+            return out
+
+        return call
+
+    loops: dict[str, dict[str, None]] = {tier: {MEASURED: None} for tier in ("best", "1e-10", "1e-6")}
+    levels: Any = {"avx512": ("fused", loops), "avx2": ("fused", loops), "baseline": ("plain", loops)}
+    levels["numpy"] = ("numpy", {})
+    bounds = {tier: {"fused": bound, "plain": bound} for tier, bound in TIERS.items()}
+    return SimpleNamespace(LEVELS=levels, BOUNDS={MEASURED: bounds}, kernel=kernel, asked=asked)
+
+
+@pytest.fixture
+def tiered(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], list[Row]]:
+    def measured(spoilt: str = "") -> list[Row]:
+        module = stand_in(np.vectorize(exactly, otypes=[float]), spoilt)
+        monkeypatch.setattr(ways, "_compiled", module)
+        monkeypatch.setattr(ways, "tiers", module)
+        monkeypatch.setattr(kernels, "TEXTS", {MEASURED: dict.fromkeys(TIERS)}, raising=False)
+        monkeypatch.setattr(reference, "POINTS", 200)
+        monkeypatch.setattr(ways, "_RINGS", {})  # no quadrature, and little of mpmath
+        monkeypatch.setattr(ways, "MP_DIGITS", (30,))
+        for cached in (reference.inputs, reference.kernel, reference._balls):
+            cached.cache_clear()
+        found = cost.measure([MEASURED])
+        for cached in (reference.inputs, reference.kernel, reference._balls):
+            cached.cache_clear()
+        return found
+
+    return measured
+
+
+def exactly(alpha: float) -> float:
+    return float(oracle.kernel(MEASURED, alpha))
+
+
+def test_tiers_stand_in_three_forms_with_what_is_proved_of_them(tiered: Callable[..., list[Row]]) -> None:
+    rows = tiered()
+    assert vars(ways)["_compiled"].asked == ["avx512", "baseline", "numpy"] * len(TIERS)  # the widest of each form
+    ours = {r.way: r for r in rows if r.ours}
+    assert list(ours) == [f"{tier}, {form}" for tier in TIERS for form in FORMS.values()]
+    for way, row in ours.items():
+        tier = way.partition(",")[0]
+        assert (row.bound, row.bound_ulp) == TIERS[tier]
+        assert row.kind == ("float32" if tier == "float32" else "float64")
+        assert row.error <= TIERS[tier][0]
+        assert row.ulp is not None
+        assert row.ulp <= (TIERS[tier][1] or np.inf)
+    assert 3e-11 < ours["1e-10, fused"].error < 5e-11
+    assert 0.4 < float(ours["float32, fused"].ulp or 0) < 0.502
+    assert "above what is proved" not in costtext.verdict(rows)
+    head, cells = costtext.table(rows)
+    proved = {c[head.index("way")]: c[head.index("proved")] for c in cells}
+    assert (proved["best, fused"], proved["1e-10, NumPy"], proved["float32, plain C"]) == (
+        "2 ulp",
+        "8e-11",
+        "0.505 ulp",
+    )
+    assert proved["printed, float64"] == proved["half-angle, NumPy"] == "sampled only"
+
+
+def test_what_is_not_there_is_not_listed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A kernel without compiled loops has NumPy's row alone; a tier without a bound cannot be asked for."""
+    module = stand_in(np.sin)
+    monkeypatch.setattr(ways, "_compiled", module)
+    monkeypatch.setattr(ways, "tiers", module)
+    monkeypatch.setattr(
+        kernels, "TEXTS", {MEASURED: {"best": None, "1e-6": None}, "other": {"best": None}}, raising=False
+    )
+    assert [w.name for w in ways.variants("other")] == ["best, NumPy"]
+    assert [w.bound for w in ways.variants("other")] == [None]
+    module.BOUNDS[MEASURED].pop("1e-6")
+    assert [w.name for w in ways.variants(MEASURED)] == ["best, fused", "best, plain C", "best, NumPy"]
+
+
+@pytest.mark.parametrize("tier", ["best", "1e-10", "float32"])
+def test_an_error_above_the_bound_is_said_first(tier: str, tiered: Callable[..., list[Row]]) -> None:
+    said = " ".join(costtext.verdict(tiered(tier)).split())
+    assert said.startswith("Seen above what is proved, so the proof or the build is wrong: ")
+    assert said.partition(".")[0].count(f"{tier}, ") == 3
+
+
+# --- rows ----------------------------------------------------------------------------------------------------------
 
 
 def test_measured_rows(rows: list[Row]) -> None:
-    ways = ["printed form", "stable form", *(f"Gauss, {n} points" for n in cost.GAUSS_POINTS)]
-    assert [r.way for r in rows] == [*ways, *(f"mpmath, {n} digits" for n in cost.MP_DIGITS)]
+    others = [r.way for r in rows if not r.ours]
+    long = ["printed, longdouble"] if np.finfo(np.longdouble).nmant > 52 else []
+    assert others == [
+        "half-angle, NumPy", "printed, float64", *long, *(f"Gauss, {n} points" for n in ways.GAUSS_POINTS),
+        "SciPy dblquad", *(f"mpmath, {n} digits" for n in ways.MP_DIGITS), ways.FLOOR,
+    ]  # fmt: skip
     assert {r.function for r in rows} == {MEASURED}
-    assert all(0 < r.nanoseconds < np.inf and 0 <= r.error < np.inf for r in rows)
-    error = {r.way: r.error for r in rows}
-    assert error["stable form"] < 5e-15
-    assert error["printed form"] > 0.5  # a difference of O(alpha) that is O(alpha**3), at alpha = 1e-8
-    assert error["mpmath, 50 digits"] < 1e-40
-    gauss = [error[f"Gauss, {n} points"] for n in cost.GAUSS_POINTS]
+    *computed, floor = rows
+    for r in computed:
+        assert 0 < min(r.ns_1, r.ns_1e4 or 0, r.ns_1e6 or 0)
+        assert 0 <= r.error < np.inf
+        few = r.way.startswith(("mpmath", "SciPy"))
+        assert (r.points < 100) == few
+        assert r.elements == cost.SIZES[-1] or few
+    error = {r.way: r.error for r in computed}
+    assert error["half-angle, NumPy"] < 5e-15
+    assert error["printed, float64"] > 0.5  # a difference of O(alpha) that is O(alpha**3)
+    assert error["mpmath, 50 digits"] < 1e-48
+    gauss = [error[f"Gauss, {n} points"] for n in ways.GAUSS_POINTS]
     assert all(more <= max(1.5 * fewer, 1e-14) for fewer, more in pairwise(gauss))
+    assert (floor.way, floor.verdict, floor.memory) == (ways.FLOOR, "floor", 0.0)
+    assert np.isnan(floor.error)
 
 
 def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
     """An error can be seen again at the input that is printed with it, against ball arithmetic."""
-    for row in rows:
-        if row.way == "printed form" or row.way.startswith("Gauss"):
-            (alpha,) = row.worst_input
-            value = cost.FUNCTIONS[MEASURED]().ways[row.way](np.array([alpha]))[0]
-            exact = mpf(oracle.kernel(MEASURED, alpha).str(50, radius=False))
-            assert row.error == pytest.approx(float(abs(mpf(float(value)) / exact - 1)), rel=1e-3)
+    way = {w.name: w for w in ways.FUNCTIONS[MEASURED]().ways}
+    for row in rows[:-1]:
+        if way[row.way].few:
+            continue
+        for (alpha,), seen, against in ((row.worst_input, row.error, None), (row.worst_input_ulp, row.ulp, "ulp")):
+            value = np.asarray(way[row.way].function(np.array([alpha], row.kind)))[0]
+            with mpmath.workdps(60):
+                exact = digits(oracle.kernel(MEASURED, Fraction(alpha))) if alpha else mpf(0)
+                kind = np.dtype(row.kind).type
+                unit, least = np.spacing(kind(float(exact))), np.finfo(kind).smallest_normal
+                size = mpf(float(unit)) if against else max(exact, mpf(float(least)))
+                found = float(abs(mpf(str(value) if value.dtype == np.longdouble else float(value)) - exact) / size)
+            assert seen == pytest.approx(found, rel=1e-3), (row.way, against)
+
+
+def test_the_worst_is_the_largest_of_either_sign() -> None:
+    exact = reference.kernel(MEASURED)
+    results = exact.nearest + 2 * exact.unit
+    results[700] -= 7 * exact.unit[700]
+    row = cost._seen(Row("f", "w", 0.0, (), 1.0), Way("w", lambda x: results), exact)
+    assert row.ulp == pytest.approx(5, abs=0.51)
+    assert row.worst_input_ulp == (exact.points[0, 700],)
+    assert row.points == len(results)
+
+
+def test_memory_is_what_is_held_besides_argument_and_result() -> None:
+    x, out = np.ones(20_000), np.ones(20_000)
+    assert cost._memory(lambda: x + 1, x.size) < 1
+    assert cost._memory(lambda: (x + 1) * (x + 2) * 3, x.size) == pytest.approx(8, abs=8.1)
+    assert cost._memory(lambda: np.sin(x, out), x.size) < 1
+    assert cost._memory(lambda: np.stack([x, x, x]).sum(), x.size) == pytest.approx(24, abs=1)
+
+
+def test_everything_is_timed_in_turns() -> None:
+    calls: list[str] = []
+    samples = cost.interleaved([lambda: calls.append("a"), lambda: calls.append("b")])
+    assert [len(s) for s in samples] == [2, 2]
+    order = "".join(name for name, before in zip(calls, ["", *calls], strict=False) if name != before)
+    assert order == "ababab"  # each once to warm up, then in turns
+
+
+def test_slow_ways_get_few_elements() -> None:
+    """No pass takes long: fewer elements than asked for where one did at the size before."""
+    plain, few = Way("w", np.sin), Way("f", np.sin, few=10)
+    assert cost._fitting(plain, 400, [(1.0, 1), (1e5, 50)]) == 400
+    assert cost._fitting(plain, 400, [(1.0, 1), (1e6, 50)]) == 40
+    assert cost._fitting(plain, 50, [(1e9, 1)]) == 50
+    assert (cost._fitting(few, 1, []), cost._fitting(few, 400, [])) == (1, 10)
 
 
 def test_progress_and_unknown_functions() -> None:
     said = io.StringIO()
-    cost.measure(["resistance_factor"], progress=said)
-    assert said.getvalue() == "measuring resistance_factor\n"
+    cost.measure(["angular_velocity"], progress=said)
+    assert said.getvalue() == "measuring angular_velocity\n"
     known = r"^function 'polar' is unknown; known are polar_moment, .*rotation, .*energy equation$"
     with pytest.raises(ValueError, match=known):
         cost.measure(["resistance_factor", "polar"])
 
 
-def test_not_a_number_is_infinitely_wrong() -> None:
-    subject = cost.FUNCTIONS["resistance_factor"]()
-    values = [mpf(1)] * (subject.points.size - 1) + [mpmath.nan]
-    row = cost._row("f", "w", subject, values, [mpf(1)] * subject.points.size, 1.0)
-    assert row.error == float("inf")
-    assert row.worst_input == (float(np.pi / 2),)
-
-
 # --- verdicts ------------------------------------------------------------------------------------------------------
+
+
+def judged(*rows: tuple[str, float, float]) -> list[Row]:
+    return cost.judged([Row("f", way, error, (), 0.5, ns, ns, ours=way.startswith("our")) for way, error, ns in rows])
 
 
 def verdicts(*rows: tuple[str, float, float]) -> dict[str, str]:
     """Verdict of each way, from its error and its time."""
-    return {r.way: r.verdict for r in cost._judged([Row("f", w, error, (), ns, "") for w, error, ns in rows])}
+    return {r.way: r.verdict for r in judged(*rows)}
+
+
+RACE = (
+    ("exact", 1e-30, 1000.0),
+    ("our good", 1e-15, 10.0),
+    ("our rough", 1e-3, 1.0),
+    ("slow and good", 1e-15, 13.0),  # as accurate as "good", and 1.3 times slower
+    ("our slow and rough", 1e-2, 50.0),  # beaten by two; the faster is named
+    ("slower than exact", 1e-29, 5000.0),
+    ("fails", float("inf"), 0.1),
+    ("wrong", 1.0, 2.0),
+    ("copy", float("nan"), 0.05),
+)
 
 
 def test_the_frontier_and_who_is_beaten() -> None:
-    found = verdicts(
-        ("exact", 1e-30, 1000.0),
-        ("good", 1e-15, 10.0),
-        ("rough", 1e-3, 1.0),
-        ("slow and good", 1e-15, 13.0),  # as accurate as "good", and 1.3 times slower
-        ("slow and rough", 1e-2, 50.0),  # beaten by two; the faster is named
-        ("slower than exact", 1e-29, 5000.0),
-        ("fails", float("inf"), 2.0),
-    )
-    assert [way for way, verdict in found.items() if verdict == "frontier"] == ["exact", "good", "rough"]
-    beaten = {way: verdict.partition("beaten")[2].strip(": ") for way, verdict in found.items() if "beaten" in verdict}
-    assert beaten == {
-        "slow and good": "good",
-        "slow and rough": "rough",
-        "slower than exact": "exact",
-        "fails": "rough",
+    assert verdicts(*RACE) == {
+        "exact": "frontier",
+        "our good": "frontier",
+        "our rough": "frontier",
+        "slow and good": "beaten: our good",
+        "our slow and rough": "beaten: our rough",
+        "slower than exact": "beaten: exact",
+        "fails": "no digit",
+        "wrong": "no digit",
+        "copy": "floor",
     }
+
+
+def test_how_many_times_cheaper_than_the_next_more_accurate() -> None:
+    found = {r.way: r.cheaper for r in judged(*RACE)}
+    assert found == {
+        "exact": None, "our good": 100.0, "our rough": 10.0, "slow and good": 1000 / 13, "our slow and rough": 0.02,
+        "slower than exact": 0.2, "fails": 10.0, "wrong": 0.5, "copy": None,
+    }  # fmt: skip
+
+
+def test_losses_are_said_as_plainly_as_wins() -> None:
+    said = " ".join(costtext.verdict(judged(*RACE)).split())
+    assert said == (
+        "Frontier: exact (1.0e-30, 1 us); our good (1.0e-15, 10 ns); our rough (1.0e-3, 1 ns). "
+        "Of ours, these lose: our slow and rough to our rough (50 times slower). "
+        "More accurate than our good: exact, slower than exact; the cheapest of them takes 100 times as long. "
+        "Faster than anything of ours: fails, 10 times at N=1e4, 10 times at N=1e6, with an error of inf."
+    )
+    assert "None of ours is beaten." in costtext.verdict(judged(*RACE[:4]))
+    assert "Faster than" not in costtext.verdict(judged(*RACE[:4]))
+    assert "ours" not in costtext.verdict(judged(*RACE[1:3]))  # nothing to compare with
 
 
 def test_a_close_race_is_not_decided() -> None:
     """Under `BEATEN` times faster is noise; nobody beats itself, nor one that is more accurate."""
+    assert cost.BEATEN == 1.2
     assert verdicts(("one", 1e-9, 10.0), ("two", 1e-9, 11.9)) == {"one": "frontier", "two": "frontier"}
     assert "one" in verdicts(("one", 1e-9, 10.0), ("two", 1e-9, 12.1))["two"]
     assert verdicts(("one", 1e-9, 10.0), ("two", 0.99e-9, 1e6)) == {"one": "frontier", "two": "frontier"}
-    assert verdicts(("alone", float("inf"), 1.0)) == {"alone": "frontier"}
+    assert verdicts(("alone", float("inf"), 1.0)) == {"alone": "no digit"}
 
 
-def test_verdicts_of_the_measured_rows(rows: list[Row]) -> None:
-    """Every way that is beaten names one that is at least as accurate and more than 1.2 times faster."""
-    assert cost.BEATEN == 1.2
-    for row in rows:
-        beaters = [r for r in rows if r.error <= row.error and 1.2 * r.nanoseconds < row.nanoseconds]
-        assert (row.verdict == "frontier") == (not beaters)
-        assert row.verdict == "frontier" or any(r.way in row.verdict for r in beaters)
+# --- as text, for machines, and drawn ------------------------------------------------------------------------------
 
 
-def test_cells_are_relative_to_the_stable_form(rows: list[Row]) -> None:
-    table = list(cost.cells(rows))
-    assert all(len(cells) == len(cost.COLUMNS) for cells in table)
-    ratios = {cells[0]: cells[4] for cells in table}
-    assert ratios["stable form"] == "1"
-    nanoseconds = {r.way: r.nanoseconds for r in rows}
-    assert ratios["mpmath, 50 digits"] == f"{nanoseconds['mpmath, 50 digits'] / nanoseconds['stable form']:.2g}"
-    assert np.__version__ in cost.machine()
+def test_the_table_names_who_beats_by_number() -> None:
+    head, cells = costtext.table(judged(*RACE))
+    assert head == ["#", "way", "proved", "seen", "N=1", "N=1e4", "N=1e6", "saves", "verdict"]  # the others are empty
+    verdict = {c[1]: c[-1] for c in cells}
+    assert (verdict["our slow and rough"], verdict["exact"], verdict["fails"]) == ("beaten 3", "frontier", "no digit")
+    assert [c[0] for c in cells] == [str(i) for i in range(1, len(RACE) + 1)]
 
 
-@pytest.mark.parametrize("name", list(cost.SOLVERS))
+def test_the_widest_rows_fit(capsys: pytest.CaptureFixture[str]) -> None:
+    row = Row(
+        "f", "printed, longdouble", 1.7e-291, (1.2e-103,), 123456.7, 54321.4, 54321.4, 40, 19272.0, None, None,
+        7.4e306, (1.2e-103,), verdict="beaten: 2", cheaper=2.1e-4,
+    )  # fmt: skip
+    rows = [*([row] * 11), replace(row, way="2", bound=9.31e-11), replace(row, way="2", bound_ulp=0.981)]
+    tables.show(*costtext.table(rows), title="f", tight=True)
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 100
+    assert len(lines) == 3 + len(rows)  # none is broken
+
+
+@pytest.mark.parametrize(
+    ("x", "text"),
+    [(7.66e-17, "7.7e-17"), (1.0, "1.0"), (3.21e15, "3.2e15"), (float("inf"), "inf"), (1e-100, "1.0e-100")],
+)
+def test_short_numbers(x: float, text: str) -> None:
+    assert costtext.short(x) == text
+
+
+def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> None:
+    failing = Row("f", "w", float("inf"), (0.1 + 0.2,), 1 / 3)
+    text = json.dumps([costtext.record(r) for r in (*rows, failing)], allow_nan=False)
+    back = json.loads(text)
+    assert back[-1] | {"error": None, "worst_input": [0.1 + 0.2], "ns_1": 1 / 3} == back[-1]
+    assert "profile" not in back[0]
+    costtext.write_csv([*rows, failing], str(tmp_path / "c.csv"))
+    with open(tmp_path / "c.csv", encoding="utf-8", newline="") as file:
+        found = list(csv.DictReader(file))
+    assert [r["way"] for r in found] == [r.way for r in (*rows, failing)]
+    for line, row in zip(found, rows, strict=False):
+        assert float(line["ns_1"]) == row.ns_1
+        assert tuple(map(float, line["worst_input"].split())) == row.worst_input
+        assert line["bound"] == ("" if row.bound is None else repr(row.bound))
+        assert line["error"] == ("" if row.error != row.error else repr(row.error))
+
+
+def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
+    pytest.importorskip("matplotlib")
+    from slipcircle.costplot import plot
+
+    plot([*tiered(), *judged(*RACE[:3])], str(tmp_path / "cost.svg"))
+    drawn = (tmp_path / "cost.svg").read_text("utf-8")
+    for text in (MEASURED, "best, fused", "printed, float64", "ours, proved bound", "float32, ulp of float32",
+                 "time of an element at N = 1e4, ns", "alpha, rad", "our good"):  # fmt: skip
+        assert f"<!-- {text} -->" in drawn, text
+
+
+def test_the_axis_of_alpha_shows_both_ends() -> None:
+    alpha = np.array([0.0, 1e-12, 1e-6, 0.1, np.pi / 4, np.pi / 2 - 1e-6, np.nextafter(np.pi / 2, 0), np.pi / 2, 1.571])
+    place = cost_axis(alpha)
+    assert place[0] == -np.inf
+    assert np.all(np.diff(place[1:]) >= 0)
+    assert place[4] == 0
+    assert place[5] == pytest.approx(-place[2], abs=1e-9)  # as far from its end, as far from the middle
+    assert place[7] == place[8] == pytest.approx(16.1, abs=0.1)  # pi/2 lies 6e-17 above its nearest double
+
+
+# --- solvers -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", list(solvercost.SOLVERS))
 def test_solvers(name: str) -> None:
     """Ours against textbook formulas at 40 digits; SciPy's error falls with its tolerance, and is never smaller."""
     rows = {r.way: r for r in cost.measure([name])}
-    ours = [r for way, r in rows.items() if way.startswith("slipcircle")]
-    assert len(ours) == len(cost.ACCURACIES)
+    ours = [r for r in rows.values() if r.ours]
+    new = {solvercost.NEW} | ({solvercost.NEW_NUMPY} if _compiled.LEVEL != "numpy" else set())
+    assert {r.way for r in ours} == {f"slipcircle, {a:.0e}" for a in solvercost.ACCURACIES} | new
     assert all(r.error < 1e-14 for r in ours)
     for method in ("RK45", "DOP853", "LSODA"):
-        errors = [rows[f"{method}, rtol {a:.0e}"].error for a in cost.ACCURACIES]
+        errors = [rows[f"{method}, rtol {a:.0e}"].error for a in solvercost.ACCURACIES]
         assert max(r.error for r in ours) < errors[-1] < 1e-11
         assert errors[-1] < errors[0]

@@ -526,11 +526,6 @@ def test_the_end_itself_may_be_asked_for() -> None:
 @pytest.mark.parametrize(
     ("scene", "said"),
     [
-        (Scene(VAIONT, [0.1, 0.2], end_time=1.0), r"^friction: has shape \(2,\)"),
-        (Scene(VAIONT, 0.1, (), [1.0], 1.0), r"^initial_velocity: has shape \(1,\)"),
-        (Scene(VAIONT, 0.1, end_time=np.array([1.0, 2.0])), r"^end_time: has shape \(2,\)"),  # type: ignore[arg-type]
-        (Scene(Arc([1.0, 2.0], 3.9, 5.2, 2e4), 0.1, end_time=1.0), r"^arc.radius: has shape \(2,\)"),
-        (Scene(Arc(1.0, 3.9, 5.2, 2e4, width=[1.0, 2.0]), 0.1, end_time=1.0), r"^arc.width: has shape \(2,\)"),
         (Scene(VAIONT, 0.5, (), 1e200), r"^initial_velocity = 1e\+200, end_time = None: the motion overflows"),
         (Scene(VAIONT, 0.1, (), 0.0, 1e300), r"^initial_velocity = 0.0, end_time = 1e\+300: the motion overflows"),
     ],

@@ -196,7 +196,8 @@ class Integration:
         return (self.fall(phi) - direction * self.resistance(phi, omega, slip)) / self.inertia
 
     def _integrate(self) -> None:
-        end = math.inf if self.scene.end_time is None else self.scene.end_time / self.time_scale
+        ends = self.scene.end_time
+        end = math.inf if ends is None else float(np.asarray(ends)) / self.time_scale
         omega = float(np.asarray(self.scene.initial_velocity)) / self.radius * self.time_scale
         phi = slip = time = 0.0
         while time < end:
@@ -593,7 +594,7 @@ def scaled(scene: Scene, density: float, gravity: float, length: float) -> Scene
     if isinstance(friction, Mapping):
         friction = {k: np.multiply(v, length) if k in ("length", "slip") else v for k, v in friction.items()}
     speed = math.sqrt(gravity * length)
-    end = scene.end_time and scene.end_time * math.sqrt(length / gravity)
+    end = None if scene.end_time is None else np.multiply(scene.end_time, math.sqrt(length / gravity))
     larger = replace(
         arc,
         radius=np.multiply(arc.radius, length),

@@ -1,0 +1,146 @@
+"""The inputs at which every way to compute a kernel is judged, and the exact values there, from the closed forms.
+
+One set for all ways, so that their errors can be compared: uniform in value, uniform in bit patterns, dense at both
+ends of [0, pi/2].
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+POINTS = 10_000
+HALF_PI = (float(np.pi / 2), 6.123233995736766e-17)  # pi/2 as a sum of two doubles: what alpha lacks at that end
+DIGITS = 50  # that exact values have at least
+_SHARES = {"value": 0.4, "bits": 0.2, "near 0": 0.2, "near pi/2": 0.2}
+_ZERO_BELOW = 2.0**-360  # every moment is alpha**3 or smaller there, and rounds to 0
+_LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.nextafter(np.pi / 2, 0.0), np.pi / 2)
+QUOTIENTS: Mapping[str, tuple[str, str]] = {
+    "dynamic_coefficient": ("polar_moment", "resistance_factor"),
+    "weight_moment_per_inertia": ("weight_moment_amplitude", "moment_of_inertia"),
+    "radial_weight_per_inertia": ("radial_weight_amplitude", "moment_of_inertia"),
+    "polar_moment_per_inertia": ("polar_moment", "moment_of_inertia"),
+    "weight_moment_per_radial_weight": ("weight_moment_amplitude", "radial_weight_amplitude"),
+}
+
+
+@cache
+def inputs(kind: str = "float64") -> NDArray[Any]:
+    """The set in a format, sorted, drawn with a fixed seed."""
+    rng, narrow = np.random.default_rng(2017), kind == "float32"
+    size = {name: round(share * POINTS) for name, share in _SHARES.items()}
+
+    def patterns(low: float, count: int) -> NDArray[Any]:
+        whole = "int32" if narrow else "int64"
+        ends = [int(np.array(x, kind).view(whole)) for x in (low, np.pi / 2)]
+        return rng.integers(ends[0], ends[1], count, dtype=np.int64, endpoint=True).astype(whole).view(kind)
+
+    near = 10.0 ** rng.uniform(-16.5, -0.5, size["near pi/2"])  # distances; the format rounds many to the same number
+    found = [
+        rng.uniform(0.0, np.pi / 2, size["value"]).astype(kind),
+        patterns(2.0**-140 if narrow else _ZERO_BELOW, size["bits"]),
+        patterns(1e-16, size["near 0"]),
+        (np.pi / 2 - near).astype(kind),
+        np.array(_LANDMARKS).astype(kind),
+    ]
+    return np.unique(np.concatenate(found))
+
+
+@dataclass(frozen=True)
+class Reference:
+    """Exact values in the format that a result is judged in: value = nearest + rest * unit, all of them arrays.
+
+    The error in ulp is then (result - nearest)/unit - rest: fractional, against the unrounded value, also among
+    denormal numbers.
+    """
+
+    points: Floats  # one row per argument
+    values: Sequence[Any]  # balls or mpmath's numbers
+    nearest: Floats
+    unit: Floats
+    rest: Floats
+    smallest: float  # the format's smallest normal number; relative errors below it are relative to it
+
+    def errors(self, results: NDArray[Any]) -> tuple[Floats, Floats]:
+        """Signed errors in ulp and relative errors; a result that is not a number is infinitely wrong."""
+        with np.errstate(all="ignore"):
+            ulp = np.asarray((results - self.nearest) / self.unit - self.rest, dtype=np.float64)
+            relative = np.abs(ulp) * (self.unit / np.maximum(np.abs(self.nearest), self.smallest))
+        bad = ~np.isfinite(np.asarray(results, dtype=np.float64))
+        return np.where(bad, np.inf, ulp), np.where(bad, np.inf, relative)
+
+    def some(self, count: int) -> "Reference":
+        """About so many of the points, evenly chosen, the ends among them, for ways that are slow."""
+        at = np.unique(np.linspace(0, self.points.shape[1] - 1, count).astype(int))
+        picked = [self.values[i] for i in at]
+        return Reference(self.points[:, at], picked, self.nearest[at], self.unit[at], self.rest[at], self.smallest)
+
+
+def reference(points: Floats, values: Sequence[Any], kind: str = "float64") -> Reference:
+    """Exact values, all of one type with its own arithmetic, made ready for the comparison in a format."""
+    nearest = np.array([float(v) for v in values])
+    unit = np.spacing(np.abs(nearest).astype(kind)).astype(np.float64)
+    rest = np.array(
+        [float((v - type(v)(n)) / type(v)(u)) for v, n, u in zip(values, nearest.tolist(), unit.tolist(), strict=True)]
+    )
+    return Reference(points, values, nearest, unit, rest, float(np.finfo(kind).smallest_normal))
+
+
+@cache
+def kernel(name: str, kind: str = "float64") -> Reference:
+    """The exact values of a kernel on the set.
+
+    Raises
+    ------
+    ImportError
+        Without python-flint.
+    """
+    from flint import ctx
+
+    with ctx.workprec(400):
+        points = inputs(kind).astype(np.float64)
+        if name in QUOTIENTS:
+            above, below = (_values(n, kind) for n in QUOTIENTS[name])
+            pairs = list(zip(points.tolist(), above, below, strict=True))
+            points = np.array([x for x, _, _ in pairs if x > 0.0])  # at 0 both are 0; the limit has no ball
+            values = [a / b for x, a, b in pairs if x > 0.0]
+        else:
+            values = _values(name, kind)
+        return reference(points[None], values, kind)
+
+
+def _values(name: str, kind: str) -> list[Any]:
+    return [value[name] for value in _balls(kind)]
+
+
+@cache
+def _balls(kind: str) -> list[dict[str, Any]]:
+    """All base quantities at every point; they share sine, cosine and logarithm."""
+    from flint import arb, ctx
+
+    found = []
+    for alpha in inputs(kind).tolist():
+        # (2.19), (3.15) and C_r are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
+        thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
+        with ctx.workprec(int(3.33 * DIGITS) + 150 + 3 * thin):
+            # float32's nearest number to pi/2 lies above it, and the domain ends there.
+            half = arb(alpha) if arb(alpha) < arb.pi() / 2 else arb.pi() / 2
+            s, c = half.sin(), half.cos()
+            log = arb(0) if c.contains(0) else 2 * (s / (1 + c)).atanh()  # artanh(sin x) = 2 artanh(tan(x/2))
+            values = {
+                "polar_moment": (2 * half - s * c - c**3 * log) / 3,
+                "moment_of_inertia": (half - s * c * (1 + 2 * c * c) / 3) / 2,
+                "radial_weight_amplitude": s - c * c * log,
+                "weight_moment_amplitude": 2 * s**3 / 3,
+                "resistance_factor": 4 * half * (half / 2).sin() ** 2,
+            }
+            wide = [n for n, v in values.items() if alpha and v.rel_accuracy_bits() < 3.33 * DIGITS]
+            if wide:
+                raise ArithmeticError(f"{wide[0]}({alpha!r}) has fewer than {DIGITS} digits")
+        found.append(values)
+    return found

@@ -1,0 +1,318 @@
+"""Files that `run` writes: the report says what the JSON says, needs nothing else, and nothing is half written."""
+
+import base64
+import hashlib
+import json
+import re
+import shlex
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from slipcircle import Motion, Scene, files, pictures, solve
+from slipcircle.__main__ import main
+from slipcircle.info import facts
+from slipcircle.inputs import comments, inputs
+from slipcircle.report import RESULTS, report
+from slipcircle.scenefile import find
+from slipcircle.tables import motion_record
+
+COMMAND = "slipcircle run wet-slope --report report.html"
+
+
+@cache
+def motion(name: str) -> Motion:
+    return solve(Scene.load(name))
+
+
+@cache
+def page() -> str:
+    return report([motion("wet-slope")], [find("wet-slope").read_bytes()], COMMAND)
+
+
+def tree(text: str) -> Any:
+    """The page as XML, which it must be as well."""
+    assert text.startswith("<!DOCTYPE html>\n")
+    return ElementTree.fromstring(text.partition("\n")[2])
+
+
+def rows(page: Any) -> dict[str, Any]:
+    """The last cell of every table row, by the text of its first."""
+    found = {}
+    for row in page.iter("tr"):
+        cells = list(row)
+        found["".join(cells[0].itertext())] = cells[-1]
+    return found
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures cost most of the time; where they are not what is tested, they are empty."""
+    monkeypatch.setattr(pictures, "render", lambda draw, size, kind: b"<svg xmlns='http://www.w3.org/2000/svg'/>")
+
+
+# --- the page ------------------------------------------------------------------------------------------------------
+
+
+def test_numbers_are_those_of_the_json() -> None:
+    record, cells = motion_record(motion("wet-slope")), rows(tree(page()))
+    for label, path, unit, per in RESULTS:
+        value: Any = record
+        for key in path:
+            value = value[key]
+        (data,) = cells[label]
+        assert float(data.get("value")) == value
+        shown, _, prefixed = data.text.partition(" ")
+        scale = {"kPa": 1e3, "MPa": 1e6}.get(prefixed, per)
+        assert float(shown) * scale == pytest.approx(value, rel=1e-5)
+        assert unit in prefixed
+    for label, key in (("work of gravity", "work"), ("kinetic energy at the end", "kinetic_end")):
+        assert float(cells[label][0].get("value")) == record["energy"][key]
+    (error,) = (c for label, c in cells.items() if label.startswith("relative error estimated"))
+    assert float(error[0].get("value")) == record["error_estimate"]
+    assert cells["moves"].text == cells["comes to rest"].text == "yes"
+    folded = {d.find("summary").text: d.find("pre").text for d in tree(page()).iter("details")}
+    assert json.loads(folded["All numbers, as JSON in SI units and radians"]) == record
+    assert folded["The scene's file"] == find("wet-slope").read_text("utf-8")
+
+
+def test_it_needs_nothing_else() -> None:
+    root = tree(page())
+    assert [e for e in root.iter() if e.tag in ("script", "link", "iframe", "object", "embed", "base")] == []
+    links = [v for e in root.iter() for k, v in e.attrib.items() if k in ("src", "href", "srcset", "data", "action")]
+    assert links
+    assert all(v.startswith(("data:image/svg+xml;base64,", "#")) for v in links)
+    assert "url(" not in page()
+    assert "@import" not in page()
+    (policy,) = (e.get("content") for e in root.iter("meta") if e.get("http-equiv") == "Content-Security-Policy")
+    assert policy.startswith("default-src 'none';")
+
+
+def test_figures_are_whole_drawings_with_words_for_those_who_do_not_see_them() -> None:
+    images = list(tree(page()).iter("img"))
+    assert [i.get("alt") for i in images] == [f"{n} of wet-slope" for n in ("Section", "Histories", "Phase plane")]
+    for image in images:
+        drawing = base64.b64decode(image.get("src").partition(",")[2], validate=True)
+        root = ElementTree.fromstring(drawing)
+        assert root.tag == "{http://www.w3.org/2000/svg}svg"
+        assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) > 30
+        for e in root.iter():
+            links = [v for k, v in e.attrib.items() if k.endswith("href")]
+            assert all(v.startswith(("#", "data:")) for v in links)
+    assert len(list(tree(page()).iter("figcaption"))) == 3
+
+
+def test_inputs_have_units_and_sources() -> None:
+    cells = {"".join(r[0].itertext()): ["".join(c.itertext()) for c in r] for r in tree(page()).iter("tr")}
+    assert cells["arc.radius_m"] == ["arc.radius_m", "40", "m", "radius of the slip circle", "assumed"]
+    assert cells["arc.unit_weight_kN_m3"][1:3] == ["20", "kN/m3"]
+    assert cells["arc.unit_weight_kN_m3"][4] == "assumed, saturated clay"
+    assert cells["friction.angle_deg"][1:3] == ["24", "deg"]
+    assert cells["cohesion.cohesion_kPa"][1:3] == ["3", "kPa"]
+    assert cells["arc.gravity_m_s2"][1:] == ["9.81", "m/s^2", "gravity", "default"]
+    assert cells["rotation"][1] == "used"  # the table of effects, after the inputs
+    assert cells["drag"][1] == "left out"
+    assert "a cut slope of clay after long rain" in page()
+
+
+def test_it_says_how_to_repeat_it() -> None:
+    root = tree(page())
+    cells = rows(root)
+    assert COMMAND in [pre.text for pre in root.iter("pre")]
+    digest = hashlib.sha256(find("wet-slope").read_bytes()).hexdigest()
+    assert "".join(cells["scene file of wet-slope"].itertext()) == f"sha256 {digest}"
+    for key, value in facts().items():
+        assert "".join(cells[key].itertext()) == value
+    assert any(key.startswith("generated/") for key in facts())
+    assert cells["method"].text == motion("wet-slope").plan.method
+    assert cells["relative error asked for"].text == "1e-09"
+
+
+def test_the_same_again_is_the_same_bytes() -> None:
+    assert report([motion("wet-slope")], [find("wet-slope").read_bytes()], COMMAND) == page()
+
+
+HOSTILE = "</title><script>alert(1)</script> \"'& \x08 \ud800 ]]> \N{SNOWMAN}"
+
+
+@pytest.mark.usefixtures("quick")
+def test_texts_of_users_are_no_html() -> None:
+    vaiont = Scene.load("vaiont")
+    m = solve(Scene(vaiont.arc, 0.2, {"rotation": {}}, name=HOSTILE, note=HOSTILE))
+    file = "# " + HOSTILE.replace("\x08", "").replace("\ud800", "") + "\n"
+    text = report([m, m], [file.encode(), None], f"run {HOSTILE}")
+    root = tree(text)
+    assert not list(root.iter("script"))
+    clean = HOSTILE.replace("\x08", "\ufffd").replace("\ud800", "\ufffd")
+    assert [h.text for h in root.iter("h2")] == [clean, clean, "To repeat it"]
+    assert {f"run {clean}", file} <= {pre.text for pre in root.iter("pre")}
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_scene_without_a_file_shows_its_fields() -> None:
+    vaiont = Scene.load("vaiont")
+    law = {"law": "exponential", "peak": 0.41, "residual": 0.18, "length": 1.0}
+    m = solve(Scene(vaiont.arc, law, {"rotation": {}, "cohesion": {"cohesion": 1e3}}, name="mine"))
+    shown = {i.path: i for i in inputs(m.plan.scene)}
+    assert shown["arc.radius"][1:3] == ("1492.6", "m")
+    assert shown["friction.length"][1:3] == ("1.0", "m")
+    assert shown["cohesion.cohesion"][1:3] == ("1000.0", "Pa")
+    assert shown["end_time"].value == "when the mass rests"
+    assert "friction.residual" in report([m])
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_mass_that_stays_has_a_report_too() -> None:
+    root = tree(report([solve(Scene(Scene.load("vaiont").arc, 0.9, ["rotation"], name="still"))]))
+    cells = rows(root)
+    assert (cells["moves"].text, cells["comes to rest"].text) == ("no", "yes")
+    assert len(list(root.iter("img"))) == 1
+
+
+def test_comments_stand_beside_their_keys() -> None:
+    found = comments(
+        'name = "a # b"  # the name\n[arc]  # Table 2-1\nradius_m = 40\ntheta_1_deg=210# one\n'
+        'slip_m = [1, 2] # list\nnote = \'x # y\'\nwhat = "\\" # no" # yes\n[arc.given] # given\nlambda = 1 # two\n'
+    )
+    assert found == {
+        "name": "the name", "arc": "Table 2-1", "arc.theta_1_deg": "one", "arc.slip_m": "list", "arc.what": "yes",
+        "arc.given": "given", "arc.given.lambda": "two",
+    }  # fmt: skip
+
+
+# --- the command ---------------------------------------------------------------------------------------------------
+
+
+def test_one_command_writes_everything(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    plot, page, table = (tmp_path / f"my {name}" for name in ("motion.png", "report.html", "motion.csv"))
+    line = ["run", "wet-slope", "--plot", str(plot), "--report", str(page), "--csv", str(table), "--json"]
+    assert main(line) == 0
+    out, err = capsys.readouterr()
+    record = json.loads(out)
+    assert err == ""
+    assert plot.read_bytes().startswith(b"\x89PNG\r\n")
+    root = tree(page.read_text("utf-8"))
+    assert float(rows(root)["peak velocity"][0].get("value")) == record["peak"]["velocity"]
+    (command,) = (pre.text for pre in root.iter("pre") if pre.text.startswith("slipcircle run"))
+    assert shlex.split(command) == ["slipcircle", *line]
+    names = table.read_text("utf-8").partition("\n")[0].split(",")
+    values = np.loadtxt(table, delimiter=",", skiprows=1)
+    assert values[-1, names.index("displacement_m")] == record["run_out"]
+    assert len(list(tmp_path.iterdir())) == 3
+    mask = page.stat().st_mode & 0o777
+    (tmp_path / "plain").write_text("")
+    assert mask == (tmp_path / "plain").stat().st_mode & 0o777
+
+
+@pytest.mark.usefixtures("quick")
+def test_several_scenes_share_the_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page, table = tmp_path / "r.html", tmp_path / "m.csv"
+    names = ["vaiont-frozen", "vaiont"]
+    assert main(["run", *names, "--report", str(page), "--csv", str(table), "--plot", str(tmp_path / "m.svg")]) == 0
+    assert "vaiont-frozen" in capsys.readouterr().out
+    root = tree(page.read_text("utf-8"))
+    assert [s.get("id") for s in root.iter("section")] == ["scene-1", "scene-2"]
+    first = next(root.iter("table"))
+    assert [a.get("href") for a in first.iter("a")] == ["#scene-1", "#scene-2"]
+    row = next(r for r in first.iter("tr") if r[0].text == "run-out along the arc")
+    assert [float(d.get("value")) for d in row.iter("data")] == [motion(n).run_out for n in names]
+    assert {line.partition(",")[0] for line in table.read_text("utf-8").splitlines()[1:]} == set(names)
+
+
+def test_a_picture_of_several_scenes_holds_them_all() -> None:
+    still = solve(Scene(Scene.load("vaiont").arc, 0.9, ["rotation"]))  # which is quickly drawn
+    one, two = (pictures.overview([still] * n, "png") for n in (1, 2))
+    size = [(int.from_bytes(p[16:20]), int.from_bytes(p[20:24])) for p in (one, two)]
+    assert size == [(1680, 1200), (1680, 2400)]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--csv", "{}/none/m.csv"], "--csv {}/none/m.csv: there is no folder {}/none"),
+        (["--csv", "{}"], "--csv {}: is a folder"),
+        (["--report", "{}/a", "--csv", "{}/./a"], "--csv {}/./a: would overwrite --report"),
+        (["--csv", "{}/own.toml"], "--csv {}/own.toml: would overwrite the scene file"),
+        (["--plot", "{}/m.docx"], "--plot {}/m.docx: must end in one of .png, .svg"),
+        (["--plot", "{}/none/m.png", "--report", "{}"], "--report {}: is a folder"),
+        (["own"] * 20 + ["--plot", "{}/m.png"], "at most 20 scenes; --report has room for all 21"),
+    ],
+)
+def test_paths_are_checked_before_the_work(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, arguments: list[str], said: str
+) -> None:
+    monkeypatch.setattr("slipcircle.__main__.solve", lambda scene: pytest.fail("solved"))
+    own = tmp_path / "own.toml"
+    own.write_text(find("vaiont").read_text("utf-8"), "utf-8")
+    given = [a.replace("{}", str(tmp_path)).replace("own", str(own)) if a == "own" else a for a in arguments]
+    assert main(["run", str(own), *(a.replace("{}", str(tmp_path)) for a in given)]) == 1
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert len(err.splitlines()) == 1
+    assert said.replace("{}", str(tmp_path)) in err
+    assert list(tmp_path.iterdir()) == [own]
+
+
+@pytest.mark.parametrize("option", ["--plot", "--report"])
+def test_without_matplotlib_there_is_one_line_to_type(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, option: str
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setattr("slipcircle.__main__.solve", lambda scene: pytest.fail("solved"))
+    assert main(["run", "vaiont", option, str(tmp_path / "m.png")]) == 1
+    out, err = capsys.readouterr()
+    assert (out, err) == ("", "slipcircle: pictures need matplotlib: pip install 'slipcircle[plot]'\n")
+    assert not list(tmp_path.iterdir())
+
+
+# --- files are written whole ---------------------------------------------------------------------------------------
+
+
+def test_a_file_is_replaced_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "a.txt"
+    files.write(str(path), b"old")
+    real = Path.write_bytes
+
+    def full(self: Path, content: bytes) -> int:
+        real(self, content[:1])
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(ValueError, match=r"a\.txt: cannot be written: No space left on device"):
+        files.write(str(path), b"new")
+    assert path.read_bytes() == b"old"
+    monkeypatch.undo()
+    files.write(str(path), b"new")
+    assert path.read_bytes() == b"new"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_link_stays_one(tmp_path: Path) -> None:
+    (tmp_path / "real").write_text("old")
+    (tmp_path / "link").symlink_to("real")
+    files.write(str(tmp_path / "link"), b"new")
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "real").read_bytes() == b"new"
+
+
+def test_nothing_is_written_where_one_file_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(*_: Any) -> bytes:
+        raise ValueError("cannot be drawn")
+
+    monkeypatch.setattr(pictures, "overview", fails)
+    assert main(["run", "vaiont", "--csv", str(tmp_path / "m.csv"), "--plot", str(tmp_path / "m.png")]) == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_no_user_setting_changes_a_picture() -> None:
+    from matplotlib import rc_context
+
+    plain = pictures.of(motion("vaiont"))[0][2]("svg")
+    with rc_context({"font.size": 22, "lines.linewidth": 9, "text.color": "red", "svg.fonttype": "none"}):
+        assert pictures.of(motion("vaiont"))[0][2]("svg") == plain
+    assert not re.search(rb"<dc:date>", plain)
