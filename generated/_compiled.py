@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 75374b5433e3e886962f3a5c0e555fa98fad50aaf4adb6affd0357efceea01a5
+# sha256 of the text below: 2b0e4f1fc3ee881f2f78934547a0b04ebba2d62eb51d6fe86c9405df279b6676
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -8,7 +8,7 @@ The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at
 import os
 import warnings
 from collections.abc import Callable, Mapping
-from functools import partial
+from functools import cache, partial
 from importlib import import_module
 from typing import Any
 
@@ -72,6 +72,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
     # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.
     proved = {tier: of.get(form, of.get("plain")) for tier, of in BOUNDS.get(name, {}).items()}
 
+    @cache
     def choose(kind: str, accuracy: float) -> str:
         """The cheapest tier that is proved to meet a relative error in a float format."""
         if not accuracy > 0:
@@ -87,9 +88,13 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
 
     def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
         of = type(alpha)
-        simple = loop is not None and where is True and accuracy is None
+        simple = loop is not None and where is True
         if simple and (of in _SCALARS or (of is np.ndarray and alpha.dtype.char in "df")):
-            return loop(alpha) if out is None else loop(alpha, out)
+            chosen = loop
+            if accuracy is not None:
+                tier = choose("d" if of is float else alpha.dtype.char, accuracy)
+                chosen = loops["best" if tier == "float32" else tier][name]
+            return chosen(alpha) if out is None else chosen(alpha, out)
         if not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
         (x,), kind = real((alpha,))
@@ -124,7 +129,7 @@ def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any
     with np.errstate(under="ignore"):  # an underflow is correctly rounded, or nearly so
         for start in range(0, flat.size, BLOCK):
             block = flat[start : start + BLOCK]
-            if block.min() >= 0.0 and block.max() <= HALF_PI:
+            if block.min() >= 0.0 and float(block.max()) <= HALF_PI:  # in float64: float32's pi/2 lies above
                 values[start : start + BLOCK] = text(block.astype(np.float64, copy=False))
             else:
                 values[start : start + BLOCK] = evaluate(body, _inside, (0.5,), (block,), None, True)

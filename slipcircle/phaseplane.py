@@ -522,7 +522,8 @@ class Course:
         x = math.sqrt(self.start.energy) * at + max(self.drive, 0.0) / 2 * at**2
         z = np.where(at < 1e-6 * self.clock.end, np.sqrt(np.minimum(x / self.end, 1.0)), s[early])
         for _ in range(4):  # Newton's method; the series' error is relative to the whole time, a new integral's is not
-            following = z - (accumulate(self._rate, self.clock, z) - at) / self._rate(z)
+            with np.errstate(divide="ignore"):  # next to a standstill E may underflow: no step from there
+                following = z - (accumulate(self._rate, self.clock, z) - at) / self._rate(z)
             z = np.where(following > 0.0, following, z / 2)
         s = s.copy()
         s[early] = z

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from generated.tiers import BOUNDS
 from slipcircle import Scene, plan, solve
 from slipcircle.__main__ import main
 
@@ -16,7 +17,17 @@ BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
 def test_python(capsys: pytest.CaptureFixture[str]) -> None:
     for code in (text for kind, text in BLOCKS if kind == "python"):
         exec(code, {})
-    assert "677 m in 38 s, 28.0 m/s at most" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "677 m in 38 s, 28.0 m/s at most" in said
+    assert float(said.split()[-1]) < 6.7e-7
+
+
+def test_proved_bounds_of_the_readme() -> None:
+    rows = [line.split("|")[1:-1] for line in TEXT.splitlines() if line.startswith("| `") and line.count("|") == 8]
+    shown = {row[0].strip(" `"): float(row[5]) for row in rows}
+    assert shown == {name: BOUNDS[name]["best"]["fused"][1] for name in shown}
+    assert len(shown) == 5
+    assert f"proved to {BOUNDS['polar_moment']['1e-6']['fused'][0]}" in TEXT
 
 
 def test_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,0 +1,243 @@
+"""Seen <= proved on a tenth of the inputs (`python tests/seen.py` takes all of them), bugs that it sees, landmarks."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache, partial
+from typing import Any
+
+import numpy as np
+import oracle
+import pytest
+import seen
+from flint import arb, ctx
+from seen import KERNELS, LAST_SINGLE, Inputs, Numbers, Reference, Run, Seen
+
+from derive import certificates, exact, truth
+from derive.approximants import SHAPES, variants
+from derive.fit import LIMIT, near_fit
+from derive.program import Op, Program
+from derive.truth import TOP
+from generated import _compiled, kernels
+from slipcircle.balance import Balance
+
+each_kernel = pytest.mark.parametrize("kernel", KERNELS)
+each_base = pytest.mark.parametrize("kernel", truth.KERNELS)
+each_level = pytest.mark.parametrize("level", _compiled.LEVELS)
+
+
+@cache
+def given() -> Inputs:
+    return seen.inputs().every(10)
+
+
+@cache
+def reference() -> Reference:
+    return seen.reference(given().alpha)
+
+
+def some(run: Run, step: int = 5) -> Seen:
+    """What a part of the inputs shows."""
+    return seen.measure(run, reference().take(slice(None, None, step)), given().even[::step])
+
+
+def find(kernel: str, tier: str = "best", form: str = "plain") -> Run:
+    """A certified program at the first level that runs it."""
+    return next(r for r in seen.runs(kernel) if (r.record["tier"], r.record["form"]) == (tier, form))
+
+
+# --- seen <= proved --------------------------------------------------------------------------------------------------
+
+
+@each_kernel
+def test_no_more_is_seen_than_is_proved_and_nothing_leans(kernel: str) -> None:
+    """In every tier and form at every level; no NaN and no warning inside the domain; witnesses are seen."""
+    for run in seen.runs(kernel):
+        found = seen.measure(run, reference(), given().even)
+        assert not found.faults, "\n".join(found.faults)
+        if "witness" in run.record:
+            assert certificates.round_up(found.worst["bound"][0]) >= run.record["witness"]["error"]
+
+
+def test_every_certificate_is_run() -> None:
+    ran = {(r.record["tier"], r.record["form"], k) for k in KERNELS for r in seen.runs(k)}
+    assert ran == {(v.tier, v.form, v.kernel) for v in variants()}
+
+
+def test_the_inputs_reach_everywhere() -> None:
+    """Every binade down to the least number, both ends, both sides of every seam; a part is float32's own."""
+    alpha = np.sort(given().alpha[given().alpha <= TOP])
+    assert given().alpha.size == 100_000
+    assert given().alpha.max() == np.float32(TOP)
+    assert alpha[-1] == TOP
+    binades = set(np.frexp(alpha)[1].tolist())
+    assert len(binades) > 1000
+    assert {*range(-39, 2), *range(-359, -318)} <= binades  # near 0, and where results underflow
+    assert set(range(-51, 1)) <= set(np.frexp(TOP - alpha[alpha < TOP])[1].tolist())
+    for seam in seen.seams():
+        k = int(np.searchsorted(alpha, seam))
+        assert seam - alpha[k - 1] < 1e-9, seam
+        assert alpha[min(k + 1, alpha.size - 1)] - seam < 1e-9, seam
+    assert np.mean(alpha.astype(np.float32) == alpha) > 0.2
+
+
+# --- the reference ---------------------------------------------------------------------------------------------------
+
+
+@each_kernel
+def test_the_reference_is_the_integral_of_the_definition(kernel: str) -> None:
+    """By quadrature, to 100 bits; near 0, where series serve, and for float32's pi/2, which lies above pi/2."""
+    rng = np.random.default_rng(8)
+    alpha = [1e-140, 1e-107, 2.0**-320, 1e-8, np.nextafter(2.0**-7, 0), 2.0**-7, 1.0, TOP, float(np.float32(TOP))]
+    at = seen.reference(np.array([*alpha, *rng.uniform(0, TOP, 10), *(TOP - 10 ** rng.uniform(-15, 0, 5))]), [kernel])
+    high, low = at.values[kernel]
+    for i, x in enumerate(at.alpha.tolist()):
+        with ctx.workprec(oracle.BITS):
+            scale = 0 if kernel in truth.QUOTIENTS else int(at.scale[i])
+            exact_one = oracle.kernel(kernel, x) * arb(2) ** -scale
+            assert abs((arb(high[i]) + arb(low[i])) / exact_one - 1) < arb(2) ** -100, x
+
+
+@pytest.mark.parametrize("tier", ["best", "float32"])
+def test_errors_are_in_ulp_of_the_exact_value(tier: str) -> None:
+    """As the oracle counts them, also where results are subnormal."""
+    kind: type[np.floating[Any]] = np.float32 if tier == "float32" else np.float64
+    rng = np.random.default_rng(9)
+    powers = (-45, 0) if tier == "float32" else (-324, 0)
+    alpha = np.append(10 ** rng.uniform(*powers, 300), rng.uniform(0, TOP, 100)).astype(kind).astype(np.float64)
+    at = seen.reference(alpha, ["moment_of_inertia"])
+    with np.errstate(under="ignore"):
+        values = kernels.moment_of_inertia(alpha).astype(kind)
+        values += rng.integers(-3, 4, alpha.size) * np.spacing(values)
+    found = seen.errors(find("moment_of_inertia", tier).record, values, at)
+    for error, value, x in zip(np.abs(found).tolist(), values.tolist(), alpha.tolist(), strict=True):
+        assert error == pytest.approx(oracle.ulps(value, oracle.kernel("moment_of_inertia", x), kind=kind), abs=1e-9)
+
+
+# --- planted bugs ----------------------------------------------------------------------------------------------------
+
+
+def changed(kernel: str, old: float, new: float) -> Callable[[Numbers], Numbers]:
+    """The best fused program with another constant, interpreted."""
+    (program,) = [v.program for v in variants() if (v.kernel, v.tier, v.form) == (kernel, "best", "fused")]
+    ops = list(program.ops)
+    ops[ops.index(Op("const", (), old))] = Op("const", (), new)
+    wrong = Program(program.name, program.inputs, tuple(ops), program.outputs)
+    return lambda alpha: exact.run(wrong, alpha)
+
+
+@each_base
+def test_a_coefficient_off_in_its_14th_digit_is_seen(kernel: str) -> None:
+    seam, degree, _ = SHAPES[kernel]
+    old = near_fit(kernel, seam, degree, LIMIT[kernel])[0]
+    run = replace(find(kernel, form="fused"), level="exact")
+    assert not some(replace(run, call=changed(kernel, old, old))).faults
+    faults = some(replace(run, call=changed(kernel, old, old * (1 + 1e-14)))).faults
+    assert any(f"{kernel}, best, fused, exact: " in f and " bound is " in f for f in faults)
+
+
+@each_base
+def test_a_lean_within_the_bound_is_seen(kernel: str) -> None:
+    """Results one unit too large on a third of the domain: no worst error above the proved one, but a mean."""
+    run = find(kernel)
+
+    def leaning(alpha: Numbers) -> Numbers:
+        values = run.call(alpha)
+        return np.where((alpha > 0.5) & (alpha < 1), np.nextafter(np.maximum(values, 0.01), 9), values)
+
+    (fault,) = some(replace(run, call=leaning)).faults
+    assert "the mean error is" in fault
+
+
+def test_a_single_nan_and_a_warning_are_seen() -> None:
+    run = find("polar_moment")
+    assert not some(run).faults
+    at = reference().alpha[5000]
+    assert "inf seen" in some(replace(run, call=lambda x: np.where(x == at, np.nan, run.call(x)))).faults[0]
+    with pytest.raises(FloatingPointError):
+        some(replace(run, call=lambda x: run.call(x) + 0 * np.sqrt(x - at)))
+
+
+def test_a_wrong_float32_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One of a million, some units too large."""
+    first, at = LAST_SINGLE - 2**20, float(np.uint32(LAST_SINGLE - 999).view(np.float32))
+    run = find("polar_moment", "float32")
+
+    def wrong(alpha: Numbers) -> Numbers:
+        values = run.call(alpha)
+        return np.where(alpha == at, values + np.float32(4e-7), values)
+
+    monkeypatch.setattr(seen, "float32_runs", lambda kernel: [run, replace(run, call=wrong)])
+    right, found = seen.every_float32("polar_moment", first)
+    assert not right.faults
+    assert found.alpha == at
+    assert found.worst > 0.505
+    assert [" ulp at " in f or "falls" in f for f in found.faults] == [True, True]
+
+
+# --- landmarks -------------------------------------------------------------------------------------------------------
+
+
+def at_level(kernel: str, level: str) -> Callable[..., Any]:
+    return _compiled.kernel(kernel, kernels.TEXTS[kernel], level)
+
+
+@each_level
+@each_kernel
+def test_zero_at_zero(kernel: str, level: str) -> None:
+    """Exactly; a quotient's limit, 1 or 2/3, rounded."""
+    limit = {"dynamic_coefficient": 2 / 3}.get(kernel, 1.0) if kernel in truth.QUOTIENTS else 0.0
+    function = at_level(kernel, level)
+    for kind in (np.float64, np.float32):
+        assert function(kind(0)) == kind(limit)
+        np.testing.assert_array_equal(function(np.zeros(300, kind)), kind(limit))
+
+
+@each_level
+@each_base
+def test_the_limit_at_a_right_angle(kernel: str, level: str) -> None:
+    """Rounded; also at the numbers above pi/2 that the domain takes in."""
+    half, function = arb.pi() / 2, at_level(kernel, level)
+    limit = float(truth.KERNELS[kernel](half, arb(1), arb(0), arb(0)))
+    for kind in (np.float64, np.float32):
+        alpha = [kind(TOP)]
+        while float(further := np.nextafter(alpha[-1], kind(2))) <= TOP * (1 + 4 * float(np.finfo(kind).eps)):
+            alpha.append(further)
+        assert len(alpha) >= 3
+        np.testing.assert_array_equal(function(np.array(alpha)), kind(limit))
+        assert [function(x) for x in alpha] == [kind(limit)] * len(alpha)
+
+
+@each_level
+@each_base
+def test_monotone_across_the_seam(kernel: str, level: str) -> None:
+    """Never down from one double to the next where pieces meet; fused none anywhere near; and up over larger steps."""
+    function, seam = at_level(kernel, level), SHAPES[kernel][0]
+    below, above = function(np.array([np.nextafter(seam, 0), min(seam, TOP)]))
+    assert below <= above
+    steps = seam + np.arange(-500, 501) * 2.0**-48
+    assert np.all(np.diff(function(steps[steps <= TOP])) > 0)
+    if _compiled.LEVELS[level][0] == "fused":
+        next_ones = (np.float64(seam).view(np.int64) + np.arange(-5000, 5001)).view(np.float64)
+        assert np.all(np.diff(function(next_ones[next_ones <= TOP])) >= 0)
+
+
+@each_base
+def test_monotone_in_float32_and_within_its_bound_up_to_the_end(kernel: str) -> None:
+    """On the last million inputs; `python tests/seen.py --float32-all` takes all of them."""
+    for found in seen.every_float32(kernel, LAST_SINGLE - 2**20):
+        assert not found.faults
+        assert found.falls == 0
+
+
+@each_level
+def test_weight_moment_is_odd_in_the_dip(level: str) -> None:
+    """J_theta(-psi) = -J_theta(psi) exactly, also seen from a slide that goes the other way."""
+    psi = np.random.default_rng(10).uniform(0, np.pi / 2, 1000)
+    moment = at_level("weight_moment_amplitude", level)(psi[::-1].copy())
+    np.testing.assert_array_equal(moment * np.sin(-psi), -(moment * np.sin(psi)))
+    make = partial(Balance, {}, {}, 0.7, 0.9, turns=True, radius=1.0)
+    for dip in psi[:100].tolist():
+        fall, press, limit = 0.7 * np.sin(dip), 0.9 * np.cos(dip), 0.7 / 0.9 * np.tan(dip)
+        forth = make(dip, fall, press, limit).position(0.2, 1)
+        back = make(-dip, -fall, press, -limit).position(-0.2, -1)
+        assert forth == back
