@@ -24,6 +24,8 @@ class Key(NamedTuple):
     type: Any = str
     limits: Mapping[str, float] = {}
     convert: Callable[[Any], Any] = str
+    per_unit: float = 1.0
+    tangent: bool = False  # of the angle in degrees
 
 
 class Table(NamedTuple):
@@ -63,7 +65,7 @@ _GIVEN = [
 
 
 def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_si: Callable[[float], Any],
-            to_file: Callable[[float], float]) -> Key:  # fmt: skip
+            to_file: Callable[[float], float], tangent: bool = False) -> Key:  # fmt: skip
     """The key of a number, or of a list of them, with the parameter's bounds in the file's unit."""
     limits = {} if p.lower == -INFINITY else {"gt": to_file(p.lower)}
     if p.lower == -5e-324:  # bounds are open, and zero is allowed
@@ -76,7 +78,8 @@ def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_
     def convert(given: Any) -> Any:
         return [float(to_si(v)) for v in given] if many else float(to_si(given))
 
-    return Key(p.name, title, allowed, required, list if many else float, limits, convert)
+    return Key(p.name, title, allowed, required, list if many else float, limits, convert,
+               1.0 if tangent else float(to_si(1.0)), tangent)  # fmt: skip
 
 
 def _keys(p: Parameter, many: bool) -> dict[str, Key]:
@@ -84,7 +87,7 @@ def _keys(p: Parameter, many: bool) -> dict[str, Key]:
     if not p.unit and p.key.endswith("_deg"):
         return {
             p.key: _number(p, many, f"{p.help}, as an angle", "deg", False, lambda v: np.tan(np.deg2rad(v)),
-                           lambda v: math.degrees(math.atan(v))),
+                           lambda v: math.degrees(math.atan(v)), tangent=True),
             p.name: _number(p, many, p.help, "", False, float, float),
         }  # fmt: skip
     unit = p.unit
@@ -121,8 +124,8 @@ def tables_of(law: str) -> dict[str, Table]:
     }
 
 
-def model_of(*laws: str) -> Any:
-    """The pydantic model of a scene file whose friction law is one of these."""
+def model_of(*laws: str, uncertain: bool = False) -> Any:
+    """The pydantic model of a scene file whose friction law is one of these; its numbers may be uncertain."""
     try:
         from pydantic import ConfigDict, Field, create_model
     except ImportError as error:
@@ -137,14 +140,15 @@ def model_of(*laws: str) -> Any:
         fields = {}
         for k, key in table.keys.items():
             number = Annotated[float, Field(**key.limits)]
-            fields[k] = field({float: number, list: list[number]}.get(key.type, key.type), key, key.required)
+            either = number | drawn if drawn and name != "given" and key.name != "accuracy" else number
+            fields[k] = field({float: either, list: list[number]}.get(key.type, key.type), key, key.required)
         needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
         needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
         config = ConfigDict(extra="forbid", strict=True, allow_inf_nan=False, title=table.title,
                             json_schema_extra={"allOf": needs} if needs else {})  # fmt: skip
         return create_model(name, __config__=config, **fields, **tables)
 
-    tables = tables_of(laws[0])
+    tables, drawn = tables_of(laws[0]), _distributions() if uncertain else None
     given = field(model("given", tables["arc.given"]), tables["arc.given"])
     friction: Any = Union.__getitem__(tuple(model(f"friction_{law}", _law(law)) for law in laws))
     return model(
@@ -155,6 +159,20 @@ def model_of(*laws: str) -> Any:
     )  # fmt: skip
 
 
+def _distributions() -> Any:
+    """The pydantic model of a distribution in place of a number."""
+    from pydantic import ConfigDict, create_model
+
+    from slipcircle.distributions import DISTRIBUTIONS
+
+    models: list[Any] = []
+    for name, kind in DISTRIBUTIONS.items():
+        config = ConfigDict(extra="forbid", strict=True, title=f"{name} distribution, in the key's unit; {kind.help}".rstrip("; "))
+        fields: dict[str, Any] = {n: (float, ...) for n in kind.parameters}
+        models.append(create_model(name, __config__=config, distribution=(Literal[name], ...), **fields))
+    return Union.__getitem__(tuple(models))
+
+
 def schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of a scene file."""
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **model_of(*LAWS).model_json_schema()}
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **model_of(*LAWS, uncertain=True).model_json_schema()}
