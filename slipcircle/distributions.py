@@ -5,7 +5,7 @@ A distribution is its quantile function here, so that every way of sampling need
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
@@ -226,9 +226,8 @@ def declared(given: Mapping[str, Any], friction: Any) -> tuple[dict[str, Uncerta
         if name in found:
             said.append(f"uncertain.{path}: {found[name].key} says the same; leave one out")
         if isinstance(value, Mapping):
-            rest = {k: v for k, v in value.items() if k != "distribution"}
-            value = value.get("distribution"), rest
+            numbers = {k: v for k, v in value.items() if k != "distribution"}
+            found[name] = replace(blank, distribution=value.get("distribution"), parameters=numbers)
         else:
-            value = value, {}
-        found[name] = Uncertain(path, *value, blank.per_unit, blank.tangent)
+            found[name] = replace(blank, distribution=value)
     return found, said

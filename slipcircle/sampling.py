@@ -85,4 +85,5 @@ def sobol(table: NDArray[np.uint32], start: int, count: int) -> Floats:
     for b in range(table.shape[1] - 1):
         if gray >> b & 1:
             offset ^= table[:, b + 1]
-    return ((points[:, :count] ^ offset[:, None]) + 0.5) * 2.0**-_BITS
+    integers = points[:, :count] ^ offset[:, None]
+    return (integers.astype(np.float64) + 0.5) * 2.0**-_BITS

@@ -90,7 +90,9 @@ class Scene:
             from slipcircle.distributions import declared
 
             drawn, found = declared(self.uncertain, self.friction)
-            found += [f"uncertain.{u.key}: the scene has no {n} to vary" for n, u in drawn.items() if n not in self.numbers]
+            found += [
+                f"uncertain.{u.key}: the scene has no {n} to vary" for n, u in drawn.items() if n not in self.numbers
+            ]
             object.__setattr__(self, "uncertain", drawn)
         raise_all(f"Scene {self.name}".rstrip(), found)
 

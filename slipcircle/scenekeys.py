@@ -167,12 +167,17 @@ def _distributions() -> Any:
 
     models: list[Any] = []
     for name, kind in DISTRIBUTIONS.items():
-        config = ConfigDict(extra="forbid", strict=True, title=f"{name} distribution, in the key's unit; {kind.help}".rstrip("; "))
-        fields: dict[str, Any] = {n: (float, ...) for n in kind.parameters}
-        models.append(create_model(name, __config__=config, distribution=(Literal[name], ...), **fields))
+        config = ConfigDict(
+            extra="forbid", strict=True, title=f"{name} distribution, in the key's unit; {kind.help}".rstrip("; ")
+        )
+        fields: dict[str, Any] = {"distribution": (Literal[name], ...)} | dict.fromkeys(kind.parameters, (float, ...))
+        models.append(create_model(name, __config__=config, **fields))
     return Union.__getitem__(tuple(models))
 
 
 def schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of a scene file."""
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **model_of(*LAWS, uncertain=True).model_json_schema()}
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **model_of(*LAWS, uncertain=True).model_json_schema(),
+    }
