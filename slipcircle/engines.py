@@ -106,7 +106,7 @@ class Folder:
     def load(self, index: int) -> Result | None:
         """A finished block; none if it is not there, or was damaged since."""
         try:
-            with np.load(self._file(index), allow_pickle=False) as file:
+            with open(self._file(index), "rb") as whole, np.load(whole, allow_pickle=False) as file:
                 return {k: file[k] for k in file.files}
         except (OSError, ValueError, EOFError, zipfile.BadZipFile):
             return None
