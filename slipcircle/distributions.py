@@ -20,10 +20,17 @@ INFINITY = math.inf
 _FAR = 30.0  # standard deviations: what lies beyond has no probability in float64
 
 
-def _normal(p: Any, mean: float, std: float) -> Any:
-    from scipy.special import ndtri
+def special() -> Any:
+    """SciPy's special functions."""
+    try:
+        import scipy.special
+    except ImportError as error:
+        raise ImportError("distributions need SciPy: pip install 'slipcircle[scenes]'") from error
+    return scipy.special
 
-    return mean + std * ndtri(p)
+
+def _normal(p: Any, mean: float, std: float) -> Any:
+    return mean + std * special().ndtri(p)
 
 
 def _lognormal(p: Any, mean: float, std: float) -> Any:
@@ -42,8 +49,7 @@ def _triangular(p: Any, low: float, mode: float, high: float) -> Any:
 
 
 def _truncated(p: Any, mean: float, std: float, low: float, high: float) -> Any:
-    from scipy.special import ndtr, ndtri
-
+    ndtr, ndtri = special().ndtr, special().ndtri
     a, b = (low - mean) / std, (high - mean) / std
     if a > 0.0:  # by the mirror image: probabilities near 1 would lose their digits
         return mean - std * np.clip(ndtri(ndtr(-b) + (1.0 - p) * (ndtr(-a) - ndtr(-b))), -b, -a)

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.distributions import special
 from slipcircle.study import BINS, edges
 
 Floats = NDArray[np.float64]
@@ -21,9 +22,7 @@ class Estimate(NamedTuple):
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     """Interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
-    from scipy.special import betaincinv
-
-    hits, tail = np.asarray(hits, dtype=np.float64), (1.0 - confidence) / 2
+    betaincinv, hits, tail = special().betaincinv, np.asarray(hits, dtype=np.float64), (1.0 - confidence) / 2
     # Where there is no hit, or nothing else, the end is exact, and the function's argument may be anything allowed.
     low = np.where(hits > 0, betaincinv(np.maximum(hits, 1), n - np.maximum(hits, 1) + 1, tail), 0.0)
     high = np.where(hits < n, betaincinv(np.minimum(hits, n - 1) + 1, n - np.minimum(hits, n - 1), 1.0 - tail), 1.0)
@@ -32,12 +31,10 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
 
 def student(values: Floats, confidence: float) -> Any:
     """Half the width of the interval of a mean of a few independent estimates, along the first axis."""
-    from scipy.special import stdtrit
-
     count = len(values)
     if count < 2:
         return np.full(np.shape(values)[1:], np.nan)
-    wide = stdtrit(count - 1, (1.0 + confidence) / 2)
+    wide = special().stdtrit(count - 1, (1.0 + confidence) / 2)
     return wide * np.std(values, axis=0, ddof=1) / math.sqrt(count)
 
 
@@ -46,9 +43,7 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
 
     The number of samples below the quantile is binomial, whatever the distribution.
     """
-    from scipy.special import bdtr, bdtrik
-
-    tail = (1.0 - confidence) / 2
+    bdtr, bdtrik, tail = special().bdtr, special().bdtrik, (1.0 - confidence) / 2
 
     def least(probability: float) -> int:
         """The smallest k whose distribution function reaches the probability."""
