@@ -316,7 +316,8 @@ def ensemble(
         Whether to keep the samples, by default up to 2**20 of them. Otherwise they are counted in bins of a relative
         width of 1/1024, and a million or a hundred million take the same memory.
     size : int, optional
-        Samples of a block, a power of two; by default 16384, or 65536 beyond four million samples.
+        Samples of a block, a power of two; by default 16384, 65536 beyond 2**22 samples, and 262144 beyond 2**28, where
+        many machines may work and each block costs the scheduler some milliseconds.
     confidence : float, optional
         Of all intervals.
     accuracy : float, optional
@@ -367,7 +368,8 @@ def ensemble(
     values = {k: v if k == "given" else float(v) for k, v in values_of(scene).items()}
     study = Study(chosen.effects, values, law, chosen.accuracy, inputs, (), method, n, base,
                   n <= _KEEP if keep is None else keep, tables)  # fmt: skip
-    return conduct(scene, study, seed, size or (16384 if n <= 2**22 else 65536), executor, confidence, folder, progress)
+    size = size or (2**14 if n <= 2**22 else 2**16 if n <= 2**28 else 2**18)
+    return conduct(scene, study, seed, size, executor, confidence, folder, progress)
 
 
 def grid(

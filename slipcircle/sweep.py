@@ -28,6 +28,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default a new one, which is told")
     parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
     parser.add_argument("--sensitivity", type=int, metavar="N", help="base points of the sensitivity indices")
+    parser.add_argument("--block", type=int, metavar="N", help="samples of a block, a power of two; larger ones, such "
+                        "as 262144, keep more workers busy than a scheduler can otherwise serve")  # fmt: skip
     parser.add_argument("--engine", choices=ENGINES, default=ENGINES[0], help="where to compute; default %(default)s")
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
@@ -45,7 +47,7 @@ def run(options: argparse.Namespace) -> Ensemble:
         else:
             found = ensemble(
                 scene, options.samples, options.seed, executor, method=options.method, sensitivity=options.sensitivity,
-                folder=options.resume, progress=sys.stderr,
+                size=options.block, folder=options.resume, progress=sys.stderr,
             )  # fmt: skip
     if options.csv:
         write(options.csv, _csv(found).encode())
