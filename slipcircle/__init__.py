@@ -4,6 +4,8 @@
 `solve` returns the `Motion`. The numbers come from the package `generated`, which `python -m derive` writes.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import generated
 
 if getattr(generated, "__project__", None) != "slipcircle":
@@ -18,5 +20,29 @@ from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
 from slipcircle.solver import solve
 
+if TYPE_CHECKING:
+    from slipcircle.ensembles import Ensemble, ensemble
+
 __version__ = "0.1.0"
-__all__ = ["Arc", "Dimensionless", "Energy", "Motion", "Plan", "Scene", "State", "plan", "solve"]
+__all__ = [
+    "Arc",
+    "Dimensionless",
+    "Energy",
+    "Ensemble",
+    "Motion",
+    "Plan",
+    "Scene",
+    "State",
+    "ensemble",
+    "plan",
+    "solve",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Ensembles, when they are asked for: one scene needs nothing of them."""
+    if name in ("Ensemble", "ensemble"):
+        from slipcircle import ensembles
+
+        return getattr(ensembles, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,6 +1,7 @@
-"""Command line: `slipcircle run SCENE...`, `plan`, `schema`, `cost`, `info`, also as `python -m slipcircle`.
+"""Command line: `slipcircle run SCENE...`, `plan`, `sweep`, `schema`, `cost`, `info`, also as `python -m slipcircle`.
 
-Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was refused, 2 a wrong call.
+Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was refused, 2 a wrong call,
+130 interrupted.
 """
 
 import argparse
@@ -32,21 +33,33 @@ def main(argv: Sequence[str] | None = None) -> int:
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
+    swept = commands.add_parser("sweep", help="a scene on a grid of values, or for samples of its uncertain numbers")
+    swept.add_argument("scene", metavar="SCENE", help=which)
     commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
     cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
     cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
     cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
     info = commands.add_parser("info", help="versions and digests of what is installed")
-    for command in (run, planned, cost, info):
+    if "sweep" in (sys.argv[1:] if argv is None else argv):  # no other command needs what it loads
+        from slipcircle import sweep
+
+        sweep.arguments(swept)
+    for command in (run, planned, swept, cost, info):
         command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
     options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
-        {"run": _run, "plan": _plan, "schema": _schema, "cost": _cost, "info": _info}[options.command](options)
+        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "schema": _schema, "cost": _cost, "info": _info}
+        chosen[options.command](options)
     except (ValueError, ImportError) as error:
         print(f"slipcircle: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        resume = getattr(options, "resume", None)
+        kept = f"; finished blocks are in {resume}, and the same command continues from them" if resume else ""
+        print(f"\nslipcircle: interrupted{kept}", file=sys.stderr)
+        return 130
     return 0
 
 
@@ -78,7 +91,9 @@ def _run(options: argparse.Namespace) -> None:
         caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
     )
     for m in motions:
-        for warning in m.warnings:
+        drawn = [u.key for u in m.plan.scene.uncertain.values()]
+        more = [f"solved at the median of {', '.join(drawn)}; sweep draws them"] if drawn else []
+        for warning in (*m.warnings, *more):
             print(f"slipcircle: {m.plan.scene.name}: {warning}", file=sys.stderr)
 
 
@@ -113,6 +128,18 @@ def _plan(options: argparse.Namespace) -> None:
         tables.show(tables.LADDER, tables.ladder_rows(rungs), title=chosen.scene.name)
     else:
         tables.show(["", chosen.scene.name], tables.plan_rows(chosen))
+
+
+def _sweep(options: argparse.Namespace) -> None:
+    from slipcircle import sweep
+
+    found = sweep.run(options)
+    if options.json:
+        _print(sweep.record(found))
+        return
+    sweep.show(found)
+    for warning in found.warnings:
+        print(f"slipcircle: {found.scene.name}: {warning}", file=sys.stderr)
 
 
 def _schema(options: argparse.Namespace) -> None:
