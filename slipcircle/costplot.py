@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.cost import FRONTIER, Row
+from slipcircle.plotstyle import axis
 from slipcircle.reference import HALF_PI, Floats
 
 _BEST, _NONE = 1e-19, 10.0  # the axis of errors ends here; what lies beyond is drawn at its ends
@@ -54,7 +55,7 @@ def plot(rows: Sequence[Row], path: str) -> None:
     prices = []
     for line, rows in enumerate(kernels):
         prices.append((figure.add_subplot(grid[line, 0]), rows))
-        _over_alpha(figure.add_subplot(grid[line, 1]), _sampled(rows))
+        over_alpha(rows, figure.add_subplot(grid[line, 1]))
         _spread(figure, grid[line, 2], _sampled(rows))
     for k, rows in enumerate(others):
         prices.append((figure.add_subplot(grid[len(kernels) + k // 3, k % 3]), rows))
@@ -64,6 +65,26 @@ def plot(rows: Sequence[Row], path: str) -> None:
     for axes, rows in prices:
         _name(axes, [r for r in rows if r.error == r.error])
     figure.savefig(path)
+
+
+def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
+    """Error against time, with the frontier drawn and as many ways named as find a place.
+
+    Parameters
+    ----------
+    rows : sequence of Row
+        Of one function or solver, from `cost.measure`.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    ax = axis(ax, (9.0, 5.5))
+    _price(ax, rows)
+    ax.figure.draw_without_rendering()  # so that names find their places
+    _name(ax, [r for r in rows if r.error == r.error])
+    return ax
 
 
 def _sampled(rows: Sequence[Row]) -> list[Row]:
@@ -166,7 +187,21 @@ def both_ends(alpha: Floats) -> Floats:
         return np.copysign(np.log10(nearer), alpha - HALF_PI[0] / 2)
 
 
-def _over_alpha(axes: Any, rows: Sequence[Row]) -> None:
+def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
+    """Relative error over alpha, logarithmic towards both ends, with what is proved.
+
+    Parameters
+    ----------
+    rows : sequence of Row
+        Of one kernel, from `cost.measure`.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    axes = axis(ax, (9.0, 5.5))
+    rows = _sampled(rows)
     edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
     for name, (colour, dashes, width) in _LINES.items():
         row = next((r for r in rows if r.way.partition(", ")[0] == name or r.way == name), None)
@@ -188,6 +223,7 @@ def _over_alpha(axes: Any, rows: Sequence[Row]) -> None:
     axes.grid(alpha=0.3)
     axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), fontsize=9, ncols=3, frameon=False, handlelength=3.6,
                 borderaxespad=0.1)  # fmt: skip
+    return axes
 
 
 # --- spread --------------------------------------------------------------------------------------------------------

@@ -473,6 +473,21 @@ def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
         assert f"<!-- {text} -->" in drawn, text
 
 
+def test_pictures_on_an_axis_of_ones_own(tiered: Callable[..., list[Row]]) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    from slipcircle.costplot import frontier, over_alpha
+
+    pyplot.switch_backend("agg")
+    rows = tiered()
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(18, 5.5))
+    assert frontier(rows, left) is left
+    assert left.get_xlabel() == "time of an element at N = 1e4, ns"
+    assert "best, fused" in {text.get_text() for text in left.texts}
+    assert over_alpha(rows, right) is right
+    assert {"best, fused", "printed, float64"} <= {line.get_label() for line in right.lines}
+    pyplot.close(figure)
+
+
 def test_the_axis_of_alpha_shows_both_ends() -> None:
     alpha = np.array([0.0, 1e-12, 1e-6, 0.1, np.pi / 4, np.pi / 2 - 1e-6, np.nextafter(np.pi / 2, 0), np.pi / 2, 1.571])
     place = cost_axis(alpha)
