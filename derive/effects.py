@@ -280,21 +280,20 @@ def terms(chosen: tuple[Effect, ...]) -> dict[str, sp.Expr]:
     rate = scaled((drives - sum(e.resistance for e in chosen) - LAMBDA * MU * effective) / THETA)
     effective, stress, fall = scaled(effective), scaled(stress), scaled(drives / THETA)
     start, brake, damping = rate.subs({OMEGA: 0, OMEGA_2: 0}), -rate.coeff(OMEGA_2, 1), -rate.coeff(OMEGA, 1)
-    prove_zero(rate - (start - brake * OMEGA_2 - damping * OMEGA), "the rate is linear in omega**2 and omega")
+    _prove(rate - (start - brake * OMEGA_2 - damping * OMEGA), "the rate is linear in omega**2 and omega")
     normal = sp.collect(sp.expand(LEVEL * effective.coeff(OMEGA_2, 0)), PRESS)
-    limit = start.coeff(MU, 0) / normal
-    drive = normal * (limit - MU)  # the limit friction is one number, and the drive is made of it
-    prove_zero(drive - start, "the drive, written with the limit friction")
+    # The limit friction is one number, and the drive is made of it: normal (limit - mu), with normal limit in full.
+    _prove(start.coeff(MU, 0) - normal * MU - start, "the drive, written with the limit friction")
     tilt = sum(sp.diff(start, x) * slope for x, slope in _BY_PSI.items())
     tilt = sp.collect(sp.expand(tilt), (FALL_SLOPE, PRESS_SLOPE, FALL, PRESS), lambda e: sp.collect(e, MU))
     still = dict.fromkeys(_BY_PSI, 0)
     constant = sp.factor(-start.subs(still))
     dynamic = sp.expand(effective * LEVEL - normal)
     static = stress.coeff(OMEGA_2, 0)
-    prove_zero(dynamic - sp.expand((stress - static) * LEVEL), "water changes the static stress only")
+    _prove(dynamic - sp.expand((stress - static) * LEVEL), "water changes the static stress only")
     constant_resistance = sp.expand(-start.subs(still | {MU: 0}))
     growing = sp.expand(brake.subs(MU, 0) * OMEGA_2 + damping * OMEGA)
-    prove_zero(constant_resistance + MU * (normal + dynamic) + growing - (fall - rate), "the resistance")
+    _prove(constant_resistance + MU * (normal + dynamic) + growing - (fall - rate), "the resistance")
     effective = (normal + dynamic) / LEVEL
     return {
         "normal": normal,
@@ -310,6 +309,12 @@ def terms(chosen: tuple[Effect, ...]) -> dict[str, sp.Expr]:
         "normal_stress": (sp.collect(sp.expand(static * LEVEL), PRESS) + dynamic) / LEVEL,
         "pressurisation": sum((e.growth for e in chosen), sp.Integer(0)).subs(EFFECTIVE, effective),
     }
+
+
+def _prove(zero: sp.Expr, claim: str) -> None:
+    """Polynomials, as these are, mostly vanish when they are expanded."""
+    if sp.expand(zero) != 0:
+        prove_zero(zero, claim)
 
 
 # The derivatives by psi of what turns with the mass.

@@ -15,7 +15,10 @@ from slipcircle.scene import Scene
 
 # Without shaking and heat: what is given anew at each moment comes on top.
 STILL: dict[str, Any] = {"k_h": 0.0, "k_v": 0.0, "excess": 0.0, "omega": 0.0, "fall_slope": 0.0, "press_slope": 0.0}
-LOCAL = {"k_h", "k_v", "excess", "viscosity", "kappa"}  # what time, speed and heat ask for: no lane is solved with it
+# What time, speed and heat ask for: no lane is solved with it.
+LOCAL = {"k_h", "k_v", "excess"} | {
+    p.symbol for e in EFFECTS.values() if {"time", "speed", "history"} & {*e.depends_on} for p in e.parameters
+}
 
 
 @dataclass(frozen=True)

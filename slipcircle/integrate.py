@@ -162,8 +162,8 @@ class Integrated:
                     t, y, top = now, solver.y, max(top, float(solver.y[1]))
                     if math.isinf(right) and _creeps(rate, t, y, top):
                         raise ValueError(
-                            "end_time: viscosity lets this mass creep to its rest ever more slowly, and it never "
-                            "quite reaches it; give end_time in s"
+                            "end_time: this mass creeps to its rest, ever more slowly as what resists falls with "
+                            "the speed, and never quite reaches it; give end_time in s"
                         )
                     solver.atol = self._floor(tolerance, t, top)
                     if method is DOP853 and steps - since > _STIFF_STEPS:

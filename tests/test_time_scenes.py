@@ -411,7 +411,7 @@ def test_friction_that_vanishes_with_speed() -> None:
 
 def test_creep_that_never_ends_is_refused() -> None:
     slow = {"viscosity": {"viscosity": 1e6, "thickness": 1.0}}
-    with pytest.raises(ValueError, match="end_time: viscosity lets this mass creep"):
+    with pytest.raises(ValueError, match="end_time: this mass creeps to its rest"):
         solve(Scene(ARC, 0.3, TURNING | slow))
     motion = solve(Scene(ARC, 0.3, TURNING | slow, end_time=1e4))
     assert abs(motion.end.velocity) < 1e-6
