@@ -4,6 +4,9 @@ import argparse
 import csv
 import io
 import sys
+from concurrent.futures import BrokenExecutor
+from dataclasses import replace
+from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
@@ -11,6 +14,7 @@ from numpy.typing import NDArray
 
 from slipcircle import Scene, tables
 from slipcircle.block import Status
+from slipcircle.distributions import DISTRIBUTIONS
 from slipcircle.engines import ENGINES, engine, replacing, write
 from slipcircle.ensembles import QUANTILES, Ensemble, ensemble, grid
 from slipcircle.estimates import Estimate
@@ -25,6 +29,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     what.add_argument("--samples", type=int, metavar="N", help="draw the scene's uncertain numbers N times")
     what.add_argument("--grid", action="append", metavar="KEY=FROM:TO:COUNT", help="solve at these values, or at "
                       "KEY=A,B,C; all combinations where given more than once: friction.angle_deg=8:12:41")  # fmt: skip
+    parser.add_argument("--uncertain", action="append", default=[], metavar="KEY=NAME:A:B", help="a distribution in "
+                        "place of the file's number: friction.angle_deg=normal:10:1")  # fmt: skip
     parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default a new one, which is told")
     parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
     parser.add_argument("--sensitivity", type=int, metavar="N", help="base points of the sensitivity indices")
@@ -41,14 +47,18 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> Ensemble:
     """Compute what the options ask for, and write the files."""
     scene = Scene.load(options.scene)
-    with engine(options.engine, options.workers, options.scheduler) as executor:
-        if options.grid:
-            found = grid(scene, _levels(options.grid), executor, folder=options.resume, progress=sys.stderr)
-        else:
-            found = ensemble(
-                scene, options.samples, options.seed, executor, method=options.method, sensitivity=options.sensitivity,
-                size=options.block, folder=options.resume, progress=sys.stderr,
-            )  # fmt: skip
+    if options.uncertain:
+        drawn = _drawn(options.uncertain)
+        others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
+        scene = replace(scene, uncertain=others | drawn)
+    for path in filter(None, (options.csv, options.npz)):
+        if not Path(path).parent.is_dir():  # said before the work, not after it
+            raise ValueError(f"{path}: there is no folder {Path(path).parent}")
+    try:
+        found = _compute(scene, options)
+    except BrokenExecutor as error:
+        kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
+        raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
     if options.csv:
         write(options.csv, _csv(found).encode())
     if options.npz:
@@ -57,8 +67,36 @@ def run(options: argparse.Namespace) -> Ensemble:
     return found
 
 
+def _compute(scene: Scene, options: argparse.Namespace) -> Ensemble:
+    with engine(options.engine, options.workers, options.scheduler) as executor:
+        if options.grid:
+            return grid(scene, _levels(options.grid), executor, folder=options.resume, progress=sys.stderr)
+        return ensemble(
+            scene, options.samples, options.seed, executor, method=options.method, sensitivity=options.sensitivity,
+            size=options.block, folder=options.resume, progress=sys.stderr,
+        )  # fmt: skip
+
+
 def _savez(file: IO[bytes], arrays: dict[str, NDArray[Any]]) -> None:
     np.savez(file, **arrays)  # type: ignore[arg-type]
+
+
+def _drawn(given: list[str]) -> dict[str, dict[str, Any]]:
+    """Distributions by key from the command line, as a scene file has them."""
+    found: dict[str, dict[str, Any]] = {}
+    said = []
+    for text in given:
+        key, _, value = text.partition("=")
+        name, *numbers = value.split(":")
+        wanted = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
+        try:
+            found[key] = {"distribution": name} | dict(zip(wanted, map(float, numbers), strict=True))
+        except ValueError:
+            forms = ", ".join(":".join((n, *d.parameters)) for n, d in DISTRIBUTIONS.items())
+            said.append(f"--uncertain {text}: must be KEY= and one of {forms}")
+    if said:
+        raise ValueError("; ".join(said))
+    return found
 
 
 def _levels(given: list[str]) -> dict[str, NDArray[np.float64]]:

@@ -367,6 +367,12 @@ def test_sweep(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert len(lines) == 1 + len(found.rows())
     assert main(argv) == 0
     out = " ".join(capsys.readouterr().out.split())
+    assert main(["sweep", "vaiont", "--uncertain", "friction.angle_deg=normal:14:1", "--samples", "100", "--seed", "4",
+                 "--json"]) == 0  # fmt: skip
+    assert (
+        json.loads(capsys.readouterr().out)["moving"]
+        == json.loads(json.dumps(ensemble(ONE, 100, 4).record()))["moving"]
+    )
     assert f"{found.quantile('run_out', 0.5).value:.5g}" in out
     assert "Which unknown matters" in out
 
@@ -390,6 +396,12 @@ def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
         (["vaiont", "--grid", "friction.angle_deg=1:2"], "must be KEY=FROM:TO:COUNT"),
         (["vaiont", "--grid", "friction.angel_deg=1:2:3"], "did you mean friction.angle_deg"),
         (["vaiont", "--grid", "friction.angle_deg=1", "--engine", "dask"], "belong together"),
+        (["vaiont", "--grid", "friction.angle_deg=1", "--csv", "/no/such/place.csv"], "there is no folder /no/such"),
+        (["vaiont", "--samples", "9", "--uncertain", "friction.angle_deg=normal:1"], "normal:mean:std, lognormal:mean"),
+        (
+            ["vaiont", "--samples", "9", "--uncertain", "friction.angel_deg=normal:1:1"],
+            "did you mean friction.angle_deg",
+        ),
     ],
 )
 def test_what_sweep_refuses(argv: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
