@@ -57,7 +57,8 @@ def derive_all() -> dict[str, str]:
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("friction laws", "solve", "{0} claims proved", lambda: len(effects.prove_laws()))
     timed("phase plane", "solve", "{0} claims proved", lambda: len(phase.prove_energies()))
-    for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes)):
+    for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
+                        ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
         timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
     closed = functions.closed_amplitudes(derivations)
     timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(closed)))

@@ -16,7 +16,7 @@ from derive.integrate import prove_zero
 from derive.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, ExpDefect, ExpRatio, X
 from derive.program import Program, program
 from derive.quantities import RESISTANCE
-from derive.stable import REDUCED, Horner, Log1p, Select, SineDefect, Stable, prove_equal, unfold
+from derive.stable import REDUCED, Horner, Log1p, Select, SincSlope, SineDefect, Stable, prove_equal, unfold
 from derive.symbols import a, alpha, b, omega_0, t
 
 _SMALL = sp.Rational(1, 2**57)
@@ -116,7 +116,20 @@ class SineFifth(Stable):
 
 # --- energy in the phase plane -----------------------------------------------------------------------------------------
 
+_LIFT_DEFECT = 2 * (X / 2) ** 3 * SineDefect(X / 2) * (X / 2 + sp.sin(X / 2))  # x**2/2 - (1 - cos x)
 ENERGY_INPUTS = (X, START, DRIVE, TILT, CONSTANT, BRAKE)
+
+
+@cache
+def _integrals() -> tuple[sp.Expr, ...]:
+    """Integrals of exp(-q (x - y)) times cos y, sin y, 1 - cos y from 0 to x, q = 2 brake."""
+    q = 2 * BRAKE
+    w, half = q * X, X / 2
+    sine, defect, lift = sp.sin(X), X**3 * SineDefect(X), 2 * sp.sin(half) ** 2
+    with_cos = sine + q * (w * ExpRatio(w) - lift)
+    with_sin = lift + w**2 * ExpDefect(w) - q * defect
+    with_lift = defect - q * _LIFT_DEFECT + w**2 * X * ExpThird(w)
+    return tuple(i / (1 + q**2) for i in (with_cos, with_sin, with_lift))
 
 
 @cache
@@ -128,22 +141,13 @@ def energy_slopes() -> tuple[sp.Expr, ...]:
     """
     q = 2 * BRAKE
     w, q2 = q * X, q**2
-    sine, defect, half = sp.sin(X), X**3 * SineDefect(X), X / 2
-    lift = 2 * sp.sin(half) ** 2  # 1 - cos x
-    lift_defect = 2 * half**3 * SineDefect(half) * (half + sp.sin(half))  # x**2/2 - lift
-    ratio, second, third, mean = ExpRatio(w), ExpDefect(w), ExpThird(w), ExpMean(w)
-    over = 1 / (1 + q2)
-    with_cos = (sine + q * (w * ratio - lift)) * over
-    with_sin = (lift + w**2 * second - q * defect) * over
-    with_lift = (defect - q * lift_defect + w**2 * X * third) * over
+    defect, lift, over = X**3 * SineDefect(X), 2 * sp.sin(X / 2) ** 2, 1 / (1 + q2)
+    ratio, second, mean = ExpRatio(w), ExpDefect(w), ExpMean(w)
+    with_cos, with_sin, with_lift = _integrals()
     # Their derivatives by q, all negative.
     of_cos = (q2 * lift - lift + 2 * q * defect - w**2 * (second + ratio) - (q * w) ** 2 * mean) * over**2
-    of_sin = (
-        (q2 - 1) * defect + 2 * q * lift_defect - w**2 * X * second - q * w**3 * ExpHump(w)
-    ) * over**2
-    near = (q2 - 1) * lift_defect + 2 * q * X**5 * SineFifth(X) - w**2 * (
-        X**2 * ExpMeanRest(w) + w**2 * ExpMixRest(w)
-    )
+    of_sin = ((q2 - 1) * defect + 2 * q * _LIFT_DEFECT - w**2 * X * second - q * w**3 * ExpHump(w)) * over**2
+    near = (q2 - 1) * _LIFT_DEFECT + 2 * q * X**5 * SineFifth(X) - w**2 * (X**2 * ExpMeanRest(w) + w**2 * ExpMixRest(w))
     far = (1 - q2) * lift - 2 * q * defect - (X**2 + 2 * w**2) * mean + w**2 * (second + ratio)
     of_lift = Select(sp.Abs(w), 1, near, far) * over**2
     decay = sp.exp(-w)
@@ -163,6 +167,32 @@ def prove_energy_slopes() -> list[str]:
             difference = sp.together(unfold(piece) - sp.diff(exact, parameter))
             prove_zero(sp.expand(sp.fraction(difference.rewrite(sp.exp))[0]), claim)
             claims.append(claim)
+    return claims
+
+
+def energy_growth() -> tuple[sp.Expr, ...]:
+    """x dI_c/dx - I_c, x dI_s/dx - 2 I_s, x dI_1/dx - 2 I_1, for |q x| < 1.
+
+    A motion just below its limit is short, and E/x**2 hardly depends on how short: this is how much.
+    """
+    q = 2 * BRAKE
+    w = q * X
+    defect, lift = X**3 * SineDefect(X), 2 * sp.sin(X / 2) ** 2
+    of_cos = (q * lift - X**3 * SincSlope(X) - w * sp.sin(X) - q * w**2 * ExpMean(w)) / (1 + q**2)
+    of_sin = (2 + w) * (_LIFT_DEFECT + w**3 * ExpThird(w) + q * defect) / (1 + q**2) - X * (X * w / 2 + defect)
+    return of_cos, of_sin, X * lift - (2 + w) * _integrals()[2]
+
+
+def prove_energy_growth() -> list[str]:
+    """Prove them from the integrals."""
+    claims = []
+    for name, growth, integral, power in zip(
+        ("I_c", "I_s", "I_1"), energy_growth(), _integrals(), (1, 2, 2), strict=True
+    ):
+        exact = unfold(integral)
+        difference = sp.together(unfold(growth) - X * sp.diff(exact, X) + power * exact)
+        claims.append(f"{name}: x dI/dx - {power} I")
+        prove_zero(sp.expand(sp.fraction(difference.rewrite(sp.exp))[0]), claims[-1])
     return claims
 
 
@@ -287,7 +317,9 @@ def prove_frozen_slopes() -> list[str]:
     k, later = sp.symbols("k t", positive=True)
     root = sp.sqrt(a * b)
     rotation, velocity, y = (ways[n].subs(k, root) for n in ("rotation", "angular_velocity", "y"))
-    wanted = {(n, p): sp.diff(way, p) for n, way in (("rotation", rotation), ("omega", velocity)) for p in (a, b, omega_0)}
+    wanted = {
+        (n, p): sp.diff(way, p) for n, way in (("rotation", rotation), ("omega", velocity)) for p in (a, b, omega_0)
+    }
     values: dict[sp.Symbol, sp.Expr] = {_K: k, _KT: k * later, _Z: (k * later) ** 2, _NEAR: (k * later) ** 2,
                                         _T: later, _LONG: later}  # fmt: skip
     plain = _plain(values)
@@ -417,6 +449,8 @@ def programs() -> list[tuple[Program, str]]:
     names = tuple(x.name for x in ENERGY_INPUTS)
     return [
         (program("energy_slopes", names, *energy_slopes()), "dE/d(start, drive, tilt, constant, brake) at x"),
+        (program("energy_growth", ("x", "brake"), *energy_growth()),
+         "how the energy of a short motion changes with its length"),
         (program("frozen_slopes", ("a", "b", "omega_0", "t"), *frozen, let=let),
          "derivatives of rotation, then of angular velocity, at a time by a, b and omega_0"),
         (program("arc_growth", ("alpha",), *arc_growth(), let={alpha: sp.Min(alpha, sp.pi / 2)}),
