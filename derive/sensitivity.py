@@ -10,7 +10,7 @@ from functools import cache
 import sympy as sp
 
 from derive import effects
-from derive.dynamics import Cardinal, Log1pRatio, solution
+from derive.dynamics import Cardinal, solution
 from derive.effects import ALPHA, EFFECTS, GRAVITY, ORDER, REFERENCE, THETA, VALUE, terms
 from derive.integrate import prove_zero
 from derive.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, ExpDefect, ExpRatio, X
@@ -114,7 +114,7 @@ class SineFifth(Stable):
         return Horner.of([sp.Integer(-1) ** k / sp.factorial(2 * k + 5) for k in range(14)], self.args[0] ** 2)
 
 
-# --- energy in the phase plane -----------------------------------------------------------------------------------------
+# --- energy in the phase plane ---------------------------------------------------------------------------------------
 
 _LIFT_DEFECT = 2 * (X / 2) ** 3 * SineDefect(X / 2) * (X / 2 + sp.sin(X / 2))  # x**2/2 - (1 - cos x)
 ENERGY_INPUTS = (X, START, DRIVE, TILT, CONSTANT, BRAKE)
@@ -196,7 +196,7 @@ def prove_energy_growth() -> list[str]:
     return claims
 
 
-# --- the frozen slide in time ------------------------------------------------------------------------------------------
+# --- the frozen slide in time ----------------------------------------------------------------------------------------
 
 
 class HyperbolicRest(Stable):
@@ -354,7 +354,7 @@ def _plain(values: dict[sp.Symbol, sp.Expr]) -> Callable[[sp.Expr], sp.Expr]:
     return plain
 
 
-# --- the balance -------------------------------------------------------------------------------------------------------
+# --- the balance -----------------------------------------------------------------------------------------------------
 
 
 def dot(name: str) -> sp.Symbol:
@@ -367,15 +367,18 @@ def _tangent(expression: sp.Expr, names: tuple[str, ...]) -> sp.Expr:
     return sum((sp.diff(expression, x) * dot(n) for n in names if (x := sp.Symbol(n, real=True))), sp.Integer(0))
 
 
+# What has a closed form: nothing but the position and the square of the speed counts.
+STEADY = tuple(e for e in EFFECTS if not {"speed", "time", "history"} & set(e.depends_on))
+
+
 def balance_tangent() -> Program:
     """Changes of drive, tilt, constant and brake; what an effect would bring is 0 in a scene without it."""
-    whole = terms(EFFECTS)
-    fall = effects.FALL
-    drive = fall - whole["resistance"].subs(effects.OMEGA_2, 0)
-    outputs = [_tangent(e, ORDER) for e in (drive, whole["tilt"], whole["constant"], whole["brake"])]
-    used = {x.name for e in outputs for x in e.free_symbols}
-    names = tuple(n for n in (*ORDER, *(f"{n}_dot" for n in ORDER)) if n in used)
-    return program("balance_tangent", names, *(sp.expand(e) for e in outputs))
+    whole = terms(STEADY)
+    drive = effects.FALL - whole["resistance"].subs({effects.OMEGA: 0, effects.OMEGA_2: 0})
+    changing = (drive, whole["tilt"], whole["constant"], whole["brake"])
+    names = tuple(n for n in ORDER if any(n == x.name for e in changing for x in e.free_symbols))
+    outputs = [_tangent(e, ORDER) for e in changing]
+    return program("balance_tangent", (*names, *(f"{n}_dot" for n in names)), *(sp.expand(e) for e in outputs))
 
 
 POSITION = ("fall", "press", "fall_slope", "press_slope")
@@ -405,11 +408,11 @@ def parameter_tangents() -> list[Program]:
     inputs = (*_SCALES, *(f"{n}_dot" for n in _SCALES))
     return [
         program(f"{p.symbol}_tangent", inputs, _tangent(p.dimensionless, _SCALES))
-        for e in EFFECTS for p in e.parameters if p.symbol is not None
+        for e in STEADY for p in e.parameters if p.symbol is not None
     ]  # fmt: skip
 
 
-# --- the arc -----------------------------------------------------------------------------------------------------------
+# --- the arc ---------------------------------------------------------------------------------------------------------
 
 GROWTHS = ("weight_moment_amplitude", "radial_weight_amplitude", "polar_moment", "resistance_factor")
 
@@ -439,7 +442,7 @@ def prove_arc_growth(closed: dict[str, sp.Expr]) -> list[str]:
     return claims
 
 
-# --- text --------------------------------------------------------------------------------------------------------------
+# --- text ------------------------------------------------------------------------------------------------------------
 
 
 def programs() -> list[tuple[Program, str]]:

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a5acfa73daf15e695a98a35fba825413496a707b398182d6e9d3de208c383084
+# sha256 of the text below: 4b5cfe4ba7f1fa892199099f6e2c0e1d2682c8176824bd989e57e67b1a700f6b
 """Derivatives of the closed forms, of the balance and of the arc: what a small change makes of them."""
 
 from typing import Any
@@ -99,7 +99,7 @@ def arc_growth(alpha: Any) -> tuple[Any, Any, Any, Any, Any]:
     return v163, v381, v411, v455, v457
 
 
-def balance_tangent(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, fall_dot: Any, press_dot: Any, fall_slope_dot: Any, press_slope_dot: Any, level_dot: Any, polar_dot: Any, mu_dot: Any, pore_ratio_dot: Any, pore_pressure_dot: Any, cohesion_dot: Any, drag_dot: Any) -> tuple[Any, Any, Any, Any]:
+def balance_tangent(fall: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, polar: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, fall_dot: Any, press_dot: Any, fall_slope_dot: Any, press_slope_dot: Any, level_dot: Any, polar_dot: Any, mu_dot: Any, pore_ratio_dot: Any, pore_pressure_dot: Any, cohesion_dot: Any, drag_dot: Any) -> tuple[Any, Any, Any, Any]:
     """Changes of drive, tilt, constant and brake. Operations: 23 mul, 12 add, 9 sub."""
     v20 = level * mu * pore_pressure_dot
     v23 = level * mu_dot * pore_pressure

@@ -9,7 +9,7 @@ for each parameter.
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from generated import sensitivity as slopes
 from generated.effects import EFFECTS
 from slipcircle.friction import friction
 from slipcircle.frozen import Frozen
+from slipcircle.plan import CLOSED_IN_PHASE_PLANE, CLOSED_IN_TIME
 from slipcircle.scene import Scene
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s"}
-_OF_SCENE = {"friction": "", "theta_1": "rad", "theta_2": "rad", "radius": "m", "unit_weight": "N/m^3",
+OF_SCENE = {"friction": "", "theta_1": "rad", "theta_2": "rad", "radius": "m", "unit_weight": "N/m^3",
              "gravity": "m/s^2", "initial_velocity": "m/s"}  # fmt: skip
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 _SCALES = ("half_angle", "gravity", "reference_stress", "Theta")
@@ -96,12 +97,13 @@ def sensitivity(motion: "Motion") -> Sensitivity:
     gives there.
     """
     scene = motion.plan.scene
-    if not friction(scene.friction).constant:
+    if motion.plan.method not in (CLOSED_IN_TIME, CLOSED_IN_PHASE_PLANE) or motion.plan.law != "constant":
         raise ValueError(
-            "friction: exact sensitivities need a constant coefficient, which has a closed form; for other laws take "
-            "differences of solutions"
+            f"exact sensitivities need a closed form: a constant coefficient of friction and no effect that depends on "
+            f"time, on speed alone or on heat; this scene's method is {motion.plan.method}, its friction "
+            f"{motion.plan.law}; take differences of solutions"
         )
-    if not motion.moves and motion.limit_friction == float(np.asarray(scene.friction)):
+    if not motion.moves and motion.limit_friction == float(friction(scene.friction).coefficient(0.0)):
         raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
     parameters = _parameters(scene)
     names = {"peak_velocity": float(motion.peak.velocity), "run_out": motion.run_out, "duration": motion.duration}
@@ -114,14 +116,16 @@ def sensitivity(motion: "Motion") -> Sensitivity:
 
 def _parameters(scene: Scene) -> dict[str, tuple[str, float]]:
     """Unit and value of each free parameter."""
-    found = {}
-    for name, unit in _OF_SCENE.items():
-        value = float(np.asarray(getattr(scene if name in ("friction", "initial_velocity") else scene.arc, name)))
-        if not (name == "initial_velocity" and value == 0.0) and not ("theta" in name and scene.arc.given is not None):
-            found[name] = (unit, value)
-    for effect, given in scene.called.items():
-        units = {p.name: p.unit for p in EFFECTS[effect].parameters}
-        found |= {f"{effect}.{n}": (units[n], float(v)) for n, v in given.items()}
+    values = dict(scene.numbers)
+    values["friction"] = friction(scene.friction).coefficient(0.0)  # also where it is a law by name
+    found = {n: (unit, float(np.asarray(values[n]))) for n, unit in OF_SCENE.items()}
+    if found["initial_velocity"][1] == 0.0:
+        del found["initial_velocity"]
+    if scene.arc.given is not None:
+        del found["theta_1"], found["theta_2"]
+    for effect, declared in EFFECTS.items():
+        units = {f"{effect}.{p.name}": p.unit for p in declared.parameters}
+        found |= {n: (unit, float(np.asarray(values[n]))) for n, unit in units.items() if n in values}
     return found
 
 
@@ -171,16 +175,15 @@ class _Chain:
         growths = (alpha_dot / alpha, gravity, stress_growth, growth[4] / alpha * alpha_dot)
         scales_dot = [scales[n] * g for n, g in zip(_SCALES, growths, strict=True)]
         for effect, declared in EFFECTS.items():
-            given = self.scene.called.get(effect, {})
             for p in declared.parameters:
-                self.values[p.symbol] = values.get(p.symbol, 0.0)
-                tangent = getattr(slopes, f"{p.symbol}_tangent")
-                value, value_dot = float(given.get(p.name, 0.0)), one(f"{effect}.{p.name}")
-                self.values_dot[p.symbol] = 0.0 * alpha_dot
-                if effect in self.scene.called:
-                    self.values_dot[p.symbol] = tangent(
-                        value, *(scales[n] for n in _SCALES), value_dot, *scales_dot
-                    ) + 0.0 * alpha_dot  # fmt: skip
+                tangent = getattr(slopes, f"{p.symbol}_tangent", None)
+                if tangent is None:  # it has no part in closed forms
+                    continue
+                name = f"{effect}.{p.name}"
+                self.values[p.symbol], self.values_dot[p.symbol] = values.get(p.symbol, 0.0), 0.0 * alpha_dot
+                if name in parameters:
+                    value = (parameters[name][1], *(scales[n] for n in _SCALES))
+                    self.values_dot[p.symbol] = tangent(*value, one(name), *scales_dot) + 0.0 * alpha_dot
         self.time_dot, self.rotation_dot = 0.0 * alpha_dot, 0.0 * alpha_dot
         self.energy_dot = 0.0 * alpha_dot
         if float(np.asarray(self.scene.initial_velocity)) != 0.0:  # E = v**2/(g R)
@@ -193,12 +196,12 @@ class _Chain:
         fastest, peak_dot = -1.0, 0.0 * self.mu_dot
         for k, phase in enumerate(motion.phases):
             following = motion.phases[k + 1] if k + 1 < len(motion.phases) else None
-            side = phase.direction
-            reduced = self._reduced(phase)
-            if isinstance(phase.solved, Frozen):
-                end, summit = self._frozen(phase, phase.solved, following, reduced)
+            side, solved = phase.direction, cast("Course | Frozen", phase.solved)
+            reduced = self._reduced(phase, solved)
+            if isinstance(solved, Frozen):
+                end, summit = self._frozen(phase, solved, following, reduced)
             else:
-                end, summit = self._course(phase, phase.solved, following, reduced)
+                end, summit = self._course(phase, solved, following, reduced)
             for energy, energy_dot in [(phase.solved.start.energy, self.energy_dot), *summit]:
                 if energy > fastest * fastest * (fastest > 0.0) and energy > 0.0:
                     fastest = math.sqrt(energy)
@@ -220,21 +223,19 @@ class _Chain:
     def _stops_at_last(self) -> bool:
         return self.motion.arrested or self.scene.end_time is None
 
-    def _reduced(self, phase: "Phase") -> Floats:
+    def _reduced(self, phase: "Phase", solved: "Course | Frozen") -> Floats:
         """Derivatives of start, drive, tilt, constant and brake of a phase, and of what presses and its slope."""
-        solved, turned = phase.solved, self.rotation_dot if self.balance.turns else 0.0
+        turned = self.rotation_dot if self.balance.turns else 0.0
         at = {n: solved.at[n] for n in ("fall", "press", "fall_slope", "press_slope")}
+        dip_dot = phase.direction * (self.dip_dot - turned)
+        fall, press, fall_slope, press_slope = at.values()
         tangent = slopes.position_tangent(
-            *at.values(), self.weight_growth, self.radial_growth, phase.direction * (self.dip_dot - turned)
+            fall, press, fall_slope, press_slope, self.weight_growth, self.radial_growth, dip_dot
         )
         dots = dict(zip(at, tangent, strict=True)) | self.values_dot
-        known = at | self.values | {"mu": solved.mu}
         dots["mu"] = self.mu_dot * (not solved.start.lifted)
-        found = slopes.balance_tangent(
-            *(known[n] for n in ("press", "press_slope", "level", "polar", "mu", "pore_ratio", "pore_pressure", "cohesion")),
-            *(dots[n] for n in ("fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "pore_ratio",
-                                "pore_pressure", "cohesion", "drag")),
-        )  # fmt: skip
+        known = at | self.values | {"mu": solved.mu}
+        found = slopes.balance_tangent(**known, **{f"{n}_dot": value for n, value in dots.items()})
         return np.array([self.energy_dot, *found, dots["press"], dots["press_slope"]])
 
     def _until(self, phase: "Phase", following: "Phase | None") -> str:
