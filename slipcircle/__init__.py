@@ -21,11 +21,13 @@ from slipcircle.scene import Scene
 from slipcircle.solver import solve
 
 if TYPE_CHECKING:
+    from slipcircle.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.ensembles import Ensemble, ensemble
 
 __version__ = "0.1.0"
 __all__ = [
     "Arc",
+    "BackAnalysis",
     "Dimensionless",
     "Energy",
     "Ensemble",
@@ -33,6 +35,8 @@ __all__ = [
     "Plan",
     "Scene",
     "State",
+    "Unattainable",
+    "backanalyse",
     "ensemble",
     "plan",
     "solve",
@@ -40,9 +44,13 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Ensembles, when they are asked for: one scene needs nothing of them."""
+    """Ensembles and back-analysis, when they are asked for: one motion needs nothing of them."""
     if name in ("Ensemble", "ensemble"):
         from slipcircle import ensembles
 
         return getattr(ensembles, name)
+    if name in ("BackAnalysis", "Unattainable", "backanalyse"):
+        from slipcircle import backanalysis
+
+        return getattr(backanalysis, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
