@@ -43,10 +43,10 @@ def next_start(
 
     One-way, it starts only down-slope: the way in which gravity alone pulls it where it lies.
     """
-    kinks = kinks_of(balance, law)
-    if not len(kinks):
+    if not balance.forcing and not len(law.times):  # nothing changes while it rests
         side = way(balance, law, rest)
         return (time, side) if side else None
+    kinks = kinks_of(balance, law)
     sides = (1, -1) if two_way or "k_h" not in balance.forcing else (down_slope(balance, rest.rotation),)
     found = [(t, side) for side in sides if (t := _start(balance, law, rest, time, end, side, kinks)) is not None]
     return min(found) if found else None
