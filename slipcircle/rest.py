@@ -66,8 +66,8 @@ def _start(
     balance: Balance, law: Friction, rest: Rest, time: float, end: float, side: int, kinks: Floats
 ) -> float | None:
     excess = _excess_of_drive(balance, law, rest, side)
-    first, last = np.searchsorted(kinks, time, side="right"), np.searchsorted(kinks, end)
-    bounds = np.concatenate([[time], kinks[first:last], [end]])
+    ahead = slice(np.searchsorted(kinks, time, side="right"), np.searchsorted(kinks, end))
+    bounds = np.concatenate([[time], kinks[ahead], [end]])
     straight = all(hasattr(f, "values") for f, _ in balance.forcing.values())
     share = np.linspace(0.0, 1.0, 3 if straight else _SAMPLES)
     first, chunk = 0, _CHUNK
