@@ -35,7 +35,7 @@ def derive_all() -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive import dynamics, effects, functions, integrate, measure, phase, stable, write
+    from derive import dynamics, effects, functions, integrate, measure, phase, sensitivity, stable, write
     from derive.appendices import APPENDICES, simplify
     from derive.quantities import MOMENTS
 
@@ -57,6 +57,11 @@ def derive_all() -> dict[str, str]:
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("friction laws", "solve", "{0} claims proved", lambda: len(effects.prove_laws()))
     timed("phase plane", "solve", "{0} claims proved", lambda: len(phase.prove_energies()))
+    for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
+                        ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
+        timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
+    closed = functions.closed_amplitudes(derivations)
+    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(closed)))
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, derivations, proved)
 

@@ -77,6 +77,11 @@ def even_series(function: str, first: int, largest: Fraction) -> tuple[sp.Ration
     raise ValueError(f"the series of {function} is too slow for x**2 <= {largest}")
 
 
+def slope_series(series: Iterable[sp.Rational]) -> list[sp.Rational]:
+    """Coefficients in x**2 of the derivative by x of an even series in x, over x."""
+    return [2 * k * c for k, c in enumerate(series)][1:]
+
+
 class Horner(sp.Function):
     """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
 
@@ -102,6 +107,20 @@ class Sinc(Stable):
     def lower(self) -> sp.Expr:
         return Horner.of(even_series("sin", 1, Fraction(5, 2)), self.args[0] ** 2)
 
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return -self.args[0] * SincSlope(self.args[0])
+
+
+class SincSlope(Stable):
+    """(sin x - x cos x)/x**3 for |x| <= pi/2: sin(x)/x falls by x times this."""
+
+    def definition(self) -> sp.Expr:
+        x = self.args[0]
+        return (sp.sin(x) - x * sp.cos(x)) / x**3
+
+    def lower(self) -> sp.Expr:
+        return Horner.of(slope_series([-c for c in even_series("sin", 1, Fraction(5, 2))]), self.args[0] ** 2)
+
 
 class SineDefect(Stable):
     """(x - sin x)/x**3 for |x| <= pi."""
@@ -112,6 +131,20 @@ class SineDefect(Stable):
 
     def lower(self) -> sp.Expr:
         return Horner.of((-c for c in even_series("sin", 3, Fraction(10))), self.args[0] ** 2)
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return -self.args[0] * SineDefectSlope(self.args[0])
+
+
+class SineDefectSlope(Stable):
+    """(x (2 + cos x) - 3 sin x)/x**5 for |x| <= pi: (x - sin x)/x**3 falls by x times this."""
+
+    def definition(self) -> sp.Expr:
+        x = self.args[0]
+        return (x * (2 + sp.cos(x)) - 3 * sp.sin(x)) / x**5
+
+    def lower(self) -> sp.Expr:
+        return Horner.of(slope_series(even_series("sin", 3, Fraction(10))), self.args[0] ** 2)
 
 
 class ArtanhExcess(Stable):
@@ -129,6 +162,24 @@ class ArtanhExcess(Stable):
         far = sp.Min(sp.Max(x, self.SEAM), 1 - sp.Rational(1, 2**53))
         series = Horner.of(even_series("artanh", 3, Fraction(4, 25)), near**2)
         return Select(x, self.SEAM, series, (Log1p(2 * far / (1 - far)) / 2 - far) / far**3)
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return self.args[0] * ArtanhExcessSlope(self.args[0])
+
+
+class ArtanhExcessSlope(Stable):
+    """(x/(1 - x**2) + 2 x - 3 artanh x)/x**5 for 0 <= x <= 1, finite at 1: callers multiply it by (1 - x**2)**2."""
+
+    def definition(self) -> sp.Expr:
+        x = self.args[0]
+        return (x / (1 - x**2) + 2 * x - 3 * sp.atanh(x)) / x**5
+
+    def lower(self) -> sp.Expr:
+        x, seam = self.args[0], ArtanhExcess.SEAM
+        near = sp.Min(x, seam)
+        far = sp.Min(sp.Max(x, seam), 1 - sp.Rational(1, 2**53))
+        series = Horner.of(slope_series(even_series("artanh", 3, Fraction(4, 25))), near**2)
+        return Select(x, seam, series, (1 / (1 - far**2) - 3 * ArtanhExcess(far)) / far**2)
 
 
 class Log1p(sp.Function):
@@ -172,6 +223,9 @@ class HalfTan(Stable):
     def lower(self) -> sp.Expr:
         x = self.args[0]
         return x * Sinc(x) / (1 + sp.cos(x))
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return (1 + self**2) / 2
 
 
 def _reduced_forms() -> dict[str, sp.Expr]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import sympy
 
-from derive import certificates, certify, emit, emit_c, functions
+from derive import certificates, certify, emit, emit_c, functions, sensitivity
 from derive.approximants import variants
 from derive.integrate import Derivation
 from derive.rounding import Record
@@ -22,6 +22,7 @@ KERNELS = "Moments, weights and quotients of the arc, from their definitions."
 MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
 BALANCE = "The balance of momentum and the energy in the phase plane, specialised to the effects that are present."
 STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
+SENSITIVITY = "Derivatives of the closed forms, of the balance and of the arc: what a small change makes of them."
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
@@ -38,6 +39,7 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "motion.py": emit.module(MOTION, motion),
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
+        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs()),
         "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),

@@ -4,6 +4,8 @@
 `solve` returns the `Motion`. The numbers come from the package `generated`, which `python -m derive` writes.
 """
 
+from typing import TYPE_CHECKING, Any
+
 import generated
 
 if getattr(generated, "__project__", None) != "slipcircle":
@@ -18,5 +20,37 @@ from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
 from slipcircle.solver import solve
 
+if TYPE_CHECKING:
+    from slipcircle.backanalysis import BackAnalysis, Unattainable, backanalyse
+    from slipcircle.ensembles import Ensemble, ensemble
+
 __version__ = "0.1.0"
-__all__ = ["Arc", "Dimensionless", "Energy", "Motion", "Plan", "Scene", "State", "plan", "solve"]
+__all__ = [
+    "Arc",
+    "BackAnalysis",
+    "Dimensionless",
+    "Energy",
+    "Ensemble",
+    "Motion",
+    "Plan",
+    "Scene",
+    "State",
+    "Unattainable",
+    "backanalyse",
+    "ensemble",
+    "plan",
+    "solve",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Ensembles and back-analysis, when they are asked for: one motion needs nothing of them."""
+    if name in ("Ensemble", "ensemble"):
+        from slipcircle import ensembles
+
+        return getattr(ensembles, name)
+    if name in ("BackAnalysis", "Unattainable", "backanalyse"):
+        from slipcircle import backanalysis
+
+        return getattr(backanalysis, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,6 +1,7 @@
-"""Command line: `slipcircle run SCENE...`, `plan`, `schema`, `cost`, `info`, also as `python -m slipcircle`.
+"""Command line: `slipcircle run SCENE...`, `plan`, `sweep`, `backanalyse`, ..., also as `python -m slipcircle`.
 
-Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was refused, 2 a wrong call.
+Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was refused, 2 a wrong call,
+130 interrupted.
 """
 
 import argparse
@@ -15,6 +16,9 @@ from typing import Any
 import slipcircle
 from slipcircle import Motion, Scene, files, plan, solve, tables
 from slipcircle.scenefile import find, shipped
+
+OBSERVED = (("runout", "m", "run-out along the arc"), ("peak-velocity", "m-s", "greatest velocity"),
+            ("duration", "s", "time until it rested"))  # fmt: skip
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -32,21 +36,41 @@ def main(argv: Sequence[str] | None = None) -> int:
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
+    swept = commands.add_parser("sweep", help="a scene on a grid of values, or for samples of its uncertain numbers")
+    swept.add_argument("scene", metavar="SCENE", help=which)
+    back = commands.add_parser("backanalyse", help="the friction, or another field, that explains an observed motion")
+    back.add_argument("scene", metavar="SCENE", help=which)
+    for option, unit, words in OBSERVED:
+        back.add_argument(f"--{option}-{unit}", type=float, dest=option, metavar="X", help=f"observed {words}")
+        back.add_argument(f"--sigma-{option}-{unit}", type=float, dest=f"sigma_{option}", metavar="X",
+                          help="its standard error")  # fmt: skip
+    back.add_argument("--field", default="friction", help="what is looked for: friction, cohesion...")
     commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
     cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
     cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
     cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
     info = commands.add_parser("info", help="versions and digests of what is installed")
-    for command in (run, planned, cost, info):
+    if "sweep" in (sys.argv[1:] if argv is None else argv):  # no other command needs what it loads
+        from slipcircle import sweep
+
+        sweep.arguments(swept)
+    for command in (run, planned, swept, back, cost, info):
         command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
     options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
-        {"run": _run, "plan": _plan, "schema": _schema, "cost": _cost, "info": _info}[options.command](options)
+        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse, "schema": _schema,
+                  "cost": _cost, "info": _info}  # fmt: skip
+        chosen[options.command](options)
     except (ValueError, ImportError) as error:
         print(f"slipcircle: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        resume = getattr(options, "resume", None)
+        kept = f"; finished blocks are in {resume}, and the same command continues from them" if resume else ""
+        print(f"\nslipcircle: interrupted{kept}", file=sys.stderr)
+        return 130
     return 0
 
 
@@ -78,7 +102,9 @@ def _run(options: argparse.Namespace) -> None:
         caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
     )
     for m in motions:
-        for warning in m.warnings:
+        drawn = [u.key for u in m.plan.scene.uncertain.values()]
+        more = [f"solved at the median of {', '.join(drawn)}; sweep draws them"] if drawn else []
+        for warning in (*m.warnings, *more):
             print(f"slipcircle: {m.plan.scene.name}: {warning}", file=sys.stderr)
 
 
@@ -113,6 +139,34 @@ def _plan(options: argparse.Namespace) -> None:
         tables.show(tables.LADDER, tables.ladder_rows(rungs), title=chosen.scene.name)
     else:
         tables.show(["", chosen.scene.name], tables.plan_rows(chosen))
+
+
+def _sweep(options: argparse.Namespace) -> None:
+    from slipcircle import sweep
+
+    found = sweep.run(options)
+    if options.json:
+        _print(sweep.record(found))
+        return
+    sweep.show(found)
+    for warning in found.warnings:
+        print(f"slipcircle: {found.scene.name}: {warning}", file=sys.stderr)
+
+
+def _backanalyse(options: argparse.Namespace) -> None:
+    seen, given = {}, vars(options)
+    for option, unit, _ in OBSERVED:
+        value, sigma = given[option], given[f"sigma_{option}"]
+        if value is None and sigma is not None:
+            raise ValueError(f"--sigma-{option}-{unit}: needs --{option}-{unit}")
+        seen[option.replace("-", "_")] = value if sigma is None else (value, sigma)
+    found = slipcircle.backanalyse(Scene.load(options.scene), field=options.field, **seen)
+    if options.json:
+        _print(tables.backanalysis_record(found))
+        return
+    numbers = [f"solution {k}" for k in range(1, len(found.solutions) + 1)]
+    head = numbers if len(numbers) > 1 else [found.motion.plan.scene.name]
+    tables.show(["", *head], tables.backanalysis_rows(found), caption=f"by {found.method}")
 
 
 def _schema(options: argparse.Namespace) -> None:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from slipcircle.frozen import Frozen
     from slipcircle.integrate import Integrated
     from slipcircle.phaseplane import Course
+    from slipcircle.sensitivity import Sensitivity
     from slipcircle.stepping import Stepped
 
     Followed: TypeAlias = Course | Frozen | Integrated  # one phase
@@ -210,6 +211,18 @@ class Motion:
     @property
     def energy_error_estimate(self) -> float:
         return self._estimates[1]
+
+    def sensitivity(self) -> "Sensitivity":
+        """Exact derivatives by the scene's parameters, under constant friction: see `slipcircle.sensitivity`.
+
+        Raises
+        ------
+        ValueError
+            If friction is not constant, or the scene exactly at its limit.
+        """
+        from slipcircle.sensitivity import sensitivity
+
+        return sensitivity(self)
 
     @property
     def warnings(self) -> tuple[str, ...]:

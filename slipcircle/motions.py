@@ -90,7 +90,7 @@ class Motions:
         scene, arc = self.plan.scene, self.plan.scene.arc
         radius, scale = np.asarray(arc.radius), arc.time_scale
         with np.errstate(all="ignore"):
-            balance = bind_lanes(self.plan.effects, arc, _values(scene), stress=True)
+            balance = bind_lanes(self.plan.effects, arc, values_of(scene), stress=True)
             at = {"press": balance.press_at(rotation), "omega_2": (omega * scale) ** 2}
             if "shaking" in scene.called:
                 shaken, names = scene.called["shaking"], {"k_h": "horizontal", "k_v": "vertical"}
@@ -100,7 +100,7 @@ class Motions:
         return State(time, rotation, omega, radius * omega, radius * rotation, radius * rate, stress)
 
 
-def _values(scene: Scene) -> dict[str, Any]:
+def values_of(scene: Scene) -> dict[str, Any]:
     """What `slipcircle.lanes.solve_block` reads of a scene, in the scene's own shapes."""
     values: dict[str, Any] = {"end_time": np.inf} | dict(scene.numbers)
     for effect in scene.called:
@@ -115,7 +115,7 @@ def _values(scene: Scene) -> dict[str, Any]:
 def _flat(scene: Scene) -> dict[str, Any]:
     """The same as arrays of one length, or numbers."""
     shape = scene.shape
-    return {n: np.broadcast_to(v, shape).reshape(-1) if np.ndim(v) else v for n, v in _values(scene).items()}
+    return {n: np.broadcast_to(v, shape).reshape(-1) if np.ndim(v) else v for n, v in values_of(scene).items()}
 
 
 def lane(scene: Scene, *index: int) -> Scene:

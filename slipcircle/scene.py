@@ -46,6 +46,10 @@ class Scene:
         Relative error that is asked for; the call's own wins.
     name, note : str, optional
         What the scene is, and where its numbers come from.
+    uncertain : mapping, optional
+        Numbers known by a distribution, which `ensemble` draws; `solve` takes the scene's own. Keys as in a scene file,
+        ``"friction.angle_deg"``, or SI names as in ``numbers``, ``"friction"``; values are frozen distributions of
+        scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
 
     Raises
     ------
@@ -61,6 +65,7 @@ class Scene:
     accuracy: float | None = None
     name: str = ""
     note: str = ""
+    uncertain: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         effects, found = _named(self.effects)
@@ -92,6 +97,14 @@ class Scene:
                 except ValueError as error:
                     found.append(str(error))
         found += [] if found else shape_mistakes(self.numbers)
+        if self.uncertain and not found:
+            from slipcircle.distributions import declared
+
+            drawn, found = declared(self.uncertain, self.friction)
+            found += [
+                f"uncertain.{u.key}: the scene has no {n} to vary" for n, u in drawn.items() if n not in self.numbers
+            ]
+            object.__setattr__(self, "uncertain", drawn)
         raise_all(f"Scene {self.name}".rstrip(), found)
 
     @property

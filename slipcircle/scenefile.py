@@ -1,6 +1,7 @@
 """Scenes read from TOML files, every mistake listed at once, and the scenes that ship."""
 
 import json
+import math
 import os
 import tomllib
 from collections.abc import Mapping
@@ -78,12 +79,12 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
     asked = by_rate.get("law", "") if isinstance(by_rate, dict) else ""
     rate = "".join(get_close_matches(str(asked), RATE_LAWS, 1)) or RATE_LAWS[0]
     tables = tables_of(law or "constant", rate)
-    found: list[str] = []
-    wrong: set[str] = set()
+    document, uncertain, found, wrong = _drawn(document, tables)
     if check:
         # Of a law that is anybody's guess nothing else can be judged.
         judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
-        found, wrong = _mistakes(judged, tables, model_of(law or "constant", rates=(rate,)))
+        more, also = _mistakes(judged, tables, model_of(law or "constant", rates=(rate,)))
+        found, wrong = found + more, wrong | also
     if "arc" not in wrong:
         given = _arguments(document["arc"].get("given", {}), tables["arc.given"])
         try:
@@ -101,12 +102,42 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
     if "shaking" in effects:  # records lie where the scene's file lies
         there = {k: str(Path(file).parent / v) for k, v in effects["shaking"].items() if k.endswith("record")}
         effects["shaking"] |= there
-    more = {"name": Path(file).stem} | _arguments(document, tables[""])
+    known = {"name": Path(file).stem} | _arguments(document, tables[""])
     try:
-        plain = law == "constant" and by_rate is None
-        return Scene(arc, friction["coefficient"] if plain else friction, effects, **more)
+        mu = friction["coefficient"] if law == "constant" and by_rate is None else friction
+        return Scene(arc, mu, effects, **known, uncertain=uncertain)
     except ValueError as error:
         raise ValueError(f"{file}: {error}") from error
+
+
+def _drawn(
+    document: dict[str, Any], tables: Mapping[str, Table]
+) -> tuple[dict[str, Any], dict[str, Any], list[str], set[str]]:
+    """The document with a number for each distribution in it, its median; these, their mistakes, tables with any."""
+    from slipcircle.distributions import Uncertain, distribution_mistakes, numbers_of, range_of
+
+    out = {k: dict(v) if isinstance(v, dict) else v for k, v in document.items()}
+    uncertain: dict[str, Any] = {}
+    found: list[str] = []
+    wrong: set[str] = set()
+    for path, k, _, key in numbers_of(tables):
+        held = out.get(path) if path else out
+        given = held.get(k) if isinstance(held, dict) else None
+        if not isinstance(held, dict) or not isinstance(given, dict):
+            continue
+        shown, (low, high) = f"{path}.{k}".lstrip("."), range_of(key)
+        said = distribution_mistakes(given, (low, high))
+        if not said:
+            uncertain[shown] = given
+            numbers = {n: float(v) for n, v in given.items() if n != "distribution"}
+            held[k] = float(Uncertain(shown, given["distribution"], numbers).drawn(0.5))
+            continue
+        found += [f"{shown}: {m}" for m in said]
+        wrong.add(path or k)
+        # Any number that is allowed, so that nothing more is said about it.
+        held[k] = low + 1.0 if high == math.inf else (max(low, -high) + high) / 2
+        held[k] = held[k] if math.isfinite(held[k]) else 0.0
+    return out, uncertain, found, wrong
 
 
 def _arguments(given: Mapping[str, Any], table: Table) -> dict[str, Any]:

@@ -25,6 +25,8 @@ class Key(NamedTuple):
     type: Any = str
     limits: Mapping[str, float] = {}
     convert: Callable[[Any], Any] = str
+    per_unit: float = 1.0
+    tangent: bool = False  # of the angle in degrees
 
 
 class Table(NamedTuple):
@@ -64,7 +66,7 @@ _GIVEN = [
 
 
 def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_si: Callable[[float], Any],
-            to_file: Callable[[float], float]) -> Key:  # fmt: skip
+            to_file: Callable[[float], float], tangent: bool = False) -> Key:  # fmt: skip
     """The key of a number, or of a list of them, with the parameter's bounds in the file's unit."""
     limits = {} if p.lower == -INFINITY else {"gt": to_file(p.lower)}
     if p.lower == -5e-324:  # bounds are open, and zero is allowed
@@ -77,7 +79,8 @@ def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_
     def convert(given: Any) -> Any:
         return [float(to_si(v)) for v in given] if many else float(to_si(given))
 
-    return Key(p.name, title, allowed, required, list if many else float, limits, convert)
+    return Key(p.name, title, allowed, required, list if many else float, limits, convert,
+               1.0 if tangent else float(to_si(1.0)), tangent)  # fmt: skip
 
 
 def _keys(p: Parameter) -> dict[str, Key]:
@@ -95,7 +98,7 @@ def _keys(p: Parameter) -> dict[str, Key]:
     if not p.unit and p.key.endswith("_deg"):
         return {
             p.key: _number(p, many, f"{p.help}, as an angle", "deg", False, lambda v: np.tan(np.deg2rad(v)),
-                           lambda v: math.degrees(math.atan(v))),
+                           lambda v: math.degrees(math.atan(v)), tangent=True),
             p.name: _number(p, many, p.help, "", False, float, float),
         }  # fmt: skip
     unit = p.unit
@@ -147,8 +150,11 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     }
 
 
-def model_of(*laws: str, rates: tuple[str, ...] = RATE_LAWS) -> Any:
-    """The pydantic model of a scene file whose friction law is one of these, and whose law of speed one of those."""
+def model_of(*laws: str, rates: tuple[str, ...] = RATE_LAWS, uncertain: bool = False) -> Any:
+    """The pydantic model of a scene file with one of these friction laws, and of these laws of speed.
+
+    Its numbers may be uncertain.
+    """
     try:
         from pydantic import ConfigDict, Field, create_model
     except ImportError as error:
@@ -163,7 +169,8 @@ def model_of(*laws: str, rates: tuple[str, ...] = RATE_LAWS) -> Any:
         fields = {}
         for k, key in table.keys.items():
             number = Annotated[float, Field(**key.limits)]
-            kinds = {float: number, list: list[number], (float, list): number | list[number]}
+            either = number | drawn if drawn and name != "given" and key.name != "accuracy" else number
+            kinds = {float: either, list: list[number], (float, list): number | list[number]}
             fields[k] = field(kinds.get(key.type, key.type), key, key.required)
         needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
         needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
@@ -171,7 +178,7 @@ def model_of(*laws: str, rates: tuple[str, ...] = RATE_LAWS) -> Any:
                             json_schema_extra={"allOf": needs} if needs else {})  # fmt: skip
         return create_model(name, __config__=config, **fields, **tables)
 
-    tables = tables_of(laws[0])
+    tables, drawn = tables_of(laws[0]), _distributions() if uncertain else None
     given = field(model("given", tables["arc.given"]), tables["arc.given"])
     by_rate: Any = Union.__getitem__(tuple(model(f"rate_{law}", _law(law, RATE_LAWS)) for law in rates))
     title = Table("law of speed that multiplies that of slip", {})
@@ -189,6 +196,25 @@ def model_of(*laws: str, rates: tuple[str, ...] = RATE_LAWS) -> Any:
     )  # fmt: skip
 
 
+def _distributions() -> Any:
+    """The pydantic model of a distribution in place of a number."""
+    from pydantic import ConfigDict, create_model
+
+    from slipcircle.distributions import DISTRIBUTIONS
+
+    models: list[Any] = []
+    for name, kind in DISTRIBUTIONS.items():
+        config = ConfigDict(
+            extra="forbid", strict=True, title=f"{name} distribution, in the key's unit; {kind.help}".rstrip("; ")
+        )
+        fields: dict[str, Any] = {"distribution": (Literal[name], ...)} | dict.fromkeys(kind.parameters, (float, ...))
+        models.append(create_model(name, __config__=config, **fields))
+    return Union.__getitem__(tuple(models))
+
+
 def schema() -> dict[str, Any]:
     """The JSON Schema (draft 2020-12) of a scene file."""
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **model_of(*LAWS).model_json_schema()}
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **model_of(*LAWS, uncertain=True).model_json_schema(),
+    }

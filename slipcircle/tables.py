@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -11,6 +11,9 @@ from slipcircle.friction import friction
 from slipcircle.ladder import Rung
 from slipcircle.motion import Motion
 from slipcircle.plan import Plan
+
+if TYPE_CHECKING:
+    from slipcircle.backanalysis import BackAnalysis
 
 
 def motion_record(motion: Motion) -> dict[str, Any]:
@@ -73,6 +76,53 @@ def motion_column(motion: Motion, alike: bool) -> list[tuple[str, str]]:
         ("comes to rest", "yes" if motion.arrested else "no, still moving at the end"),
         ("estimated error", f"{motion.error_estimate:.1e}"),
     ]
+
+
+def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
+    """A back-analysis as JSON holds it: null for what is not known."""
+    from slipcircle.backanalysis import angle_deg
+
+    return {
+        "scene": found.motion.plan.scene.name,
+        "field": found.field,
+        "unit": found.unit,
+        "method": found.method,
+        "observed": {n: {"value": value, "standard_error": sigma} for n, (value, sigma) in found.observed.items()},
+        "solutions": [
+            {
+                "value": s.value,
+                "friction_angle_deg": angle_deg(found.field, s.value),
+                "standard_error": s.standard_error,
+                "covariance": s.covariance,
+                "error_estimate": s.error_estimate if np.isfinite(s.error_estimate) else None,
+                "chi_square": s.chi_square,
+                "residuals": s.residuals,
+                "motion": motion_record(s.motion),
+            }
+            for s in found.solutions
+        ],
+    }
+
+
+def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
+    """A back-analysis as rows of a table, a column for each solution."""
+    from slipcircle.backanalysis import angle_deg
+
+    unit = f" {found.unit}" if found.unit else ""
+    columns = []
+    for s in found.solutions:
+        angle, error = angle_deg(found.field, s.value), s.standard_error
+        velocity = float(s.motion.peak.velocity)
+        computed = {"runout": f"{s.motion.run_out:.2f} m", "peak_velocity": f"{velocity:.3f} m/s",
+                    "duration": f"{s.motion.duration:.3f} s"}  # fmt: skip
+        columns.append(
+            {found.field: f"{s.value:.8g}{unit}"}
+            | ({"friction angle": f"{angle:.4f} deg"} if angle is not None else {})
+            | ({"standard error": f"{error:.3g}{unit}"} if error is not None else {})
+            | computed
+            | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"}
+        )
+    return [[label, *(c[label] for c in columns)] for label in columns[0]]
 
 
 def plan_record(plan: Plan) -> dict[str, Any]:

@@ -229,6 +229,7 @@ def test_key_numbers_of_vaiont() -> None:
         assert shown == pytest.approx(numbers_of(motion), abs=6e-4)
     added = [{"pore_pressure": {"ratio": 0.2}}, {"cohesion": {"cohesion": 1e5}}, {"drag": {"xi": 1000.0}}]
     others = [solve(Scene.load("vaiont-softening")), *(solved(both | more) for more in added)]
+    others += [solve(Scene.load(name)) for name in ("vaiont-rate", "vaiont-heated")]
     for shown, motion in zip(numbers["others"], others, strict=True):
         assert shown == pytest.approx(numbers_of(motion), abs=6e-4)
     # Interpolated between half degrees, so a little less exact: what the friction angles do give.

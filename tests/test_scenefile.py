@@ -167,17 +167,18 @@ def test_friction_is_an_angle_or_a_coefficient(file: Path, text: str, friction: 
 
 
 def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
-    """A file written from nothing but the schema."""
+    """A file written from nothing but the schema: with numbers, and with distributions in their place."""
     found = schema()
     kinds = {"number": "0.5", "array": "[0, 0.5]"}
     tables = {"speed_m_s": "[0.1, 0.5]"}  # of which the logarithm is taken
+    drawn = "{ distribution = 'uniform', low = 0.4, high = 0.6 }"
 
     def table(path: str, part: dict[str, Any]) -> str:
         needed = [
             *part.get("required", []),
             *((c.get("oneOf") or c["anyOf"])[0]["required"][0] for c in part.get("allOf", [])),
         ]
-        rows = (part["properties"][k] for k in needed)
+        rows = ({"type": "number"} | part["properties"][k] for k in needed)
         lines = (
             f"{k} = {json.dumps(row['const']) if 'const' in row else tables.get(k) or kinds[row['type']]}"
             for k, row in zip(needed, rows, strict=True)
@@ -191,8 +192,14 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
     pulse = "[shaking]\npulse = 'half-sine'\namplitude_g = 0.1\nduration_s = 2\n"  # a pulse needs more than its name
     effects = [pulse if n == "shaking" else table(n, follow(found["properties"][n])) for n in EFFECTS]
     for law in laws:
-        scene = written(file, "\n".join([ARC, table("friction", law), *effects]))
+        text = "\n".join([ARC, table("friction", law), *effects])
+        scene = written(file, text)
         assert list(scene.called) == list(EFFECTS)
+        assert not scene.uncertain
+        uncertain = written(file, text.replace(" 0.5\n", f" {drawn}\n"))
+        assert valid(tomllib.loads(file.read_text("utf-8")))
+        assert len(uncertain.uncertain) == text.count(" 0.5\n") > 0
+        assert uncertain.called == scene.called
 
 
 # --- what is refused -----------------------------------------------------------------------------------------------
@@ -362,10 +369,8 @@ def test_every_key_has_a_title_and_says_what_is_allowed() -> None:
                 unit = re.search(r"_(deg|kPa|m|s|m_s|m_s2|kN_m3)$", key)
                 assert not unit or what.allowed.endswith(")"), (path, key)
     xi = schema()["$defs"]["drag"]["properties"]["xi_m_s2"]
-    assert xi == {
-        "title": "turbulence coefficient of Voellmy", "description": "a number above 0 (m/s^2)", "type": "number",
-        "exclusiveMinimum": 0.0,
-    }  # fmt: skip
+    assert xi.pop("anyOf")[0] == {"type": "number", "exclusiveMinimum": 0.0}
+    assert xi == {"title": "turbulence coefficient of Voellmy", "description": "a number above 0 (m/s^2)"}
 
 
 def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -376,7 +381,7 @@ def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyP
     assert (part["title"], part["required"], list(part["properties"])) == (
         "a viscous layer", ["eta_kPa_s"], ["eta_kPa_s", "slope_deg", "slope"],
     )  # fmt: skip
-    assert part["properties"]["eta_kPa_s"]["exclusiveMaximum"] == 1e6
+    assert part["properties"]["eta_kPa_s"]["anyOf"][0]["exclusiveMaximum"] == 1e6
     scene = written(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 2\nslope_deg = 45\n")
     assert scene.called == {"viscosity": {"eta": 2000.0, "slope": tan(45.0)}}
     assert sentences(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 1e6\nslope = 0\n") == [

@@ -1,0 +1,200 @@
+"""Back-analysis against round trips, the tilted pendulum, and simulated observations."""
+
+import json
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from slipcircle import Scene, Unattainable, backanalyse, solve
+from slipcircle.__main__ import main
+from slipcircle.backanalysis import CLOSED, FITTED, ROOT
+
+VAIONT = Scene.load("vaiont")
+WET = Scene.load("wet-slope")
+PENDULUM = replace(VAIONT, effects=["rotation"])
+DIP, RADIUS = float(VAIONT.arc.dip), float(np.asarray(VAIONT.arc.radius))
+
+
+def test_vaiont() -> None:
+    """400 m, by the scene's own physics."""
+    found = backanalyse(VAIONT, runout=400.0)
+    assert len(found.solutions) == 1
+    assert found.method == ROOT
+    assert found.friction_angle_deg == pytest.approx(15.2147, abs=1e-4)
+    assert solve(replace(VAIONT, friction=found.value)).run_out == pytest.approx(400.0, rel=1e-13)
+    assert found.solutions[0].error_estimate < 1e-12
+
+
+@pytest.mark.parametrize("name", ["runout", "peak_velocity", "duration"])
+@pytest.mark.parametrize("scene", [VAIONT, WET, Scene.load("vaiont-frozen")], ids=lambda s: s.name)
+def test_round_trip_of_friction(scene: Scene, name: str) -> None:
+    motion = solve(scene)
+    if scene.end_time is not None and name == "duration":
+        return
+    output = {"runout": motion.run_out, "peak_velocity": float(motion.peak.velocity), "duration": motion.duration}[name]
+    found = backanalyse(scene, **{name: output})
+    wanted = float(np.asarray(scene.friction))
+    assert min(abs(s.value / wanted - 1) for s in found.solutions) < (1e-10 if name != "duration" else 1e-9)
+
+
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [("cohesion", 5e3), ("ratio", 0.3), ("pressure", 2e4), ("xi", 300.0), ("radius", 55.0), ("dip", 0.45),
+     ("theta_1", 3.7), ("theta_2", 4.9), ("unit_weight", 2.3e4), ("initial_velocity", 1.5), ("gravity", 9.0)],
+)  # fmt: skip
+def test_round_trip_of_other_fields(field: str, value: float) -> None:
+    where = {"cohesion": "cohesion", "ratio": "pore_pressure", "pressure": "pore_pressure", "xi": "drag"}
+    if field in where:
+        given = {**WET.called.get(where[field], {}), field: value}
+        scene = replace(WET, effects={**WET.called, where[field]: given})
+    elif field == "initial_velocity":
+        scene = replace(WET, initial_velocity=value)
+    elif field == "dip":
+        turn = float(WET.arc.dip) - value
+        arc = replace(WET.arc, theta_1=WET.arc.theta_1 + turn, theta_2=WET.arc.theta_2 + turn)  # type: ignore[operator]
+        scene = replace(WET, arc=arc)
+    else:
+        scene = replace(WET, arc=replace(WET.arc, **{field: value}))  # type: ignore[arg-type]
+    found = backanalyse(
+        WET if field not in where else scene, field=field, peak_velocity=float(solve(scene).peak.velocity)
+    )
+    assert min(abs(s.value / value - 1) for s in found.solutions) < 1e-10
+
+
+def test_friction_of_a_law() -> None:
+    scene = Scene.load("vaiont-softening")
+    wanted = scene.friction["residual"]  # type: ignore[index, call-overload]
+    found = backanalyse(scene, runout=solve(scene).run_out, field="friction.residual")
+    assert found.value == pytest.approx(wanted, rel=1e-10)
+
+
+# --- the tilted pendulum -------------------------------------------------------------------------------------------
+
+
+def test_closed_form() -> None:
+    """delta = psi_0 - s/(2R), and mu = C_theta/C_r tan(delta); water of r_u leaves 1 - r_u of the friction."""
+    arc = VAIONT.arc
+    per_tan = float(arc.dimensionless.limit_friction) / math.tan(DIP)
+    for runout in (1.0, 400.0):
+        found = backanalyse(PENDULUM, runout=runout)
+        assert found.method == CLOSED
+        assert found.value == pytest.approx(per_tan * math.tan(DIP - runout / (2 * RADIUS)), rel=1e-13)
+    wet = replace(PENDULUM, effects={"rotation": {}, "pore_pressure": {"ratio": 0.4}})
+    assert backanalyse(wet, runout=400.0).value == pytest.approx(found.value / 0.6, rel=1e-13)
+
+
+@pytest.mark.parametrize(("share", "count"), [(0.3, 1), (1.1, 4), (0.93, 7), (1.3, 2)])
+def test_several_solutions_and_none_is_missed(share: float, count: int) -> None:
+    """Weak friction lets the mass swing: the scan finds what the closed form does, and every one moves as observed."""
+    runout = share * DIP * RADIUS
+    closed = backanalyse(PENDULUM, runout=runout)
+    assert closed.method == CLOSED
+    assert len(closed.solutions) == count
+    assert [len(s.motion.phases) for s in closed.solutions] == sorted(len(s.motion.phases) for s in closed.solutions)
+    for s in closed.solutions:
+        assert abs(s.residuals["runout"]) <= 1e-12 * runout
+    scanned = backanalyse(PENDULUM, runout=runout, bounds=(1e-3, 0.42))
+    assert scanned.method == ROOT
+    np.testing.assert_allclose([s.value for s in scanned.solutions], [s.value for s in closed.solutions], rtol=1e-11)
+
+
+def test_mirrored() -> None:
+    arc = PENDULUM.arc
+    first, second = (3 * math.pi - float(np.asarray(t)) for t in (arc.theta_2, arc.theta_1))
+    mirror = replace(PENDULUM, arc=replace(arc, theta_1=first, theta_2=second))
+    found = backanalyse(mirror, runout=-400.0)
+    assert found.value == pytest.approx(backanalyse(PENDULUM, runout=400.0).value, rel=1e-13)
+
+
+@pytest.mark.parametrize("scene", [VAIONT, PENDULUM], ids=["vaiont", "pendulum"])
+def test_none(scene: Scene) -> None:
+    """The farthest rest is after the first swing, where the mass just stays; the pendulum's is 4/3 psi_0."""
+    with pytest.raises(Unattainable, match=r"no friction gives it; attainable: .* to .*at friction = ") as caught:
+        backanalyse(scene, runout=3000.0)
+    (least, _), (most, at) = caught.value.attainable["runout"]
+    assert 0.0 < least < 1e-3
+    assert solve(replace(scene, friction=at)).run_out == most
+    if scene is PENDULUM:
+        assert most == pytest.approx(4 / 3 * DIP * RADIUS, rel=1e-6)
+    with pytest.raises(Unattainable, match="whatever it is"):
+        backanalyse(scene, runout=400.0, field="unit_weight")
+
+
+# --- several observations ------------------------------------------------------------------------------------------
+
+
+def test_standard_error_of_one_observation() -> None:
+    """Linear: sigma over |d run-out/d friction|; simulated observations scatter so."""
+    sigma = 5.0
+    found = backanalyse(PENDULUM, runout=(400.0, sigma))
+    slope = -2 * RADIUS / (1 + math.tan(DIP - 400.0 / (2 * RADIUS)) ** 2)  # of s by tan(delta)
+    per_tan = float(VAIONT.arc.dimensionless.limit_friction) / math.tan(DIP)
+    assert found.standard_error == pytest.approx(sigma / abs(slope) * per_tan, rel=1e-12)
+    draws = np.random.default_rng(3).normal(400.0, sigma, 400)
+    values = [backanalyse(PENDULUM, runout=float(s)).value for s in draws]
+    assert np.std(values) == pytest.approx(found.standard_error, rel=0.1)
+
+
+def test_covariance_of_a_fit() -> None:
+    """Observations simulated from one friction: it is found again, and scatters as the covariance says."""
+    truth = solve(replace(VAIONT, friction=0.27))
+    rng = np.random.default_rng(4)
+    outputs = {"runout": (truth.run_out, 8.0), "peak_velocity": (float(truth.peak.velocity), 0.3)}
+    exact = backanalyse(VAIONT, **outputs)  # type: ignore[arg-type]
+    assert exact.method == FITTED
+    assert exact.value == pytest.approx(0.27, rel=1e-10)
+    assert exact.solutions[0].chi_square < 1e-15
+    values, chi_squares = [], []
+    for _ in range(32):
+        drawn: Any = {n: (float(rng.normal(value, sigma)), sigma) for n, (value, sigma) in outputs.items()}
+        found = backanalyse(VAIONT, bounds=(0.25, 0.29), **drawn)
+        values.append(found.value)
+        chi_squares.append(found.solutions[0].chi_square)
+    assert exact.solutions[0].covariance is not None
+    assert np.var(values, ddof=1) == pytest.approx(exact.solutions[0].covariance, rel=0.5)
+    assert np.mean(chi_squares) == pytest.approx(1.0, abs=0.5)  # two observations less one field
+
+
+def test_fit_without_standard_errors() -> None:
+    """The misfit itself says how uncertain it is."""
+    found = backanalyse(VAIONT, runout=400.0, peak_velocity=17.0, duration=37.5)
+    first = found.solutions[0]
+    assert 0.25 < first.value < 0.3
+    assert first.standard_error is not None
+    assert 0.0 < first.standard_error < 0.01
+
+
+# --- mistakes and the command line ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ({}, "nothing observed"),
+        ({"runout": 0.0}, "other than 0"),
+        ({"runout": (400.0, 0.0)}, "standard error"),
+        ({"duration": -1.0}, "duration = -1.0"),
+        ({"runout": (400.0, 1.0), "duration": 30.0}, "for all observations, or for none"),
+        ({"runout": 400.0, "field": "nose"}, "must be one of friction"),
+        ({"runout": 400.0, "bounds": (1.0, 0.0)}, "the lower one first"),
+    ],
+)
+def test_mistakes(asked: dict[str, Any], said: str) -> None:
+    with pytest.raises(ValueError, match=said):
+        backanalyse(VAIONT, **asked)
+
+
+def test_command(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["backanalyse", "vaiont", "--runout-m", "400"]) == 0
+    assert "15.2147 deg" in capsys.readouterr().out
+    assert main(["backanalyse", "vaiont", "--runout-m", "800", "--sigma-runout-m", "10", "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert [len(s["motion"]["effects"]) for s in record["solutions"]] == [2, 2]
+    assert record["solutions"][0]["standard_error"] > 0.0
+    assert main(["backanalyse", "vaiont", "--runout-m", "3000"]) == 1
+    assert "attainable" in capsys.readouterr().err
+    assert main(["backanalyse", "vaiont", "--sigma-runout-m", "3"]) == 1
+    assert "needs --runout-m" in capsys.readouterr().err

@@ -1,0 +1,233 @@
+"""Engines: the same bits from every one, a worker killed in the middle, runs that continue, files that are whole."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from slipcircle import Scene, ensemble
+from slipcircle.engines import Progress, computed, engine, forecast, replacing, stored, write
+from slipcircle.ensembles import Ensemble, grid
+from slipcircle.study import Result, Study
+
+ROOT = Path(__file__).parents[1]
+ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
+RADIUS = {"distribution": "lognormal", "mean": 1492.6, "std": 50}
+SCENE = replace(Scene.load("vaiont"), uncertain={"friction.angle_deg": ANGLE, "arc.radius_m": RADIUS})
+MANY: dict[str, Any] = {"n": 6000, "rng": 7, "size": 512, "sensitivity": 640}
+
+
+def same(one: Ensemble, two: Ensemble) -> None:
+    """All arrays, bit for bit."""
+    a, b = one.arrays(), two.arrays()
+    assert a.keys() == b.keys()
+    for name in a:
+        np.testing.assert_array_equal(a[name].view(np.uint8), b[name].view(np.uint8), err_msg=name)
+
+
+class Backwards(Executor):
+    """Finishes what it is given in the wrong order."""
+
+    def __init__(self) -> None:
+        self.waiting: list[tuple[Future[Any], Any]] = []
+
+    def submit(self, fn: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        self.waiting.append((future, lambda: fn(*args, **kwargs)))
+        if len(self.waiting) == 12 + 32:
+            for other, work in reversed(self.waiting):
+                other.set_result(work())
+        return future
+
+
+@pytest.mark.parametrize("method", ["monte-carlo", "sobol", "latin-hypercube"])
+def test_threads_give_the_same_bits(method: str) -> None:
+    serial = ensemble(SCENE, method=method, **MANY)
+    with ThreadPoolExecutor(3) as pool:
+        same(serial, ensemble(SCENE, executor=pool, method=method, **MANY))
+    if method != "sobol":
+        same(serial, ensemble(SCENE, executor=Backwards(), method=method, **MANY))
+
+
+def test_processes_give_the_same_bits() -> None:
+    levels = {"friction.angle_deg": np.linspace(2, 24, 30), "arc.radius_m": [300.0, 400.0]}
+    with engine("processes", 2) as pool:
+        assert pool is not None
+        same(ensemble(SCENE, **MANY), ensemble(SCENE, executor=pool, **MANY))
+        same(grid(SCENE, levels), grid(SCENE, levels, pool))
+
+
+@pytest.fixture
+def cluster() -> Iterator[Any]:
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None, silence_logs=50
+    ) as found:
+        yield found
+
+
+@pytest.mark.filterwarnings("default")  # Dask's own
+def test_a_dask_worker_killed_in_the_middle(cluster: Any) -> None:
+    """A real cluster on loopback; its scheduler gives the lost blocks to others."""
+    serial = ensemble(SCENE, 200_000, 7, size=512, sensitivity=0)
+    killed: list[str] = []
+
+    class Killer:
+        """A stream that strikes at the first word about progress."""
+
+        def isatty(self) -> bool:
+            return True
+
+        def write(self, text: str) -> None:
+            if not killed:
+                killed.append(text)
+                os.kill(cluster.workers[0].pid, signal.SIGKILL)
+
+        def flush(self) -> None: ...
+
+    with engine("dask", scheduler=cluster.scheduler_address) as pool:
+        assert pool is not None
+        same(serial, ensemble(SCENE, 200_000, 7, pool, size=512, sensitivity=0, progress=Killer()))  # type: ignore[arg-type]
+    assert killed
+    assert "200000 of" not in killed[0]
+
+
+def test_what_an_engine_needs() -> None:
+    for name, scheduler in (("dask", None), ("serial", "tcp://127.0.0.1:1")):
+        with pytest.raises(ValueError, match="belong together"), engine(name, scheduler=scheduler):
+            pass
+
+
+# --- runs that continue ----------------------------------------------------------------------------------------------
+
+
+def test_a_run_continues(tmp_path: Path) -> None:
+    """From any set of finished blocks, a damaged one, and what a killed writer left; with the seed that is there."""
+    whole = ensemble(SCENE, folder=tmp_path, **MANY)
+    files = sorted(tmp_path.glob("block-*.npz"))
+    assert len(files) == 12 + 32
+    for path in files[1::3]:
+        path.unlink()
+    files[0].write_bytes(files[0].read_bytes()[:-30])
+    spoilt = bytearray(files[3].read_bytes())
+    spoilt[len(spoilt) // 2] ^= 255
+    files[3].write_bytes(bytes(spoilt))
+    (tmp_path / ".block-00000001.npz.abc").write_bytes(b"half")
+    kept = files[2].stat().st_mtime_ns
+    same(whole, ensemble(SCENE, folder=tmp_path, **(MANY | {"rng": None})))
+    assert files[2].stat().st_mtime_ns == kept
+    assert sorted(tmp_path.glob("block-*.npz")) == files
+
+
+def test_an_interrupt_keeps_what_is_finished(tmp_path: Path) -> None:
+    stopped = 0
+
+    class Interrupt:
+        def isatty(self) -> bool:
+            return True
+
+        def write(self, text: str) -> None:
+            raise KeyboardInterrupt
+
+        def flush(self) -> None: ...
+
+    whole = ensemble(SCENE, 400_000, 7, size=16384)
+    with pytest.raises(KeyboardInterrupt):
+        ensemble(SCENE, 400_000, 7, size=16384, folder=tmp_path, progress=Interrupt())  # type: ignore[arg-type]
+    stopped = len(list(tmp_path.glob("block-*.npz")))
+    assert 1 <= stopped < 25
+    same(whole, ensemble(SCENE, 400_000, size=16384, folder=tmp_path))
+
+
+def test_another_study_is_refused(tmp_path: Path) -> None:
+    ensemble(SCENE, 100, 1, folder=tmp_path)
+    assert (stored(tmp_path) or {})["seed"] == 1
+    for scene, n, seed, word in (
+        (SCENE, 200, 1, "samples"),
+        (SCENE, 100, 2, "seed"),
+        (replace(SCENE, initial_velocity=1.0), 100, 1, "values"),
+        (replace(SCENE, uncertain={"friction.angle_deg": ANGLE}), 100, 1, "inputs"),
+    ):
+        with pytest.raises(ValueError, match=f"another study: .*{word}"):
+            ensemble(scene, n, seed, folder=tmp_path)
+
+
+def test_a_killed_command_continues(tmp_path: Path) -> None:
+    """`--resume` after SIGKILL: the same file as of a run that nobody stopped."""
+    (tmp_path / "s.toml").write_text(
+        "[arc]\nradius_m = 1492.6\ntheta_1_deg = 215.2\ntheta_2_deg = 276.9\nunit_weight_kN_m3 = 20\n[rotation]\n"
+        "[friction]\nangle_deg = { distribution = 'uniform', low = 5, high = 15 }\n",
+        "utf-8",
+    )
+    argv = [sys.executable, "-m", "slipcircle", "sweep", str(tmp_path / "s.toml"), "--samples", "600000", "--seed", "5"]
+    folder = tmp_path / "blocks"
+    running = subprocess.Popen([*argv, "--resume", str(folder)], cwd=ROOT, stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 30
+    while len(list(folder.glob("block-*.npz"))) < 4 and time.monotonic() < deadline:
+        time.sleep(0.005)
+    running.kill()
+    running.wait()
+    assert 4 <= len(list(folder.glob("block-*.npz"))) < 37
+    for more, name in ((["--resume", str(folder)], "resumed"), ([], "whole")):
+        subprocess.run([*argv, *more, "--csv", str(tmp_path / name)], cwd=ROOT, check=True, capture_output=True)
+    assert (tmp_path / "resumed").read_bytes() == (tmp_path / "whole").read_bytes()
+
+
+def test_files_are_whole_or_not_there(tmp_path: Path) -> None:
+    target = tmp_path / "a.csv"
+    write(target, b"first")
+
+    def fails() -> None:
+        with replacing(target) as file:
+            file.write(b"half of the sec")
+            raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        fails()
+    assert target.read_bytes() == b"first"
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(study: Study, index: int, seed: int, size: int) -> Result:
+        raise MemoryError(f"block {index}")
+
+    monkeypatch.setattr("slipcircle.engines.run_block", fails)
+    with ThreadPoolExecutor(2) as pool, pytest.raises(MemoryError, match="block"):
+        ensemble(SCENE, 100, 1, pool)
+
+
+# --- progress, and the time on many machines -------------------------------------------------------------------------
+
+
+def test_progress(capsys: pytest.CaptureFixture[str]) -> None:
+    told = Progress(100, sys.stderr)
+    told(60, 0)
+    told(40, 0)
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("100 of 100 scenes, ")
+    assert line.endswith(" a second, 0 s left")
+
+
+def test_forecast() -> None:
+    """Workers beyond the block time over the overhead gain nothing."""
+    times = [forecast(15259, 0.026, 0.001, w) for w in (1, 10, 26, 52, 1000)]
+    assert times[0] == pytest.approx(10 * times[1], rel=1e-3)
+    assert times[2:] == pytest.approx([15.259] * 3, rel=2e-3)
+
+
+def test_blocks_come_in_their_order() -> None:
+    study = ensemble(SCENE, **MANY).study
+    with ThreadPoolExecutor(2) as pool:
+        found = list(computed(study, 7, 512, pool))
+    assert len(found) == study.blocks(512) == 12 + 32
+    assert sum(int(r["status"].sum()) for r in found if "status" in r) == 6000

@@ -1,0 +1,414 @@
+"""Ensembles of uncertain numbers: against SciPy's distributions, closed answers, and known sensitivity indices."""
+
+import json
+import math
+import re
+from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from slipcircle import Scene, ensemble, solve
+from slipcircle.__main__ import main
+from slipcircle.block import Status
+from slipcircle.distributions import DISTRIBUTIONS, Uncertain
+from slipcircle.ensembles import Ensemble, grid
+from slipcircle.estimates import histogram_quantile, indices, proportion, ranks
+from slipcircle.sampling import directions, latin, monte_carlo, sobol
+from slipcircle.scenefile import read
+from slipcircle.scenekeys import schema
+from slipcircle.study import BIN_ERROR, BINS, bins, edges, sums
+
+jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
+VAIONT = Scene.load("vaiont")
+# So much friction that no sample turns back: run-out and peak velocity fall as it grows.
+ANGLE: Any = {"distribution": "normal", "mean": 14, "std": 1}
+ONE = replace(VAIONT, uncertain={"friction.angle_deg": ANGLE})
+FILE = """
+[arc]
+radius_m = { distribution = "lognormal", mean = 1492.6, std = 50 }
+theta_1_deg = 215.2
+theta_2_deg = { distribution = "truncated_normal", mean = 276.9, std = 1, low = 274, high = 279 }
+unit_weight_kN_m3 = { distribution = "triangular", low = 18, mode = 20, high = 23 }
+[friction]
+angle_deg = { distribution = "normal", mean = 10, std = 1 }
+[rotation]
+[centripetal]
+[cohesion]
+cohesion_kPa = { distribution = "uniform", low = 0, high = 5 }
+"""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "slope.toml"
+    path.write_text(FILE, "utf-8")
+    return path
+
+
+# --- distributions ---------------------------------------------------------------------------------------------------
+
+_LOG = math.log1p(0.3**2)
+SCIPY: list[tuple[str, dict[str, float], Any]] = [
+    ("normal", {"mean": 10.0, "std": 2.0}, stats.norm(10, 2)),
+    ("lognormal", {"mean": 5.0, "std": 1.5}, stats.lognorm(math.sqrt(_LOG), scale=5 / math.exp(_LOG / 2))),
+    ("uniform", {"low": -1.0, "high": 3.0}, stats.uniform(-1, 4)),
+    ("triangular", {"low": 1.0, "mode": 2.0, "high": 5.0}, stats.triang(0.25, 1, 4)),
+    ("triangular", {"low": 1.0, "mode": 1.0, "high": 5.0}, stats.triang(0.0, 1, 4)),
+    ("truncated_normal", {"mean": 0.0, "std": 1.0, "low": -1.0, "high": 2.0}, stats.truncnorm(-1, 2)),
+    ("truncated_normal", {"mean": 0.0, "std": 1.0, "low": 9.0, "high": 12.0}, stats.truncnorm(9, 12)),
+    ("truncated_normal", {"mean": 3.0, "std": 2.0, "low": -22.0, "high": -19.0}, stats.truncnorm(-12.5, -11, 3, 2)),
+]
+
+
+@pytest.mark.parametrize(("name", "given", "wanted"), SCIPY, ids=lambda x: x if isinstance(x, str) else "")
+def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -> None:
+    p = np.concatenate([[1e-12, 1e-6], np.linspace(0.001, 0.999, 97), [1 - 1e-6]])
+    np.testing.assert_allclose(Uncertain("", name, given).drawn(p), wanted.ppf(p), rtol=1e-9)
+    assert {n for n, _, _ in SCIPY} == set(DISTRIBUTIONS)
+
+
+def test_a_file_declares_them(file: Path) -> None:
+    """The scene has the medians, in SI units; the schema knows them, and refuses what the reader refuses."""
+    import tomllib
+
+    scene = read(file)
+    assert list(scene.uncertain) == ["radius", "theta_2", "unit_weight", "friction", "cohesion.cohesion"]
+    assert scene.friction == pytest.approx(math.tan(math.radians(10)), rel=1e-15)
+    assert scene.arc.unit_weight == pytest.approx(1e3 * stats.triang(0.4, 18, 5).median(), rel=1e-14)
+    assert scene.called["cohesion"]["cohesion"] == 2500.0
+    drawn = ensemble(scene, 2000, 1)
+    assert drawn.samples["arc.theta_2_deg"].min() >= 274
+    document = tomllib.loads(FILE)
+    validator = jsonschema.Draft202012Validator(schema())
+    validator.validate(document)
+    for wrong in ({"distribution": "normal", "mean": 1}, {"distribution": "gauss", "mean": 1, "std": 1}):
+        document["arc"]["radius_m"] = wrong
+        assert not validator.is_valid(document)
+
+
+def test_all_mistakes_at_once(file: Path) -> None:
+    text = FILE.replace('"lognormal"', '"lognormall"').replace("mode = 20", "mode = 30").replace("std = 1, low", "low")
+    text = text.replace("low = 0, high = 5", "low = -1, high = 5").replace("[rotation]", "[rotation]\nfast = 1")
+    file.write_text("end_time_s = { distribution = 'uniform', low = 5, high = 'x', top = 1 }\n" + text, "utf-8")
+    with pytest.raises(ValueError, match="did you mean lognormal") as caught:
+        read(file)
+    lines = [line.removeprefix(f"{file}: ") for line in str(caught.value).split("\n")]
+    assert lines == [
+        "end_time_s: top: is unknown; known are low, high",
+        "end_time_s: high = 'x': must be a finite number",
+        "arc.radius_m: distribution = 'lognormall': must be one of normal, lognormal, uniform, triangular, "
+        "truncated_normal; did you mean lognormal?",
+        "arc.theta_2_deg: std: is missing",
+        "arc.unit_weight_kN_m3: mode must be from low to high",
+        "cohesion.cohesion_kPa: reaches down to -1, and must stay above 0",
+        "rotation.fast = 1: is unknown; this table has no keys",
+    ]
+
+
+def test_in_python() -> None:
+    """SciPy's frozen distributions, in the key's unit or in SI units, give what the file's words give."""
+    one = ensemble(ONE, 1000, 1)
+    for key, frozen in (
+        ("friction.angle_deg", stats.norm(14, 1)),
+        ("friction.angle_deg", stats.Normal(mu=14, sigma=1)),
+    ):
+        two = ensemble(replace(VAIONT, uncertain={key: frozen}), 1000, 1)
+        np.testing.assert_allclose(two.samples["run_out"], one.samples["run_out"], rtol=1e-12)
+    assert ensemble(replace(VAIONT, uncertain={"friction": stats.uniform(0.1, 0.1)}), 9, 1).moving.value == 1.0
+    for given, said in (
+        ({"friction.angel_deg": ANGLE}, "did you mean friction.angle_deg"),
+        ({"drag.xi_m_s2": ANGLE}, "the scene has no drag.xi to vary"),
+        ({"friction.angle_deg": 3.0}, "must be a distribution"),
+        ({"friction.angle_deg": ANGLE, "friction": stats.norm(0.2, 0.01)}, "says the same"),
+        ({"arc.radius_m": {"distribution": "uniform", "low": -1, "high": 5}}, "reaches down to -1"),
+    ):
+        with pytest.raises(ValueError, match=re.escape(said)):
+            replace(VAIONT, uncertain=given)
+    with pytest.raises(ValueError, match=r"(?s)no number is uncertain.*n = 0.*method = 'lhs'.*confidence = 2"):
+        ensemble(VAIONT, 0, method="lhs", confidence=2)
+
+
+def test_a_law_may_be_uncertain() -> None:
+    scene = replace(Scene.load("vaiont-softening"), uncertain={"friction.residual_deg": ANGLE})
+    found = ensemble(scene, 5, 1)
+    law: Any = scene.friction
+    residual = math.tan(math.radians(found.samples["friction.residual_deg"][3]))
+    alone = solve(replace(scene, friction=law | {"residual": residual}))
+    assert found.samples["run_out"][3] == pytest.approx(alone.run_out, rel=1e-12)
+
+
+# --- points ----------------------------------------------------------------------------------------------------------
+
+
+def test_points_do_not_depend_on_the_blocks() -> None:
+    whole = monte_carlo(3, (0,), 0, 1000, 3)
+    np.testing.assert_array_equal(monte_carlo(3, (0,), 400, 600, 3), whole[:, 400:])
+    assert not np.any(monte_carlo(3, (1,), 0, 1000, 3) == whole)
+    for size in (64, 1024):
+        same = ensemble(ONE, 3000, 5, size=size)
+        np.testing.assert_array_equal(same.samples["friction.angle_deg"][:1000],
+                                      ensemble(ONE, 1000, 5).samples["friction.angle_deg"])  # fmt: skip
+
+
+def test_sobol_points_are_scipys() -> None:
+    seed = np.random.SeedSequence(5, spawn_key=(1, 2))
+    scipys = stats.qmc.Sobol(3, bits=30, rng=np.random.default_rng(seed)).random(4096).T
+    table = directions(5, (1, 2), 4096, 3)
+    for start, count in ((0, 4096), (512, 512), (1024, 1000), (3072, 1024), (4, 4), (7, 1), (0, 1)):
+        np.testing.assert_array_equal(sobol(table, start, count) - 2.0**-31, scipys[:, start : start + count])
+    with pytest.raises(ValueError, match="cannot begin"):
+        sobol(table, 8, 16)
+
+
+def test_a_latin_hypercube_fills_every_stratum() -> None:
+    points = latin(1, 5000, 3)
+    for x in points:
+        np.testing.assert_array_equal(np.sort(np.floor(x * 5000)), np.arange(5000))
+    assert np.all(np.abs(np.asarray(np.corrcoef(points))[~np.eye(3, dtype=bool)]) < 0.06)
+
+
+# --- estimates -------------------------------------------------------------------------------------------------------
+
+
+def test_proportion_and_ranks_cover() -> None:
+    """SciPy's exact interval; ranks from the binomial distribution itself."""
+    for hits, n in ((0, 50), (50, 50), (3, 50), (499_000, 1_000_000)):
+        wanted = stats.binomtest(hits, n).proportion_ci(0.95)
+        assert proportion(hits, n, 0.95) == pytest.approx((wanted.low, wanted.high), abs=1e-12)
+    for p, n in ((0.5, 100), (0.95, 1000), (0.01, 1_000_000), (0.3, 10**8), (0.5, 3), (1e-4, 50)):
+        low, high = ranks(p, n, 0.95)
+        below = stats.binom(n, p)
+        assert below.cdf(low - 1) < 0.025 <= below.cdf(low)
+        assert high == n + 1 or below.cdf(high - 2) < 0.975 <= below.cdf(high - 1)
+
+
+def test_bins() -> None:
+    values = np.concatenate(
+        [[0.0, 1e-300, 1e300, np.inf], 10 ** np.random.default_rng(1).uniform(-8, 8, 1000), edges()[1:-1]]
+    )
+    k = bins(values)
+    assert np.all((edges()[k] <= values) & ((values < edges()[k + 1]) | (k == BINS - 1)))
+    inner = edges()[1:-1]
+    assert np.max(np.diff(inner) / inner[:-1]) <= BIN_ERROR
+    sample = np.sort(values[4:1004])
+    found = histogram_quantile(
+        np.bincount(bins(sample), minlength=BINS), np.linspace(0, 1, 51), (sample[0], sample[-1])
+    )
+    exact = np.quantile(sample, np.linspace(0, 1, 51), method="inverted_cdf")
+    np.testing.assert_allclose(found, exact, rtol=BIN_ERROR)
+
+
+def batches(function: Any, d: int, seed: int, count: int = 32, points: int = 500) -> Any:
+    found = []
+    for k in range(count):
+        u = monte_carlo(seed, (2, k), 0, points, 2 * d)
+        a, b = u[:d], u[d:]
+        rows = [a, b]
+        for i in range(d):
+            mixed = a.copy()
+            mixed[i] = b[i]
+            rows.append(mixed)
+        found.append(sums(np.stack([function(x) for x in rows])))
+    return np.stack(found)
+
+
+def ishigami(u: Any) -> Any:
+    x = np.pi * (2 * u - 1)
+    return np.sin(x[0]) + 7 * np.sin(x[1]) ** 2 + 0.1 * x[2] ** 4 * np.sin(x[0])
+
+
+def linear(u: Any) -> Any:
+    return 1000.0 + 1.0 * u[0] + 2.0 * u[1] + 3.0 * u[2]
+
+
+_V = 0.5 + 7**2 / 8 + 0.1 * np.pi**4 / 5 + 0.1**2 * np.pi**8 / 18
+_V1, _V13 = 0.5 * (1 + 0.1 * np.pi**4 / 5) ** 2, 0.1**2 * np.pi**8 * (1 / 18 - 1 / 50)
+KNOWN = {
+    "ishigami": (ishigami, [_V1 / _V, 49 / 8 / _V, 0.0], [(_V1 + _V13) / _V, 49 / 8 / _V, _V13 / _V]),
+    "linear": (linear, [1 / 14, 4 / 14, 9 / 14], [1 / 14, 4 / 14, 9 / 14]),
+}
+
+
+@pytest.mark.parametrize("case", KNOWN)
+def test_indices_and_their_intervals(case: str) -> None:
+    """Sobol indices that are known in closed form (Ishigami and Homma 1990; a sum), a hundred times over."""
+    function, first, total = KNOWN[case]
+    inside, runs = 0, 100
+    for seed in range(runs):
+        found = indices(batches(function, 3, seed, points=100), 0.95)
+        for estimates, exact in ((found.first, first), (found.total, total)):
+            for e, x in zip(estimates, exact, strict=True):
+                assert e.value == pytest.approx(x, abs=0.15)
+                inside += e.low <= x <= e.high
+    assert 0.91 < inside / (6 * runs) < 0.98
+    flat = indices(batches(lambda u: 5.0 + 0.0 * u[0], 3, 1), 0.95)
+    assert all(math.isnan(e.value) for e in (*flat.first, *flat.total))
+
+
+# --- what an ensemble finds ------------------------------------------------------------------------------------------
+
+
+def exact(p: float) -> tuple[float, float]:
+    """Quantiles of run-out and peak velocity of ONE: both fall as friction grows."""
+    motion = solve(replace(VAIONT, friction=math.tan(math.radians(stats.norm(14, 1).ppf(1 - p)))))
+    return motion.run_out, motion.peak.velocity
+
+
+@pytest.mark.parametrize("keep", [True, False], ids=["kept", "streamed"])
+@pytest.mark.parametrize("method", ["monte-carlo", "sobol", "latin-hypercube"])
+def test_quantiles_of_a_monotone_answer(method: str, keep: bool) -> None:
+    found = ensemble(ONE, 65536, 11, method=method, keep=keep)
+    bin_error = 0.0 if keep else BIN_ERROR
+    error = {"monte-carlo": 0.003, "sobol": 1e-4, "latin-hypercube": 1e-4}[method]
+    for p in (0.05, 0.5, 0.95):
+        for name, value in zip(("run_out", "peak_velocity"), exact(p), strict=True):
+            e = found.quantile(name, p)
+            assert e.value == pytest.approx(value, rel=error + bin_error)
+            assert e.low * (1 - bin_error - 1e-5) <= value <= e.high * (1 + bin_error + 1e-5)
+    assert found.convergence[-1].n == 65536
+    assert bool(found.samples) == keep
+
+
+def test_intervals_cover() -> None:
+    """Of 120 small ensembles about 95 % of the intervals hold the answer."""
+    median, q95 = exact(0.5)[0], exact(0.95)[0]
+    inside = np.zeros(3)
+    for seed in range(120):
+        plain, quasi = ensemble(ONE, 400, seed), ensemble(ONE, 256, seed, method="sobol") if seed % 6 == 0 else None
+        for k, (e, x) in enumerate(((plain.quantile("run_out", 0.5), median), (plain.quantile("run_out", 0.95), q95))):
+            inside[k] += e.low <= x <= e.high
+        if quasi:
+            e = quasi.quantile("run_out", 0.5)
+            inside[2] += 6 * (e.low <= median <= e.high)
+    assert np.all(inside[:2] / 120 > 0.91)
+    assert inside[2] / 120 > 0.8
+
+
+def test_the_probability_of_moving() -> None:
+    """Half of the angles lie below the limit."""
+    limit = math.degrees(math.atan(solve(VAIONT).limit_friction))
+    scene = replace(VAIONT, uncertain={"friction.angle_deg": {"distribution": "normal", "mean": limit, "std": 2}})
+    for method in ("monte-carlo", "sobol", "latin-hypercube"):
+        found = ensemble(scene, 4096, 3, method=method)
+        assert found.moving.low <= 0.5 <= found.moving.high
+        assert found.quantile("run_out", 0.4).value == 0.0
+        curve = found.exceedance("run_out")
+        assert curve.probability[0] <= found.moving.value + 1e-12
+        assert np.all(np.diff(curve.probability) <= 0.0)
+        assert np.all((curve.low <= curve.probability) & (curve.probability <= curve.high))
+        truth = np.array([np.mean(found.samples["run_out"] >= x) for x in curve.at])
+        np.testing.assert_allclose(curve.probability, truth, rtol=1e-14)
+
+
+def test_what_is_no_scene_is_counted_and_left_out() -> None:
+    scene = replace(VAIONT, uncertain={"arc.radius_m": {"distribution": "normal", "mean": 1000, "std": 800}})
+    found = ensemble(scene, 4000, 1)
+    assert found.counts[Status.INVALID] == np.sum(found.samples["arc.radius_m"] < 0.0) > 300
+    assert found.n == 4000 - found.counts[Status.INVALID]
+    assert "are no scenes" in found.warnings[0]
+    nothing = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(-50, 1)}), 10, 1)
+    assert nothing.n == 0
+    assert math.isnan(nothing.moving.value)
+    assert json.dumps(nothing.record(), allow_nan=False)
+    assert nothing.rows()
+
+
+def test_indices_of_a_scene(file: Path) -> None:
+    """By Monte Carlo and by Sobol points alike; the first-order ones against conditional means of plain samples."""
+    scene = read(file)
+    plain, quasi = (ensemble(scene, 2**15, 1, method=m, sensitivity=4096) for m in ("monte-carlo", "sobol"))
+    values = plain.samples["run_out"]
+    for k, u in enumerate(scene.uncertain.values()):
+        x = plain.samples[u.key]
+        order = np.argsort(x)
+        means = values[order].reshape(128, -1).mean(axis=1)
+        given_data = (means.var() - values.var() / 256) / values.var()
+        for found in (plain, quasi):
+            first, total = found.sensitivity["run_out"].first[k], found.sensitivity["run_out"].total[k]
+            assert first.low - 0.02 <= given_data <= first.high + 0.02
+            assert total.high > first.low
+    width = [np.mean([e.high - e.low for e in f.sensitivity["run_out"].first]) for f in (plain, quasi)]
+    assert width[1] < width[0] / 2
+
+
+def test_a_grid() -> None:
+    found = grid(VAIONT, {"friction.angle_deg": [8, 10, 30], "arc.radius_m": [1000, 1492.6]})
+    np.testing.assert_array_equal(found.samples["arc.radius_m"], [1000, 1492.6] * 3)
+    assert found.samples["run_out"][3] == pytest.approx(solve(VAIONT).run_out, rel=1e-12)
+    np.testing.assert_array_equal(found.samples["status"][4:], Status.STAYS)
+    with pytest.raises(ValueError, match=r"friction\.angle: is no number"):
+        grid(VAIONT, {"friction.angle": [1.0]})
+
+
+# --- the command -----------------------------------------------------------------------------------------------------
+
+
+def test_sweep(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    argv = ["sweep", str(file), "--samples", "3000", "--seed", "4"]
+    table, arrays = tmp_path / "a.csv", tmp_path / "a.npz"
+    assert main([*argv, "--json", "--csv", str(table), "--npz", str(arrays)]) == 0
+    said = capsys.readouterr()
+    record = json.loads(said.out)
+    assert "3000 samples" not in said.err
+    assert re.search(r"of \d+ scenes, .* a second", said.err)
+    found: Ensemble = ensemble(read(file), 3000, 4)
+    assert record == json.loads(json.dumps(found.record()))
+    held = np.load(arrays)
+    np.testing.assert_array_equal(held["sample_run_out"], found.samples["run_out"])
+    np.testing.assert_array_equal(held["run_out_quantiles"][:, 1], [found.quantile("run_out", p).value for p in
+                                                                   held["run_out_quantiles"][:, 0]])  # fmt: skip
+    lines = table.read_text("utf-8").splitlines()
+    assert lines[0] == "table,output,input,at,value,low,high"
+    assert len(lines) == 1 + len(found.rows())
+    assert main(argv) == 0
+    out = " ".join(capsys.readouterr().out.split())
+    assert main(["sweep", "vaiont", "--uncertain", "friction.angle_deg=normal:14:1", "--samples", "100", "--seed", "4",
+                 "--json"]) == 0  # fmt: skip
+    assert (
+        json.loads(capsys.readouterr().out)["moving"]
+        == json.loads(json.dumps(ensemble(ONE, 100, 4).record()))["moving"]
+    )
+    assert f"{found.quantile('run_out', 0.5).value:.5g}" in out
+    assert "Which unknown matters" in out
+
+
+def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table = tmp_path / "a.csv"
+    argv = ["sweep", "vaiont", "--grid", "friction.angle_deg=8:12:41", "--grid", "arc.radius_m=1000,1500"]
+    assert main([*argv, "--csv", str(table)]) == 0
+    assert "82 scenes: 82 RESTS" in capsys.readouterr().out
+    head, *rows = table.read_text("utf-8").splitlines()
+    assert head == "friction.angle_deg,arc.radius_m,run_out (m),peak_velocity (m/s),duration (s),status"
+    assert len(rows) == 82
+    assert main([*argv, "--json"]) == 0
+    assert len(json.loads(capsys.readouterr().out)["rows"]) == 82
+
+
+@pytest.mark.parametrize(
+    ("argv", "said"),
+    [
+        (["vaiont", "--samples", "10"], "no number is uncertain"),
+        (["vaiont", "--grid", "friction.angle_deg=1:2"], "must be KEY=FROM:TO:COUNT"),
+        (["vaiont", "--grid", "friction.angel_deg=1:2:3"], "did you mean friction.angle_deg"),
+        (["vaiont", "--grid", "friction.angle_deg=1", "--engine", "dask"], "belong together"),
+        (["vaiont", "--grid", "friction.angle_deg=1", "--csv", "/no/such/place.csv"], "there is no folder /no/such"),
+        (["vaiont", "--samples", "9", "--uncertain", "friction.angle_deg=normal:1"], "normal:mean:std, lognormal:mean"),
+        (
+            ["vaiont", "--samples", "9", "--uncertain", "friction.angel_deg=normal:1:1"],
+            "did you mean friction.angle_deg",
+        ),
+    ],
+)
+def test_what_sweep_refuses(argv: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sweep", *argv]) == 1
+    assert said in capsys.readouterr().err
+
+
+def test_run_says_what_it_did_with_them(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", str(file)]) == 0
+    assert "solved at the median of arc.radius_m, arc.theta_2_deg" in capsys.readouterr().err
