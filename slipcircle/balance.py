@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -96,6 +97,13 @@ class Balance:
         if not self.turns:
             return -self.radial * np.sin(self.dip) + 0.0 * rotation
         return -self.radial * np.sin(self.dip) * np.cos(rotation) + self.press * np.sin(rotation)
+
+    @cached_property
+    def kinks(self) -> Any:
+        """Dimensionless times at which what changes with time is not smooth."""
+        return (
+            np.unique(np.concatenate([[], *(np.asarray(f.kinks) for f, _ in self.forcing.values())])) / self.time_scale
+        )
 
     def given(self, t: Any, direction: int = 1) -> dict[str, Any]:
         """What changes with time, at dimensionless times, seen in the direction of travel."""

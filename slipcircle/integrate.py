@@ -8,6 +8,7 @@ import math
 from bisect import bisect_right
 from collections.abc import Callable
 from functools import cached_property, partial
+from itertools import chain
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -123,11 +124,12 @@ class Integrated:
             found.append((name, _piece_of(function, factor, self.balance.time_scale, self.time, early, late)))
         return found
 
-    def _kinks(self) -> list[float]:
+    def _kinks(self) -> Floats:
         """Times from the start of the scene at which something given is not smooth, while this phase may last."""
         every = kinks_of(self.balance, self.law)
         now = self.time * (1.0 + 4 * EPS)  # what it began at is no kink ahead
-        return [float(k) for k in every if now < k < self.time + self.longest]
+        first, last = np.searchsorted(every, now, side="right"), np.searchsorted(every, self.time + self.longest)
+        return every[first:last]
 
     # -- following it
 
@@ -137,14 +139,15 @@ class Integrated:
         slips = [(k - start.slip) / self.balance.radius for k in self.law.kinks if k > start.slip]
         speeds = [v / self.speed_unit for v in self.law.speeds]
         left, steps, which, top = self.time, 0, "", float(y[1])
-        for right in [*self._kinks(), self.time + self.longest]:
+
+        def begin(method: Any, rate: Any, right: float, t: float, y: Floats, top: float) -> Any:
+            """A solver from here to the next kink; it finds its steps anew, as what it follows bends there."""
+            return method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top))
+
+        for right in map(float, chain(self._kinks(), [self.time + self.longest])):
             rate, self._window = self._equation(left, right), _between(left, right)
             band = self._band(rate, t, y, speeds)
-            method: Any = DOP853
-            solver, since = (
-                method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)),
-                steps,
-            )
+            since, solver = steps, begin(DOP853, rate, right, t, y, top)
             while solver.status == "running":
                 solver.step()
                 if solver.status == "failed" or not np.all(np.isfinite(solver.y)):
@@ -166,11 +169,8 @@ class Integrated:
                             "the speed, and never quite reaches it; give end_time in s"
                         )
                     solver.atol = self._floor(tolerance, t, top)
-                    if method is DOP853 and steps - since > _STIFF_STEPS:
-                        method = LSODA
-                        solver = method(
-                            rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)
-                        )
+                    if isinstance(solver, DOP853) and steps - since > _STIFF_STEPS:
+                        solver = begin(LSODA, rate, right, t, y, top)
                     continue
                 which, t = found
                 y = np.array(dense(t))
@@ -184,10 +184,7 @@ class Integrated:
                 else:
                     y[1] = speeds[band if which == "faster" else band - 1]
                     band = self._band(rate, t, y, speeds)
-                solver, since = (
-                    method(rate, t, y, right - self.time, rtol=tolerance, atol=self._floor(tolerance, t, top)),
-                    steps,
-                )
+                since, solver = steps, begin(type(solver), rate, right, t, y, top)
             if which in ("stands", "presses", "over"):
                 break
             left = right
@@ -200,7 +197,7 @@ class Integrated:
     def _floor(self, tolerance: float, t: float, top: float) -> list[float]:
         """Absolute tolerances: what a rounded drive adds since the start, and of the speed a share of the greatest."""
         since = min(max(t, 1e-4), 1.0, 1.0 / max(float(self.balance.get("damping")), 1.0))
-        noise = 2 * EPS * self._terms * since
+        noise = 16 * EPS * self._terms * since
         return [noise * since, max(0.1 * tolerance * top, noise), max(tolerance * abs(self.start.excess), noise)][
             : 2 + self.heats
         ]

@@ -11,7 +11,7 @@ from slipcircle.friction import Friction
 from slipcircle.roots import highest, root
 
 Floats = NDArray[np.float64]
-_CHUNK = 4096  # stretches between two kinks that are looked at together
+_CHUNK = 64  # stretches between two kinks that are looked at together, at first
 _SAMPLES = 33  # of a stretch, where what is given is curved
 
 
@@ -54,8 +54,7 @@ def next_start(
 
 def kinks_of(balance: Balance, law: Friction) -> Floats:
     """Dimensionless times at which what changes with time is not smooth; none where nothing does."""
-    series = [np.asarray(f.kinks) for f, _ in balance.forcing.values()] + [np.asarray(law.times)]
-    return np.unique(np.concatenate(series)) / balance.time_scale
+    return np.unique(np.concatenate([balance.kinks, np.asarray(law.times) / balance.time_scale]))
 
 
 def down_slope(balance: Balance, rotation: float) -> int:
@@ -67,11 +66,13 @@ def _start(
     balance: Balance, law: Friction, rest: Rest, time: float, end: float, side: int, kinks: Floats
 ) -> float | None:
     excess = _excess_of_drive(balance, law, rest, side)
-    bounds = np.concatenate([[time], kinks[(kinks > time) & (kinks < end)], [end]])
+    ahead = slice(np.searchsorted(kinks, time, side="right"), np.searchsorted(kinks, end))
+    bounds = np.concatenate([[time], kinks[ahead], [end]])
     straight = all(hasattr(f, "values") for f, _ in balance.forcing.values())
     share = np.linspace(0.0, 1.0, 3 if straight else _SAMPLES)
-    for first in range(0, len(bounds) - 1, _CHUNK):
-        left = bounds[first : min(first + _CHUNK, len(bounds) - 1)]
+    first, chunk = 0, _CHUNK
+    while first < len(bounds) - 1:
+        left = bounds[first : min(first + chunk, len(bounds) - 1)]
         right = bounds[first + 1 : first + len(left) + 1]
         right = np.where(np.isinf(right), 2 * left + 1.0, right)  # nothing changes any more
         early, late = np.nextafter(left, np.inf), np.nextafter(right, -np.inf)
@@ -85,6 +86,7 @@ def _start(
             t = _within(excess, times[k], values[k], left[k])
             if t is not None:
                 return t
+        first, chunk = first + len(left), min(2 * chunk, 64 * _CHUNK)
     return None
 
 
