@@ -21,7 +21,7 @@ from derive.fit import (
     weight_even_fit,
     weight_fit,
 )
-from derive.program import Kind, Op, Program
+from derive.program import Kind, Op, Program, without_dead
 from derive.quantities import QUOTIENTS
 
 
@@ -107,15 +107,7 @@ class Code:
 
     def program(self, name: str, output: int) -> Program:
         """The operations that the output needs."""
-        alive = {output}
-        for i in range(len(self.ops) - 1, -1, -1):
-            if i in alive:
-                alive |= set(self.ops[i].args)
-        place = {i: new for new, i in enumerate(sorted(alive))}
-        ops = tuple(
-            Op(op.kind, tuple(place[j] for j in op.args), op.value) for i, op in enumerate(self.ops) if i in alive
-        )
-        return Program(name, ("alpha",), ops, (place[output],))
+        return without_dead(Program(name, ("alpha",), tuple(self.ops), (output,)))
 
 
 # --- pieces --------------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from generated import motion as formulas
 from slipcircle.balance import Balance
 from slipcircle.chebyshev import Piecewise, accumulate, resolve
 from slipcircle.friction import Friction
-from slipcircle.liftoff import change
+from slipcircle.liftoff import EndsAtLiftOff
 from slipcircle.roots import scalar
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-class Frozen:
+class Frozen(EndsAtLiftOff):
     """A phase with d(omega)/dt = a - b omega**2; the same faces as `slipcircle.phaseplane.Course`."""
 
     def __init__(self, balance: Balance, law: Friction, start: "Start", longest: float) -> None:
@@ -73,25 +73,6 @@ class Frozen:
     def passed(self, t: Floats) -> Floats:
         """The time since the start of the phase."""
         return t
-
-    @cached_property
-    def change(self) -> tuple[float, float, float] | None:
-        """Time, x and E at which the mass lifts off or lands before the phase ends."""
-        return change(self)
-
-    @property
-    def excess(self) -> float:
-        """Excess pore pressure over sigma_ref at its end."""
-        return self.start.excess
-
-    @property
-    def lifts(self) -> tuple[float, ...]:
-        """Times within the phase at which the mass lifts off; where it does, the phase ends."""
-        return ()
-
-    def excess_when(self, t: Floats) -> Floats:
-        """Excess pore pressure over sigma_ref at times since the start of the phase."""
-        return np.full_like(t, self.start.excess)
 
     def press(self, x: Any) -> Any:
         """J_r/Theta*, frozen."""

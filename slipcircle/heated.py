@@ -12,8 +12,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.chebyshev import NODES
-from slipcircle.phaseplane import AT_HAIRS, BACK, EPS, HAIRS, MEAN, MOST_PANELS, PLACES, Course, Z, energy_on_panels
-from slipcircle.roots import root
+from slipcircle.phaseplane import (
+    AT_HAIRS,
+    BACK,
+    EPS,
+    HAIRS,
+    MEAN,
+    MOST_PANELS,
+    PLACES,
+    Course,
+    Z,
+    energy_on_panels,
+    standstill,
+)
 
 Floats = NDArray[np.float64]
 Energies = tuple[Callable[[Any], Any], Callable[[float], float]]
@@ -88,11 +99,7 @@ class Heated(Course):
             if not ended:
                 self.panels = np.array(edges)
                 return found, right, False
-            grid = (left + half * Z)[::-1]
-            below = int(np.argmax(energy[::-1] <= 0.0))
-            low, high = (float(grid[below - 1]) if below else left), float(grid[below])
-            # The series are rounded otherwise than the values at the nodes that the bracket comes from.
-            end = root(found[1], low, high, max(found[1](low), 1e-300), min(found[1](high), -1e-300))
+            end = standstill(found[1], left, left + half * Z, energy)
             if left == 0.0 and end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
                 width, least, edges, known = max(4 * end, 0.01 * half), 0.0, [0.0], []
                 continue

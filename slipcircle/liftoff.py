@@ -1,15 +1,19 @@
 """Lift-off and landing within a phase in which nothing depends on time."""
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.roots import highest, root
 
 if TYPE_CHECKING:
     from slipcircle.frozen import Frozen
+    from slipcircle.motion import Start
     from slipcircle.phaseplane import Course
 
+Floats = NDArray[np.float64]
 EPS = 2.0**-52
 
 
@@ -48,3 +52,28 @@ def change(solved: "Course | Frozen") -> tuple[float, float, float] | None:
         x, energy = solved.passing(s)
         return float(solved.passed(s)[0]), float(x[0]), float(energy[0])
     return None
+
+
+class EndsAtLiftOff:
+    """What phases share in which nothing depends on time, and whose pore pressure stays as it was at their start."""
+
+    start: "Start"
+
+    @cached_property
+    def change(self: "Course | Frozen") -> tuple[float, float, float] | None:  # type: ignore[misc]
+        """Time, x and E at which the mass lifts off or lands before the phase ends."""
+        return change(self)
+
+    @property
+    def excess(self) -> float:
+        """Excess pore pressure over sigma_ref at its end."""
+        return self.start.excess
+
+    @property
+    def lifts(self) -> tuple[float, ...]:
+        """Times within the phase at which the mass lifts off; where it does, the phase ends."""
+        return ()
+
+    def excess_when(self, t: Floats) -> Floats:
+        """Excess pore pressure over sigma_ref at times since the start of the phase."""
+        return np.full_like(t, self.start.excess)

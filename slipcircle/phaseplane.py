@@ -18,7 +18,7 @@ from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.chebyshev import NODES, Piecewise, accumulate, resolve
 from slipcircle.friction import Friction
-from slipcircle.liftoff import change
+from slipcircle.liftoff import EndsAtLiftOff
 from slipcircle.roots import halley, root, scalar
 
 if TYPE_CHECKING:
@@ -87,7 +87,16 @@ _SHARES = np.concatenate([[0.0], np.geomspace(1e-18, 0.1, 50), np.linspace(0.1, 
 MOST_PANELS = 4000  # of the collocation, halvings counted
 
 
-class Course:
+def standstill(at: Callable[[float], float], left: float, nodes: Floats, energy: Floats) -> float:
+    """Where E falls to zero on a panel that begins at left, from its values at the nodes, the last one first."""
+    grid = nodes[::-1]
+    below = int(np.argmax(energy[::-1] <= 0.0))
+    low, high = (float(grid[below - 1]) if below else left), float(grid[below])
+    # The series are rounded otherwise than the values at the nodes that the bracket comes from.
+    return root(at, low, high, max(at(low), 1e-300), min(at(high), -1e-300))
+
+
+class Course(EndsAtLiftOff):
     """E(x) of one phase, from its start to its standstill.
 
     Attributes
@@ -127,25 +136,6 @@ class Course:
         self.peak = self._peak(self.end)
 
     # -- the balance along the path
-
-    @cached_property
-    def change(self) -> tuple[float, float, float] | None:
-        """Time, x and E at which the mass lifts off or lands before the phase ends."""
-        return change(self)
-
-    @property
-    def excess(self) -> float:
-        """Excess pore pressure over sigma_ref at its end."""
-        return self.start.excess
-
-    @property
-    def lifts(self) -> tuple[float, ...]:
-        """Times within the phase at which the mass lifts off; where it does, the phase ends."""
-        return ()
-
-    def excess_when(self, t: Floats) -> Floats:
-        """Excess pore pressure over sigma_ref at times since the start of the phase."""
-        return np.full_like(t, self.start.excess)
 
     def press(self, x: Any) -> Any:
         """J_r/Theta* at x; press_slope is its derivative by the dip, which falls as x grows."""
@@ -384,11 +374,7 @@ class Course:
             if not ended:
                 self.panels = np.array(edges)
                 return found, right, False
-            grid = (left + half * Z)[::-1]
-            below = int(np.argmax(energy[::-1] <= 0.0))
-            low, high = (float(grid[below - 1]) if below else left), float(grid[below])
-            # The series are rounded otherwise than the values at the nodes that the bracket comes from.
-            end = root(found[1], low, high, max(found[1](low), 1e-300), min(found[1](high), -1e-300))
+            end = standstill(found[1], left, left + half * Z, energy)
             if left == 0.0 and end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
                 width, least, edges, values, means = max(4 * end, 0.01 * half), 0.0, [0.0], [value], []
                 continue
