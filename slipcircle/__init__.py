@@ -22,7 +22,7 @@ from slipcircle.solver import solve
 
 if TYPE_CHECKING:
     from slipcircle.backanalysis import BackAnalysis, Unattainable, backanalyse
-    from slipcircle.ensembles import Ensemble, ensemble
+    from slipcircle.studies.ensembles import Ensemble, ensemble
 
 __version__ = "0.1.0"
 __all__ = [
@@ -46,7 +46,7 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     """Ensembles and back-analysis, when they are asked for: one motion needs nothing of them."""
     if name in ("Ensemble", "ensemble"):
-        from slipcircle import ensembles
+        from slipcircle.studies import ensembles
 
         return getattr(ensembles, name)
     if name in ("BackAnalysis", "Unattainable", "backanalyse"):

@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import Any
 
 import slipcircle
-from slipcircle import Motion, Scene, files, plan, solve, tables
-from slipcircle.scenefile import find, shipped
+from slipcircle import Motion, Scene, plan, solve
+from slipcircle.inputs.scenefile import find, shipped
+from slipcircle.outputs import files, tables
 
 OBSERVED = (("runout", "m", "run-out along the arc"), ("peak-velocity", "m-s", "greatest velocity"),
             ("duration", "s", "time until it rested"))  # fmt: skip
@@ -52,7 +53,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
     info = commands.add_parser("info", help="versions and digests of what is installed")
     if "sweep" in (sys.argv[1:] if argv is None else argv):  # no other command needs what it loads
-        from slipcircle import sweep
+        from slipcircle.studies import sweep
 
         sweep.arguments(swept)
     for command in (run, planned, swept, back, cost, info):
@@ -83,7 +84,7 @@ def _run(options: argparse.Namespace) -> None:
     asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
     files.check({f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
     if options.plot or options.report:
-        from slipcircle import pictures
+        from slipcircle.outputs import pictures
 
         pictures.check(options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
@@ -111,14 +112,14 @@ def _run(options: argparse.Namespace) -> None:
 def _content(kind: str, path: str, motions: list[Motion], sources: list[bytes], options: argparse.Namespace) -> bytes:
     """A file that `run` writes."""
     if kind == "csv":
-        from slipcircle.trace import csv
+        from slipcircle.outputs.trace import csv
 
         return csv(motions).encode()
     if kind == "plot":
-        from slipcircle.pictures import overview
+        from slipcircle.outputs.pictures import overview
 
         return overview(motions, Path(path).suffix[1:].lower())
-    from slipcircle.report import report
+    from slipcircle.outputs.report import report
 
     return report(motions, sources, options.line).encode()
 
@@ -142,7 +143,7 @@ def _plan(options: argparse.Namespace) -> None:
 
 
 def _sweep(options: argparse.Namespace) -> None:
-    from slipcircle import sweep
+    from slipcircle.studies import sweep
 
     found = sweep.run(options)
     if options.json:
@@ -170,19 +171,19 @@ def _backanalyse(options: argparse.Namespace) -> None:
 
 
 def _schema(options: argparse.Namespace) -> None:
-    from slipcircle.scenekeys import schema
+    from slipcircle.inputs.scenekeys import schema
 
     _print(schema())
 
 
 def _cost(options: argparse.Namespace) -> None:
-    from slipcircle import cost, costtext
+    from slipcircle.prices import cost, costtext
 
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
         costtext.write_csv(found, options.csv)
     if options.plot:
-        from slipcircle.costplot import plot
+        from slipcircle.prices.costplot import plot
 
         plot(found, options.plot)
     if options.json:

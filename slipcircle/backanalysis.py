@@ -15,9 +15,9 @@ from generated.effects import EFFECTS
 from slipcircle.balance import bind
 from slipcircle.checks import raise_all
 from slipcircle.friction import law_name
+from slipcircle.methods.roots import highest, root
 from slipcircle.motion import Motion
 from slipcircle.plan import INTEGRATION, plan
-from slipcircle.roots import highest, root
 from slipcircle.scene import Scene
 from slipcircle.sensitivity import OF_SCENE
 from slipcircle.solver import solve

@@ -14,11 +14,11 @@ from slipcircle.friction import friction
 from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, Plan
 
 if TYPE_CHECKING:
-    from slipcircle.frozen import Frozen
-    from slipcircle.integrate import Integrated
-    from slipcircle.phaseplane import Course
+    from slipcircle.methods.frozen import Frozen
+    from slipcircle.methods.integrate import Integrated
+    from slipcircle.methods.phaseplane import Course
+    from slipcircle.methods.stepping import Stepped
     from slipcircle.sensitivity import Sensitivity
-    from slipcircle.stepping import Stepped
 
     Followed: TypeAlias = Course | Frozen | Integrated  # one phase
     Solved: TypeAlias = Followed | Stepped

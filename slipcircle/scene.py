@@ -13,7 +13,7 @@ from generated.effects import EFFECTS, LAWS, Parameter
 from slipcircle.arc import ARC_BOUNDS, QUANTITIES, Arc
 from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 from slipcircle.friction import law_mistakes
-from slipcircle.given import resolved
+from slipcircle.inputs.given import resolved
 
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
@@ -36,8 +36,8 @@ class Scene:
         ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
     effects : mapping or iterable of str, optional
         Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any. What
-        changes with time is a `slipcircle.series.Series` or `Pulse`, or what such are made of: a pulse by name, a
-        record's file, or a list with its times.
+        changes with time is a `slipcircle.inputs.series.Series` or `Pulse`, or what such are made of: a pulse by
+        name, a record's file, or a list with its times.
     initial_velocity : float or array_like, optional
         Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
     end_time : float or array_like, optional
@@ -98,7 +98,7 @@ class Scene:
                     found.append(str(error))
         found += [] if found else shape_mistakes(self.numbers)
         if self.uncertain and not found:
-            from slipcircle.distributions import declared
+            from slipcircle.studies.distributions import declared
 
             drawn, found = declared(self.uncertain, self.friction)
             found += [
@@ -150,7 +150,7 @@ class Scene:
         ImportError
             If a file is to be checked and pydantic is missing.
         """
-        from slipcircle.scenefile import load
+        from slipcircle.inputs.scenefile import load
 
         return load(name)
 

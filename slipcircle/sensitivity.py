@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from generated import sensitivity as slopes
 from generated.effects import EFFECTS
 from slipcircle.friction import friction
-from slipcircle.frozen import Frozen
+from slipcircle.methods.frozen import Frozen
 from slipcircle.plan import CLOSED_IN_PHASE_PLANE, CLOSED_IN_TIME
 from slipcircle.scene import Scene
 
 if TYPE_CHECKING:
+    from slipcircle.methods.phaseplane import Course
     from slipcircle.motion import Motion, Phase
-    from slipcircle.phaseplane import Course
 
 Floats = NDArray[np.float64]
 

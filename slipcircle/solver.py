@@ -9,15 +9,15 @@ import numpy as np
 
 from slipcircle.balance import Balance, bind
 from slipcircle.friction import Friction, friction
+from slipcircle.inputs.series import Pulse
+from slipcircle.methods.rest import Rest, never_rests, next_start
 from slipcircle.motion import Motion, Phase, Start
 from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, LINEAR_SYSTEM, STEPPING, Plan, plan
-from slipcircle.rest import Rest, never_rests, next_start
 from slipcircle.scene import Scene
-from slipcircle.series import Pulse
 
 if TYPE_CHECKING:
+    from slipcircle.methods.stepping import Stepped
     from slipcircle.motion import Followed, Solved
-    from slipcircle.stepping import Stepped
 
 _MOST_PHASES = 2000
 
@@ -33,7 +33,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Any:
 
     Returns
     -------
-    slipcircle.motion.Motion or slipcircle.motions.Motions
+    slipcircle.motion.Motion or slipcircle.arrays.motions.Motions
         Motions, of the scene's broadcast shape, where its fields are arrays.
 
     Raises
@@ -50,7 +50,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Any:
     first standstill.
     """
     if scene.shape:
-        from slipcircle.motions import solve_ensemble
+        from slipcircle.arrays.motions import solve_ensemble
 
         return solve_ensemble(plan(scene, accuracy))
     return solve_one(plan(scene, accuracy))
@@ -148,29 +148,29 @@ def _follower(
 ) -> "Callable[[Start, float, float], Followed]":
     """What solves one phase, from its start, its longest duration and its time; only its module is imported."""
     if chosen.method in (CLOSED_IN_TIME, STEPPING):
-        from slipcircle.frozen import Frozen
+        from slipcircle.methods.frozen import Frozen
 
         return lambda start, longest, time: Frozen(balance, law, start, longest)
     if chosen.method == INTEGRATION:
         try:
-            from slipcircle.integrate import Integrated
+            from slipcircle.methods.integrate import Integrated
         except ImportError as error:
             raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
         wanted = chosen.tolerance if tolerance is None else tolerance
         return lambda start, longest, time: Integrated(balance, law, start, longest, time, wanted)
     if chosen.method == LINEAR_SYSTEM:
-        from slipcircle.heated import Heated
+        from slipcircle.methods.heated import Heated
 
         return lambda start, longest, time: Heated(balance, law, start, longest)
-    from slipcircle.phaseplane import Course
+    from slipcircle.methods.phaseplane import Course
 
     return lambda start, longest, time: Course(balance, law, start, longest)
 
 
 def _stepped(balance: Balance, law: Friction, omega: float, end: float, two_way: bool) -> "Stepped":
     """The motion of frozen geometry until the shaking is over."""
-    from slipcircle.series import Shaking
-    from slipcircle.stepping import Stepped
+    from slipcircle.inputs.series import Shaking
+    from slipcircle.methods.stepping import Stepped
 
     functions: dict[str, Any] = {name: function for name, (function, _) in balance.forcing.items()}
     still = Pulse("rectangular", 0.0, 0.0, 1.0)

@@ -7,10 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.friction import friction
-from slipcircle.frozen import Frozen
-from slipcircle.phaseplane import EPS, Course
+from slipcircle.methods.frozen import Frozen
+from slipcircle.methods.phaseplane import EPS, Course
+from slipcircle.methods.stepping import Stepped
 from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM
-from slipcircle.stepping import Stepped
 
 Floats = NDArray[np.float64]
 

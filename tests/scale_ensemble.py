@@ -12,8 +12,8 @@ from contextlib import ExitStack
 from dataclasses import replace
 
 from slipcircle import Scene, ensemble
-from slipcircle.costtext import machine
-from slipcircle.engines import engine, forecast
+from slipcircle.prices.costtext import machine
+from slipcircle.studies.engines import engine, forecast
 
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
 SIZE = 65536

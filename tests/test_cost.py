@@ -18,9 +18,10 @@ import pytest
 from mpmath import mpf
 
 from generated import _compiled, kernels, printed
-from slipcircle import cost, costtext, reference, solvercost, tables, ways
-from slipcircle.cost import Row
-from slipcircle.ways import Way
+from slipcircle.outputs import tables
+from slipcircle.prices import cost, costtext, reference, solvercost, ways
+from slipcircle.prices.cost import Row
+from slipcircle.prices.ways import Way
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
@@ -81,7 +82,7 @@ def test_the_set_is_dense_at_both_ends(kind: str) -> None:
 
 
 def cost_axis(alpha: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    from slipcircle.costplot import both_ends
+    from slipcircle.prices.costplot import both_ends
 
     return both_ends(alpha)
 
@@ -464,7 +465,7 @@ def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> No
 
 def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
     pytest.importorskip("matplotlib")
-    from slipcircle.costplot import plot
+    from slipcircle.prices.costplot import plot
 
     plot([*tiered(), *judged(*RACE[:3])], str(tmp_path / "cost.svg"))
     drawn = (tmp_path / "cost.svg").read_text("utf-8")
@@ -475,7 +476,7 @@ def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
 
 def test_pictures_on_an_axis_of_ones_own(tiered: Callable[..., list[Row]]) -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    from slipcircle.costplot import frontier, over_alpha
+    from slipcircle.prices.costplot import frontier, over_alpha
 
     pyplot.switch_backend("agg")
     rows = tiered()

@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, ensemble
-from slipcircle.engines import Progress, computed, engine, forecast, replacing, stored, write
-from slipcircle.ensembles import Ensemble, grid
-from slipcircle.study import Result, Study
+from slipcircle.studies.engines import Progress, computed, engine, forecast, replacing, stored, write
+from slipcircle.studies.ensembles import Ensemble, grid
+from slipcircle.studies.study import Result, Study
 
 ROOT = Path(__file__).parents[1]
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
@@ -201,7 +201,7 @@ def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(study: Study, index: int, seed: int, size: int) -> Result:
         raise MemoryError(f"block {index}")
 
-    monkeypatch.setattr("slipcircle.engines.run_block", fails)
+    monkeypatch.setattr("slipcircle.studies.engines.run_block", fails)
     with ThreadPoolExecutor(2) as pool, pytest.raises(MemoryError, match="block"):
         ensemble(SCENE, 100, 1, pool)
 

@@ -14,14 +14,14 @@ from scipy import stats
 
 from slipcircle import Scene, ensemble, solve
 from slipcircle.__main__ import main
-from slipcircle.block import Status
-from slipcircle.distributions import DISTRIBUTIONS, Uncertain
-from slipcircle.ensembles import Ensemble, grid
-from slipcircle.estimates import histogram_quantile, indices, proportion, ranks
-from slipcircle.sampling import directions, latin, monte_carlo, sobol
-from slipcircle.scenefile import read
-from slipcircle.scenekeys import schema
-from slipcircle.study import BIN_ERROR, BINS, bins, edges, sums
+from slipcircle.arrays.block import Status
+from slipcircle.inputs.scenefile import read
+from slipcircle.inputs.scenekeys import schema
+from slipcircle.studies.distributions import DISTRIBUTIONS, Uncertain
+from slipcircle.studies.ensembles import Ensemble, grid
+from slipcircle.studies.estimates import histogram_quantile, indices, proportion, ranks
+from slipcircle.studies.sampling import directions, latin, monte_carlo, sobol
+from slipcircle.studies.study import BIN_ERROR, BINS, bins, edges, sums
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = Scene.load("vaiont")

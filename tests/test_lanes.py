@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from slipcircle import Arc, Motion, Scene, solve
-from slipcircle import swings as swings_module
-from slipcircle.block import NAMES, Block, Status
-from slipcircle.lanes import LANES, solve_block
-from slipcircle.motions import Motions, lane
+from slipcircle.arrays import swings as swings_module
+from slipcircle.arrays.block import NAMES, Block, Status
+from slipcircle.arrays.lanes import LANES, solve_block
+from slipcircle.arrays.motions import Motions, lane
 
 VAIONT = Scene.load("vaiont").arc
 TURNING: Mapping[str, Any] = {"rotation": {}, "centripetal": {}}

@@ -17,13 +17,14 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
-from slipcircle import Arc, Motion, Scene, riccati, solve, stepping
+from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.balance import bind
 from slipcircle.friction import friction
-from slipcircle.frozen import Frozen
+from slipcircle.inputs.series import Pulse, Series, Shaking
+from slipcircle.methods import riccati, stepping
+from slipcircle.methods.frozen import Frozen
+from slipcircle.methods.stepping import Stepped
 from slipcircle.motion import Start
-from slipcircle.series import Pulse, Series, Shaking
-from slipcircle.stepping import Stepped
 
 Floats = NDArray[np.float64]
 GRAVITY = 9.81

@@ -13,6 +13,7 @@ from generated import balance
 from generated.effects import COMBINATIONS, EFFECTS
 from slipcircle import Scene, plan, solve
 from slipcircle.__main__ import main
+from slipcircle.inputs.series import Series
 from slipcircle.plan import (
     CLOSED_IN_PHASE_PLANE,
     CLOSED_IN_TIME,
@@ -21,7 +22,6 @@ from slipcircle.plan import (
     LINEAR_SYSTEM,
     STEPPING,
 )
-from slipcircle.series import Series
 
 ARC = Scene.load("vaiont").arc
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}

@@ -17,8 +17,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
-from slipcircle import Arc, Motion, Scene, plan, plots, plotstyle, solve
-from slipcircle.trace import UNITS, csv, trace
+from slipcircle import Arc, Motion, Scene, plan, solve
+from slipcircle.outputs import plots, plotstyle
+from slipcircle.outputs.trace import UNITS, csv, trace
 
 matplotlib.use("agg")
 
@@ -345,7 +346,7 @@ def test_csv_of_several_names_them() -> None:
 
 @pytest.mark.parametrize(
     "code",
-    ["import slipcircle", "from slipcircle import plots, pictures, report",
+    ["import slipcircle", "from slipcircle.outputs import plots, pictures, report",
      "from slipcircle.__main__ import main; main(['run', 'vaiont', '--json', '--csv', '/dev/null'])"],
 )  # fmt: skip
 def test_matplotlib_is_loaded_only_when_used(code: str) -> None:

@@ -8,8 +8,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from slipcircle import records
-from slipcircle.records import PULSES, Pulse, Series, Shaking, read_record, unit_of
+from slipcircle.inputs import records
+from slipcircle.inputs.records import PULSES, Pulse, Series, Shaking, read_record, unit_of
 
 AT2 = """PEER NGA STRONG MOTION DATABASE RECORD
 Nowhere 1/1/1999, Station Zero, 090

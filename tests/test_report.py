@@ -14,13 +14,14 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from slipcircle import Motion, Scene, files, pictures, solve
+from slipcircle import Motion, Scene, solve
 from slipcircle.__main__ import main
 from slipcircle.info import facts
-from slipcircle.inputs import comments, inputs
-from slipcircle.report import RESULTS, report
-from slipcircle.scenefile import find
-from slipcircle.tables import motion_record
+from slipcircle.inputs.scenefile import find
+from slipcircle.outputs import files, pictures
+from slipcircle.outputs.provenance import comments, inputs
+from slipcircle.outputs.report import RESULTS, report
+from slipcircle.outputs.tables import motion_record
 
 COMMAND = "slipcircle run wet-slope --report report.html"
 

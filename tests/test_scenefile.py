@@ -17,8 +17,8 @@ from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
 from slipcircle import Arc, Scene, solve
 from slipcircle.__main__ import main
 from slipcircle.arc import QUANTITIES
-from slipcircle.scenefile import read, shipped
-from slipcircle.scenekeys import schema, tables_of
+from slipcircle.inputs.scenefile import read, shipped
+from slipcircle.inputs.scenekeys import schema, tables_of
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 ROOT = Path(__file__).parents[1]

@@ -19,8 +19,8 @@ from scipy.integrate import solve_ivp
 
 from generated.effects import EFFECTS
 from slipcircle import Arc, Motion, Scene, plan, solve
+from slipcircle.inputs.series import Pulse, Series
 from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING
-from slipcircle.series import Pulse, Series
 
 ROWS: list[dict[str, Any]] = json.loads(time_references.FILE.read_text("utf-8"))
 ARC: Any = Scene.load("vaiont").arc
@@ -486,7 +486,7 @@ def test_scipy_is_imported_only_where_it_is_planned() -> None:
         "    m = solve(Scene.load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
         "assert 'scipy' not in sys.modules\n"
         "solve(Scene.load('vaiont-rate'))\nassert 'scipy' in sys.modules\n"
-        "sys.modules['scipy.integrate'] = None\ndel sys.modules['slipcircle.integrate']\n"
+        "sys.modules['scipy.integrate'] = None\ndel sys.modules['slipcircle.methods.integrate']\n"
         "try: solve(Scene.load('vaiont-rate'))\nexcept ImportError as error: print(error)\n"
     )
     done = subprocess.run([sys.executable, "-c", code], check=True, timeout=60, capture_output=True, text=True)

@@ -1,0 +1,1 @@
+"""Scenes as they come in: TOML files, their keys, records and pulses."""

@@ -1,0 +1,202 @@
+"""Pictures of motions. Every function draws on a given matplotlib axis, or on one of its own, and returns it.
+
+Matplotlib is loaded when the first picture is drawn. Texts that depend on a motion stand in a legend above the axis,
+where no curve can run into them.
+"""
+
+import math
+from collections.abc import Iterable, Mapping
+from textwrap import shorten
+from typing import Any
+
+import numpy as np
+
+from slipcircle.ladder import Rung
+from slipcircle.motion import Motion
+from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, ending, legend, number, scaled, still
+from slipcircle.outputs.sectionplot import animate, section
+from slipcircle.outputs.trace import Floats, trace
+
+__all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section"]
+
+# What `history` draws: for each picture its label, unit, columns of the trace with their line and name, and a factor.
+HISTORIES: Mapping[str, tuple[str, str, tuple[tuple[str, str, str], ...], float]] = {
+    "velocity": ("velocity $v$", "m/s", (("velocity", "main", ""),), 1.0),
+    "displacement": ("displacement $s$", "m", (("displacement", "main", ""),), 1.0),
+    "rotation": ("rotation $\\phi$", "deg", (("rotation", "main", ""),), 180.0 / math.pi),
+    "friction": (
+        "friction coefficient",
+        "–",
+        (("friction", "main", "mobilised $\\mu$"), ("holding_friction", "other", "needed to stand still")),
+        1.0,
+    ),
+    "normal_stress": (
+        "mean normal stress",
+        "Pa",
+        (("normal_stress", "main", "total $\\sigma_n$"), ("effective_stress", "other", "effective")),
+        1.0,
+    ),
+}
+OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
+
+
+def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
+    """One quantity over time, with the peak velocity and the end marked.
+
+    Parameters
+    ----------
+    motion : Motion
+    what : str
+        One of `HISTORIES`. Besides the friction stands the one at which the mass would stand still where it is.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    if what not in HISTORIES:
+        raise ValueError(f"what = {what!r}: must be one of {', '.join(HISTORIES)}")
+    ax = axis(ax)
+    label, unit, curves, per = HISTORIES[what]
+    columns = trace(motion)
+    first, *more = curves
+    curves = (first, *(c for c in more if _differs(columns[c[0]], columns[first[0]])))
+    factor, unit = scaled(np.concatenate([columns[c] for c, _, _ in curves]), unit)
+    factor *= per
+    ax.set(xlabel="time $t$ (s)", ylabel=f"{label} ({unit})")
+    if not motion.moves:
+        ax.set(xlim=(0.0, 1.0), ylim=(-1.0, 1.0), xticks=[], yticks=[])
+        return still(motion, ax)
+    for column, line, name in curves:
+        label_of = {"label": name} if len(curves) > 1 else {}
+        ax.plot(columns["time"], factor * columns[column], **label_of, **LINES[line])
+    drawn = columns[curves[0][0]]
+    for mark, time, words in _marks(motion):
+        value = factor * _read(time, columns["time"], drawn)
+        shown = f"{words}: {number(value)}{' ' + unit if what != 'friction' else ''} at {number(time)} s"
+        ax.axvline(time, **LINES["help"])
+        ax.plot(time, value, ls="", clip_on=False, zorder=4, label=shown, **MARKS[mark])
+    ax.grid(alpha=0.3)
+    ax.margins(y=0.08)
+    ax.set_xlim(0.0, motion.duration)
+    if what == "friction" or np.ptp(drawn) <= 1e-9 * np.max(np.abs(drawn)):  # also a level line stands above zero
+        top = factor * max(float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves)
+        ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
+    handles, names = ax.get_legend_handles_labels()
+    if len(curves) == 2:  # read by columns: the curves above the marks
+        handles, names = ([x[k] for k in (0, 2, 1, 3)] for x in (handles, names))
+    legend(ax, handles=handles, labels=names)
+    if what == "displacement":
+        side = ax.secondary_yaxis(
+            "right", functions=tuple(_turned(float(np.asarray(motion.plan.scene.arc.radius)), way) for way in (1, -1))
+        )
+        side.set_ylabel("rotation $\\phi$ (deg)")
+    return ax
+
+
+def _marks(motion: Motion) -> list[tuple[str, float, str]]:
+    """Mark, time and words of the peak velocity and of the end."""
+    return [("peak", float(motion.peak.time), "peak velocity"), ("end", motion.duration, ending(motion))]
+
+
+def _read(time: float, times: Floats, values: Floats) -> float:
+    """A column at one of its times; 0 for what rounding left of it."""
+    value = float(np.interp(time, times, values))
+    return 0.0 if abs(value) < 1e-9 * float(np.max(np.abs(values))) else value
+
+
+def _differs(one: Floats, other: Floats) -> bool:
+    """Whether there is a curve, and another one."""
+    return bool(np.any(np.isfinite(one))) and not np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
+
+
+def _turned(radius: float, way: int) -> Any:
+    """From metres along the arc to degrees, or back."""
+    return lambda value: np.asarray(value) * math.degrees(1.0 / radius) ** way
+
+
+def phase_plane(motion: Motion, ax: Any = None) -> Any:
+    """Speed against displacement; behind it the energy, stacked: what is lost and what is kinetic make up the work.
+
+    Of a mass that turns back, the path travelled stands for the displacement.
+    """
+    ax = axis(ax)
+    columns = trace(motion)
+    back = bool(np.any(np.diff(columns["displacement"]) < 0.0)) and bool(np.any(np.diff(columns["displacement"]) > 0.0))
+    along = columns["path"] if back else columns["displacement"]
+    first = float(motion.energy.kinetic_start)
+    given = first + columns["work"]
+    factor, unit = scaled(np.concatenate([given, columns["dissipation"]]), "J")
+    ax.set(
+        xlabel=f"{'path travelled, as it turns back' if back else 'displacement $s$'} (m)", ylabel=f"energy ({unit})"
+    )
+    if not motion.moves:
+        ax.set(xticks=[], yticks=[])
+        return still(motion, ax)
+    lost, kinetic = factor * columns["dissipation"], factor * columns["kinetic_energy"]
+    ax.fill_between(along, 0.0, lost, label="dissipation", **AREAS["dissipation"])
+    ax.fill_between(along, lost, lost + kinetic, label="kinetic energy", **AREAS["kinetic"])
+    name = "work of gravity" + (" and first kinetic energy" if first else "")
+    ax.plot(along, factor * given, label=name, **LINES["total"])
+    ax.set_xlim(0.0, float(along[np.argmax(np.abs(along))]))  # to the left too the way is drawn from left to right
+    ax.set_ylim(0.0, 1.05 * float(np.max(lost + kinetic)))
+    right = ax.twinx()
+    speed = np.abs(columns["velocity"])
+    right.plot(along, speed, label="speed", **LINES["main"])
+    for mark, time, words in _marks(motion):
+        place, height = (_read(time, columns["time"], c) for c in (along, speed))
+        shown = f"{words}: {number(height)} m/s at {number(place)} m"
+        right.plot(place, height, clip_on=False, zorder=4, ls="", label=shown, **MARKS[mark])
+    right.set_ylabel("speed $|v|$ (m/s)")
+    right.set_ylim(0.0, 1.05 * float(np.max(speed)))
+    handles, labels = (a + b for a, b in zip(*(x.get_legend_handles_labels() for x in (ax, right)), strict=True))
+    legend(ax, columns=3, handles=handles, labels=labels)
+    return ax
+
+
+def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
+    """The run-out as the effects of a scene are added one by one; hatched where the mass does not come to rest."""
+    ax = axis(ax, (9.0, 3.5))
+    rungs = list(rungs)
+    places = range(len(rungs))
+    for place, r in zip(places, rungs, strict=True):
+        ax.barh(place, r.run_out, height=0.62, **AREAS["rests" if r.arrested else "moves on"])
+    ax.axvline(rungs[-1].run_out, **LINES["help"])
+    ax.set_yticks(places, [f"+ {r.added}" if r.added else "no effect" for r in rungs])
+    ax.set(xlabel="run-out along the arc (m)", ylim=(len(rungs) - 0.5, -0.5))
+    ax.grid(axis="x", alpha=0.3)
+    side = ax.secondary_yaxis("right")
+    side.set_yticks(places, [_rung(r) for r in rungs])
+    side.tick_params(length=0)
+    return ax
+
+
+def _rung(r: Rung) -> str:
+    end = "" if r.arrested else ", still moving"
+    return f"{number(r.run_out)} m, peak {number(r.peak_velocity)} m/s, {number(r.duration)} s{end}"
+
+
+def overview(motion: Motion, figure: Any = None) -> Any:
+    """The section, the phase plane and the histories in one figure, which it returns.
+
+    Parameters
+    ----------
+    motion : Motion
+    figure : matplotlib figure or subfigure, optional
+        An empty one with a constrained layout, some 14 in wide and 10 in high.
+    """
+    if figure is None:
+        figure = axis(None, (14.0, 10.0)).figure
+        figure.clear()
+    name = shorten(motion.plan.scene.name, 80)
+    if not motion.moves:
+        section(motion, figure.add_subplot())
+        figure.suptitle(f"{name}: does not move", parse_math=False, fontweight="bold")
+        return figure
+    grid = figure.add_gridspec(4, 2, width_ratios=(1.15, 1.0))
+    section(motion, figure.add_subplot(grid[:2, 0]))
+    phase_plane(motion, figure.add_subplot(grid[2:, 0]))
+    for row, what in enumerate(OVERVIEW):
+        history(motion, what, figure.add_subplot(grid[row, 1]))
+    figure.suptitle(name, parse_math=False, fontweight="bold")
+    return figure

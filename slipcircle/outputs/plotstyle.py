@@ -1,0 +1,104 @@
+"""What all pictures share: the palette, numbers and units as they are shown, the legend above the axis."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from slipcircle.motion import Motion
+from slipcircle.outputs.trace import Floats
+
+# The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a
+# hatch, which greys leave apart.
+LINES: Mapping[str, Mapping[str, Any]] = {
+    "main": {"color": "#0072B2", "ls": "-", "lw": 2.0},
+    "other": {"color": "#D55E00", "ls": (0, (5, 2)), "lw": 1.6},
+    "total": {"color": "black", "ls": (0, (1, 1.2)), "lw": 1.8},
+    "help": {"color": "0.45", "ls": (0, (1, 2)), "lw": 1.0},
+}
+MARKS: Mapping[str, Mapping[str, Any]] = {
+    "start": {"marker": "o", "color": "black", "mfc": "white", "ms": 6},
+    "peak": {"marker": "^", "color": "#D55E00", "mec": "black", "ms": 8},
+    "end": {"marker": "s", "color": "#0072B2", "mec": "black", "ms": 7},
+}
+AREAS: Mapping[str, Mapping[str, Any]] = {
+    "start": {"facecolor": "0.88", "edgecolor": "0.4", "lw": 1.0},
+    "peak": {"facecolor": "none", "edgecolor": "#D55E00", "lw": 1.8, "ls": (0, (5, 2))},
+    "end": {"facecolor": "none", "edgecolor": "#0072B2", "lw": 1.8, "hatch": "///"},
+    "rests": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.8},
+    "moves on": {"facecolor": "#56B4E9", "edgecolor": "0.25", "lw": 0.8, "hatch": "///"},
+    "moving": {"facecolor": "#E69F00", "edgecolor": "black", "lw": 1.2, "alpha": 0.7},
+    "kinetic": {"facecolor": "#56B4E9", "edgecolor": "0.35", "lw": 0.6, "hatch": "\\\\"},
+    "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
+}
+FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential": "#CC79A7"}
+HALO = 2.5  # points of white around a text that stands on lines
+
+_PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
+
+
+def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
+    """The axis that is given, or that of a new figure.
+
+    Raises
+    ------
+    ImportError
+        Without matplotlib.
+    """
+    if ax is not None:
+        return ax
+    try:
+        from matplotlib import pyplot
+    except ImportError as error:
+        raise missing() from error
+    return pyplot.subplots(figsize=size, layout="constrained")[1]
+
+
+def missing() -> ImportError:
+    """What to say without matplotlib."""
+    return ImportError("pictures need matplotlib: pip install 'slipcircle[plot]'")
+
+
+def scaled(values: Floats | float, unit: str) -> tuple[float, str]:
+    """A factor that makes values easy to read, and the unit with its prefix."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    if unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):
+        return 1.0, unit
+    per, prefix = next(((p, name) for p, name in _PREFIXES if size >= p), (1.0, ""))
+    return 1.0 / per, prefix + unit
+
+
+def number(value: float) -> str:
+    """A number with four significant digits, as a picture shows it."""
+    value = float(value)
+    if value == 0.0 or 1e-3 <= abs(value) < 1e5:
+        return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
+    mantissa, _, exponent = f"{value:.3e}".partition("e")
+    return f"${float(mantissa):g}\\times10^{{{int(exponent)}}}$"
+
+
+def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
+    """The legend, above the axis, where nothing is in its way."""
+    if not ax.get_legend_handles_labels()[0] and "handles" not in more:
+        return None
+    return ax.legend(
+        loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, frameon=False, fontsize="small",
+        borderaxespad=0.2, handlelength=2.6, columnspacing=1.4, labelspacing=0.3, **more,
+    )  # fmt: skip
+
+
+def ending(motion: Motion) -> str:
+    """How a motion ends, in words."""
+    if motion.arrested:
+        return "at rest"
+    return "first standstill" if motion.plan.scene.end_time is None else "end, still moving"
+
+
+def still(motion: Motion, ax: Any) -> Any:
+    """Say that the mass does not move."""
+    ax.text(
+        0.5, 0.5, f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ha="center", va="center",
+        transform=ax.transAxes,
+    )  # fmt: skip
+    return ax

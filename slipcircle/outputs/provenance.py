@@ -1,0 +1,126 @@
+"""What went into a scene, for a reviewer: every input with its unit, its meaning and the comment beside it."""
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated.effects import EFFECTS, LAWS
+from slipcircle.arc import QUANTITIES
+from slipcircle.friction import law_name
+from slipcircle.inputs.scenekeys import Table, tables_of
+from slipcircle.inputs.series import Series
+from slipcircle.scene import Scene
+
+_SI = dict(zip(QUANTITIES, ("m", "rad", "rad", "N/m^3", "m/s^2", "m"), strict=True))
+
+
+class Input(NamedTuple):
+    """One input: its path in the scene, its value and unit as given, what it is, and where it comes from."""
+
+    path: str
+    value: str
+    unit: str
+    meaning: str
+    source: str
+
+
+def inputs(scene: Scene, file: str | None = None) -> list[Input]:
+    """The inputs of a scene: as its file has them, with the comments in it; without a file, in SI units.
+
+    Parameters
+    ----------
+    scene : Scene
+    file : str, optional
+        The text of its file.
+    """
+    return list(_of_scene(scene) if file is None else _of_file(scene, file))
+
+
+def _of_file(scene: Scene, file: str) -> Iterator[Input]:
+    law = law_name(scene.friction)
+    tables, said = tables_of(law if law in LAWS else "constant"), comments(file)
+    document = tomllib.loads(file)
+
+    def rows(path: str, given: Mapping[str, Any]) -> Iterator[Input]:
+        known = tables.get(path, Table("", {})).keys
+        for name, value in given.items():
+            where = f"{path}.{name}".lstrip(".")
+            if isinstance(value, dict):
+                meaning = tables[where].title if where in tables else ""
+                if not value:
+                    yield Input(where, "yes", "", meaning, said.get(where, ""))
+                yield from rows(where, value)
+            elif name not in ("name", "note") or path:
+                key = known.get(name)
+                unit = re.search(r"\(([^()]*)\)$", key.allowed) if key else None
+                source = said.get(where) or said.get(path, "")
+                yield Input(where, _shown(value), unit[1] if unit else "", key.title if key else "", source)
+        for name, key in known.items():
+            if name not in given and ", by default " in key.title and name != "name":
+                title, _, default = key.title.partition(", by default ")
+                unit = re.search(r"\(([^()]*)\)$", key.allowed)
+                yield Input(f"{path}.{name}".lstrip("."), default, unit[1] if unit else "", title, "default")
+
+    yield from rows("", document)
+
+
+def comments(file: str) -> dict[str, str]:
+    """The comments at the ends of a TOML file's lines, by the path of the key or table that stands there."""
+    found, table = {}, ""
+    for line in file.splitlines():
+        what = re.match(
+            r"""\s*(?:\[([^\[\]]+)\]|([\w-]+)\s*=\s*(?:[^"'#]|"(?:[^"\\]|\\.)*"|'[^']*')*)\s*(?:#(.*))?$""", line
+        )
+        if what is None:
+            continue
+        table = (what[1] or table).strip()
+        path = table if what[1] else f"{table}.{what[2]}".lstrip(".")
+        if what[3]:
+            found[path] = what[3].strip()
+    return found
+
+
+def _of_scene(scene: Scene) -> Iterator[Input]:
+    for name in QUANTITIES:
+        yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name], "", "")
+    for name, coefficient in (scene.arc.given or {}).items():
+        yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given", "")
+    law = law_name(scene.friction)
+    if callable(scene.friction):
+        yield Input("friction", "a Python function of slip", "", "friction coefficient", "")
+    elif isinstance(scene.friction, Mapping):
+        yield Input("friction.law", law, "", LAWS[law].help if law in LAWS else "", "")
+        yield from _parameters("friction", LAWS[scene.friction["law"]], scene.friction)
+    else:
+        yield Input("friction", _shown(scene.friction), "", "friction coefficient, tan(phi)", "")
+    for name, given in scene.called.items():
+        yield Input(name, "yes", "", EFFECTS[name].help, "")
+        yield from _parameters(name, EFFECTS[name], given)
+    yield Input("initial_velocity", _shown(scene.initial_velocity), "m/s", "velocity along the arc at the start", "")
+    end = "when the mass rests" if scene.end_time is None else _shown(scene.end_time)
+    yield Input("end_time", end, "s" if scene.end_time is not None else "", "time of the end", "")
+
+
+def _parameters(path: str, declared: Any, given: Mapping[str, Any]) -> Iterator[Input]:
+    for p in declared.parameters:
+        if p.name in given:
+            yield Input(f"{path}.{p.name}", _shown(given[p.name]), p.unit, p.help, "")
+
+
+def _shown(value: Any) -> str:
+    """A value in full; of a long list its ends."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Series):
+        return f"{len(value.time)} samples from {value.time[0]:g} to {value.time[-1]:g} s"
+    if callable(value):
+        return repr(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if np.ndim(value) == 0:
+        return repr(np.asarray(value).item())
+    texts = [repr(x) for x in np.asarray(value).ravel().tolist()]
+    return ", ".join(texts if len(texts) <= 12 else [*texts[:3], "...", *texts[-3:], f"({len(texts)} numbers)"])

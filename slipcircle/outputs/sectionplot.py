@@ -1,0 +1,182 @@
+"""The section as a picture, after Figure 1-1: arc, chord, mass, centre, and the forces on it."""
+
+import math
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+
+from slipcircle.motion import Motion
+from slipcircle.outputs.files import write
+from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, ending, legend, number
+from slipcircle.outputs.trace import Floats, trace
+
+_ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
+_SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
+
+
+def section(motion: Motion, ax: Any = None) -> Any:
+    """The section: the mass at the start, at the peak velocity and at the end, with the forces at the start.
+
+    Parameters
+    ----------
+    motion : Motion
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+        In metres from the centre K, x to the right and y up.
+    """
+    from matplotlib.patches import Polygon
+
+    ax = axis(ax, (7.0, 5.5))
+    arc = motion.plan.scene.arc
+    radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
+    places = [("start", 0.0, "start")]
+    if motion.moves:
+        peak, end = motion.peak, motion.end
+        places.append(("end", float(end.rotation), f"{ending(motion)}: {number(end.displacement)} m"))
+        if peak.rotation not in (0.0, end.rotation):
+            places.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
+    turned = [rotation for _, rotation, _ in places]
+    swept = np.linspace(first + min(turned), second + max(turned), 400)
+    ax.plot(*_points(radius, swept), label="slip surface", **LINES["help"])
+    outlines = [_points(radius, np.linspace(first, second, 200) + rotation) for rotation in turned]
+    shown = _view(ax, radius, np.concatenate(outlines, axis=1))
+    small = 2 * radius * math.sin((second - first) / 2) < _SMALL * shown
+    for (role, _, words), outline in zip(places, outlines, strict=True):
+        if small:
+            ax.plot(*outline.mean(axis=1), ls="", zorder=4, label=words, **MARKS[role])
+        else:
+            ax.add_patch(Polygon(outline.T, closed=True, label=words, zorder=2, **AREAS[role]))
+    ax.plot(*_points(radius, np.array([first, second])), color="black", lw=1.4, zorder=3)
+    _dimensions(ax, radius, first, second, small)
+    if not small:
+        _forces(ax, motion, radius, first, second, shown)
+    ax.set_aspect("equal")
+    ax.set(xlabel="$x$ from the centre K (m)", ylabel="$y$ from the centre K (m)")
+    ax.grid(alpha=0.3)
+    legend(ax)
+    return ax
+
+
+def _points(radius: float, angles: Floats) -> Floats:
+    return radius * np.array([np.cos(angles), np.sin(angles)])
+
+
+def _view(ax: Any, radius: float, outlines: Floats) -> float:
+    """Set the limits; the centre is in view where it does not make the mass small. Returns the view's size."""
+    low, high = outlines.min(axis=1), outlines.max(axis=1)
+    with_centre = np.minimum(low, 0.0), np.maximum(high, 0.0)
+    if max(with_centre[1] - with_centre[0]) < 6 * max(high - low):
+        low, high = with_centre
+    size = float(max(high - low))
+    low, high = low - 0.14 * size, high + 0.14 * size
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    return size
+
+
+def _write(ax: Any, words: str, at: Floats, away: Floats, **more: Any) -> None:
+    """Words beside a point, a few points away from it in a direction."""
+    from matplotlib.patheffects import withStroke
+
+    unit = away / max(float(np.hypot(*away)), 1e-300)
+    across = "left" if unit[0] > 0.4 else "right" if unit[0] < -0.4 else "center"
+    up = "bottom" if unit[1] > 0.4 else "top" if unit[1] < -0.4 else "center"
+    options: dict[str, Any] = {"ha": across, "va": up, "zorder": 6} | more
+    ax.annotate(words, at, 6 * unit, textcoords="offset points",
+                path_effects=[withStroke(linewidth=HALO, foreground="white")], **options)  # fmt: skip
+
+
+def _dimensions(ax: Any, radius: float, first: float, second: float, small: bool) -> None:
+    """Ends, centre, radius, chord and depth."""
+    alpha, middle = (second - first) / 2, (first + second) / 2
+    ends = _points(radius, np.array([first, second])).T
+    for name, end in zip(("$P_1$", "$P_2$"), ends, strict=True) if not small else ():
+        _write(ax, name, end, end)
+    inward = -_points(1.0, np.array([middle]))[:, 0]
+    chord, bottom = -radius * math.cos(alpha) * inward, -radius * inward
+    depth = 2 * radius * math.sin(alpha / 2) ** 2
+    words = f"chord {number(2 * radius * math.sin(alpha))} m, depth {number(depth)} m"
+    ax.plot([chord[0], bottom[0]], [chord[1], bottom[1]], color="black", lw=1.0, marker="_", zorder=3)
+    (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
+    if x0 < 0.0 < x1 and y0 < 0.0 < y1:
+        ax.plot(0.0, 0.0, "k+", ms=9, mew=1.5, zorder=5)
+        for end in ends:
+            ax.plot([0.0, end[0]], [0.0, end[1]], zorder=1, **LINES["help"])
+        _write(ax, "K", np.zeros(2), inward, fontweight="bold")
+    words += f"\n$R$ = {number(radius)} m, dip of the chord {number(math.degrees(1.5 * math.pi - middle))} deg"
+    ax.plot([], [], color="black", lw=1.4, label=words)
+
+
+def _forces(ax: Any, motion: Motion, radius: float, first: float, second: float, shown: float) -> None:
+    """Weight at the mass's centre, and reactions on the arc: normal towards K, tangential against the motion."""
+    alpha, middle = (second - first) / 2, (first + second) / 2
+    length = min(0.16 * shown, 0.9 * radius * alpha)
+    # The centroid of a circular segment; for a thin one 3 alpha^3/(...) -> 1, so its chord's middle will do.
+    area = alpha - math.sin(alpha) * math.cos(alpha)
+    out = 2 / 3 * math.sin(alpha) ** 3 / area if alpha > 1e-3 else 1.0
+    centre = _points(radius * out, np.array([middle]))[:, 0]
+    arrow = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "mutation_scale": 11}
+
+    def draw(tip: Floats, tail: Floats, what: str, width: float) -> None:
+        style = arrow | {"color": FORCES[what], "lw": width}
+        ax.annotate("", tip, tail, arrowprops=style, zorder=5)
+
+    tip = centre - [0.0, 1.25 * length]
+    draw(tip, centre, "weight", 2.2)
+    _write(ax, "$W$", tip, np.array([0.0, -1.0]))
+    ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * shown))
+    way = motion.phases[0].direction if motion.phases else math.copysign(1.0, motion.balance.fall)
+    rough = float(trace(motion)["friction"][0]) > 0.0 or "cohesion" in motion.plan.effects
+    for share in _ARROWS:
+        at = _points(radius, np.array([middle + share * alpha]))[:, 0]
+        outward = at / radius
+        along = way * np.array([-outward[1], outward[0]])
+        draw(at, at + 0.7 * length * outward, "normal", 1.6)
+        if rough:
+            draw(at - 0.55 * length * along + 0.06 * length * outward, at + 0.06 * length * outward, "tangential", 1.6)
+    reactions = [("normal reaction $dN$", "normal"), ("tangential reaction $dT$", "tangential")]
+    for words, what in reactions[: 1 + rough]:
+        ax.plot([], [], color=FORCES[what], lw=1.6, marker=">", ms=5, label=words)
+
+
+def animate(motion: Motion, path: str, frames: int = 60, seconds: float = 6.0) -> None:
+    """Write the slide as an animated GIF: the section, with the mass where it is at even times.
+
+    Parameters
+    ----------
+    motion : Motion
+    path : str
+        Ending in .gif.
+    frames : int
+    seconds : float
+        How long it plays.
+    """
+    from matplotlib.animation import FuncAnimation, PillowWriter
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Polygon
+
+    figure = Figure(figsize=(7.0, 5.5), layout="constrained")
+    FigureCanvasAgg(figure)
+    ax = section(motion, figure.add_subplot())
+    arc = motion.plan.scene.arc
+    radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
+    outline = _points(radius, np.linspace(first, second, 200)).T
+    moving = ax.add_patch(Polygon(outline, closed=True, zorder=4, **AREAS["moving"]))
+    times = np.linspace(0.0, motion.duration, frames)
+    states = motion.at(times)
+
+    def draw(k: int) -> None:
+        turn = float(states.rotation[k])
+        moving.set_xy(outline @ np.array([[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]]))
+        figure.suptitle(f"{times[k]:.2f} s, {abs(float(states.velocity[k])):.2f} m/s", fontsize="medium")
+
+    draw(0)
+    with TemporaryDirectory() as folder:
+        whole = Path(folder) / "slide.gif"
+        FuncAnimation(figure, draw, frames).save(whole, PillowWriter(fps=max(1, round(frames / seconds))))
+        write(path, whole.read_bytes())

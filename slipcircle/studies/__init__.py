@@ -1,0 +1,1 @@
+"""Uncertain scenes: distributions, samples, blocks for any executor, and what their results say."""

@@ -1,0 +1,230 @@
+"""Where blocks are computed: here, in threads, in processes or on a Dask cluster; and what keeps them.
+
+Blocks may finish in any order and are handed on by their index, so that every engine gives the same bits on machines of
+one class. With a folder each is kept when it is finished, under its name only when it is whole on the disk, and a
+later run with the same folder computes what is missing.
+
+On many machines, with s seconds a block and worker, w workers, and the scheduler and this process taking c seconds a
+block one after the other (sending it off, taking its result back and adding it up), b blocks take about
+``max(b s / w, b c)``: more workers than s/c gain nothing, see `forecast`. Larger blocks move that limit up.
+"""
+
+import json
+import os
+import sys
+import tempfile
+import time
+import zipfile
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+
+from slipcircle.studies.study import Result, Study, run_block
+
+ENGINES = ("serial", "threads", "processes", "dask")
+_AHEAD = 512  # blocks that may be under way beyond the first unfinished one: more than a cluster's workers
+
+
+def forecast(blocks: int, seconds: float, overhead: float, workers: int) -> float:
+    """Seconds that blocks take on workers: seconds a block each, and overhead a block that nobody shares.
+
+    Examples
+    --------
+    A regional study of 1e9 scenes in blocks of 2**18, 0.16 s each at 0.6 microseconds a scene, with 3 ms for each that
+    nobody shares (`python tests/scale_ensemble.py` measures both): from about 50 workers on that is what it takes.
+
+    >>> [round(forecast(3815, 0.16, 0.003, workers)) for workers in (1, 10, 50, 100)]
+    [610, 61, 12, 11]
+    """
+    return max(-(-blocks // workers) * seconds, blocks * overhead)
+
+
+@contextmanager
+def engine(name: str, workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor | None]:
+    """An executor by the engine's name; none for "serial".
+
+    Parameters
+    ----------
+    name : str
+        One of `ENGINES`.
+    workers : int, optional
+        Threads or processes; by default one for each processor.
+    scheduler : str, optional
+        Address of a running Dask scheduler, such as tcp://10.0.0.1:8786.
+    """
+    workers = workers or os.cpu_count() or 1
+    if (name == "dask") != (scheduler is not None):
+        raise ValueError("--engine dask and --scheduler ADDRESS belong together: the address of a running scheduler")
+    if name == "threads":
+        from concurrent.futures import ThreadPoolExecutor
+
+        with ThreadPoolExecutor(workers) as pool:
+            yield pool
+    elif name == "processes":
+        from concurrent.futures import ProcessPoolExecutor
+        from multiprocessing import get_context
+
+        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as processes:
+            yield processes
+    elif name == "dask":
+        try:
+            from distributed import Client
+        except ImportError as error:
+            raise ImportError("--engine dask needs Dask: pip install 'slipcircle[dask]'") from error
+        try:
+            client = Client(scheduler, timeout="10s")
+        except OSError as error:
+            raise ValueError(f"--scheduler {scheduler}: no Dask scheduler answers there: {error}") from error
+        with client, client.get_executor() as cluster:
+            yield cluster
+    else:
+        yield None
+
+
+class Folder:
+    """Finished blocks on the disk, for one study, seed and size."""
+
+    def __init__(self, path: str | os.PathLike[str], description: Mapping[str, Any]) -> None:
+        self.path = Path(path)
+        self.path.mkdir(parents=True, exist_ok=True)
+        held = stored(self.path)
+        if held is None:
+            write(self.path / "study.json", json.dumps(description, indent=2).encode())
+            return
+        wanted = json.loads(json.dumps(description))
+        if other := [k for k in wanted | held if wanted.get(k) != held.get(k)]:
+            raise ValueError(
+                f"{self.path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder"
+            )
+
+    def _file(self, index: int) -> Path:
+        return self.path / f"block-{index:08d}.npz"
+
+    def load(self, index: int) -> Result | None:
+        """A finished block; none if it is not there, or was damaged since."""
+        try:
+            with open(self._file(index), "rb") as whole, np.load(whole, allow_pickle=False) as file:
+                return {k: file[k] for k in file.files}
+        except (OSError, ValueError, EOFError, zipfile.BadZipFile):
+            return None
+
+    def save(self, index: int, result: Result) -> None:
+        """Keep a finished block."""
+        with replacing(self._file(index)) as file:
+            np.savez(file, **result)  # type: ignore[arg-type]
+
+
+def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
+    """The description of the study whose blocks a folder holds."""
+    path = Path(folder) / "study.json"
+    if not path.exists():
+        return None
+    found: dict[str, Any] = json.loads(path.read_text("utf-8"))
+    return found
+
+
+@contextmanager
+def replacing(path: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
+    """A file to write that takes its name only when all of it is on the disk; on an error nothing changes."""
+    target = Path(path)
+    with tempfile.NamedTemporaryFile(dir=target.parent, prefix=f".{target.name}.", delete=False) as file:
+        try:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+            file.close()
+            umask = os.umask(0)
+            os.umask(umask)
+            os.chmod(file.name, 0o666 & ~umask)  # as any other file
+            os.replace(file.name, target)
+        except BaseException:
+            os.unlink(file.name)
+            raise
+
+
+def write(path: str | os.PathLike[str], content: bytes) -> None:
+    """Write a whole file, or nothing."""
+    with replacing(path) as file:
+        file.write(content)
+
+
+def computed(
+    study: Study, seed: int, size: int, executor: Executor | None = None, folder: Folder | None = None,
+    progress: Callable[[int, int], None] = lambda scenes, kept: None,
+) -> Iterator[Result]:  # fmt: skip
+    """Results of all blocks of a study, in their order.
+
+    Parameters
+    ----------
+    study : Study
+    seed, size : int
+    executor : concurrent.futures.Executor, optional
+    folder : Folder, optional
+    progress : callable, optional
+        Told how many scenes each finished block had, and how many of them were there already.
+    """
+    blocks = study.blocks(size)
+    finished: dict[int, Result] = {}
+    running: dict[Future[Result], int] = {}
+
+    def start(index: int) -> None:
+        kept = folder.load(index) if folder else None
+        if kept is not None:
+            finished[index] = kept
+            progress(study.scenes(index, size), study.scenes(index, size))
+        elif executor:
+            running[executor.submit(run_block, study, index, seed, size)] = index
+        else:
+            done(index, run_block(study, index, seed, size))
+
+    def done(index: int, result: Result) -> None:
+        finished[index] = result
+        if folder:
+            folder.save(index, result)
+        progress(study.scenes(index, size), 0)
+
+    ahead = _AHEAD if executor else 1
+    following = 0
+    try:
+        for index in range(blocks):
+            while index not in finished or (running and following < min(index + ahead, blocks)):
+                while following < min(index + ahead, blocks):
+                    start(following)
+                    following += 1
+                if index in finished:
+                    break
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    done(running.pop(future), future.result())
+            yield finished.pop(index)
+    finally:
+        for future in running:
+            future.cancel()
+        for future in list(running):  # what was finished meanwhile is kept as well
+            if folder and future.done() and not future.cancelled() and future.exception() is None:
+                folder.save(running[future], future.result())
+
+
+class Progress:
+    """Scenes solved, the rate and the time left, on a stream: one line on a terminal, else one every ten seconds."""
+
+    def __init__(self, scenes: int, stream: IO[str] = sys.stderr) -> None:
+        self.scenes, self.stream = scenes, stream
+        self.done = self.kept = 0
+        self.began = self.said = time.monotonic()
+
+    def __call__(self, scenes: int, kept: int) -> None:
+        self.done, self.kept = self.done + scenes, self.kept + kept
+        now, terminal = time.monotonic(), self.stream.isatty()
+        if self.done < self.scenes and now - self.said < (0.2 if terminal else 10.0):
+            return
+        self.said = now
+        rate = (self.done - self.kept) / max(now - self.began, 1e-9)
+        left = f"{(self.scenes - self.done) / rate:.0f} s left" if rate else "all there already"
+        kept_too = f", {self.kept} from before" if self.kept else ""
+        text = f"{self.done} of {self.scenes} scenes{kept_too}, {rate:.3g} a second, {left}"
+        end = "\n" if self.done >= self.scenes or not terminal else ""
+        print(("\r\x1b[K" if terminal else "") + text, end=end, file=self.stream, flush=True)

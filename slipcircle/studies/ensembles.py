@@ -1,0 +1,436 @@
+"""Ensembles: the distribution of run-out and peak velocity where a scene's numbers are uncertain."""
+
+import math
+import os
+from collections.abc import Iterable, Mapping
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+from typing import IO, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.arrays.block import Status
+from slipcircle.arrays.motions import values_of
+from slipcircle.plan import plan
+from slipcircle.scene import Scene
+from slipcircle.studies.distributions import Uncertain, place
+from slipcircle.studies.engines import Folder, Progress, computed, stored
+from slipcircle.studies.estimates import Estimate, Indices, histogram_quantile, indices, proportion, ranks, student
+from slipcircle.studies.sampling import MOST_LATIN
+from slipcircle.studies.study import BIN_ERROR, BINS, METHODS, OUTPUTS, Result, Study, edges, sobol_tables
+
+Floats = NDArray[np.float64]
+QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
+_KEEP = 2**20  # samples up to which they are kept by default
+_BASE = 2**14
+
+
+class Curve(NamedTuple):
+    """Probabilities that values are exceeded, with their intervals."""
+
+    at: Floats
+    probability: Floats
+    low: Floats
+    high: Floats
+
+
+class Convergence(NamedTuple):
+    """What was known after the first n samples."""
+
+    n: int
+    moving: Estimate
+    median: Estimate
+    upper: Estimate
+
+
+@dataclass
+class Ensemble:
+    """What an ensemble found; intervals hold with the confidence at each place, not everywhere at once.
+
+    Attributes
+    ----------
+    scene : Scene
+    study : Study
+    seed, size : int
+        With which the same numbers come again.
+    confidence : float
+    counts : ndarray
+        Lanes of each `slipcircle.arrays.block.Status`.
+    sensitivity : mapping
+        `Indices` of each output, and of whether the mass moves, where there is more than one input.
+    convergence : list of Convergence
+        Of the run-out: its median and its 95 % quantile.
+    samples : mapping
+        Inputs by key, in the key's unit, outputs and status, where they were kept.
+    """
+
+    scene: Scene
+    study: Study
+    seed: int
+    size: int
+    confidence: float
+    counts: NDArray[np.int64] = field(init=False)
+    sensitivity: Mapping[str, Indices] = field(init=False)
+    convergence: list[Convergence] = field(init=False, default_factory=list)
+    samples: Mapping[str, NDArray[Any]] = field(init=False, default_factory=dict)
+
+    def __post_init__(self) -> None:
+        replicates = self.study.replicates
+        self.counts = np.zeros(len(Status), np.int64)
+        self.sensitivity = {}
+        self._answered = np.zeros(replicates, np.int64)
+        self._moving = np.zeros(replicates, np.int64)
+        self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTPUTS}
+        self._ends = dict.fromkeys(OUTPUTS, (math.inf, -math.inf))
+
+    @property
+    def n(self) -> int:
+        """Samples with an answer: the others are no scenes, or failed, and are left out of what follows."""
+        return int(self._answered.sum())
+
+    @property
+    def moving(self) -> Estimate:
+        """Probability that the mass moves."""
+        curve = self._probability(self._moving[:, None])
+        return Estimate(*(float(x[0]) for x in curve))
+
+    def quantile(self, output: str, p: float) -> Estimate:
+        """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it."""
+        counts, ends = self._histograms[output], self._ends[output]
+        if not self.n:
+            return Estimate(math.nan, math.nan, math.nan)
+        if output in self.samples:
+            values = self._ordered(output)
+            value = float(values[max(0, math.ceil(p * self.n) - 1)])
+        else:
+            value = float(histogram_quantile(counts.sum(axis=0), p, ends))
+        if self.study.replicates > 1:
+            each = np.array([histogram_quantile(c, p, ends) for c in counts if c.any()])
+            half = float(student(each, self.confidence))
+            return Estimate(value, max(0.0, value - half), value + half)
+        low, high = ranks(p, self.n, self.confidence)
+
+        def at(rank: int) -> float:
+            if not 1 <= rank <= self.n:
+                return math.nan
+            if output in self.samples:
+                return float(values[rank - 1])
+            return float(histogram_quantile(counts.sum(axis=0), rank / self.n, ends))
+
+        return Estimate(value, at(low), at(high))
+
+    def exceedance(self, output: str, points: int = 101) -> Curve:
+        """Probability that an output is at least so large, at edges of bins, where it has no bin error."""
+        high = self._ends[output][1]
+        if not self.n:
+            return Curve(*np.empty((4, 0)))
+        wanted = np.linspace(0.0, high, points)
+        places = np.unique(np.searchsorted(edges(), wanted, side="right") - 1)
+        places = places[places > 0]  # at the first edge the probability is 1
+        above = np.cumsum(self._histograms[output][:, ::-1], axis=1)[:, ::-1][:, places]
+        return Curve(edges()[places], *self._probability(above))
+
+    def _ordered(self, output: str) -> Floats:
+        answered = (self.samples["status"] != Status.FAILED) & (self.samples["status"] != Status.INVALID)
+        return np.sort(self.samples[output][answered])
+
+    def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
+        """Probabilities and their intervals from how often, (replicates, ...)."""
+        n, total = self.n, hits.sum(axis=0)
+        if not n:
+            return tuple(np.full((3, *total.shape), np.nan))
+        value = total / n
+        low, high = proportion(total, n, self.confidence)
+        if self.study.replicates > 1:
+            filled = self._answered > 0
+            half = student(hits[filled] / self._answered[filled, None], self.confidence)
+            sure = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
+            low, high = (
+                np.where(sure, low, np.maximum(value - half, 0)),
+                np.where(sure, high, np.minimum(value + half, 1)),
+            )
+        return value, low, high
+
+    # -- merging
+
+    def _merge(self, results: Iterable[Result]) -> None:
+        """Add blocks up, in their order."""
+        study, samples = self.study, self.study.sample_blocks(self.size)
+        kept: dict[str, list[NDArray[Any]]] = {}
+        sums = []
+        for index, result in enumerate(results):
+            if index >= samples:
+                sums.append(result["sums"])
+                continue
+            replicate = index % study.replicates
+            self.counts += result["status"]
+            self._answered[replicate] += result["duration.counts"].sum()
+            self._moving[replicate] += result["moving"][0]
+            for name in OUTPUTS:
+                self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
+                ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
+                self._ends[name] = min(ends[0], low), max(ends[1], high)
+            for name, values in result.items():
+                if name.startswith("sample."):
+                    kept.setdefault(name.removeprefix("sample."), []).append(values)
+            turns, rest = divmod(index + 1, study.replicates)
+            if study.method != "grid" and not rest and (turns & (turns - 1) == 0 or index + 1 == samples):
+                upper = self.quantile("run_out", 0.95)
+                self.convergence.append(Convergence(self.n, self.moving, self.quantile("run_out", 0.5), upper))
+        self.samples = {name: np.concatenate(values) for name, values in kept.items()}
+        if sums:
+            every = np.stack(sums)
+            names = ("moves", *OUTPUTS)
+            self.sensitivity = {n: indices(every[:, k], self.confidence) for k, n in enumerate(names)}
+
+    # -- what is written
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to know before the numbers are used."""
+        found = []
+        total = int(self.counts.sum())
+        for status, text in (
+            (Status.INVALID, "are no scenes, such as an angle below its bound, and are left out"),
+            (Status.FAILED, "have no answer, such as a mass that would hang over, and are left out"),
+            (Status.MOVING, "still move at their end: run-out and duration are those until then"),
+            (Status.ILL_CONDITIONED, "lie so close to the limit friction that their error is above the one asked for"),
+        ):
+            if count := int(self.counts[status]):
+                found.append(f"{count} of {total} samples {text}")
+        return found
+
+    def record(self) -> dict[str, Any]:
+        """As JSON holds it: SI units but for inputs, null for what cannot be said."""
+        outputs = {}
+        for name, unit in OUTPUTS.items():
+            curve = self.exceedance(name)
+            outputs[name] = {
+                "unit": unit,
+                "quantiles": [{"p": p} | _estimate(self.quantile(name, p)) for p in QUANTILES],
+                "exceedance": [
+                    dict(zip(Curve._fields, map(float, row), strict=True)) for row in zip(*curve, strict=True)
+                ],
+            }
+        return {
+            "scene": self.scene.name,
+            "inputs": [u.record for u in self.study.inputs.values()],
+            "method": self.study.method, "samples": self.study.n, "seed": self.seed, "block": self.size,
+            "accuracy": self.study.accuracy, "confidence": self.confidence,
+            "bin_error": 0.0 if self.samples else BIN_ERROR,
+            "status": {s.name: int(self.counts[s]) for s in Status},
+            "moving": _estimate(self.moving),
+            "outputs": outputs,
+            "sensitivity_base": self.study.base,
+            "sensitivity": [
+                {"output": output, "input": u.key, "first": _estimate(first), "total": _estimate(total)}
+                for output, found in self.sensitivity.items()
+                for u, first, total in zip(self.study.inputs.values(), *found, strict=True)
+            ],
+            "convergence": [
+                {"n": c.n, "moving": _estimate(c.moving), "run_out_median": _estimate(c.median),
+                 "run_out_95": _estimate(c.upper)} for c in self.convergence
+            ],
+            "warnings": self.warnings,
+        }  # fmt: skip
+
+    def rows(self) -> list[tuple[str, str, str, float, float, float, float]]:
+        """One table of everything: what, output, input, at which value, and the estimate with its interval."""
+        found: list[tuple[str, str, str, float, float, float, float]] = []
+        found.append(("probability of moving", "moves", "", math.nan, *self.moving))
+        for name in OUTPUTS:
+            found += [("quantile", name, "", p, *self.quantile(name, p)) for p in QUANTILES]
+            rows = np.stack(self.exceedance(name), axis=1).tolist()
+            found += [("exceedance", name, "", *row) for row in rows]
+        for output, of in self.sensitivity.items():
+            for kind, estimates in zip(("first-order index", "total index"), of, strict=True):
+                keys = (u.key for u in self.study.inputs.values())
+                found += [(kind, output, key, math.nan, *e) for key, e in zip(keys, estimates, strict=True)]
+        for c in self.convergence:
+            found.append(("moving after n", "moves", "", c.n, *c.moving))
+            found.append(("median after n", "run_out", "", c.n, *c.median))
+            found.append(("95 % quantile after n", "run_out", "", c.n, *c.upper))
+        return found
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Everything as arrays by name: quantiles and curves as rows of (at, value, low, high), bins, samples."""
+        found: dict[str, NDArray[Any]] = {"status_counts": self.counts, "moving": np.array(self.moving)}
+        for name in OUTPUTS:
+            found[f"{name}_quantiles"] = np.array([(p, *self.quantile(name, p)) for p in QUANTILES])
+            found[f"{name}_exceedance"] = np.stack(self.exceedance(name), axis=1)
+            counts = self._histograms[name].sum(axis=0)
+            filled = np.flatnonzero(counts)
+            found[f"{name}_bins"] = np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
+        for output, of in self.sensitivity.items():
+            found[f"{output}_first_order"], found[f"{output}_total"] = np.array(of.first), np.array(of.total)
+        found["inputs"] = np.array([u.key for u in self.study.inputs.values()])
+        found["convergence"] = np.array([(c.n, *c.moving, *c.median, *c.upper) for c in self.convergence])
+        return found | {f"sample_{k}": v for k, v in self.samples.items()}
+
+
+def _estimate(e: Estimate) -> dict[str, Any]:
+    return {k: v if math.isfinite(v) else None for k, v in zip(e._fields, map(float, e), strict=True)}
+
+
+def _law(law: Any) -> str:
+    """A law as a folder remembers it; of a function no more than its name."""
+    return f"{law.__module__}.{law.__qualname__}" if hasattr(law, "__qualname__") else repr(law)
+
+
+def _seed(rng: Any, folder: Any) -> int:
+    """A seed from whatever NumPy takes as one; that of the folder's study where there is none."""
+    if isinstance(rng, int | np.integer) and not isinstance(rng, bool):
+        if rng < 0:
+            raise ValueError(f"rng = {rng!r}: a seed must be at least 0")
+        return int(rng)
+    if rng is None and folder is not None and (held := stored(folder)):
+        return int(held["seed"])
+    return int(np.random.default_rng(rng).integers(2**53))
+
+
+def ensemble(
+    scene: Scene, n: int, rng: Any = None, executor: Executor | None = None, *, method: str = "monte-carlo",
+    sensitivity: int | None = None, keep: bool | None = None, size: int | None = None, confidence: float = 0.95,
+    accuracy: float | None = None, folder: str | os.PathLike[str] | None = None, progress: IO[str] | None = None,
+) -> Ensemble:  # fmt: skip
+    """Solve a scene for samples of its uncertain numbers.
+
+    Parameters
+    ----------
+    scene : Scene
+        With ``uncertain`` numbers, of which the others are none; independent of each other.
+    n : int
+        How many samples.
+    rng : int, SeedSequence or Generator, optional
+        The seed, or what one is drawn from; the same seed gives the same bits with any executor.
+    executor : concurrent.futures.Executor, optional
+        Where blocks are computed: threads, processes, or ``client.get_executor()`` of Dask; by default here.
+    method : str, optional
+        "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals, best for n of 16
+        times a power of two; or "latin-hypercube", in memory, whose intervals are those of Monte Carlo: too wide.
+    sensitivity : int, optional
+        Base points of the sensitivity indices, each of which takes the number of inputs and 2 more scenes; by default
+        16384, n if that is fewer, and 0 where there is one input.
+    keep : bool, optional
+        Whether to keep the samples, by default up to 2**20 of them. Otherwise they are counted in bins of a relative
+        width of 1/1024, and a million or a hundred million take the same memory.
+    size : int, optional
+        Samples of a block, a power of two; by default 16384, 65536 beyond 2**22 samples, and 262144 beyond 2**28, where
+        many machines may work and each block costs the scheduler some milliseconds.
+    confidence : float, optional
+        Of all intervals.
+    accuracy : float, optional
+        Relative error asked for of each solution; by default the scene's own, or 1e-9.
+    folder : path, optional
+        Where finished blocks are kept, and found by a later call that continues.
+    progress : stream, optional
+        Where to tell the rate and the time left.
+
+    Raises
+    ------
+    ValueError
+        If no number is uncertain, if the scene is of arrays, or for a folder that holds another study.
+
+    Examples
+    --------
+    >>> from slipcircle import Scene, ensemble
+    >>> from dataclasses import replace
+    >>> angle = {"distribution": "normal", "mean": 10, "std": 1}
+    >>> found = ensemble(replace(Scene.load("vaiont"), uncertain={"friction.angle_deg": angle}), 1000, rng=1)
+    >>> found.moving.value
+    1.0
+    """
+    said = []
+    if scene.shape:
+        said.append("a scene of arrays is solved as it is: use solve")
+    if not scene.uncertain:
+        said.append("no number is uncertain: give Scene(uncertain=...), or a distribution in its file")
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 1:
+        said.append(f"n = {n!r}: must be a whole number, 1 at least")
+    elif method == "latin-hypercube" and n > MOST_LATIN:
+        said.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
+    if method not in METHODS:
+        said.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
+    if not 0.0 < confidence < 1.0:
+        said.append(f"confidence = {confidence!r}: must be between 0 and 1")
+    if size is not None and (size < 4 or size & (size - 1)):
+        said.append(f"size = {size!r}: must be a power of two, 4 at least")
+    if sensitivity is not None and (isinstance(sensitivity, bool) or not 0 <= sensitivity <= 2**22 or sensitivity == 1):
+        said.append(f"sensitivity = {sensitivity!r}: must be 0, or 2 to {2**22} base points")
+    if said:
+        raise ValueError("ensemble: " + "; ".join(said))
+    chosen, seed, n = plan(scene, accuracy), _seed(rng, folder), int(n)
+    inputs = dict(scene.uncertain)
+    base = (min(_BASE, n) if len(inputs) > 1 and n > 1 else 0) if sensitivity is None else sensitivity
+    tables = sobol_tables(seed, n, len(inputs)) if method == "sobol" else ()
+    law = None if chosen.law == "constant" else scene.friction
+    values = {k: v if k == "given" else float(v) for k, v in values_of(scene).items()}
+    study = Study(chosen.effects, values, law, chosen.accuracy, inputs, (), method, n, base,
+                  n <= _KEEP if keep is None else keep, tables)  # fmt: skip
+    size = size or (2**14 if n <= 2**22 else 2**16 if n <= 2**28 else 2**18)
+    return conduct(scene, study, seed, size, executor, confidence, folder, progress)
+
+
+def grid(
+    scene: Scene, levels: Mapping[str, Any], executor: Executor | None = None, *, accuracy: float | None = None,
+    folder: str | os.PathLike[str] | None = None, progress: IO[str] | None = None,
+) -> Ensemble:  # fmt: skip
+    """Solve a scene at every combination of given values; ``samples`` has them, the last key's fastest.
+
+    Parameters
+    ----------
+    scene : Scene
+    levels : mapping
+        Values by key, ``{"friction.angle_deg": [8, 10, 12]}``, in the key's unit.
+    executor, accuracy, folder, progress
+        As of `ensemble`.
+    """
+    inputs: dict[str, Uncertain] = {}
+    said: list[str] = []
+    for path, values in levels.items():
+        try:
+            name, inputs_of, _ = place(path, scene.friction)
+        except ValueError as error:
+            said.append(str(error))
+            continue
+        if name not in scene.numbers:
+            said.append(f"{path}: the scene has no {name} to vary")
+        elif name in inputs:
+            said.append(f"{path}: {inputs[name].key} says the same")
+        elif np.ndim(values) != 1 or not np.size(values) or not np.all(np.isfinite(values)):
+            said.append(f"{path}: must be a list of numbers")
+        inputs[name] = inputs_of
+    said += ["a scene of arrays is solved as it is: use solve"] if scene.shape else []
+    if said or not levels:
+        raise ValueError("grid: " + ("; ".join(said) or "no values are given"))
+    chosen = plan(scene, accuracy)
+    axes = tuple(np.asarray(v, dtype=np.float64) for v in levels.values())
+    law = None if chosen.law == "constant" else scene.friction
+    values = {k: v if k == "given" else float(v) for k, v in values_of(scene).items()}
+    n = math.prod(len(x) for x in axes)
+    study = Study(chosen.effects, values, law, chosen.accuracy, inputs, axes, "grid", n, 0, True)
+    return conduct(scene, study, 0, 16384, executor, 0.95, folder, progress)
+
+
+def conduct(
+    scene: Scene, study: Study, seed: int, size: int, executor: Executor | None, confidence: float,
+    folder: str | os.PathLike[str] | None, progress: IO[str] | None,
+) -> Ensemble:  # fmt: skip
+    """Compute a study's blocks and add them up."""
+    from slipcircle import __version__
+
+    kept = None
+    if folder is not None:
+        description = {
+            "slipcircle": __version__, "effects": study.effects,
+            "values": {k: v if v is None or isinstance(v, float) else dict(v) for k, v in sorted(study.values.items())},
+            "law": _law(study.law), "accuracy": study.accuracy, "inputs": [u.record for u in study.inputs.values()],
+            "levels": [x.tolist() for x in study.levels], "method": study.method, "samples": study.n,
+            "sensitivity_base": study.base, "keep": study.keep, "seed": seed, "block": size,
+        }  # fmt: skip
+        kept = Folder(folder, description)
+    found = Ensemble(scene, study, seed, size, confidence)
+    told = Progress(sum(study.scenes(k, size) for k in range(study.blocks(size))), progress) if progress else None
+    found._merge(computed(study, seed, size, executor, kept, told or (lambda scenes, old: None)))
+    return found
