@@ -170,8 +170,8 @@ class Pulse:
     def __call__(self, t: Any) -> Any:
         """Values at times, s."""
         if isinstance(t, float) and not self.straight:  # NumPy takes its time with one number
-            inside = self.start <= t < self.start + self.duration
-            return self.amplitude * math.sin(self._phase * (t - self.start) / self.duration) if inside else 0.0
+            acts = self.start <= t < self.end
+            return self.amplitude * math.sin(self._phase * (t - self.start) / self.duration) if acts else 0.0
         tau, _, inside = self._local(t)
         if self.name == "rectangular":
             shape: Any = 1.0

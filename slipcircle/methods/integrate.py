@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 _STIFF_STEPS = 300  # explicit steps between two kinks, ten times what is usual, after which LSODA takes over
 _MOST_STEPS = 100_000  # of one phase, between two kinks
 _FURTHEST = 1e4  # rotation of a frozen slide after which it will never rest, rad
-_SHARES = (0.25, 0.5, 0.75)  # of a step, where its events are looked for
+_SHARES = (1e-3, 0.25, 0.5, 0.75, 1.0 - 1e-3)  # of a step, where its events are looked for
 _ENDS = ("stands", "presses", "over")  # of a phase
 
 
