@@ -99,6 +99,10 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
 
+    Returns
+    -------
+    Plan
+
     Raises
     ------
     ValueError
