@@ -46,7 +46,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         back.add_argument(f"--sigma-{option}-{unit}", type=float, dest=f"sigma_{option}", metavar="X",
                           help="its standard error")  # fmt: skip
     back.add_argument("--field", default="friction", help="what is looked for: friction, cohesion...")
-    commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
+    schema = commands.add_parser("schema", help="what a scene file may say: every effect, law, key and unit")
+    schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
     cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
     cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
@@ -171,6 +172,11 @@ def _backanalyse(options: argparse.Namespace) -> None:
 
 
 def _schema(options: argparse.Namespace) -> None:
+    if options.text:
+        from slipcircle.outputs.guide import guide
+
+        print(guide())
+        return
     from slipcircle.inputs.scenekeys import schema
 
     _print(schema())

@@ -19,6 +19,7 @@ from slipcircle.__main__ import main
 from slipcircle.arc import QUANTITIES
 from slipcircle.inputs.scenefile import read, shipped
 from slipcircle.inputs.scenekeys import schema, tables_of
+from slipcircle.outputs.guide import guide
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 ROOT = Path(__file__).parents[1]
@@ -373,6 +374,32 @@ def test_every_key_has_a_title_and_says_what_is_allowed() -> None:
     assert xi == {"title": "turbulence coefficient of Voellmy", "description": "a number above 0 (m/s^2)"}
 
 
+def test_the_guide_has_every_law_effect_and_key_and_fits_a_page() -> None:
+    lines = guide().splitlines()
+    assert max(map(len, lines)) <= 100
+    heads = {line[:28].strip() for line in lines}
+    for law in LAWS:
+        assert f'law = "{law}"' in heads
+        keys = {k for table in tables_of(law).values() for k in table.keys} - {"law"}
+        assert keys <= {k for head in heads for k in head.split(" or ")}
+    assert {f"[{effect}]" for effect in EFFECTS} <= heads
+
+
+def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
+    """What makes a parameter dimensionless, as people read it, computed."""
+    names = {"alpha": "half_angle", "g": "gravity", "R": "radius", "rho": "density", "sigma_ref": "reference_stress",
+             "Theta": "Theta"}  # fmt: skip
+    scales = {name: 1.0 + 0.37 * k for k, name in enumerate((*names.values(), "thickness", "heat_capacity"))}
+    known = scales | {short: scales[name] for short, name in names.items()} | {"sqrt": np.sqrt}
+    told = {e: [f.split("* = ") for f in effect.formulas if "* = " in f] for e, effect in EFFECTS.items()}
+    for effect, formulas in told.items():
+        for symbol, formula in formulas:
+            (p,) = (p for p in EFFECTS[effect].parameters if p.symbol == symbol)
+            product = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula)
+            assert np.isclose(eval(product, known | {p.name: 7.0}), p.dimensionless(7.0, scales), rtol=1e-14)
+    assert sum(map(len, told.values())) == 5
+
+
 def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     eta = Parameter("eta", "Pa s", 0.0, 1e9, "viscosity of the layer", "eta_kPa_s", 1e3, "e", lambda v, _: v, False)
     slope = Parameter("slope", "", -5e-324, INFINITY, "friction there", "slope_deg", 1.0, "", lambda v, _: v, True)
@@ -404,6 +431,7 @@ def command(*argv: str | Path, code: str = "pass") -> subprocess.CompletedProces
 def test_schema_and_a_file_from_the_shell(file: Path) -> None:
     done = command("schema")
     assert (done.returncode, done.stderr, json.loads(done.stdout)) == (0, "", schema())
+    assert command("schema", "--text").stdout == f"{guide()}\n"
     file.write_text(ARC + FRICTION + "[rotation]\n", "utf-8")
     done = command("run", file)
     assert (done.returncode, done.stderr) == (0, "")

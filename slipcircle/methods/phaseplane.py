@@ -208,13 +208,12 @@ class Course(EndsAtLiftOff):
         known = {"start": self.start.energy, "drive": self.drive, "tilt": self.tilt, "constant": self.constant,
                  "brake": self.brake}  # fmt: skip
         if not self.steady:
-            share = 1.0 - self.balance.values.get("pore_ratio", 0.0)
             known |= {
                 "drop": float(self.law.drop(self.start.slip, math.inf)),
                 "decay": self.radius / self.law.scale,
-                "press": self.at["press"] * share,
-                "press_rise": -self.at["press_slope"] * share,
-                "water": self.balance.values["level"] * self.balance.values.get("pore_pressure", 0.0),
+                "press": self.balance.get("normal", press=self.at["press"], level=0.0),
+                "press_rise": self.balance.get("normal", press=-self.at["press_slope"], level=0.0),
+                "water": -self.balance.get("normal", press=0.0),
             }
         rest = [known[a] for a in ARGUMENTS[name][1:]]
         function = getattr(functions, name)
