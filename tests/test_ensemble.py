@@ -40,6 +40,8 @@ angle_deg = { distribution = "normal", mean = 10, std = 1 }
 [centripetal]
 [cohesion]
 cohesion_kPa = { distribution = "uniform", low = 0, high = 5 }
+[pore_pressure]
+pressure_kPa = { distribution = "triangular", low = 0, mode = 1, high = 3 }
 """
 
 
@@ -80,7 +82,8 @@ def test_a_file_declares_them(file: Path) -> None:
     import tomllib
 
     scene = read(file)
-    assert list(scene.uncertain) == ["radius", "theta_2", "unit_weight", "friction", "cohesion.cohesion"]
+    assert list(scene.uncertain) == ["radius", "theta_2", "unit_weight", "friction", "pore_pressure.pressure",
+                                    "cohesion.cohesion"]  # fmt: skip
     assert scene.friction == pytest.approx(math.tan(math.radians(10)), rel=1e-15)
     assert scene.arc.unit_weight == pytest.approx(1e3 * stats.triang(0.4, 18, 5).median(), rel=1e-14)
     assert scene.called["cohesion"]["cohesion"] == 2500.0

@@ -11,8 +11,9 @@ from slipcircle.arrays.lanes import scene_of
 from slipcircle.solver import solve
 from slipcircle.studies.study import OUTPUTS, Study
 
-_SHARE = 0.1  # of the standard deviation, by which both may differ before it is told
-_ERRORS = 3.0  # standard errors of the samples, by which they may differ
+# Shares of the samples' standard deviation, and standard errors of theirs, up to which a difference is not told. What
+# is of second order moves the mean first, and little to what the mean is used for.
+_MEAN, _STD, _ERRORS = 0.25, 0.1, 3.0
 
 
 class Linear(NamedTuple):
@@ -57,12 +58,12 @@ def propagated(study: Study) -> dict[str, Linear]:
 
 
 def disagreement(output: str, linear: Linear, sampled: Sampled, accuracy: float) -> str:
-    """What to say where they differ by more than a tenth of the spread and by more than chance; empty elsewhere."""
+    """What to say where they differ by more than a share of the spread and by more than chance; empty elsewhere."""
     said, unit, few = [], OUTPUTS[output], accuracy * abs(sampled.mean)
-    pairs = (("mean", linear.mean, sampled.mean, sampled.mean_error),
-             ("standard deviation", linear.std, sampled.std, sampled.std_error))  # fmt: skip
-    for what, here, there, error in pairs:
-        if abs(here - there) > max(_SHARE * sampled.std, _ERRORS * error, few):
+    pairs = (("mean", linear.mean, sampled.mean, sampled.mean_error, _MEAN),
+             ("standard deviation", linear.std, sampled.std, sampled.std_error, _STD))  # fmt: skip
+    for what, here, there, error, share in pairs:
+        if abs(here - there) > max(share * sampled.std, _ERRORS * error, few):
             said.append(f"a {what} of {here:.4g} {unit}, the samples {there:.4g} +- {error:.2g}")
     words = " and ".join(said)
     return f"{output.replace('_', ' ')}: linear propagation gives {words}: trust the samples" if said else ""
