@@ -6,6 +6,7 @@ Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was r
 
 import argparse
 import json
+import os
 import shlex
 import sys
 from collections.abc import Sequence
@@ -46,6 +47,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         back.add_argument(f"--sigma-{option}-{unit}", type=float, dest=f"sigma_{option}", metavar="X",
                           help="its standard error")  # fmt: skip
     back.add_argument("--field", default="friction", help="what is looked for: friction, cohesion...")
+    slopes = commands.add_parser("sensitivity", help="exact derivatives of the motion by each number of a scene")
+    slopes.add_argument("scene", metavar="SCENE", help=which)
     commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
     cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
@@ -56,14 +59,18 @@ def main(argv: Sequence[str] | None = None) -> int:
         from slipcircle.studies import sweep
 
         sweep.arguments(swept)
-    for command in (run, planned, swept, back, cost, info):
+    for command in (run, planned, swept, back, slopes, cost, info):
         command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
     options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
-        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse, "schema": _schema,
-                  "cost": _cost, "info": _info}  # fmt: skip
+        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse,
+                  "sensitivity": _sensitivity, "schema": _schema, "cost": _cost, "info": _info}  # fmt: skip
         chosen[options.command](options)
+        sys.stdout.flush()
+    except BrokenPipeError:  # nobody reads on, as with `| head`; nothing is left to be flushed at the end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
     except (ValueError, ImportError) as error:
         print(f"slipcircle: {error}", file=sys.stderr)
         return 1
@@ -168,6 +175,21 @@ def _backanalyse(options: argparse.Namespace) -> None:
     numbers = [f"solution {k}" for k in range(1, len(found.solutions) + 1)]
     head = numbers if len(numbers) > 1 else [found.motion.plan.scene.name]
     tables.show(["", *head], tables.backanalysis_rows(found), caption=f"by {found.method}")
+
+
+def _sensitivity(options: argparse.Namespace) -> None:
+    motion = solve(Scene.load(options.scene))
+    found, name = motion.sensitivity(), motion.plan.scene.name
+    if options.json:
+        _print({"scene": name} | tables.sensitivity_record(found))
+        return
+    tables.show(
+        ["by", "value", *(f"{n.replace('_', ' ')}, {unit}" for n, unit in found.outputs.items())],
+        [["", "", *(f"{found.at[n]:.6g}" for n in found.outputs)], *tables.sensitivity_rows(found)],
+        name, "change per unit of the key, and in brackets in per cent per per cent of it",
+    )  # fmt: skip
+    if not motion.moves:
+        print(f"slipcircle: {name}: does not move, so that small changes change nothing", file=sys.stderr)
 
 
 def _schema(options: argparse.Namespace) -> None:

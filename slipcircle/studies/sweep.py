@@ -3,6 +3,7 @@
 import argparse
 import csv
 import io
+import math
 import sys
 from concurrent.futures import BrokenExecutor
 from dataclasses import replace
@@ -149,9 +150,14 @@ def record(found: Ensemble) -> Any:
     return {"scene": found.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in cells]}
 
 
-def _pm(e: Estimate, digits: str = ".4g") -> str:
-    ends = ", ".join("?" if np.isnan(x) else f"{x:{digits}}" for x in (e.low, e.high))
-    return f"{e.value:{digits}} [{ends}]" if not np.isnan(e.value) else "-"
+def _pm(e: Estimate) -> str:
+    """A value and its interval, to two digits of the interval's width."""
+    if np.isnan(e.value):
+        return "-"
+    wide = e.high - e.low
+    form = f".{min(max(1 - math.floor(math.log10(wide)), 0), 12)}f" if wide > 0.0 else ".6g"
+    value, *ends = ("?" if np.isnan(x) else f"{x:{form}}" for x in e)
+    return f"{value} [{', '.join(ends)}]"
 
 
 def show(found: Ensemble) -> None:
@@ -165,14 +171,20 @@ def show(found: Ensemble) -> None:
             return
         tables.show(head, [[f"{x:.6g}" if isinstance(x, float) else x for x in row] for row in rows], found.scene.name)
         return
+    head = [f"{n.replace('_', ' ')}, {unit}" for n, unit in OUTPUTS.items()]
     percent = f"{100 * found.confidence:g} %"
     tables.show(
-        ["quantile", *(f"{n.replace('_', ' ')}, {unit}" for n, unit in OUTPUTS.items())],
-        [[f"{p:g}", *(_pm(found.quantile(n, p), ".5g") for n in OUTPUTS)] for p in QUANTILES],
+        ["quantile", *head],
+        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTPUTS)] for p in QUANTILES],
         f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}",
-        f"probability of moving {_pm(found.moving, '.6g')}; {percent} intervals"
+        f"probability of moving {_pm(found.moving)}; {percent} intervals"
         + ("" if found.samples else f"; from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"),
     )
+    rows = [["mean", *(_pm(found.mean(n)) for n in OUTPUTS)], ["std", *(_pm(found.std(n)) for n in OUTPUTS)]]
+    for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
+        rows.insert(2 * k + 1, [what, *(f"{found.linear[n][k]:.6g}" for n in OUTPUTS)])
+    said = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
+    tables.show(["", *head], rows, "Mean and standard deviation", said)
     chosen = (0.5, 0.1, 0.01)
     curve = {n: found.exceedance(n) for n in ("run_out", "peak_velocity")}
     tables.show(
@@ -184,11 +196,11 @@ def show(found: Ensemble) -> None:
         rows = []
         for output, of in found.sensitivity.items():
             for u, first, total in zip(study.inputs.values(), *of, strict=True):
-                rows.append([output.replace("_", " "), u.key, _pm(first, ".3f"), _pm(total, ".3f")])
+                rows.append([output.replace("_", " "), u.key, _pm(first), _pm(total)])
         tables.show(["output", "input", "first-order index", "total index"], rows, "Which unknown matters",
                     f"from {study.base} base points")  # fmt: skip
     tables.show(
         ["samples", "probability of moving", "median run-out, m", "95 % quantile, m"],
-        [[str(c.n), _pm(c.moving), _pm(c.median, ".5g"), _pm(c.upper, ".5g")] for c in found.convergence],
+        [[str(c.n), _pm(c.moving), _pm(c.median), _pm(c.upper)] for c in found.convergence],
         "Convergence",
     )
