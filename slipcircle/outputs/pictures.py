@@ -9,7 +9,7 @@ from typing import Any
 
 from slipcircle.motion import Motion
 from slipcircle.outputs import plots
-from slipcircle.outputs.plotstyle import missing
+from slipcircle.outputs.plotstyle import missing, work
 
 _KINDS = ("png", "svg", "pdf", "jpg")
 _MOST = 20  # scenes in one picture
@@ -80,6 +80,6 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
             ("Histories", "The motion over time. Where the mobilised friction is below the friction needed to stand "
              "still the mass tends to speed up, elsewhere to slow down.", histories, (11.0, 6.5)),
             ("Phase plane", "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
-             "up the work of gravity.", lambda figure: plots.phase_plane(motion, figure.add_subplot()), (8.0, 5.0)),
+             f"up the {work(motion)}.", lambda figure: plots.phase_plane(motion, figure.add_subplot()), (8.0, 5.0)),
         ]  # fmt: skip
     return [(name, caption, partial(render, draw, size)) for name, caption, draw, size in found]

@@ -13,7 +13,7 @@ import numpy as np
 
 from slipcircle.ladder import Rung
 from slipcircle.motion import Motion
-from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, ending, legend, number, scaled, still
+from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, ending, legend, number, scaled, still, work
 from slipcircle.outputs.sectionplot import animate, section
 from slipcircle.outputs.trace import Floats, trace
 
@@ -37,6 +37,7 @@ HISTORIES: Mapping[str, tuple[str, str, tuple[tuple[str, str, str], ...], float]
         1.0,
     ),
 }
+_TALL = 3.0  # the friction needed to stand still is seen up to so many times the greatest mobilised one
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
@@ -70,7 +71,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
     for column, line, name in curves:
         label_of = {"label": name} if len(curves) > 1 else {}
         ax.plot(columns["time"], factor * columns[column], **label_of, **LINES[line])
-    drawn = columns[curves[0][0]]
+    drawn = columns[first[0]]
     for mark, time, words in _marks(motion):
         value = factor * _read(time, columns["time"], drawn)
         shown = f"{words}: {number(value)}{' ' + unit if what != 'friction' else ''} at {number(time)} s"
@@ -80,7 +81,8 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
     ax.margins(y=0.08)
     ax.set_xlim(0.0, motion.duration)
     if what == "friction" or np.ptp(drawn) <= 1e-9 * np.max(np.abs(drawn)):  # also a level line stands above zero
-        top = factor * max(float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves)
+        tops = [factor * float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves]
+        top = min(max(tops), _TALL * tops[0] or math.inf)  # where next to nothing presses, no friction is enough
         ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
     handles, names = ax.get_legend_handles_labels()
     if len(curves) == 2:  # read by columns: the curves above the marks
@@ -125,7 +127,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     back = bool(np.any(np.diff(columns["displacement"]) < 0.0)) and bool(np.any(np.diff(columns["displacement"]) > 0.0))
     along = columns["path"] if back else columns["displacement"]
     first = float(motion.energy.kinetic_start)
-    given = first + columns["work"]
+    given = first + columns["work_of_gravity_and_shaking"]
     factor, unit = scaled(np.concatenate([given, columns["dissipation"]]), "J")
     ax.set(
         xlabel=f"{'path travelled, as it turns back' if back else 'displacement $s$'} (m)", ylabel=f"energy ({unit})"
@@ -136,7 +138,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     lost, kinetic = factor * columns["dissipation"], factor * columns["kinetic_energy"]
     ax.fill_between(along, 0.0, lost, label="dissipation", **AREAS["dissipation"])
     ax.fill_between(along, lost, lost + kinetic, label="kinetic energy", **AREAS["kinetic"])
-    name = "work of gravity" + (" and first kinetic energy" if first else "")
+    name = work(motion) + (" and first kinetic energy" if first else "")
     ax.plot(along, factor * given, label=name, **LINES["total"])
     ax.set_xlim(0.0, float(along[np.argmax(np.abs(along))]))  # to the left too the way is drawn from left to right
     ax.set_ylim(0.0, 1.05 * float(np.max(lost + kinetic)))

@@ -95,6 +95,11 @@ def ending(motion: Motion) -> str:
     return "first standstill" if motion.plan.scene.end_time is None else "end, still moving"
 
 
+def work(motion: Motion) -> str:
+    """What does the work, in words."""
+    return "work of gravity and shaking" if "shaking" in motion.plan.effects else "work of gravity"
+
+
 def still(motion: Motion, ax: Any) -> Any:
     """Say that the mass does not move."""
     ax.text(

@@ -16,7 +16,7 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle.info import facts
 from slipcircle.motion import Motion
 from slipcircle.outputs import pictures
-from slipcircle.outputs.plotstyle import ending, scaled
+from slipcircle.outputs.plotstyle import ending, scaled, work
 from slipcircle.outputs.provenance import inputs
 from slipcircle.outputs.tables import motion_record
 
@@ -49,14 +49,6 @@ RESULTS: tuple[tuple[str, tuple[str, ...], str, float], ...] = (
     ("limit friction at the start", ("limit_friction",), "", 1.0),
     ("yield coefficient k_y at the start", ("yield_coefficient",), "", 1.0),
 )
-_ENERGY: tuple[tuple[str, tuple[str, ...], str, float], ...] = tuple(
-    (name, ("energy", key), "J", 1.0)
-    for name, key in (
-        ("kinetic energy at the start", "kinetic_start"), ("work of gravity", "work"),
-        ("dissipation, by a quadrature of its own", "dissipation"), ("kinetic energy at the end", "kinetic_end"),
-        ("residual: start + work - dissipation - end", "residual"),
-    )
-)  # fmt: skip
 
 
 class Raw(str):
@@ -125,7 +117,7 @@ def _scene(motion: Motion, file: bytes | None) -> Iterable[Raw]:
     rows += [[name, "left out", EFFECTS[name].help, f"({EFFECTS[name].equation})"] for name in plan.left_out]
     yield _table(rows, ["effect", "", "what it does", "equation of the paper"])
     yield _tag("h3", "Method and accuracy")
-    law = f"{plan.law}: {LAWS[plan.law].help}" if plan.law in LAWS else plan.law
+    law = "; ".join(f"{name}: {LAWS[name].help}" if name in LAWS else name for name in plan.law.split(" times "))
     yield _table([
         ["friction law", law],
         ["method", plan.method],
@@ -135,8 +127,13 @@ def _scene(motion: Motion, file: bytes | None) -> Iterable[Raw]:
         ["warnings", "; ".join(motion.warnings) or "none"],
     ])  # fmt: skip
     yield _tag("h3", "Energy check")
-    yield _table([[label, _value(record, path, unit, per)] for label, path, unit, per in _ENERGY])
     energy = record["energy"]
+    parts = (
+        ("kinetic energy at the start", "kinetic_start"), (work(motion), "work"),
+        ("dissipation, by a quadrature of its own", "dissipation"), ("kinetic energy at the end", "kinetic_end"),
+        ("residual: start + work - dissipation - end", "residual"),
+    )  # fmt: skip
+    yield _table([[label, _value(record, ("energy", key), "J", 1.0)] for label, key in parts])
     largest = max(abs(energy[k]) for k in ("kinetic_start", "work", "dissipation", "kinetic_end"))
     share = abs(energy["residual"]) / largest if largest else 0.0
     yield _tag("p", f"The residual is {_number(share)} of the largest of them.")

@@ -53,6 +53,9 @@ def section(motion: Motion, ax: Any = None) -> Any:
             ax.add_patch(Polygon(outline.T, closed=True, label=words, zorder=2, **AREAS[role]))
     ax.plot(*_points(radius, np.array([first, second])), color="black", lw=1.4, zorder=3)
     _dimensions(ax, radius, first, second, small)
+    if motion.moves and not motion.balance.turns:
+        # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
+        ax.plot([], [], ls="", label="frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start")
     if not small:
         _forces(ax, motion, radius, first, second, shown)
     ax.set_aspect("equal")
