@@ -28,11 +28,14 @@ BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```", TEXT, re.DOTALL | re.MULTILINE)
 
 
 def test_python(capsys: pytest.CaptureFixture[str]) -> None:
+    """What the README's code prints is what stands below each print; an error estimate may differ by machine."""
     for code in (text for kind, text in BLOCKS if kind == "python"):
         exec(code, {})
-    said = capsys.readouterr().out
-    assert "677 m in 38 s, 28.0 m/s at most" in said
-    assert float(said.split()[-1]) < 6.7e-7
+        shown = re.findall(r"^# (.*)", code, re.MULTILINE)
+        found = capsys.readouterr().out.splitlines()
+        assert len(shown) == len(found) == code.count("print(")
+        for one, other in zip(shown, found, strict=True):
+            assert one.partition("error")[0] == other.partition("error")[0]
 
 
 def test_proved_bounds_of_the_readme() -> None:
