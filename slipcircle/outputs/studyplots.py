@@ -95,8 +95,8 @@ def indices(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
         ax.set_xticks([])
         return note("does not vary", ax)
     for place, words, (value, low, high) in (
-        (-0.19, "first-order: on its own", shown[:, :3].T),
-        (0.19, "total: with what it does together with others", shown[:, 3:].T),
+        (-0.19, "on its own (first-order)", shown[:, :3].T),
+        (0.19, "together with others (total)", shown[:, 3:].T),
     ):
         at = np.arange(len(keys)) + place
         bars = AREAS["rests" if place < 0 else "kinetic"]
@@ -107,7 +107,7 @@ def indices(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
     ax.set_xlim(min(0.0, 1.1 * low) if low < -0.01 else 0.0, max(1.0, 1.05 * high))
     ax.axvline(0.0, color="0.25", lw=0.8)
     ax.grid(axis="x", alpha=0.3)
-    legend(ax)
+    legend(ax, columns=1)  # names of keys may leave little room beside
     return ax
 
 
@@ -144,7 +144,7 @@ def tornado(
         value, angle = float(key.from_si(table.at[name])), key.key.endswith("_deg")
         step = (_DEGREES if angle else _SHARE * abs(value)) if changes is None else changes.get(key.key, 0.0)
         slope = float(table.values[list(table.outputs).index(output), k] * key.slope(value))
-        said = f"{number(value)} ± " + (f"{100 * _SHARE:g} %" if changes is None and not angle else number(step))
+        said = f"{number(value)} ± " + (f"{100 * _SHARE:g} %" if changes is None and not angle else f"{step:.3g}")
         if step and (slope or changes is not None):
             bars.append((abs(slope) * step, slope * step, f"{key.key} = {said}"))
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
@@ -154,7 +154,7 @@ def tornado(
         ax.set(xticks=[], yticks=[])
         return note("nothing changes it" if at else "does not move", ax)
     bars.sort(key=lambda bar: -bar[0])
-    for sign, words, style in ((1.0, "where it is larger", "kinetic"), (-1.0, "where it is smaller", "rests")):
+    for sign, words, style in ((1.0, "larger", "kinetic"), (-1.0, "smaller", "rests")):
         ax.barh(range(len(bars)), [sign * x for _, x, _ in bars], height=0.62, label=words, **AREAS[style])
     ax.set_yticks(range(len(bars)), [words for *_, words in bars], parse_math=False)
     ax.set(ylim=(len(bars) - 0.5, -0.5), xlim=(-1.08 * bars[0][0], 1.08 * bars[0][0]))
