@@ -137,6 +137,29 @@ def test_a_grid_has_no_probability() -> None:
         studyplots.exceedance(found("two"), "speed")
 
 
+def test_a_grid_is_drawn_as_curves() -> None:
+    """A curve for each radius, each scene of it solved on its own."""
+    scene, angles, radii = Scene.load("vaiont"), [9.0, 12.0, 15.0], [1000.0, 1492.6]
+    e = grid(scene, {"friction.angle_deg": angles, "arc.radius_m": radii})
+    figure = Figure(figsize=studyplots.size(e), dpi=60, layout="constrained")
+    FigureCanvasAgg(figure)
+    studyplots.overview(e, figure)
+    assert clashes(figure) == []
+    assert [ax.get_ylabel() for ax in figure.axes] == ["run-out along the arc (m)", "peak velocity (m/s)"]
+    for radius, *lines in zip(radii, *(ax.lines for ax in figure.axes), strict=True):
+        drawn_at = [np.asarray(line.get_ydata()).tolist() for line in lines]
+        for angle, run_out, velocity in zip(angles, *drawn_at, strict=True):
+            slide = replace(scene, arc=replace(scene.arc, radius=radius), friction=float(np.tan(np.deg2rad(angle))))
+            m = solve(slide)
+            assert [run_out, velocity] == pytest.approx([m.run_out, float(m.peak.velocity)], rel=1e-9)
+    (names,) = {tuple(t.get_text() for t in ax.get_legend().get_texts()) for ax in figure.axes}  # type: ignore[union-attr]
+    assert list(names) == [f"arc.radius_m = {r:.4g}" for r in radii]
+    with pytest.raises(ValueError, match="with at most 6 values of the second, not 1 x 7"):
+        studyplots.response(grid(scene, {"friction.angle_deg": [10.0], "arc.radius_m": np.linspace(1e3, 2e3, 7)}))
+    with pytest.raises(ValueError, match="not samples"):
+        studyplots.response(found("two"))
+
+
 # --- reports and the command ---------------------------------------------------------------------------------------
 
 
@@ -174,7 +197,8 @@ def test_every_study_has_a_report(name: str, monkeypatch: pytest.MonkeyPatch) ->
 
 @pytest.mark.parametrize(
     ("more", "said"),
-    [(["--grid", "friction.angle_deg=8:12:3", "--plot", "{}/a.png"], "--plot: of samples, not of a grid"),
+    [(["--grid", "friction.angle_deg=8:12:3", "--report", "{}/a.html"], "--report: of samples, not of a grid"),
+     (["--grid", "friction.angle_deg=8:12:3", "--grid", "arc.radius_m=1000:2000:7", "--plot", "{}/a.png"], "not 3 x 7"),
      (["--samples", "9", "--plot", "{}/a.gif"], "must end in one of .png, .svg, .pdf, .jpg"),
      (["--samples", "9", "--report", "{}/none/a.html"], "--report {}/none/a.html: there is no folder {}/none")],
 )  # fmt: skip

@@ -3,7 +3,7 @@
 Every function draws on a given matplotlib axis, or on one of its own, and returns it.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +22,14 @@ NAMES: Mapping[str, str] = {
     "moves": "whether it moves",
 }
 _POINTS = 801  # of a curve, from 0 to the largest value
+# Of a family of curves: colours that the colour-blind tell apart, dashes and markers that greys leave apart.
+_STYLES: tuple[Mapping[str, Any], ...] = tuple(
+    {"color": colour, "ls": dashes, "marker": marker}
+    for colour, dashes, marker in (
+        ("#0072B2", "-", "o"), ("#D55E00", (0, (5, 2)), "s"), ("black", (0, (1, 1.2)), "^"),
+        ("#009E73", (0, (6, 1.5, 1, 1.5)), "D"), ("#CC79A7", "-", "x"), ("#E69F00", (0, (3, 1)), "v"),
+    )
+)  # fmt: skip
 _DEGREES, _SHARE = 1.0, 0.01  # changes in a tornado, by default
 
 
@@ -164,8 +172,58 @@ def tornado(
     return ax
 
 
+def response(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
+    """An output over the first number of a grid; of a second one, a curve for each of its values.
+
+    Parameters
+    ----------
+    found : Ensemble
+        Of a grid.
+    output : str
+        run_out, peak_velocity or duration.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    from slipcircle.studies.study import OUTPUTS
+
+    _known("response", "output", output, OUTPUTS)
+    levels, keys = found.study.levels, [u.key for u in found.study.inputs.values()]
+    check_grid([len(x) for x in levels])
+    ax = axis(ax)
+    values = np.where(np.isnan(found.samples["peak_velocity"]), np.nan, found.samples[output])
+    for column, style in zip(values.reshape(len(levels[0]), -1).T, _STYLES, strict=False):
+        ax.plot(levels[0], column, lw=1.8, ms=4, **style)
+    if len(levels) == 2:
+        names = [f"{keys[1]} = {number(x)}" for x in levels[1]]
+        legend(ax, handles=ax.lines, labels=names)
+    ax.set(ylabel=f"{NAMES[output]} ({OUTPUTS[output]})")
+    ax.set_xlabel(f"{keys[0]}", parse_math=False)
+    ax.grid(alpha=0.3)
+    return ax
+
+
+def check_grid(counts: Sequence[int]) -> None:
+    """See that a grid of so many values of each number can be drawn.
+
+    Raises
+    ------
+    ValueError
+        If not.
+    """
+    if not 1 <= len(counts) <= 2 or (len(counts) == 2 and counts[1] > len(_STYLES)):
+        raise ValueError(
+            f"a picture of a grid shows one number, or two with at most {len(_STYLES)} values of the second, not "
+            f"{' x '.join(map(str, counts)) or 'samples'}: give --csv or --npz"
+        )
+
+
 def overview(found: "Ensemble", figure: Any = None) -> Any:
     """Exceedance of run-out and of peak velocity, and below what each unknown adds to them, in one figure.
+
+    Of a grid, run-out and peak velocity over its numbers.
 
     Parameters
     ----------
@@ -179,7 +237,7 @@ def overview(found: "Ensemble", figure: Any = None) -> Any:
     outputs = ("run_out", "peak_velocity")
     grid = figure.add_gridspec(1 + bool(found.sensitivity), 2, height_ratios=_heights(found))
     for k, output in enumerate(outputs):
-        exceedance(found, output, figure.add_subplot(grid[0, k]))
+        (response if found.study.method == "grid" else exceedance)(found, output, figure.add_subplot(grid[0, k]))
         if found.sensitivity:
             indices(found, output, figure.add_subplot(grid[1, k]))
     figure.suptitle(shorten(found.scene.name, 80), parse_math=False, fontweight="bold")

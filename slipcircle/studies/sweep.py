@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from slipcircle import Scene
 from slipcircle.arrays.block import Status
 from slipcircle.inputs.scenefile import find
-from slipcircle.outputs import files, pictures, tables
+from slipcircle.outputs import files, pictures, studyplots, tables
 from slipcircle.studies.distributions import DISTRIBUTIONS
 from slipcircle.studies.engines import ENGINES, engine, replacing
 from slipcircle.studies.ensembles import QUANTILES, Ensemble, ensemble, grid
@@ -43,8 +43,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    parser.add_argument("--plot", metavar="FILE", help="draw exceedance curves and which unknown matters; .png, .svg, "
-                        ".pdf or .jpg")  # fmt: skip
+    parser.add_argument("--plot", metavar="FILE", help="draw exceedance curves and which unknown matters, or a grid of "
+                        "one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
     parser.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     parser.add_argument("--csv", metavar="FILE", help="write one table of all results")
     parser.add_argument("--npz", metavar="FILE", help="write all results as NumPy arrays, the samples where kept")
@@ -61,10 +61,12 @@ def run(options: argparse.Namespace) -> Ensemble:
     written = drawn | {k: path for k in ("csv", "npz") if (path := getattr(options, k))}
     source = find(options.scene)
     files.check("sweep", {f"--{k}": path for k, path in written.items()}, [str(source)])  # before the work
-    if drawn and options.grid:
-        raise ValueError(f"sweep: --{' and --'.join(drawn)}: of samples, not of a grid; give --csv or --npz")
+    if options.report and options.grid:
+        raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
     if drawn:
         pictures.check("sweep", options.plot or "")
+        if options.grid:
+            studyplots.check_grid([len(x) for x in _levels(options.grid).values()])
     content = source.read_bytes()
     try:
         found = _compute(scene, options)
