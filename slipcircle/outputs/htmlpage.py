@@ -15,7 +15,7 @@ h1, h2, h3 { line-height: 1.2; } h2 { margin-top: 2.5rem; border-top: 2px solid 
 table { border-collapse: collapse; margin: 0.6rem 0; } caption { text-align: left; font-style: italic; }
 th, td { text-align: left; vertical-align: top; padding: 0.15rem 1.2rem 0.15rem 0; border-bottom: 1px solid #ccc; }
 pre { background: #f4f4f4; padding: 0.7rem; white-space: pre-wrap; overflow-wrap: anywhere; }
-td { overflow-wrap: anywhere; } td:first-child { overflow-wrap: normal; } .path { white-space: nowrap; }
+td { overflow-wrap: break-word; } td code { overflow-wrap: anywhere; } .path { white-space: nowrap; }
 figure { margin: 1rem 0; break-inside: avoid; } img { max-width: 100%; height: auto; }
 .warning { border-left: 5px solid #D55E00; padding-left: 0.8rem; }
 @media print { body { margin: 0; max-width: none; font-size: 10pt; } section + section { break-before: page; } }

@@ -114,7 +114,7 @@ def given(plan: Plan, text: str | None) -> Iterable[Raw]:
             for use, names in (("used", plan.effects), ("left out", plan.left_out)) for name in names]  # fmt: skip
     yield table(rows, ["effect", "", "what it does", "equation of the paper"])
     laws = (
-        "; ".join(filter(None, (name, LAWS[name].help if name in LAWS else ""))) for name in plan.law.split(" times ")
+        ": ".join(filter(None, (name, LAWS[name].help if name in LAWS else ""))) for name in plan.law.split(" times ")
     )
     yield table([["friction law", " times ".join(laws)]])
 
