@@ -47,7 +47,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     run = command("run", "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
-    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg")
+    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg, and "
+                     "the slide itself as .gif")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
     planned = command("plan", "how a scene will be solved, and what that costs")
@@ -107,11 +108,11 @@ def _print(record: Any) -> None:
 def _run(options: argparse.Namespace) -> None:
     paths = [find(name) for name in options.scenes]
     asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
-    files.check({f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
+    files.check("run", {f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
     if options.plot or options.report:
         from slipcircle.outputs import pictures
 
-        pictures.check(options.plot or "", len(paths))
+        pictures.check("run", options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
     motions = [_solved(name) for name in options.scenes]
     for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:

@@ -5,7 +5,6 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import matplotlib
@@ -19,7 +18,7 @@ from matplotlib.text import Text
 
 from slipcircle import Arc, Motion, Scene, plan, solve
 from slipcircle.inputs.series import Pulse, Series
-from slipcircle.outputs import plots, plotstyle
+from slipcircle.outputs import pictures, plots, plotstyle
 from slipcircle.outputs.report import report
 from slipcircle.outputs.trace import UNITS, csv, trace
 
@@ -99,7 +98,7 @@ def clashes(figure: Any) -> list[str]:
 
 @each_scene
 def test_no_text_lies_on_another(name: str) -> None:
-    figure = Figure(figsize=(14.0, 10.0), dpi=60, layout="constrained")
+    figure = Figure(figsize=plots.size(motion(name)), dpi=60, layout="constrained")
     FigureCanvasAgg(figure)
     assert plots.overview(motion(name), figure) is figure
     assert len(list(texts(figure))) > 15
@@ -365,10 +364,24 @@ def test_ladder() -> None:
     assert clashes(ax.figure) == []
 
 
-def test_animation(tmp_path: Path) -> None:
-    plots.animate(motion("wet-slope"), str(tmp_path / "slide.gif"), frames=3)
-    assert (tmp_path / "slide.gif").read_bytes().startswith(b"GIF89a")
-    assert [p.name for p in tmp_path.iterdir()] == ["slide.gif"]
+def test_animation_moves_the_mass() -> None:
+    m, figure = motion("wet-slope"), Figure(layout="constrained")
+    FigureCanvasAgg(figure)
+    played = plots.animate(m, figure, 5)
+    played._init_draw()  # which else complains that nothing was rendered
+    moving = [p for p in figure.axes[0].patches if isinstance(p, Polygon)][-1]
+    for frame in (0, 2, 4):
+        played._func(frame)
+        state = m.at(m.duration * frame / 4)
+        x, y = moving.get_xy()[0]
+        assert np.arctan2(y, x) % (2 * np.pi) == pytest.approx(
+            float(np.asarray(m.plan.scene.arc.theta_1)) + float(state.rotation)
+        )
+        assert f"{float(state.velocity):.2f} m/s" in figure.get_suptitle()
+
+
+def test_a_moving_picture_is_a_gif() -> None:
+    assert pictures.overview([motion("still")], "gif").startswith(b"GIF89a")
 
 
 def test_an_axis_is_made_where_none_is_given() -> None:

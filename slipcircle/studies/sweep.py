@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 from slipcircle import Scene
 from slipcircle.arrays.block import Status
-from slipcircle.outputs import tables
+from slipcircle.inputs.scenefile import find
+from slipcircle.outputs import files, pictures, studyplots, tables
 from slipcircle.studies.distributions import DISTRIBUTIONS
-from slipcircle.studies.engines import ENGINES, engine, replacing, write
+from slipcircle.studies.engines import ENGINES, engine, replacing
 from slipcircle.studies.ensembles import QUANTILES, Ensemble, ensemble, grid
 from slipcircle.studies.estimates import Estimate
 from slipcircle.studies.study import BIN_ERROR, METHODS, OUTPUTS
@@ -42,6 +43,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
+    parser.add_argument("--plot", metavar="FILE", help="draw exceedance curves and which unknown matters, or a grid of "
+                        "one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
+    parser.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     parser.add_argument("--csv", metavar="FILE", help="write one table of all results")
     parser.add_argument("--npz", metavar="FILE", help="write all results as NumPy arrays, the samples where kept")
 
@@ -53,16 +57,30 @@ def run(options: argparse.Namespace) -> Ensemble:
         drawn = _drawn(options.uncertain)
         others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
         scene = replace(scene, uncertain=others | drawn)
-    for path in filter(None, (options.csv, options.npz)):
-        if not Path(path).parent.is_dir():  # said before the work, not after it
-            raise ValueError(f"{path}: there is no folder {Path(path).parent}")
+    drawn = {k: path for k in ("plot", "report") if (path := getattr(options, k))}
+    written = drawn | {k: path for k in ("csv", "npz") if (path := getattr(options, k))}
+    source = find(options.scene)
+    files.check("sweep", {f"--{k}": path for k, path in written.items()}, [str(source)])  # before the work
+    if options.report and options.grid:
+        raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
+    if drawn:
+        pictures.check("sweep", options.plot or "")
+        if options.grid:
+            studyplots.check_grid([len(x) for x in _levels(options.grid).values()])
+    content = source.read_bytes()
     try:
         found = _compute(scene, options)
     except BrokenExecutor as error:
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
+    if options.plot:
+        files.write(options.plot, pictures.study(found, Path(options.plot).suffix[1:].lower()))
+    if options.report:
+        from slipcircle.outputs.studyreport import study_report
+
+        files.write(options.report, study_report(found, content, options.line).encode())
     if options.csv:
-        write(options.csv, _csv(found).encode())
+        files.write(options.csv, _csv(found).encode())
     if options.npz:
         with replacing(options.npz) as file:
             _savez(file, found.arrays())
