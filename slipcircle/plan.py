@@ -69,7 +69,7 @@ class Plan:
     @property
     def tolerance(self) -> float:
         """Relative tolerance of the steps of an integration that meets the accuracy."""
-        return max(self.accuracy * 1e-4, 3e-14)
+        return max(self.accuracy * 1e-3, 3e-14)
 
     @property
     def error_estimate(self) -> float:
