@@ -17,7 +17,7 @@ from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.friction import Friction
 from slipcircle.methods.chebyshev import Piecewise, accumulate, quadrature, resolve
-from slipcircle.methods.collocation import BACK, EPS, MEAN, RESOLVED, Panels, Z, over_panels, propose, series_at, solved
+from slipcircle.methods.collocation import BACK, MEAN, RESOLVED, Panels, Z, over_panels, propose, series_at, solved
 from slipcircle.methods.liftoff import EndsAtLiftOff
 from slipcircle.methods.roots import halley, root, scalar
 
@@ -430,11 +430,11 @@ class Course(EndsAtLiftOff):
         """
         last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
         edges = np.array(sorted({0.0, top, *(self._variable(b) for b in self.breaks if b < self.end), last}))
-        if not self.closed or (self.steady and self.brake * self.end < 100.0):
-            if self.start.energy == 0.0:
-                whole, part, missing = quadrature(self._rate, edges, top)
-                if missing <= 4e-14 * whole:
-                    return whole, part, missing
+        smooth = not self.closed or (self.steady and self.brake * self.end < 100.0)
+        if smooth and self.start.energy == 0.0:
+            whole, part, missing = quadrature(self._rate, edges, top)
+            if missing <= 4e-14 * whole:
+                return whole, part, missing
         at_top = max(float(self.clock(np.array([top]))[0]), 0.0) if top < last else self.clock.end
         return self.clock.end, at_top, self.clock.tail
 
