@@ -5,6 +5,7 @@ Results go to stdout, messages to stderr; the exit status is what `EPILOG` says.
 
 import argparse
 import json
+import os
 import re
 import shlex
 import sys
@@ -48,7 +49,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     run = command("run", "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
-    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg")
+    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg, and "
+                     "the slide itself as .gif")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
     planned = command("plan", "how a scene will be solved, and what that costs")
@@ -65,6 +67,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         back.add_argument(f"--sigma-{option}-{unit}", type=float, dest=f"sigma_{option}", metavar="X",
                           help="its standard error")  # fmt: skip
     back.add_argument("--field", default="friction", help="what is looked for: friction (the default), cohesion, ...")
+    slopes = command("sensitivity", "exact derivatives of the motion by each number of a scene")
+    slopes.add_argument("scene", metavar="SCENE", help=which)
     schema = command("schema", "what a scene file may say: every effect, law, key and unit")
     schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
     cost = command("cost", "measure here what each way to compute something costs, and its error")
@@ -76,14 +80,18 @@ def main(argv: Sequence[str] | None = None) -> int:
         from slipcircle.studies import sweep
 
         sweep.arguments(swept)
-    for parsed in (run, planned, swept, back, cost, info):
+    for parsed in (run, planned, swept, back, slopes, cost, info):
         parsed.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
     options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
-        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse, "schema": _schema,
-                  "cost": _cost, "info": _info}  # fmt: skip
+        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse,
+                  "sensitivity": _sensitivity, "schema": _schema, "cost": _cost, "info": _info}  # fmt: skip
         chosen[options.command](options)
+        sys.stdout.flush()
+    except BrokenPipeError:  # nobody reads on, as with `| head`; nothing is left to be flushed at the end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
     except (ValueError, ImportError) as error:
         print(f"slipcircle: {error}", file=sys.stderr)
         return 1
@@ -102,11 +110,11 @@ def _print(record: Any) -> None:
 def _run(options: argparse.Namespace) -> None:
     paths = [find(name) for name in options.scenes]
     asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
-    files.check({f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
+    files.check("run", {f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
     if options.plot or options.report:
         from slipcircle.outputs import pictures
 
-        pictures.check(options.plot or "", len(paths))
+        pictures.check("run", options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
     motions = [_speaking_of(Scene.load(name), solve) for name in options.scenes]
     for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:
@@ -199,6 +207,21 @@ def _backanalyse(options: argparse.Namespace) -> None:
     numbers = [f"solution {k}" for k in range(1, len(found.solutions) + 1)]
     head = numbers if len(numbers) > 1 else [found.motion.plan.scene.name]
     tables.show(["", *head], tables.backanalysis_rows(found), caption=f"by {found.method}")
+
+
+def _sensitivity(options: argparse.Namespace) -> None:
+    motion = solve(Scene.load(options.scene))
+    found, name = motion.sensitivity(), motion.plan.scene.name
+    if options.json:
+        _print({"scene": name} | tables.sensitivity_record(found))
+        return
+    tables.show(
+        ["by", "value", *(f"{n.replace('_', ' ')}, {unit}" for n, unit in found.outputs.items())],
+        [["", "", *(f"{found.at[n]:.6g}" for n in found.outputs)], *tables.sensitivity_rows(found)],
+        name, "change per unit of the key, and in brackets in per cent per per cent of it",
+    )  # fmt: skip
+    if not motion.moves:
+        print(f"slipcircle: {name}: does not move, so that small changes change nothing", file=sys.stderr)
 
 
 def _schema(options: argparse.Namespace) -> None:

@@ -254,6 +254,19 @@ def test_the_exit_status_reaches_the_shell() -> None:
         assert "Traceback" not in done.stderr
 
 
+def test_a_reader_that_stops_is_no_error() -> None:
+    """As with `| head`: no traceback, whatever was written."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    for more in ([], ["--json"]):
+        done = subprocess.run(
+            [sys.executable, "-m", "slipcircle", "run", "vaiont-frozen", *more], cwd=ROOT, stdout=writer,
+            stderr=subprocess.PIPE, check=False,
+        )  # fmt: skip
+        assert (done.returncode, done.stderr) == (1, b"")
+    os.close(writer)
+
+
 def test_without_rich_there_is_one_error_with_the_line_to_type() -> None:
     without = f"sys.modules['rich'] = None; {MAIN}; sys.exit(status)"
     for argv in (["run", "vaiont-frozen"], ["info"]):

@@ -54,6 +54,8 @@ def next_start(
 
 def kinks_of(balance: Balance, law: Friction) -> Floats:
     """Dimensionless times at which what changes with time is not smooth; none where nothing does."""
+    if not len(law.times):
+        return np.asarray(balance.kinks)
     return np.unique(np.concatenate([balance.kinks, np.asarray(law.times) / balance.time_scale]))
 
 
@@ -68,7 +70,7 @@ def _start(
     excess = _excess_of_drive(balance, law, rest, side)
     ahead = slice(np.searchsorted(kinks, time, side="right"), np.searchsorted(kinks, end))
     bounds = np.concatenate([[time], kinks[ahead], [end]])
-    straight = all(hasattr(f, "values") for f, _ in balance.forcing.values())
+    straight = all(getattr(f, "straight", False) for f, _ in balance.forcing.values())
     share = np.linspace(0.0, 1.0, 3 if straight else _SAMPLES)
     first, chunk = 0, _CHUNK
     while first < len(bounds) - 1:
