@@ -114,7 +114,7 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     for s in found.solutions:
         angle, error = angle_deg(found.field, s.value), s.standard_error
         velocity = float(s.motion.peak.velocity)
-        computed = {"runout": f"{s.motion.run_out:.2f} m", "peak_velocity": f"{velocity:.3f} m/s",
+        computed = {"run-out": f"{s.motion.run_out:.2f} m", "peak velocity": f"{velocity:.3f} m/s",
                     "duration": f"{s.motion.duration:.3f} s"}  # fmt: skip
         columns.append(
             {found.field: f"{s.value:.8g}{unit}"}

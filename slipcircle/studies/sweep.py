@@ -178,18 +178,25 @@ def _pm(e: Estimate) -> str:
     return f"{value} [{', '.join(ends)}]"
 
 
+def _words(name: str, unit: str = "") -> str:
+    """An output or a status as the tables have it."""
+    return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
+
+
 def show(found: Ensemble) -> None:
     """Print tables."""
     study = found.study
     if study.method == "grid":
-        head, rows = grid_rows(found)
+        _, rows = grid_rows(found)
         if len(rows) > _MOST_ROWS:
-            said = ", ".join(f"{count} {Status(s).name}" for s, count in enumerate(found.counts) if count)
+            said = ", ".join(f"{count} {_words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
             print(f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json")
             return
-        tables.show(head, [[f"{x:.6g}" if isinstance(x, float) else x for x in row] for row in rows], found.scene.name)
+        head = [*(u.key for u in study.inputs.values()), *(_words(n, unit) for n, unit in OUTPUTS.items()), "status"]
+        cells = [[*(f"{x:.6g}" for x in numbers), _words(status)] for *numbers, status in rows]
+        tables.show(head, cells, found.scene.name)
         return
-    head = [f"{n.replace('_', ' ')}, {unit}" for n, unit in OUTPUTS.items()]
+    head = [_words(n, unit) for n, unit in OUTPUTS.items()]
     percent = f"{100 * found.confidence:g} %"
     tables.show(
         ["quantile", *head],
@@ -206,7 +213,7 @@ def show(found: Ensemble) -> None:
     chosen = (0.5, 0.1, 0.01)
     curve = {n: found.exceedance(n) for n in ("run_out", "peak_velocity")}
     tables.show(
-        ["exceeded with probability", *(f"{n.replace('_', ' ')}, {OUTPUTS[n]}" for n in curve)],
+        ["exceeded with probability", *(_words(n, OUTPUTS[n]) for n in curve)],
         [[f"{p:g}", *(f"{found.quantile(n, 1 - p).value:.5g}" for n in curve)] for p in chosen],
         "Exceedance", "the curves are in --csv, --npz and --json",
     )  # fmt: skip
@@ -214,11 +221,11 @@ def show(found: Ensemble) -> None:
         rows = []
         for output, of in found.sensitivity.items():
             for u, first, total in zip(study.inputs.values(), *of, strict=True):
-                rows.append([output.replace("_", " "), u.key, _pm(first), _pm(total)])
+                rows.append([_words(output), u.key, _pm(first), _pm(total)])
         tables.show(["output", "input", "first-order index", "total index"], rows, "Which unknown matters",
                     f"from {study.base} base points")  # fmt: skip
     tables.show(
-        ["samples", "probability of moving", "median run-out, m", "95 % quantile, m"],
+        ["samples", "probability of moving", "median run-out (m)", "95 % quantile (m)"],
         [[str(c.n), _pm(c.moving), _pm(c.median), _pm(c.upper)] for c in found.convergence],
         "Convergence",
     )
