@@ -69,7 +69,7 @@ class Panels(NamedTuple):
 
 
 def propose(
-    equation: Callable[[Floats], tuple[Floats, Floats]], edges: Floats, rounds: int = 6
+    equation: Callable[[Floats], tuple[Floats, Floats]], edges: Floats, terms: float, blur: float, rounds: int = 6
 ) -> tuple[Floats, Floats, Floats]:
     """Panels on which the equation is smooth, to be solved: as given, or halves where it is not.
 
@@ -79,6 +79,10 @@ def propose(
         Takes places of shape (p, n), gives right and matrix of shapes (m, p, n) and (m, m, p, n).
     edges : ndarray
         Shape (n + 1,).
+    terms : float
+        Size of the terms whose difference the right side is, at least: it is rounded as they are.
+    blur : float
+        By how much a rotation's rounding, relative to it, is larger in the equation, for each of the rotation.
     rounds : int, optional
         How often a panel is halved at most.
 
@@ -94,8 +98,8 @@ def propose(
         given = np.concatenate([right.reshape(-1, p, n), matrix.reshape(-1, p, n)])
         series = BACK @ given[:, :NODES]
         left_out = np.abs(series[:, -2:]).sum(axis=1) + np.abs(_AT_HAIRS.T @ series - given[:, NODES:]).max(axis=1)
-        largest = np.abs(series).sum(axis=1).max(axis=1, keepdims=True)  # where a drive passes zero it is rounded
-        rough = (left_out > RESOLVED * largest).any(axis=0)
+        largest = RESOLVED * np.abs(series).sum(axis=1).max(axis=1, keepdims=True)
+        rough = (left_out > np.maximum(largest, 4 * EPS * terms) * (1.0 + blur * edges[1:])).any(axis=0)
         if not rounds or not rough.any():
             break
         rounds -= 1
