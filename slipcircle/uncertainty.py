@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.friction import friction
+from slipcircle.methods.collocation import EPS
 from slipcircle.methods.frozen import Frozen
-from slipcircle.methods.phaseplane import EPS, Course
+from slipcircle.methods.phaseplane import Course
 from slipcircle.methods.stepping import Stepped
 from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM
 

@@ -62,10 +62,13 @@ class Panels(NamedTuple):
         """Some of them."""
         return Panels(self.edges[: count + 1], self.values[: count + 1], *(a[:count] for a in self[2:]))
 
-    def then(self, more: "Panels") -> "Panels":
-        """And those that follow."""
-        ends = (np.concatenate([a, b[1:]]) for a, b in zip(self[:2], more[:2], strict=True))
-        return Panels(*ends, *(np.concatenate([a, b]) for a, b in zip(self[2:], more[2:], strict=True)))
+
+def joined(parts: list[Panels]) -> Panels:
+    """Panels that follow each other as one."""
+    if len(parts) == 1:
+        return parts[0]
+    ends = (np.concatenate([parts[0][i][:1], *(p[i][1:] for p in parts)]) for i in (0, 1))
+    return Panels(*ends, *(np.concatenate([p[i] for p in parts]) for i in range(2, 7)))
 
 
 def propose(

@@ -17,7 +17,18 @@ from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.friction import Friction
 from slipcircle.methods.chebyshev import Piecewise, accumulate, quadrature, resolve
-from slipcircle.methods.collocation import BACK, EPS, MEAN, RESOLVED, Panels, Z, over_panels, propose, series_at, solved
+from slipcircle.methods.collocation import (
+    BACK,
+    MEAN,
+    RESOLVED,
+    Panels,
+    Z,
+    joined,
+    over_panels,
+    propose,
+    series_at,
+    solved,
+)
 from slipcircle.methods.liftoff import EndsAtLiftOff
 from slipcircle.methods.roots import halley, root, scalar
 
@@ -302,8 +313,7 @@ class Course(EndsAtLiftOff):
             scale = min(scale, self.start.energy / -self.drive)
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
         never = 1e7 * max(1.0, self.law.scale / self.radius if math.isfinite(self.law.scale) else 0.0)
-        width, elapsed, panels = scale / 2, 0.0, None
-        blur = self.radius / self.law.scale
+        width, elapsed, blur, parts = scale / 2, 0.0, self.radius / self.law.scale, list[Panels]()
         left, state, many, tried = 0.0, self._begin(), _MOST_AHEAD, 0
         while tried < MOST_PANELS:
             edges = [left]
@@ -329,13 +339,16 @@ class Course(EndsAtLiftOff):
                 count = int(np.argmax(enough)) + 1
                 if ended[count - 1]:
                     stop, begin, whole = self._standstill(ahead.first(count)), ahead.edges[count - 1], half[count - 1]
-                    if stop - begin < 0.1 * whole and whole > 1e-13 * stop:  # what is behind must not set the scale there: once more, shorter
+                    if (
+                        stop - begin < 0.1 * whole and whole > 1e-13 * stop
+                    ):  # what is behind must not set the scale there: once more, shorter
                         width, count, done = max(4 * (stop - begin), 0.01 * whole), count - 1, False
             if count:
-                panels = ahead.first(count) if panels is None else panels.then(ahead.first(count))
-                left, state, elapsed = float(panels.edges[-1]), panels.values[-1], float(passed[count - 1])
+                parts.append(ahead.first(count))
+                left, state, elapsed = float(ahead.edges[count]), ahead.values[count], float(passed[count - 1])
             if not done:
                 continue
+            panels = joined(parts)
             self._keep(panels)
             self._sampled = panels.nodes[:, ::-1].ravel(), panels.states[:, 0, ::-1].ravel()
             self.unresolved = float(panels.missing.max())
@@ -435,11 +448,10 @@ class Course(EndsAtLiftOff):
         """
         last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
         edges = np.array(sorted({0.0, top, *(self._variable(b) for b in self.breaks if b < self.end), last}))
-        if not self.closed or (self.steady and self.brake * self.end < 100.0):
-            if self.start.energy == 0.0:
-                whole, part, missing = quadrature(self._rate, edges, top)
-                if missing <= 4e-14 * whole:
-                    return whole, part, missing
+        if self.start.energy == 0.0 and (not self.closed or (self.steady and self.brake * self.end < 100.0)):
+            whole, part, missing = quadrature(self._rate, edges, top)
+            if missing <= 4e-14 * whole:
+                return whole, part, missing
         at_top = max(float(self.clock(np.array([top]))[0]), 0.0) if top < last else self.clock.end
         return self.clock.end, at_top, self.clock.tail
 
