@@ -20,7 +20,7 @@ CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
 ENERGY_EQUATION = "quadrature of the linear energy equation"
 LINEAR_SYSTEM = "linear system of energy and pore pressure in the phase plane by collocation, time by quadrature"
 INTEGRATION = "integration in time by SciPy (DOP853, LSODA where stiff), events located"
-STEPPING = "exact steps along the record, frozen geometry"
+STEPPING = "exact steps along the record"
 # Evaluations of the specialised functions that a solution typically takes.
 EVALUATIONS = {
     CLOSED_IN_TIME: 3,
@@ -69,7 +69,7 @@ class Plan:
     @property
     def tolerance(self) -> float:
         """Relative tolerance of the steps of an integration that meets the accuracy."""
-        return max(self.accuracy * 1e-4, 3e-14)
+        return max(self.accuracy * 1e-3, 3e-14)
 
     @property
     def error_estimate(self) -> float:
@@ -98,6 +98,10 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     scene : Scene
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
+
+    Returns
+    -------
+    Plan
 
     Raises
     ------

@@ -1,7 +1,6 @@
 """One phase of motion with frozen geometry and constant friction: the paper's closed form in time (3.20), (4.3)."""
 
 import math
-from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -34,8 +33,8 @@ class Frozen(EndsAtLiftOff):
         braked = balance.has("brake")
         prefix = "frozen_centripetal" if braked else "frozen"
         self.b = float(balance.get("brake", mu=self.mu))
-        self.coefficients = (self.a, self.b, self.omega_0) if braked else (self.a, self.omega_0)
-        self._state: Callable[..., Any] = functions.frozen_braked_state if braked else functions.frozen_state
+        self.coefficients: tuple[float, ...] = (self.a, self.b, self.omega_0) if braked else (self.a, self.omega_0)
+        self._state: Any = functions.frozen_braked_state if braked else functions.frozen_state
         self.stops = self.a < 0.0
         self.duration = self.end = math.inf
         if self.stops:

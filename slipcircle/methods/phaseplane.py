@@ -163,13 +163,12 @@ class Course(EndsAtLiftOff):
         known = {"start": self.start.energy, "drive": self.drive, "tilt": self.tilt, "constant": self.constant,
                  "brake": self.brake}  # fmt: skip
         if not self.steady:
-            share = 1.0 - self.balance.values.get("pore_ratio", 0.0)
             known |= {
                 "drop": float(self.law.drop(self.start.slip, math.inf)),
                 "decay": self.radius / self.law.scale,
-                "press": self.at["press"] * share,
-                "press_rise": -self.at["press_slope"] * share,
-                "water": self.balance.values["level"] * self.balance.values.get("pore_pressure", 0.0),
+                "press": self.balance.get("normal", press=self.at["press"], level=0.0),
+                "press_rise": self.balance.get("normal", press=-self.at["press_slope"], level=0.0),
+                "water": -self.balance.get("normal", press=0.0),
             }
         rest = [known[a] for a in ARGUMENTS[name][1:]]
         function = getattr(functions, name)
@@ -448,7 +447,8 @@ class Course(EndsAtLiftOff):
         """
         last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
         edges = np.array(sorted({0.0, top, *(self._variable(b) for b in self.breaks if b < self.end), last}))
-        if self.start.energy == 0.0 and (not self.closed or (self.steady and self.brake * self.end < 100.0)):
+        smooth = not self.closed or (self.steady and self.brake * self.end < 100.0)
+        if smooth and self.start.energy == 0.0:
             whole, part, missing = quadrature(self._rate, edges, top)
             if missing <= 4e-14 * whole:
                 return whole, part, missing
