@@ -98,14 +98,16 @@ def quadrature(function: Callable[[Floats], Floats], edges: Floats, middle: floa
         width = right - left
         values = function(left + width * _GAUSS[0][:, None])
         sizes, tails = width * (_GAUSS[1] @ values), width * np.abs(_LAST @ values).sum(axis=0)
-        bad = tails > 1e-8 * sizes
-        good = ~bad
-        whole, part = whole + float(sizes[good].sum()), part + float(sizes[good & (left < middle)].sum())
-        missing += float((tails * tails / np.maximum(sizes, 1e-300))[good].sum())
-        if not bad.any():
+        bad, cut = tails > 1e-8 * sizes, left[:0]
+        if bad.any():
+            inner = left[bad] + width[bad] * _QUARTERS
+            cut, right = np.append(left[bad], inner), np.append(inner, right[bad])
+            sizes, tails, left = sizes[~bad], tails[~bad], left[~bad]
+        whole, part = whole + float(sizes.sum()), part + float(sizes[left < middle].sum())
+        missing += float((tails * tails / np.maximum(sizes, 1e-300)).sum())
+        if not cut.size:
             return whole, part, missing
-        inner = left[bad] + width[bad] * _QUARTERS
-        left, right = np.append(left[bad], inner), np.append(inner, right[bad])
+        left = cut
     return whole, part, np.inf
 
 
