@@ -349,8 +349,9 @@ class Motion:
         work, lost = np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
             for phase, mask, local in self._lanes(t):
-                work[mask] += phase.solved.worked(local)
-                lost[mask] += phase.solved.dissipated(local)
+                inside, place = np.unique(local, return_inverse=True)  # what is later than a phase asks for its end
+                work[mask] += phase.solved.worked(inside)[place]
+                lost[mask] += phase.solved.dissipated(inside)[place]
         omega = self._followed(t)[1]
         first = self.phases[0].solved.start.energy if self.phases else 0.0
         arc, d = self._arc, self._arc.dimensionless

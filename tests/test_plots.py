@@ -335,6 +335,7 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     said = " ".join(t.get_text() for t in ax.get_legend().get_texts())
     assert f"depth {plotstyle.number(float(arc.depth))} m" in said
     assert f"$R$ = {plotstyle.number(radius)} m" in said
+    assert ("frozen geometry" in said) == (m.moves and "rotation" not in m.plan.effects)
     assert ("tangential" in said) == (name not in ("swings", "first stop", "lifted"))
 
 

@@ -6,6 +6,7 @@ import json
 import re
 import shlex
 import sys
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -183,6 +184,14 @@ def test_inputs_of_a_rate_and_of_distributions() -> None:
     shown = {i.path: i for i in inputs(Scene(Scene.load("vaiont").arc, slip, ["rotation"]))}
     assert shown["friction.rate.velocity"][1:3] == ("0.1", "m/s")
     assert shown["friction.law"].value == "linear"
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_motion_of_uncertain_numbers_says_where_they_are() -> None:
+    drawn = {"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1}}
+    said = "at the median of friction.angle_deg;"
+    assert said in report([solve(replace(Scene.load("vaiont"), uncertain=drawn))])
+    assert said not in report([motion("wet-slope")])
 
 
 @pytest.mark.usefixtures("quick")

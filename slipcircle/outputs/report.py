@@ -69,6 +69,9 @@ def _scene(motion: Motion, file: bytes | None) -> Iterable[Raw]:
     plan, record = motion.plan, motion_record(motion)
     if plan.scene.note:
         yield tag("p", plan.scene.note)
+    if plan.scene.uncertain:
+        keys = ", ".join(u.key for u in plan.scene.uncertain.values())
+        yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     for warning in motion.warnings:
         yield Raw(f'<p class="warning">Warning: {escaped(warning)}</p>')
     yield tag("h3", "Key results")

@@ -16,6 +16,9 @@ _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
 def section(motion: Motion, ax: Any = None) -> Any:
     """The section: the mass at the start, at the peak velocity and at the end, with the forces at the start.
 
+    It is drawn turned by s/R (1.2), also where the geometry is frozen: there the forces stay those of the start;
+    the legend says so.
+
     Parameters
     ----------
     motion : Motion
