@@ -121,11 +121,11 @@ def _excess_of_drive(balance: Balance, law: Friction, rest: Rest, side: int) -> 
 
 
 def never_rests(balance: Balance, law: Friction, excess: float) -> bool:
-    """No cohesion, and no friction, or water that carries the mass even where it would press most.
+    """No strength without friction, and no friction, or water that carries the mass even where it would press most.
 
     Heat takes strength ever more slowly, and never all: what is left after a hundredth does not count.
     """
-    if balance.values.get("cohesion", 0.0):
+    if balance.get("constant", mu=0.0) > 0.0:
         return False
     most = balance.radial if balance.turns else balance.press
     frictionless = law.constant and float(law.coefficient(0.0)) == 0.0
