@@ -18,8 +18,10 @@ from mpmath import mpf
 from scipy.integrate import solve_ivp
 
 from generated.effects import EFFECTS
-from slipcircle import Arc, Motion, Scene, plan, solve
+from slipcircle import Arc, Motion, Scene, plan, solve, solver
+from slipcircle.friction import friction as friction_law
 from slipcircle.inputs.series import Pulse, Series
+from slipcircle.methods import rest
 from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING
 
 ROWS: list[dict[str, Any]] = json.loads(time_references.FILE.read_text("utf-8"))
@@ -407,6 +409,75 @@ def test_friction_that_vanishes_with_speed() -> None:
     assert 0.95 * free.peak.velocity < motion.peak.velocity < free.peak.velocity
     with pytest.raises(ValueError, match="never rests"):
         solve(Scene(ARC, RATE | {"residual": 0.0}))
+
+
+VANISHING = [
+    *(RATE | {"residual": 0.0, "velocity": v} for v in (1e-5, 1e-9, 1e-15)),
+    *({"law": "rate_tabulated", "speed": [1e-9, v], "coefficient": [0.4, 0.0]} for v in (1e-8, 1.0)),
+    1e-9,
+]
+
+
+@pytest.mark.parametrize("friction", VANISHING, ids=str)
+def test_swings_that_hardly_die_away_are_refused_after_a_few(friction: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solver, "_MOST_PHASES", 20)
+    seen = 0
+
+    def counted(*arguments: Any) -> float:
+        nonlocal seen
+        seen += 1
+        return rest.swings_left(*arguments)
+
+    monkeypatch.setattr(solver, "swings_left", counted)
+    with pytest.raises(ValueError, match="turns back 20 times and more without resting; give an earlier end"):
+        solve(Scene(ARC, friction, TURNING))
+    assert seen <= 4
+    motion = solve(Scene(ARC, friction, TURNING, end_time=300.0))  # asked for so much only, it is followed
+    assert 8 <= len(motion.phases) < 10
+
+
+@pytest.mark.parametrize("friction", [RATE | {"residual": 0.0, "velocity": 0.05}, 0.01, 0.003], ids=str)
+def test_swings_left_are_about_those_that_follow(friction: Any) -> None:
+    motion = solve(Scene(ARC, friction, TURNING))
+    law = friction_law(friction)
+    for k in (3, 5):
+        left = len(motion.phases) - k
+        assert rest.swings_left(motion.balance, law, motion.phases[:k]) == pytest.approx(left, rel=0.35, abs=1.5)
+
+
+@pytest.mark.parametrize("turns", [False, True])
+@pytest.mark.parametrize(("start", "amplitude"), [(2.0, 0.0), (2.0, 0.3), (200.0, 0.3)])
+def test_a_mass_at_rest_that_k_v_lifts_is_reported(start: float, amplitude: float, turns: bool) -> None:
+    """A half-sine of 1.5 passes 1 after asin(2/3)/pi of its duration, whether the mass moves then or rests."""
+    vertical = Pulse("half-sine", 1.5, start, 2.0)
+    shaking = {"horizontal": Pulse("rectangular", amplitude, 0.0, 1.0), "vertical": vertical}
+    motion = solve(Scene(ARC, 0.5, {"shaking": shaking} | ({"rotation": {}} if turns else {})))
+    lifted = start + 2.0 * math.asin(2 / 3) / math.pi
+    assert motion.lift_off == pytest.approx((lifted,), rel=1e-14)
+    assert motion.warnings[0] == f"nothing presses on the slip surface from {lifted:.6g} s (lift-off)"
+    assert motion.moves == (amplitude > 0.0)
+    assert motion.duration < 10.0
+    below = shaking | {"vertical": Pulse("half-sine", 1.0, start, 2.0)}
+    assert not solve(Scene(ARC, 0.5, {"shaking": below} | ({"rotation": {}} if turns else {}))).lift_off
+
+
+def test_water_that_lifts_what_cohesion_holds_is_reported() -> None:
+    """It rests, and water carries it from where u passes the mean normal stress at rest; at each rest once."""
+    stress = float(ARC.dimensionless.static_normal_stress) * float(ARC.reference_stress)
+    rising = Series(np.array([0.0, 10.0, 20.0, 30.0]), np.array([0.0, 2.0, 0.0, 2.0]) * stress)
+    motion = solve(Scene(ARC, 0.2, TURNING | {"pore_pressure": {"pressure": rising}, "cohesion": {"cohesion": 1e8}}))
+    assert not motion.moves
+    assert motion.lift_off == pytest.approx((5.0,), rel=1e-14)
+
+
+def test_many_lift_offs_are_said_once() -> None:
+    waves = Series(np.arange(11.0), np.array([0.0, 3.0] * 5 + [0.0]), held=False)
+    shaking = {"shaking": {"horizontal": Series(np.array([0.0, 11.0]), np.array([0.3, 0.3])), "vertical": waves}}
+    motion = solve(Scene(ARC, 0.3, {"rotation": {}} | shaking, end_time=10.0))
+    assert len(motion.lift_off) == 5
+    said = [w for w in motion.warnings if "lift-off" in w]
+    assert len(said) == 1
+    assert f"{motion.lift_off[0]:.6g} s, and 4 times more until {motion.lift_off[-1]:.6g} s" in said[0]
 
 
 def test_creep_that_never_ends_is_refused() -> None:
