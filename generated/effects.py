@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3fe320588788d6cffc20d7c1a2a23f4503d6f9795f79b33036887e90c1dec507
+# sha256 of the text below: 9022e4adcb0d673a994e24fa0613ffd5342646152e761cb87e67212f0bf85f38
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from collections.abc import Callable, Mapping
@@ -106,10 +106,16 @@ EFFECTS = {
     'rotation': Effect('rotation', '1.2', (), ('slip',), 'the mass turns as it slides, and its weight acts in its new position', True, ()),
     'centripetal': Effect('centripetal', '2.20', (), ('speed squared',), 'the mass presses harder on the slip surface the faster it turns', False, ()),
     'pore_pressure': Effect('pore_pressure', '2.20', (
-        Parameter('ratio', '', -5e-324, 1.0, 'r_u, pore pressure over the static normal stress at the position', 'ratio', 1.0, 'pore_ratio', lambda value, scales: value, True, 'number'),
+        Parameter('ratio', '', -5e-324, 1.0, 'r_u, pore pressure over the static normal stress at the position, constant or a function of time', 'ratio', 1.0, 'pore_ratio', lambda value, scales: value, True, 'series'),
         Parameter('pressure', 'Pa', -5e-324, INFINITY, 'mean pore pressure on the slip surface, constant or a function of time', 'pressure_kPa', 1000.0, 'pore_pressure', lambda value, scales: value/scales['reference_stress'], True, 'series'),
-        Parameter('time', 's', -5e-324, INFINITY, 'times of a pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value, scales: value, True, 'list'),
-    ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure')),
+        Parameter('time', 's', -5e-324, INFINITY, 'times of a ratio or pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value, scales: value, True, 'list'),
+        Parameter('record', '', -INFINITY, INFINITY, "file of a record of either, relative to the scene's: a table of times and values", 'record', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('units', '', -INFINITY, INFINITY, "unit of the record's values, where it does not say it: Pa, kPa, MPa, or ratio for r_u", 'units', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('start', 's', -INFINITY, INFINITY, "time of its first sample, by default the record's own", 'start_s', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('step', 's', -INFINITY, INFINITY, 'time between samples of a record without times', 'step_s', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps', 1.0, '', lambda value, scales: value, True, 'refuse|linear'),
+    ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure', 'record')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, INFINITY, 'shear strength without normal stress', 'cohesion_kPa', 1000.0, 'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),
     ), (), 'the slip surface has strength without normal stress', False, ()),
@@ -132,11 +138,11 @@ EFFECTS = {
         Parameter('record', '', -INFINITY, INFINITY, "file of an acceleration record, relative to the scene's", 'record', 1.0, '', lambda value, scales: value, True, 'text'),
         Parameter('holds', '', -INFINITY, INFINITY, 'what the record holds: acceleration of the ground, or its opposite, which drives', 'holds', 1.0, '', lambda value, scales: value, True, 'ground|driving'),
         Parameter('units', '', -INFINITY, INFINITY, "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2", 'units', 1.0, '', lambda value, scales: value, True, 'text'),
-        Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column', 1.0, '', lambda value, scales: value, True, 'text'),
         Parameter('vertical_record', '', -INFINITY, INFINITY, 'file of the vertical acceleration, upwards where it holds that of the ground', 'vertical_record', 1.0, '', lambda value, scales: value, True, 'text'),
         Parameter('vertical_column', '', -INFINITY, INFINITY, 'name of its column, in the same file where no other is named', 'vertical_column', 1.0, '', lambda value, scales: value, True, 'text'),
-        Parameter('step', 's', -INFINITY, INFINITY, 'time between samples of a record without times', 'step_s', 1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('scale', '', -INFINITY, INFINITY, "factor on the record's values, by default 1", 'scale', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('step', 's', -INFINITY, INFINITY, 'time between samples of a record without times', 'step_s', 1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps', 1.0, '', lambda value, scales: value, True, 'refuse|linear'),
         Parameter('two_way', '', -INFINITY, INFINITY, 'whether shaking may start it up-slope too; by default it may not', 'two_way', 1.0, '', lambda value, scales: value, True, 'flag'),
     ), ('time',), 'ground motion tilts and scales gravity', False, ('horizontal', 'pulse', 'record')),

@@ -20,6 +20,7 @@ from scipy.integrate import solve_ivp
 from generated.effects import EFFECTS
 from slipcircle import Arc, Motion, Scene, plan, solve, solver
 from slipcircle.friction import friction as friction_law
+from slipcircle.inputs.records import read_pore_pressure
 from slipcircle.inputs.series import Pulse, Series
 from slipcircle.methods import rest
 from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING
@@ -169,7 +170,13 @@ def by_hand(s: Scene, called: Mapping[str, Any], end: float) -> tuple[float, flo
         moment = gamma * radius**3 * weigh * ((1 - k_v) * math.sin(psi) + k_h * math.cos(psi))
         weight = gamma * radius**2 * press * ((1 - k_v) * math.cos(psi) - k_h * math.sin(psi))
         normal = (weight + gamma / gravity * omega**2 * radius**3 * polar) / length  # mean stress
-        u = float(np.interp(t, water["time"], water["pressure"])) if water else 0.0
+        u = (
+            float(np.interp(t, water["time"], water.get("pressure", np.zeros(99)[: len(water["time"])])))
+            if water
+            else 0.0
+        )
+        if water and "ratio" in water:  # of the weight alone, where it lies now
+            u += float(np.interp(t, water["time"], water["ratio"])) * gamma * radius**2 * press * math.cos(psi) / length
         effective = max(normal - u - risen, 0.0)
         mu = friction_of(s.friction, radius * phi, radius * omega, t)
         shear = mu * effective + called.get("cohesion", {}).get("cohesion", 0.0)
@@ -202,6 +209,19 @@ def test_every_new_combination_of_effects_against_numerical_integration() -> Non
         displacement, velocity = by_hand(motion.plan.scene, called, 11.0)
         assert motion.run_out == pytest.approx(displacement, rel=1e-9), (chosen, name)
         assert motion.end.velocity == pytest.approx(velocity, rel=1e-9), (chosen, name)
+
+
+@pytest.mark.parametrize("chosen", [(), ("rotation", "centripetal"), ("rotation", "shaking")], ids=str)
+def test_water_by_its_ratio_against_numerical_integration(chosen: tuple[str, ...]) -> None:
+    for more in ({}, {"pressure": [3e4, 0.0, 6e4]}):
+        water = {"time": [0.0, 4.0, 9.0], "ratio": [0.1, 0.5, 0.2], **more}
+        called = {e: PARAMETERS.get(e, {}) for e in chosen} | {"pore_pressure": water}
+        motion = solve(Scene(ARC, 0.2, called, end_time=11.0), 1e-10)
+        assert (motion.plan.method, "pore_pressure depends on time" in motion.plan.why) == (INTEGRATION, True)
+        displacement, velocity = by_hand(motion.plan.scene, called, 11.0)
+        assert motion.run_out == pytest.approx(displacement, rel=1e-9)
+        assert motion.end.velocity == pytest.approx(velocity, rel=1e-9)
+        assert abs(motion.energy.residual) < 1e-9 * motion.energy.work
 
 
 # --- answers from textbooks ------------------------------------------------------------------------------------------
@@ -360,6 +380,50 @@ def test_water_that_rises_later_starts_it_later() -> None:
     limit = float(ARC.dimensionless.limit_friction)
     assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-12)
     assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
+
+
+def test_water_by_a_ratio_that_does_not_change_is_the_closed_form_and_what_rises_starts_it() -> None:
+    """It yields where mu (1 - r_u) = mu_eq, wherever it lies."""
+    plain = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": 0.3}}))
+    series = solve(
+        Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": Series(np.array([0, 1]), np.array([0.3, 0.3]))}})
+    )
+    assert series.plan.method == INTEGRATION
+    assert series.run_out == pytest.approx(plain.run_out, rel=1e-9)
+    assert series.duration == pytest.approx(plain.duration, rel=1e-9)
+    late = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"time": [0, 40], "ratio": [0, 0.4]}}))
+    limit = float(ARC.dimensionless.limit_friction)
+    assert late.phases[0].start * float(ARC.time_scale) == pytest.approx(100 * (1 - limit / 0.5), rel=1e-12)
+
+
+def test_a_record_of_water_in_a_file_beside_the_scene(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "water.csv").write_text("time (s),upper (kPa),lower (kPa)\n0,0,0\n50,1000,2000\n100,0,0\n")
+    head = "[arc]\nradius_m = 1492.6\ntheta_1_deg = 215.2\ntheta_2_deg = 276.9\nunit_weight_kN_m3 = 20\n"
+    head += "[friction]\ncoefficient = 0.6\n[rotation]\n[centripetal]\n[pore_pressure]\n"
+    path = tmp_path / "scene.toml"
+    path.write_text(head + "record = 'data/water.csv'\ncolumn = 'lower'\n")
+    by_file = solve(Scene.load(path))
+    arrays = {"time": [0, 50, 100], "pressure": [0, 2e6, 0]}
+    same = solve(replace(Scene.load(path), effects=TURNING | {"pore_pressure": arrays}))
+    read = solve(replace(Scene.load(path), effects=TURNING | {
+        "pore_pressure": read_pore_pressure(tmp_path / "data" / "water.csv", column="lower")}))  # fmt: skip
+    assert (by_file.run_out, by_file.duration) == (same.run_out, same.duration) == (read.run_out, read.duration)
+    for more, said in {
+        "record = 'data/water.csv'\n": "give column, one of 2 (upper), 3 (lower)",
+        "record = 'nowhere.csv'\n": "nowhere.csv: No such file or directory",
+        "record = 'data/water.csv'\ncolumn = 'lower'\npressure_kPa = 1\n": "pressure and record exclude each other",
+        "record = 'data/water.csv'\ncolumn = 'lower'\nunits = 'm'\n": "units = 'm': must be one of Pa, kPa, MPa, ratio",
+        "column = 'lower'\nratio = 0.1\n": "column belongs to a record; leave it out, or give record",
+        "column = 'lower'\n": "ratio or pressure_kPa or record is missing",
+        "record = 1\n": "pore_pressure.record = 1: must be text",
+    }.items():
+        path.write_text(head + more)
+        with pytest.raises(ValueError) as caught:  # noqa: PT011
+            Scene.load(path)
+        assert said in str(caught.value)
+        assert str(caught.value).startswith(str(path))
+        assert "\n" not in str(caught.value)
 
 
 # --- hard cases ------------------------------------------------------------------------------------------------------
@@ -529,7 +593,8 @@ REFUSED: list[tuple[Any, Any, str]] = [
     (0.3, {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 1.0), "two_way": 1}}, "two_way = 1: must be True"),
     (0.3, {"shaking": {"horizontal": 0.1}}, "horizontal = 0.1: must be a function of time"),
     (0.3, {"shaking": {"horizontal": math.sin}}, "must be a function of time"),
-    (0.3, {"pore_pressure": {"pressure": 1.0, "time": [1.0, 2.0]}}, "time and pressure: must be two lists"),
+    (0.3, {"pore_pressure": {"pressure": 1.0, "time": [1.0, 2.0]}}, "time and ratio or pressure: must be lists"),
+    (0.3, {"pore_pressure": {"record": "x.csv", "time": [1.0, 2.0]}}, "x.csv"),
     (0.3, {"pore_pressure": {"pressure": [1.0, 2.0], "time": [1.0, 1.0]}}, "repeats"),
     (0.3, {"viscosity": {"viscosity": -1.0, "thickness": 1.0}}, "viscosity = -1"),
     (0.3, {"viscosity": {"viscosity": 1.0}}, "'thickness' is missing"),

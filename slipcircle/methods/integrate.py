@@ -237,8 +237,7 @@ class Integrated:
 
     @cached_property
     def _may_lift(self) -> bool:
-        forced = {"k_h", "k_v", "pore_pressure"} & set(self.balance.forcing)
-        return bool(forced) or self.heats or self.balance.get("normal", press=0.0) != 0.0
+        return bool(self.balance.forcing) or self.heats or self.balance.get("normal", press=0.0) != 0.0
 
     # -- what it is at given times
 

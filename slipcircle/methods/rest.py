@@ -150,11 +150,15 @@ def never_rests(balance: Balance, law: Friction, excess: float) -> bool:
 def swings_left(balance: Balance, law: Friction, phases: "list[Phase]") -> float:
     """About how many swings it takes until friction holds the mass, if each takes as much as the last two did.
 
-    Zero where that is not known: before three phases, or where something but the speed changes the friction.
+    Zero where that is not known: before three swings from rest to rest, where water carries the mass as it stands, or
+    where something but the speed changes the friction.
     """
-    ends = phases[-3::2]
+    swings = phases[-3:]
     known = set(law.depends_on) <= {"speed"} and not balance.forcing and not balance.has("pressurisation")
-    if len(phases) < 3 or not known or any(p.solved.start.energy for p in ends):
+    if not known or len(swings) < 3 or any(p.solved.start.energy for p in swings):
         return 0.0
-    before, now = (float(balance.get("limit_friction", **balance.position(p.rotation, p.direction))) for p in ends)
+    first, last = (balance.position(p.rotation, p.direction) for p in swings[::2])
+    if min(balance.get("normal", **first), balance.get("normal", **last)) <= 0.0:
+        return 0.0
+    before, now = (float(balance.get("limit_friction", **at)) for at in (first, last))
     return 2 * (now - float(law.coefficient(0.0))) / max(before - now, EPS * abs(now))

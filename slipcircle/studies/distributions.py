@@ -173,7 +173,7 @@ def numbers_of(tables: Mapping[str, Table]) -> Iterator[tuple[str, str, str, Key
     """Keys of a scene file that may be uncertain: table, key, name as in `Scene.numbers`, and the key itself."""
     for path, table in tables.items():
         for k, key in table.keys.items():
-            if key.type is float and path != "arc.given" and key.name != "accuracy":
+            if key.type in (float, (float, list)) and path != "arc.given" and key.name != "accuracy":
                 constant = (path, key.name) == ("friction", "coefficient")
                 name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
                 yield path, k, name, key
