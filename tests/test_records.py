@@ -95,7 +95,7 @@ def test_ground_and_driving_are_opposite_and_g_is_the_scene_s(tmp_path: Path) ->
 
 
 def test_a_million_samples_survive(tmp_path: Path) -> None:
-    """A twentieth of them here; `slipcircle cost` measures the million."""
+    """A twentieth of them here; how a million shake a scene is a test of `test_newmark`."""
     time, values = 0.005 * np.arange(50_000), np.random.default_rng(5).normal(size=50_000)
     rows = (f"{t!r},{a!r}\n" for t, a in zip(time.tolist(), values.tolist(), strict=True))
     series = read_record(write(tmp_path, "t (s),a (g)\n" + "".join(rows)), holds="driving")
