@@ -412,7 +412,7 @@ def test_a_record_of_water_in_a_file_beside_the_scene(tmp_path: Any, monkeypatch
     for more, said in {
         "record = 'data/water.csv'\n": "give column, one of 2 (upper), 3 (lower)",
         "record = 'nowhere.csv'\n": "nowhere.csv: No such file or directory",
-        "record = 'data/water.csv'\ncolumn = 'lower'\npressure_kPa = 1\n": "pore_pressure: pressure_kPa and record exclude each other",
+        "record = 'data/water.csv'\ncolumn = 'lower'\npressure_kPa = 1\n": "pressure_kPa and record exclude",
         "record = 'data/water.csv'\ncolumn = 'lower'\nunits = 'm'\n": "units = 'm': must be one of Pa, kPa, MPa, ratio",
         "column = 'lower'\nratio = 0.1\n": "pore_pressure.column: belongs to a record; leave it out, or give record",
         "column = 'lower'\n": "ratio or pressure_kPa or record is missing",
