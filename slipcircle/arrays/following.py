@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from generated import balance as functions
 from generated import motion as formulas
 from slipcircle.arrays.courses import Courses, Start
+from slipcircle.arrays.paths import Paths
 from slipcircle.arrays.swings import Swings
 from slipcircle.methods.phaseplane import EPS
 from slipcircle.uncertainty import ROUNDING
@@ -42,6 +43,7 @@ class Followed(NamedTuple):
     rate: Floats
     first_rate: Floats
     steep: Floats
+    mu: Any  # at its end
 
 
 def turning(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
@@ -75,11 +77,36 @@ def turning(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Goin
         turned = begin.drive * np.cos(x) - begin.tilt * np.sin(x) - 2 * begin.constant * np.sin(x / 2) ** 2
         rate = turned - begin.brake * energy
     if block.water:
-        last = begin.drive * 0.0 + block.at(lanes, g.rotation + g.direction * found[0])["press"]
-        good &= (get("normal", lanes, press=at["press"]) > 0.0) & (get("normal", lanes, press=last) > 0.0)
+        good &= _pressing(block, lanes, at, g, found[0])
     first = begin.drive - begin.brake * g.energy
     end, duration, peak, top, peak_time, steep, missing, _ = found
-    return Followed(end, duration, peak, top, peak_time, missing, good, cut, x, energy, rate, first, steep)
+    return Followed(end, duration, peak, top, peak_time, missing, good, cut, x, energy, rate, first, steep, mu)
+
+
+def _pressing(block: "Lanes", lanes: Any, at: Mapping[str, Any], g: "Going", end: Floats) -> Mask:
+    """Where the mass presses on the slip surface at both ends of a phase, and so in between."""
+    last = block.at(lanes, g.rotation + g.direction * end)["press"] if block.balance.turns else at["press"]
+    return np.asarray((block.get("normal", lanes, press=at["press"]) > 0.0) & (block.get("normal", lanes, press=last) > 0.0))
+
+
+def softening(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
+    """A phase in which friction changes with slip."""
+    get, b, m = block.get, block.balance, g.time.size
+    water, brake = -get("normal", lanes, press=0.0), get("brake", lanes, mu=0.0)
+    drive = np.broadcast_to(block.drive(lanes, at, mu), (m,))
+    given = {
+        "start": g.energy, "drive": drive, "mu": mu, "slip": g.slip, "left": until - g.time,
+        "constant": get("constant", lanes, mu=0.0), "brake": brake, "brake_rise": get("brake", lanes, mu=1.0) - brake,
+        "share": get("normal", lanes, press=1.0) + water, "water": water, "radius": pick(block.radius, lanes),
+        "furthest": np.maximum(at["dip"] + np.pi / 2, 1e-20) if b.turns else np.inf,
+    } | {n: at[n] for n in ("fall", "fall_slope", "press", "press_slope")}  # fmt: skip
+    of = np.arange(block.size)[lanes]
+    p = Paths(given, lambda k: block.friction(of[k]), b.turns, "brake" in b.names, block.accuracy)
+    if block.water:
+        p.good &= _pressing(block, lanes, at, g, p.end)
+    first = drive - get("brake", lanes, mu=mu) * g.energy
+    return Followed(p.end, p.duration, p.peak, p.top, p.peak_time, p.missing, p.good, p.cut, p.end, p.energy, p.rate,
+                    first, -2 * p.rate, p.mu)  # fmt: skip
 
 
 def frozen(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
@@ -102,7 +129,7 @@ def frozen(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going
     if block.water:
         good &= block.get("normal", lanes, press=at["press"]) > 0.0
     zero = np.zeros(m)
-    return Followed(end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a)
+    return Followed(end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a, mu)
 
 
 def doubt(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", f: Followed, stop: Floats) -> None:
