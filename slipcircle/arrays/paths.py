@@ -23,6 +23,7 @@ Indices = NDArray[np.intp]
 
 NODES = 16
 _ON, _PEAK, _END, _CUT = range(4)  # what a panel is laid for: the way on, the greatest speed, standstill, end of time
+_NEVER = -1.0  # a standstill that is not reached in time
 _CLOSE = 1e-7  # of a panel's width: so far off may its end be, which the slopes there mend to the square
 _MOST = 100  # panels tried for a lane
 _FIRST, _WIDEST = 2.2, 3.0  # widths of panels, in the variable of `_span`
@@ -280,7 +281,8 @@ class Paths:
         # not resolved: narrower; or, if only the time is not, as the standstill is near, beyond it
         narrower = np.fmax(np.minimum(0.8 * (self._resolved / error) ** (1 / NODES), 0.7), 0.15)
         stop = p.width - 0.52 * p.last / np.minimum(p.rate, -1e-300)
-        beyond = (p.coarse < self._resolved) & (p.rate < 0.0) & (stop < 3.0 * p.width)
+        beyond = (wish == _ON) & np.isnan(s["edge"]) & (s["ahead"] != _NEVER)
+        beyond &= (p.coarse < self._resolved) & (p.rate < 0.0) & (stop < np.minimum(3.0 * p.width, _TURN))
         right, following = s["x"] + np.where(beyond, stop, p.width * narrower), np.full_like(wish, _ON)
         ahead = np.where(wish == _END, np.where(astray, np.nan, s["right"]), s["ahead"])
         if np.any(astray):
@@ -294,7 +296,7 @@ class Paths:
                 else:
                     values = -(energy if what == _END else rates)[:, j]
                 right[j], following[j] = s["x"][j] + self._aim(values, p.span[j], _some(s, j)), what
-                ahead[j] = right[j] if what == _END else ahead[j]
+                ahead[j] = right[j] if what == _END else np.where(wish[j] == _END, _NEVER, ahead[j])
         new = {"right": right, "wish": following, "ahead": ahead}
         law = self._law(self._lanes)
         if np.any(on):
@@ -315,7 +317,7 @@ class Paths:
             slope = (share * (value - inside) / (z - _Z[:, None])).sum(axis=0) / whole
             low, high = np.where(value > 0.0, low, z), np.where(value > 0.0, z, high)
             z = z - value / slope
-            z = np.where((z > low) & (z < high), z, 0.5 * (low + high))
+            z = np.where((z >= low) & (z <= high), z, 0.5 * (low + high))
         return np.asarray(_way(span * np.where(s["wish"] == _END, z * (2.0 - z), z), s["sinh"], s["cosh"]))
 
     def _go_on(
