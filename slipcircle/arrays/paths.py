@@ -33,6 +33,7 @@ _STRIP = 512  # lanes whose nodes stay in the cache together
 _Z, _WEIGHTS = ((x + shift) / 2 for x, shift in zip(legendre.leggauss(NODES), (1.0, 0.0), strict=True))
 _SERIES = np.linalg.inv(legendre.legvander(2 * _Z - 1, NODES - 1))
 _LAST = _SERIES[-2:].copy()
+_LAST_FROM_REST, _LAST_TO_REST = _LAST / _Z, _LAST / (1.0 - _Z)  # see `_integrals`
 _SLOPE = np.array([2 * legendre.legval(1.0, legendre.legder(row)) for row in _SERIES.T])  # at the end
 _BARYCENTRIC = (1.0 / np.array([np.prod(np.delete(z - _Z, k)) for k, z in enumerate(_Z)]))[:, None]
 
@@ -223,9 +224,9 @@ class Paths:
             brake = g["brake"] + g["brake_rise"] * (s["mu"] - fallen)
             forgot = np.exp(_INTEGRALS @ (2.0 * brake[:n] * jacobian[:n]))
             push *= forgot[:n]
-        gained = _INTEGRALS @ push
+        gained, terms = _INTEGRALS @ push, _LAST @ push
         if np.any(rests := (s["x"] == 0.0) & (g["start"] == 0.0)):
-            gained = np.where(rests, _FROM_REST @ push, gained)
+            gained, terms = np.where(rests, _FROM_REST @ push, gained), np.where(rests, _LAST_FROM_REST @ push, terms)
         np.add(s["energy"], gained, out=energy)
         if self._braked:
             energy /= forgot
@@ -237,13 +238,14 @@ class Paths:
             # From the standstill back; and for the path with its end where the slope would have it.
             off = np.where(ends, -last / (2.0 * rate), 0.0)
             back = (last * forgot[-1] - _TO_REST @ push) / forgot[:n] if self._braked else last - _TO_REST @ push
+            terms = np.where(ends, _LAST_TO_REST @ push, terms)
             inner = np.where(ends, back + 2.0 * rates[:n] * past[:n] * (off / width), inner)
         np.divide(jacobian[:n], np.sqrt(np.maximum(inner, 1e-300)), out=pace[:n])
         took = _WEIGHTS @ pace[:n]
         return (
             width, span, last, rate, drive[-1], jacobian[-1], energy.min(axis=0), rates.min(axis=0),
             took * (1.0 + off / width), off, np.abs(_LAST @ pace[:n]).sum(axis=0) / took,
-            np.abs(_LAST @ push).sum(axis=0) / np.maximum(s["energy"], np.abs(last)),
+            np.abs(terms).sum(axis=0) / np.maximum(s["energy"], np.abs(last)),
         )  # fmt: skip
 
     def _step(self) -> Mask:
@@ -281,7 +283,7 @@ class Paths:
         # not resolved: narrower; or, if only the time is not, as the standstill is near, beyond it
         narrower = np.fmax(np.minimum(0.8 * (self._resolved / error) ** (1 / NODES), 0.7), 0.15)
         stop = p.width - 0.52 * p.last / np.minimum(p.rate, -1e-300)
-        beyond = (wish == _ON) & np.isnan(s["edge"]) & (s["ahead"] != _NEVER)
+        beyond = (wish == _ON) & np.isnan(s["edge"]) & np.isnan(s["ahead"])
         beyond &= (p.coarse < self._resolved) & (p.rate < 0.0) & (stop < np.minimum(3.0 * p.width, _TURN))
         right, following = s["x"] + np.where(beyond, stop, p.width * narrower), np.full_like(wish, _ON)
         ahead = np.where(wish == _END, np.where(astray, np.nan, s["right"]), s["ahead"])
