@@ -244,13 +244,13 @@ class Lanes:
         alone = ~(f.good & (moving | (margin >= 1e-9)))
         rests = ~(moving | alone)
         turns = rests & (way != 0.0)
-        self.alone[lanes] |= alone | (turns & (g.phases >= _MOST_PHASES))
+        self.alone[lanes] |= alone
         done = ~(alone | turns) & np.isfinite(stop)
         if np.any(done):
             self._finish(g, f, done, rests, rotation, stop)
         g.time, g.rotation, g.slip, g.direction = stop, rotation, g.slip + radius * x, np.broadcast_to(way, stop.shape)
         g.energy, g.phases = np.zeros_like(stop), g.phases + 1
-        return g.some(turns & (g.phases <= _MOST_PHASES))
+        return g.some(turns & (g.phases < _MOST_PHASES))  # beyond, they have failed, as by the scalar solver
 
     def _finish(self, g: Going, f: Followed, done: Mask, rests: Mask, rotation: Floats, stop: Floats) -> None:
         """Write the lanes that are done."""

@@ -44,6 +44,7 @@ class Followed(NamedTuple):
     first_rate: Floats
     steep: Floats
     mu: Any  # at its end
+    doubt: Any = None  # of `Paths`
 
 
 def turning(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
@@ -106,7 +107,7 @@ def softening(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Go
         p.good &= _pressing(block, lanes, at, g, p.end)
     first = drive - get("brake", lanes, mu=mu) * g.energy
     return Followed(p.end, p.duration, p.peak, p.top, p.peak_time, p.missing, p.good, p.cut, p.end, p.energy, p.rate,
-                    first, -2 * p.rate, p.mu)  # fmt: skip
+                    first, np.abs(2 * p.rate), p.mu, p.doubt)  # fmt: skip
 
 
 def frozen(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
@@ -135,11 +136,12 @@ def frozen(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going
 def doubt(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", f: Followed, stop: Floats) -> None:
     """Carry the doubts through a phase: `uncertainty` with bounds in the place of its sums over the path."""
     b = block.balance
+    mu, least = np.maximum(mu, f.mu), np.minimum(mu, f.mu)
     fall, constant = np.abs(at["fall"]), np.abs(block.get("constant", lanes, mu=mu))
     drive = np.abs(f.first_rate)
     terms = UNIT * (fall + constant + mu * np.abs(block.get("normal", lanes, **at)))
-    brake = block.get("brake", lanes, mu=mu)
-    if not b.turns:
+    brake = block.get("brake", lanes, mu=least)
+    if not b.turns and f.doubt is None:
         growth = UNIT + terms / np.maximum(np.abs(f.steep), 1e-300)
         x, elapsed = np.where(f.cut, f.x, f.end), np.where(f.cut, pick(block.until, lanes) - g.time, f.duration)
         memory = np.where(drive * brake > 0.0, np.minimum(elapsed, 1.0 / np.sqrt(drive * brake)), elapsed)
@@ -167,7 +169,8 @@ def doubt(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going"
     if cut:
         own, falls = np.where(f.cut, 0.0, own), np.where(f.cut, np.fmin(falls, noise / f.energy), falls)
         top = np.where(f.cut, np.sqrt(np.maximum(g.energy, np.where(f.peak < x, f.top, f.energy))), top)
-    late = elapsed * (noise / x / rises + falls + f.missing + UNIT)
+    spread = noise / x / rises if f.doubt is None else (moved + 0.5 * bent) * f.doubt / elapsed
+    late = elapsed * (spread + falls + f.missing + UNIT)
     high = noise / np.maximum(top, 1e-300) + UNIT * top
     g.place = np.maximum(g.place, own + shift + top * (late + g.late))
     g.speed = np.maximum(g.speed, high + change * (late + g.late))

@@ -106,6 +106,12 @@ class Panel(NamedTuple):
     coarse: Floats  # of that of E'
 
 
+def _doubt(g: Mapping[str, Any], s: Mapping[str, Any], p: Panel) -> Any:
+    """What a panel adds to `Paths.doubt`; where E is small, it is so in proportion to x, or the panel ends there."""
+    energy = np.where(s["wish"] == _END, s["energy"], np.minimum(s["energy"], p.last))
+    return p.took * np.where(energy > 0.0, s["right"] / energy, 0.5 / np.maximum(g["drive"], 1e-300))
+
+
 class Paths:
     """Phases of lanes, from their start to their standstill or the end of their time; all dimensionless.
 
@@ -131,6 +137,8 @@ class Paths:
         Rotation at which the mass is fastest, E there, and when.
     mu, missing : ndarray
         Friction at the end; what is estimated to be missing from the time, relative.
+    doubt : ndarray
+        By how much the time changes with the drive: the integral of x/E over it, from panel to panel.
     good, cut : ndarray of bool
         Whether the lane was solved, and whether its time was over before it stood still.
     """
@@ -141,9 +149,8 @@ class Paths:
         self._law, self._turns, self._braked = law, turns, braked
         self._resolved = min(max(math.sqrt(0.01 * accuracy), 3e-8), 3e-6)
         n = len(given["start"])
-        self.end, self.energy, self.rate, self.duration, self.peak, self.peak_time, self.mu, self.missing = np.zeros(
-            (8, n)
-        )
+        self.end, self.energy, self.rate, self.duration, self.peak, self.peak_time = np.zeros((6, n))
+        self.mu, self.missing, self.doubt = np.zeros((3, n))
         self.top, (self.good, self.cut) = given["start"].copy(), np.zeros((2, n), bool)
         self._given, self._lanes = dict(given), np.arange(n)
         self._nodes = np.empty((3, NODES + 1, n))  # of the panels tried: E, d(omega)/dt, and the time by the share
@@ -175,7 +182,7 @@ class Paths:
         begin = {
             "x": 0.0, "sinh": sinh, "cosh": pace, "slip": g["slip"], "energy": start, "time": 0.0, "drive": drive,
             "mu": g["mu"], "rate": drive - brake * start, "right": _way(_FIRST, sinh, pace), "ahead": np.nan,
-            "edge": np.nan, "missing": 0.0,
+            "edge": np.nan, "missing": 0.0, "doubt": 0.0,
         }  # fmt: skip
         s: dict[str, Any] = {n: np.array(np.broadcast_to(v, start.shape)) for n, v in begin.items()}
         return s | {"wish": np.full(start.shape, _ON, np.int8)} | self._ends_within(s, s["right"], law)
@@ -348,7 +355,7 @@ class Paths:
         found = {
             "x": x, "sinh": sinh, "cosh": cosh, "slip": slip, "energy": p.last, "time": time, "drive": drive, "mu": mu,
             "rate": np.where(s["wish"] == _PEAK, 0.0, p.rate), "missing": s["missing"] + error * error * p.took,
-            "right": x + way, "wish": np.where(near, np.int8(_END), np.int8(_ON)),
+            "doubt": s["doubt"] + _doubt(g, s, p), "right": x + way, "wish": np.where(near, np.int8(_END), np.int8(_ON)),
         }  # fmt: skip
         return dict(new) | {n: np.where(on, v, new.get(n, s[n])) for n, v in found.items()}
 
@@ -369,5 +376,7 @@ class Paths:
         self.good[k], self.cut[k], self.rate[k], self.end[k] = True, cut, p.rate[j], s["right"] + off[j]
         self.energy[k] = np.where(cut, p.last[j] + 2 * p.rate[j] * off[j], 0.0)
         self.duration[k] = np.where(cut, g["left"], s["time"] + p.took[j])
-        self.missing[k] = (s["missing"] + error[j] ** 2 * p.took[j]) / self.duration[k]
+        p = Panel(*(v[j] for v in p))
+        self.missing[k] = (s["missing"] + error[j] ** 2 * p.took) / self.duration[k]
+        self.doubt[k] = s["doubt"] + _doubt(g, s, p)
         self.mu[k] = self._law(k).coefficient(g["slip"] + g["radius"] * self.end[k])
