@@ -18,6 +18,7 @@ from slipcircle.arrays import swings as swings_module
 from slipcircle.arrays.block import NAMES, Block, Status
 from slipcircle.arrays.lanes import LANES, solve_block
 from slipcircle.arrays.motions import Motions, lane
+from slipcircle.arrays.panels import turned
 
 VAIONT = Scene.load("vaiont").arc
 TURNING: Mapping[str, Any] = {"rotation": {}, "centripetal": {}}
@@ -148,7 +149,7 @@ def test_ordinary_softening_needs_no_scalar_solver(law: str, monkeypatch: pytest
         raise AssertionError("a lane went to the scalar solver")
 
     monkeypatch.setattr(lanes_module, "_alone", refuse)
-    for effects in ({"rotation": {}}, TURNING):
+    for effects in EFFECTS[:2]:
         found = solve(softened(law, effects, 7, 300, False))
         assert np.count_nonzero(found.moves) > 200
 
@@ -222,7 +223,7 @@ def test_references() -> None:
     groups: dict[str, list[Any]] = defaultdict(list)
     for record in records:
         given = record["scene"]
-        law = given["friction"] if isinstance(given["friction"], dict) else {"law": "constant"}
+        law: Any = given["friction"] if isinstance(given["friction"], dict) else {"law": "constant"}
         law = law if law["law"] == "tabulated" else law["law"]  # tables are no axis
         names = [(e, *sorted(p)) for e, p in sorted(given["effects"].items())]
         groups[json.dumps([names, law, given.get("end_time") is None])].append(record)
@@ -418,13 +419,14 @@ def test_planted_panels_are_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     scene = softened("exponential", TURNING, 5, 100, False)
     compare(scene, range(0, 100, 10))
     with monkeypatch.context() as patch:
-        for name in ("_LAST", "_LAST_FROM_REST", "_LAST_TO_REST"):
+        for name in ("LAST", "LAST_FROM_REST", "LAST_TO_REST"):
             patch.setattr(paths_module, name, 0.0 * getattr(paths_module, name))
         patch.setattr(paths_module, "_FIRST", 5.0)
         patch.setattr(paths_module, "_WIDEST", 9.0)
         with pytest.raises(AssertionError):
             compare(scene, range(0, 100, 10))
-    turned = paths_module._turned
-    monkeypatch.setattr(paths_module, "_turned", lambda angle: (turned(angle)[0], turned(angle)[1] * (1 + 1e-9)))
+    monkeypatch.setattr(
+        "slipcircle.arrays.paths.turned", lambda angle: (turned(angle)[0], turned(angle)[1] * (1 + 1e-9))
+    )
     with pytest.raises(AssertionError):
         compare(scene, range(0, 100, 10))

@@ -1,7 +1,7 @@
 """Lanes on their way, phase after phase, until each rests or its time is over; no lane knows of another."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from enum import IntEnum
 from typing import Any
 
@@ -74,8 +74,8 @@ class Going:
     def some(self, mask: Mask) -> "Going":
         """Those of some lanes."""
         lanes = np.flatnonzero(mask) if isinstance(self.lanes, slice) else self.lanes[mask]
-        rest = (getattr(self, f.name)[..., mask] for f in fields(self)[1:-1])
-        return Going(lanes, *rest, self.phases)
+        rest = {f.name: getattr(self, f.name)[..., mask] for f in fields(self)[1:-1]}
+        return replace(self, lanes=lanes, **rest)
 
 
 def _seen(at: Mapping[str, Any], direction: Any) -> dict[str, Any]:
@@ -91,7 +91,7 @@ class Lanes:
     ) -> None:
         self.values, self.accuracy, self.out, self.work = values, accuracy, out, work
         (self.balance, self.scale), self.size, self.radius = bound, len(out.status), np.asarray(values["radius"])
-        self._law, self._varies = law, law is not None and any(np.ndim(values.get(f"friction.{n}")) for n in law)
+        self._law, self._varies = law, law is not None and any(np.ndim(values.get(f"friction.{n}", 0.0)) for n in law)
         self.law = None if law is None or self._varies else friction(self._named(slice(None)))
         self.mu = np.asarray(values["friction"] if law is None else self.friction(slice(None)).coefficient(0.0))
         self.omega = values["initial_velocity"] / self.radius * self.scale

@@ -87,7 +87,9 @@ def turning(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Goin
 def _pressing(block: "Lanes", lanes: Any, at: Mapping[str, Any], g: "Going", end: Floats) -> Mask:
     """Where the mass presses on the slip surface at both ends of a phase, and so in between."""
     last = block.at(lanes, g.rotation + g.direction * end)["press"] if block.balance.turns else at["press"]
-    return np.asarray((block.get("normal", lanes, press=at["press"]) > 0.0) & (block.get("normal", lanes, press=last) > 0.0))
+    return np.asarray(
+        (block.get("normal", lanes, press=at["press"]) > 0.0) & (block.get("normal", lanes, press=last) > 0.0)
+    )
 
 
 def softening(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
