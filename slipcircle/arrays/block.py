@@ -238,8 +238,9 @@ class Lanes:
         x = np.where(f.cut, f.x, f.end) if cut else f.end
         rotation = g.rotation + g.direction * x
         way, margin = self._way(lanes, self.at(lanes, rotation if b.turns else None), f.mu)
-        held = (mu > 0.0) | (pick(b.values.get("cohesion", 0.0), lanes) > 0.0) | (self._law is not None)
-        still = ~held & np.isinf(until) & b.turns
+        still = (mu == 0.0) & np.isinf(until) & (b.turns and self._law is None)
+        if np.any(still):
+            still &= pick(b.get("constant", mu=0.0), lanes) == 0.0
         moving = f.cut | still  # at its end time, or without anything that brings it to rest
         alone = ~(f.good & (moving | (margin >= 1e-9)))
         rests = ~(moving | alone)
