@@ -115,8 +115,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--lanes", type=int, default=400_000, help="of the largest ensemble")
     most = parser.parse_args().lanes
-    laws = [("constant", EFFECTS), *((law, EFFECTS) for law in ("exponential", "linear", "hyperbolic")),
-            ("exponential", {"rotation": {}})]  # fmt: skip
+    laws: list[tuple[str, Mapping[str, Any]]] = [
+        *((law, EFFECTS) for law in ("constant", "exponential", "linear", "hyperbolic")),
+        ("exponential", {"rotation": {}}),
+    ]
     sample = np.tan(np.radians(np.linspace(9.0, 22.0, 40)))
     for law, effects in laws:
         exact = np.array([reference(x, law, effects) for x in sample.tolist()]).T

@@ -108,7 +108,7 @@ class Paths:
         self, given: Mapping[str, Any], law: Callable[[Indices], Friction], turns: bool, braked: bool, accuracy: float
     ) -> None:
         self._law, self._turns, self._braked = law, turns, braked
-        self._resolved = min(max(math.sqrt(0.01 * accuracy), 3e-8), 3e-6)
+        self._resolved = min(max(math.sqrt(0.1 * accuracy), 3e-8), 1e-5)  # of a panel's series, the last terms
         n = len(given["start"])
         self.end, self.energy, self.rate, self.duration, self.peak, self.peak_time = np.zeros((6, n))
         self.mu, self.missing, self.doubt = np.zeros((3, n))
