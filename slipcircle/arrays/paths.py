@@ -343,3 +343,5 @@ class Paths:
         self.missing[k] = (s["missing"] + error[j] ** 2 * p.took) / self.duration[k]
         self.doubt[k] = s["doubt"] + _doubt(g, s, p)
         self.mu[k] = self._law(k).coefficient(g["slip"] + g["radius"] * self.end[k])
+        k = k[self.energy[k] > self.top[k]]  # at the end of time
+        self.top[k], self.peak[k], self.peak_time[k] = self.energy[k], self.end[k], self.duration[k]
