@@ -20,7 +20,7 @@ class Friction(NamedTuple):
     Attributes
     ----------
     law : str
-        Its name, or "callable".
+        Its name, or "callable". The numbers may be arrays, of lanes with the same law.
     coefficient : callable
         ``coefficient(slip, speed=0.0, time=0.0)``, in m, m/s and s.
     drop : callable
@@ -37,8 +37,8 @@ class Friction(NamedTuple):
     law: str
     coefficient: Callable[..., Any]
     drop: Callable[[Any, Any], Any]
-    scale: float
-    kinks: tuple[float, ...]
+    scale: Any
+    kinks: tuple[Any, ...]
     parameters: Mapping[str, Any]
     depends_on: tuple[str, ...] = ("slip",)
     speeds: tuple[float, ...] = ()
@@ -50,7 +50,7 @@ class Friction(NamedTuple):
         return not self.depends_on
 
     @property
-    def settled(self) -> float:
+    def settled(self) -> Any:
         """Slip from which on it is constant, m."""
         if self.law == "exponential":
             return 750 * self.scale  # exp(-750) is 0
@@ -163,7 +163,7 @@ def _named(given: Mapping[str, Any]) -> Friction:
     if law.parameters[0].kind == "list":
         place, values = (np.asarray(given[p.name], dtype=float) for p in law.parameters)
         return _tabulated(name, place, values, parameters)
-    numbers = {k: float(v) for k, v in parameters.items()}
+    numbers = {k: v if np.ndim(v) else float(v) for k, v in parameters.items()}
     formula = getattr(balance, f"friction_{name}")
     if law.depends_on == ("speed",):
         return Friction(
@@ -179,6 +179,8 @@ def _named(given: Mapping[str, Any]) -> Friction:
     rises = numbers["peak"] < numbers["residual"]  # what it rises by is added, or a low start is lost in a high end
 
     def coefficient(s: Any, v: Any = 0.0, t: Any = 0.0) -> Any:
+        if np.ndim(rises):
+            return np.where(rises, numbers["peak"] - drop(0.0, s, **numbers), formula(s, **numbers))
         return numbers["peak"] - drop(0.0, s, **numbers) if rises else formula(s, **numbers)
 
     return Friction(
@@ -246,17 +248,17 @@ def _cubic(slip: Floats, values: Floats, smooth_start: bool) -> tuple[Callable[[
 
     def drop(s: Any, more: Any) -> Any:
         """From the cubic's own derivatives at s within its piece, so that no digit is lost; then piece by piece."""
-        first = int(np.clip(np.searchsorted(slip, s, side="right") - 1, 0, slip.size - 1))
-        if first == slip.size - 1:
-            return 0.0 * np.asarray(more)
-        h, z = step[first], (s - slip[first]) / step[first]
+        first = np.minimum(np.searchsorted(slip, s, side="right") - 1, slip.size - 2)
+        h, z, room = step[first], (s - slip[first]) / step[first], np.maximum(slip[first + 1] - s, 0.0)
         a, b = slope[first], slope[first + 1]
         bend, twist = 3 * secant[first] - 2 * a - b, a + b - 2 * secant[first]
         rates = a + z * (2 * bend + 3 * twist * z), (bend + 3 * twist * z) / h, twist / h**2
-        y = np.minimum(more, slip[first + 1] - s)
+        y = np.minimum(more, room)
         fallen = -y * (rates[0] + y * (rates[1] + y * rates[2]))
-        for k in range(first + 1, slip.size - 1):
-            z = np.clip((s + more - slip[k]) / step[k], 0.0, 1.0)
+        if np.all(more <= room * (1 + 2.0**-49)):
+            return fallen
+        for k in range(int(np.min(first)) + 1, slip.size - 1):
+            z = np.clip((s + more - slip[k]) / step[k], 0.0, 1.0) * (first < k)
             fallen -= rise[k] * z**2 * (3 - 2 * z) + step[k] * z * (1 - z) * (slope[k] * (1 - z) - slope[k + 1] * z)
         return fallen
 

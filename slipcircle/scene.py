@@ -212,5 +212,6 @@ def bounds(names: Iterable[str]) -> dict[str, tuple[float, float]]:
     """Open bounds of those of a scene's numbers that have any, the effects' as ``effect.parameter``."""
     known = {n: (low, high) for n, (low, high, _) in ARC_BOUNDS.items()}
     known |= {"friction": (-5e-324, INFINITY), "initial_velocity": (-INFINITY, INFINITY)}
+    known |= {f"friction.{p.name}": (p.lower, p.upper) for law in LAWS.values() for p in law.parameters}
     known |= {f"{e}.{p.name}": (p.lower, p.upper) for e, effect in EFFECTS.items() for p in effect.parameters}
     return {n: known[n] for n in names if n in known}

@@ -1,14 +1,15 @@
 """Ensembles beside other ways to solve them: ``python tests/peers_ensemble.py [--lanes N]`` prints a table.
 
-Scenes of the arc of Vaiont, turning, with centripetal stress, friction angles from 9 to 22 deg. Nanoseconds of one
-core's time a scene, the least of some runs, and the worst true error over every 40th friction, by a Taylor series of
-the equation of motion to 30 digits (`references`). heyoka is measured where it is installed; it and SciPy are asked for
-run-out and duration only, which spares them the peak.
+Scenes of the arc of Vaiont, turning, with centripetal stress, friction angles from 9 to 22 deg; under laws of slip that
+is where they start, to fall to 9 deg over a metre. Nanoseconds of one core's time a scene, the least of some
+runs, and the worst true error over every 40th friction, by a Taylor series of the equation of motion to 30 digits
+(`references`). heyoka is measured where it is installed; it and SciPy are asked for run-out and duration only, which
+spares them the peak.
 """
 
 import argparse
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
@@ -19,8 +20,10 @@ from numpy.typing import NDArray
 from slipcircle import Scene, solve
 
 Floats = NDArray[np.float64]
+Ways = list[tuple[str, Callable[[], Callable[[Floats], Floats]], int, int]]
 EFFECTS: dict[str, dict[str, float]] = {"rotation": {}, "centripetal": {}}
 ARC = Scene.load("vaiont").arc
+RESIDUAL = float(np.tan(np.radians(9.0)))
 D = ARC.dimensionless
 WEIGHT, RADIAL = (float(x) for x in ARC.amplitudes_per_inertia)
 POLAR, DIP, SCALE, RADIUS = (
@@ -31,25 +34,32 @@ POLAR, DIP, SCALE, RADIUS = (
 )
 
 
-def reference(mu: float) -> tuple[float, float, float]:
+def friction(mu: Any, law: str) -> Any:
+    return mu if law == "constant" else {"law": law, "peak": mu, "residual": RESIDUAL, "length": 1.0}
+
+
+def reference(mu: float, law: str, effects: Mapping[str, Any]) -> tuple[float, float, float]:
     """Duration, run-out and peak velocity."""
     arc = {n: float(getattr(ARC, n)) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")}
-    scene = {"arc": arc, "friction": mu, "effects": EFFECTS, "initial_velocity": 0.0, "end_time": None}
+    scene = {"arc": arc, "friction": friction(mu, law), "effects": effects, "initial_velocity": 0.0, "end_time": None}
     found = references.solve(scene, [])
     return float(found["duration"]), float(found["run_out"]), abs(float(found["peak_velocity"]))
 
 
-def ours(accuracy: float) -> Callable[[Floats], Floats]:
+def ours(accuracy: float, law: str = "constant", effects: Mapping[str, Any] = EFFECTS) -> Callable[[Floats], Floats]:
     def run(mu: Floats) -> Floats:
-        found = solve(Scene(ARC, mu, EFFECTS), accuracy)
+        found = solve(Scene(ARC, friction(mu, law), effects), accuracy)
         return np.array([found.duration, found.run_out, RADIUS * found.block.peak_angular_velocity])
 
     return run
 
 
-def one_by_one(mu: Floats) -> Floats:
-    motions = (solve(Scene(ARC, x, EFFECTS)) for x in mu.tolist())
-    return np.array([(m.duration, m.run_out, m.peak.velocity) for m in motions]).T
+def one_by_one(law: str, effects: Mapping[str, Any]) -> Callable[[Floats], Floats]:
+    def run(mu: Floats) -> Floats:
+        motions = (solve(Scene(ARC, friction(x, law), effects)) for x in mu.tolist())
+        return np.array([(m.duration, m.run_out, m.peak.velocity) for m in motions]).T
+
+    return run
 
 
 def scipy(tolerance: float) -> Callable[[Floats], Floats]:
@@ -105,17 +115,31 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--lanes", type=int, default=400_000, help="of the largest ensemble")
     most = parser.parse_args().lanes
-    ways: list[tuple[str, Callable[[], Callable[[Floats], Floats]], int, int]] = [
-        *((f"solve(ensemble), accuracy {a:g}", partial(ours, a), n, 5 if n <= 1e5 else 2)
+    laws: list[tuple[str, Mapping[str, Any]]] = [
+        *((law, EFFECTS) for law in ("constant", "exponential", "linear", "hyperbolic")),
+        ("exponential", {"rotation": {}}),
+    ]
+    sample = np.tan(np.radians(np.linspace(9.0, 22.0, 40)))
+    for law, effects in laws:
+        exact = np.array([reference(x, law, effects) for x in sample.tolist()]).T
+        print(f"{law} friction, {' and '.join(effects)}")
+        compare(law, effects, sample, exact, most)
+
+
+def compare(law: str, effects: Mapping[str, Any], sample: Floats, exact: Floats, most: int) -> None:
+    constant = law == "constant"
+    most = most if constant else most // 4
+    ways: Ways = [
+        *((f"solve(ensemble), accuracy {a:g}", partial(ours, a, law, effects), n, 5 if n <= 1e5 else 2)
           for a in (1e-6, 1e-9, 1e-12) for n in (1000, most)),
-        ("solve, one by one", lambda: one_by_one, 200, 2),
+        ("solve, one by one", partial(one_by_one, law, effects), 200 if constant else 40, 2),
+    ]  # fmt: skip
+    peers: Ways = [
         *((f"heyoka, tolerance {t:g}", partial(heyoka, t), 4000, 3) for t in (1e-9, 1e-12)),
         *((f"SciPy DOP853, rtol {t:g}", partial(scipy, t), 40, 1) for t in (1e-9, 1e-11)),
-    ]  # fmt: skip
-    sample = np.tan(np.radians(np.linspace(9.0, 22.0, 40)))
-    exact = np.array([reference(x) for x in sample.tolist()]).T
+    ]
     print(f"{'way':34} {'scenes':>9} {'ns a scene':>11} {'duration':>9} {'run-out':>9} {'peak':>9}")
-    for name, make, lanes, repeat in ways:
+    for name, make, lanes, repeat in [*ways, *(peers if constant else [])]:
         try:
             run = make()
         except ImportError:

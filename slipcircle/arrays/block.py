@@ -1,7 +1,7 @@
 """Lanes on their way, phase after phase, until each rests or its time is over; no lane knows of another."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from enum import IntEnum
 from typing import Any
 
@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from generated import balance as functions
 from generated.effects import ARGUMENTS
-from slipcircle.arrays.following import UNIT, Followed, doubt, frozen, pick, turning
+from slipcircle.arrays.following import UNIT, Followed, doubt, frozen, pick, softening, turning
 from slipcircle.balance import Balance
+from slipcircle.friction import Friction, friction
 from slipcircle.scene import bounds
 
 Floats = NDArray[np.float64]
@@ -60,6 +61,7 @@ class Going:
     lanes: Any  # their indices, or all
     time: Floats
     rotation: Floats
+    slip: Floats  # m
     direction: Floats
     energy: Floats
     best: Floats  # time, rotation, omega and its rate where the speed was greatest so far
@@ -69,12 +71,11 @@ class Going:
     speed: Floats
     phases: int = 0
 
-    def keep(self, mask: Mask, direction: Floats, rotation: Floats, time: Floats) -> "Going":
-        """The lanes that turn back, at the standstill."""
+    def some(self, mask: Mask) -> "Going":
+        """Those of some lanes."""
         lanes = np.flatnonzero(mask) if isinstance(self.lanes, slice) else self.lanes[mask]
-        shift, late, place, speed = (x[mask] for x in (self.shift, self.late, self.place, self.speed))
-        at = time[mask], rotation[mask], direction[mask], np.zeros(len(lanes)), self.best[:, mask]
-        return Going(lanes, *at, shift, late, place, speed, self.phases + 1)
+        rest = {f.name: getattr(self, f.name)[..., mask] for f in fields(self)[1:-1]}
+        return replace(self, lanes=lanes, **rest)
 
 
 def _seen(at: Mapping[str, Any], direction: Any) -> dict[str, Any]:
@@ -86,11 +87,13 @@ class Lanes:
     """The lanes of a block while they are solved, phase after phase."""
 
     def __init__(
-        self, values: Mapping[str, Any], bound: tuple[Balance, Any], accuracy: float, out: Block, work: Floats
+        self, values: Mapping[str, Any], bound: tuple[Balance, Any], accuracy: float, out: Block, work: Floats, law: Any
     ) -> None:
         self.values, self.accuracy, self.out, self.work = values, accuracy, out, work
         (self.balance, self.scale), self.size, self.radius = bound, len(out.status), np.asarray(values["radius"])
-        self.mu = np.asarray(values["friction"], dtype=np.float64)
+        self._law, self._varies = law, law is not None and any(np.ndim(values.get(f"friction.{n}", 0.0)) for n in law)
+        self.law = None if law is None or self._varies else friction(self._named(slice(None)))
+        self.mu = np.asarray(values["friction"] if law is None else self.friction(slice(None)).coefficient(0.0))
         self.omega = values["initial_velocity"] / self.radius * self.scale
         self.until = np.asarray(values["end_time"] / self.scale)
         self.water = bool(np.any(np.asarray(values.get("pore_pressure.pressure", 0.0)) > 0.0))
@@ -103,7 +106,7 @@ class Lanes:
         out.status[~valid] = Status.INVALID
         energy, direction = self.omega * self.omega, np.sign(self.omega)
         if np.any(energy == 0.0):
-            direction = np.where(energy == 0.0, self._way(everything, self.at(everything, None))[0], direction)
+            direction = np.where(energy == 0.0, self._way(everything, self.at(everything, None), self.mu)[0], direction)
         energy, direction = np.broadcast_to(energy, (n,)), np.broadcast_to(direction, (n,))
         stays, moves = valid & (direction == 0.0), valid & (direction != 0.0)
         if np.any(stays):
@@ -111,9 +114,16 @@ class Lanes:
         lanes = everything if np.all(moves) else np.flatnonzero(moves)
         energy, direction = energy[lanes], direction[lanes]
         zero = np.zeros_like(energy)
-        going = Going(lanes, zero, zero, direction, energy, np.zeros((4, energy.size)), zero, zero, zero, zero)
-        while going.time.size:
-            going = self._phase(going)
+        todo = [Going(lanes, zero, zero, zero, direction, energy, np.zeros((4, energy.size)), zero, zero, zero, zero)]
+        while todo:
+            going = todo.pop()
+            if not going.time.size:
+                continue
+            steady = self.steady(going.lanes, going.slip)
+            if np.any(steady) and not np.all(steady):
+                todo += [going.some(steady), going.some(~steady)]
+            else:
+                todo.append(self._phase(going, bool(np.all(steady))))
         return self.alone
 
     def _valid(self) -> Mask:
@@ -125,6 +135,21 @@ class Lanes:
         return np.broadcast_to(good & (self.until > 0.0), (self.size,))
 
     # -- the balance
+
+    def _named(self, lanes: Any) -> Any:
+        if not isinstance(self._law, Mapping):
+            return self._law
+        return {n: pick(self.values.get(f"friction.{n}", v), lanes) for n, v in self._law.items()}
+
+    def friction(self, lanes: Any) -> Friction:
+        """The law of some lanes."""
+        return self.law or friction(self._named(lanes))
+
+    def steady(self, lanes: Any, slip: Floats) -> Mask:
+        """Where friction does not change any more."""
+        if self._law is None:
+            return np.ones(slip.shape, bool)
+        return np.broadcast_to(slip >= self.friction(lanes).settled, slip.shape)
 
     def at(self, lanes: Any, rotation: Any) -> dict[str, Any]:
         """`Balance.position` of arrays in the mass's own sense, at the start for no rotation."""
@@ -151,9 +176,9 @@ class Lanes:
         given = [local[a] if a in local else pick(values[a], lanes) for a in ARGUMENTS[name]]
         return getattr(functions, name)(*given)
 
-    def _way(self, lanes: Any, at: Mapping[str, Any]) -> tuple[Floats, Floats]:
-        """`solver._way` of arrays, and by how much it was decided."""
-        mu, way, margin = pick(self.mu, lanes), np.asarray(0.0), np.asarray(np.inf)
+    def _way(self, lanes: Any, at: Mapping[str, Any], mu: Any) -> tuple[Floats, Floats]:
+        """`rest.way` of arrays, and by how much it was decided."""
+        way, margin = np.asarray(0.0), np.asarray(np.inf)
         lifted, held = self.get("normal", lanes, **at) <= 0.0, self.get("constant", lanes, mu=0.0)
         carried = np.any(lifted)
         for side in (-1.0, 1.0):
@@ -189,12 +214,14 @@ class Lanes:
         out.arrested[stays], out.error_estimate[stays] = True, error
         out.status[stays] = np.where(error > self.accuracy, Status.ILL_CONDITIONED, Status.STAYS)
 
-    def _phase(self, g: Going) -> Going:
+    def _phase(self, g: Going, steady: bool) -> Going:
         """Follow lanes to their next standstill or their end time; which turn back from there."""
-        lanes, b = g.lanes, self.balance
+        lanes, b, radius = g.lanes, self.balance, pick(self.radius, g.lanes)
         at = _seen(self.at(lanes, g.rotation if g.phases else None), g.direction)
         mu, until = pick(self.mu, lanes), pick(self.until, lanes)
-        f = (turning if b.turns else frozen)(self, lanes, at, mu, g, until)
+        if g.phases and self._law is not None:
+            mu = self.friction(lanes).coefficient(g.slip)
+        f = ((turning if b.turns else frozen) if steady else softening)(self, lanes, at, mu, g, until)
         if not g.phases and np.any(g.energy):
             zero, omega = np.zeros_like(g.time), np.sqrt(g.energy)
             g.best = np.stack([zero, zero, g.direction * omega, g.direction * f.first_rate])
@@ -208,20 +235,23 @@ class Lanes:
         else:
             g.best = np.stack(summit)
         doubt(self, lanes, at, mu, g, f, stop)
-        rotation = g.rotation + g.direction * (np.where(f.cut, f.x, f.end) if cut else f.end)
-        way, margin = self._way(lanes, self.at(lanes, rotation if b.turns else None))
-        still = (mu == 0.0) & np.isinf(until) & b.turns
+        x = np.where(f.cut, f.x, f.end) if cut else f.end
+        rotation = g.rotation + g.direction * x
+        way, margin = self._way(lanes, self.at(lanes, rotation if b.turns else None), f.mu)
+        still = (mu == 0.0) & np.isinf(until) & (b.turns and self._law is None)
         if np.any(still):
             still &= pick(b.get("constant", mu=0.0), lanes) == 0.0
         moving = f.cut | still  # at its end time, or without anything that brings it to rest
         alone = ~(f.good & (moving | (margin >= 1e-9)))
         rests = ~(moving | alone)
         turns = rests & (way != 0.0)
-        self.alone[lanes] |= alone | (turns & (g.phases >= _MOST_PHASES))
+        self.alone[lanes] |= alone
         done = ~(alone | turns) & np.isfinite(stop)
         if np.any(done):
             self._finish(g, f, done, rests, rotation, stop)
-        return g.keep(turns & (g.phases < _MOST_PHASES), np.broadcast_to(way, stop.shape), rotation, stop)
+        g.time, g.rotation, g.slip, g.direction = stop, rotation, g.slip + radius * x, np.broadcast_to(way, stop.shape)
+        g.energy, g.phases = np.zeros_like(stop), g.phases + 1
+        return g.some(turns & (g.phases < _MOST_PHASES))  # beyond, they have failed, as by the scalar solver
 
     def _finish(self, g: Going, f: Followed, done: Mask, rests: Mask, rotation: Floats, stop: Floats) -> None:
         """Write the lanes that are done."""

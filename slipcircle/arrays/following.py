@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from generated import balance as functions
 from generated import motion as formulas
 from slipcircle.arrays.courses import Courses, Start
+from slipcircle.arrays.paths import Paths
 from slipcircle.arrays.swings import Swings
 from slipcircle.methods.collocation import EPS
 from slipcircle.uncertainty import ROUNDING
@@ -42,6 +43,8 @@ class Followed(NamedTuple):
     rate: Floats
     first_rate: Floats
     steep: Floats
+    mu: Any  # at its end
+    doubt: Any = None  # of `Paths`
 
 
 def turning(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
@@ -75,11 +78,38 @@ def turning(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Goin
         turned = begin.drive * np.cos(x) - begin.tilt * np.sin(x) - 2 * begin.constant * np.sin(x / 2) ** 2
         rate = turned - begin.brake * energy
     if block.water:
-        last = begin.drive * 0.0 + block.at(lanes, g.rotation + g.direction * found[0])["press"]
-        good &= (get("normal", lanes, press=at["press"]) > 0.0) & (get("normal", lanes, press=last) > 0.0)
+        good &= _pressing(block, lanes, at, g, found[0])
     first = begin.drive - begin.brake * g.energy
     end, duration, peak, top, peak_time, steep, missing, _ = found
-    return Followed(end, duration, peak, top, peak_time, missing, good, cut, x, energy, rate, first, steep)
+    return Followed(end, duration, peak, top, peak_time, missing, good, cut, x, energy, rate, first, steep, mu)
+
+
+def _pressing(block: "Lanes", lanes: Any, at: Mapping[str, Any], g: "Going", end: Floats) -> Mask:
+    """Where the mass presses on the slip surface at both ends of a phase, and so in between."""
+    last = block.at(lanes, g.rotation + g.direction * end)["press"] if block.balance.turns else at["press"]
+    return np.asarray(
+        (block.get("normal", lanes, press=at["press"]) > 0.0) & (block.get("normal", lanes, press=last) > 0.0)
+    )
+
+
+def softening(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
+    """A phase in which friction changes with slip."""
+    get, b, m = block.get, block.balance, g.time.size
+    water, brake = -get("normal", lanes, press=0.0), get("brake", lanes, mu=0.0)
+    drive = np.broadcast_to(block.drive(lanes, at, mu), (m,))
+    given = {
+        "start": g.energy, "drive": drive, "mu": mu, "slip": g.slip, "left": until - g.time,
+        "constant": get("constant", lanes, mu=0.0), "brake": brake, "brake_rise": get("brake", lanes, mu=1.0) - brake,
+        "share": get("normal", lanes, press=1.0) + water, "water": water, "radius": pick(block.radius, lanes),
+        "furthest": np.maximum(at["dip"] + np.pi / 2, 1e-20) if b.turns else np.inf,
+    } | {n: at[n] for n in ("fall", "fall_slope", "press", "press_slope")}  # fmt: skip
+    of = np.arange(block.size)[lanes]
+    p = Paths(given, lambda k: block.friction(of[k]), b.turns, "brake" in b.names, block.accuracy)
+    if block.water:
+        p.good &= _pressing(block, lanes, at, g, p.end)
+    first = drive - get("brake", lanes, mu=mu) * g.energy
+    return Followed(p.end, p.duration, p.peak, p.top, p.peak_time, p.missing, p.good, p.cut, p.end, p.energy, p.rate,
+                    first, np.abs(2 * p.rate), p.mu, p.doubt)  # fmt: skip
 
 
 def frozen(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", until: Any) -> Followed:
@@ -102,17 +132,18 @@ def frozen(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going
     if block.water:
         good &= block.get("normal", lanes, press=at["press"]) > 0.0
     zero = np.zeros(m)
-    return Followed(end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a)
+    return Followed(end, duration, zero, zero, zero, zero, good, cut, x, speed * speed, rate, a - b * g.energy, -a, mu)
 
 
 def doubt(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going", f: Followed, stop: Floats) -> None:
     """Carry the doubts through a phase: `uncertainty` with bounds in the place of its sums over the path."""
     b = block.balance
+    mu, least = np.maximum(mu, f.mu), np.minimum(mu, f.mu)
     fall, constant = np.abs(at["fall"]), np.abs(block.get("constant", lanes, mu=mu))
     drive = np.abs(f.first_rate)
     terms = UNIT * (fall + constant + mu * np.abs(block.get("normal", lanes, **at)))
-    brake = block.get("brake", lanes, mu=mu)
-    if not b.turns:
+    brake = block.get("brake", lanes, mu=least)
+    if not b.turns and f.doubt is None:
         growth = UNIT + terms / np.maximum(np.abs(f.steep), 1e-300)
         x, elapsed = np.where(f.cut, f.x, f.end), np.where(f.cut, pick(block.until, lanes) - g.time, f.duration)
         memory = np.where(drive * brake > 0.0, np.minimum(elapsed, 1.0 / np.sqrt(drive * brake)), elapsed)
@@ -140,7 +171,8 @@ def doubt(block: "Lanes", lanes: Any, at: Mapping[str, Any], mu: Any, g: "Going"
     if cut:
         own, falls = np.where(f.cut, 0.0, own), np.where(f.cut, np.fmin(falls, noise / f.energy), falls)
         top = np.where(f.cut, np.sqrt(np.maximum(g.energy, np.where(f.peak < x, f.top, f.energy))), top)
-    late = elapsed * (noise / x / rises + falls + f.missing + UNIT)
+    spread = noise / x / rises if f.doubt is None else (moved + 0.5 * bent) * f.doubt / elapsed
+    late = elapsed * (spread + falls + f.missing + UNIT)
     high = noise / np.maximum(top, 1e-300) + UNIT * top
     g.place = np.maximum(g.place, own + shift + top * (late + g.late))
     g.speed = np.maximum(g.speed, high + change * (late + g.late))

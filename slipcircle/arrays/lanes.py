@@ -1,8 +1,8 @@
 """A block of scenes as plain arrays, solved at once: one lane a scene, and no lane knows of another.
 
 Lanes of a turning mass go through `slipcircle.arrays.swings`, what that does not take through
-`slipcircle.arrays.courses`, frozen ones through their closed form in time; the few that lift off, or that need more,
-through the scalar solver.
+`slipcircle.arrays.courses`, frozen ones through their closed form in time, and where friction changes with slip through
+`slipcircle.arrays.paths`; the few that lift off, or that need more, through the scalar solver.
 """
 
 from collections.abc import Mapping
@@ -15,6 +15,7 @@ from slipcircle.arc import QUANTITIES, Arc
 from slipcircle.arrays.block import NAMES, NUMBERS, Block, Lanes, Status
 from slipcircle.arrays.swings import workspace
 from slipcircle.balance import Balance, bind_lanes
+from slipcircle.friction import law_depends
 from slipcircle.plan import plan
 from slipcircle.scene import Scene
 from slipcircle.solver import solve_one
@@ -40,21 +41,25 @@ def solve_block(
         Relative error asked for.
     law : mapping or callable, optional
         Friction that is not constant, as `Scene` takes it; ``values`` has its numbers as ``friction.name``, and they
-        win. Such lanes go through the scalar solver, one by one.
+        win.
     fixed : mapping, optional
-        What is no number of the effects, such as functions of time, by effect; such lanes go one by one as well.
+        What is no number of the effects, such as functions of time, by effect. Such lanes, and those of laws and
+        effects that depend on more than place, slip and the square of the speed, go through the scalar solver, one by
+        one.
     lanes : int, optional
         How many there are, where no value is an array.
     """
     size = max((len(v) for v in values.values() if np.ndim(v)), default=1) if lanes is None else lanes
     numbers = (np.full(size, np.nan) for _ in NUMBERS)
     out = Block(np.full(size, Status.FAILED, np.int8), np.zeros(size, bool), np.zeros(size, bool), *numbers)
-    if law is not None or fixed is not None:
+    depends = {*law_depends(law)}.union(*(EFFECTS[e].depends_on for e in effects))
+    if fixed or callable(law) or depends & {"time", "speed", "history"}:
         for k in range(size):
             _alone(out, k, effects, values, accuracy, law, fixed or {})
         return out
     work, shared = workspace(min(size, LANES)), None
-    if not any(np.ndim(v) for n, v in values.items() if n not in ("friction", "initial_velocity", "end_time")):
+    own = ("friction", "initial_velocity", "end_time")  # not the balance's
+    if not any(np.ndim(v) for n, v in values.items() if n.partition(".")[0] not in own):
         with np.errstate(all="ignore"):
             shared = _bind(effects, values)  # one for all lanes
     for first in range(0, size, LANES):
@@ -62,9 +67,9 @@ def solve_block(
         here = {n: v[part] if np.ndim(v) else v for n, v in values.items()}
         view = Block(*(getattr(out, n)[part] for n in NAMES))
         with np.errstate(all="ignore"):
-            left = Lanes(here, shared or _bind(effects, here), accuracy, view, work).solve()
+            left = Lanes(here, shared or _bind(effects, here), accuracy, view, work, law).solve()
         for lane in np.flatnonzero(left):
-            _alone(out, first + int(lane), effects, values, accuracy, None, {})
+            _alone(out, first + int(lane), effects, values, accuracy, law, {})
     return out
 
 

@@ -13,7 +13,7 @@ from slipcircle.arrays.block import Block, Status
 from slipcircle.arrays.lanes import scene_of, solve_block
 from slipcircle.balance import bind_lanes
 from slipcircle.motion import State
-from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING, Plan, plan
+from slipcircle.plan import Plan, plan
 from slipcircle.scene import Scene
 
 Floats = NDArray[np.float64]
@@ -127,8 +127,7 @@ def lane(scene: Scene, *index: int) -> Scene:
 def solve_ensemble(chosen: Plan) -> Motions:
     """Solve a scene of arrays."""
     scene, (law, fixed) = chosen.scene, _rest(chosen)
-    alone = fixed if chosen.method in (INTEGRATION, LINEAR_SYSTEM, STEPPING) else None
-    found = solve_block(chosen.effects, _flat(scene), chosen.accuracy, law, math.prod(scene.shape), alone)
+    found = solve_block(chosen.effects, _flat(scene), chosen.accuracy, law, math.prod(scene.shape), fixed)
     return Motions(chosen, found)
 
 
