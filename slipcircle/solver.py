@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from slipcircle.motion import Followed, Solved
 
 _MOST_PHASES = 2000
+_MOST_STEPS = 100_000  # of SciPy, for one phase between two kinks
 
 
 def solve(scene: Scene, accuracy: float | None = None) -> Any:
@@ -56,15 +57,19 @@ def solve(scene: Scene, accuracy: float | None = None) -> Any:
     return solve_one(plan(scene, accuracy))
 
 
-def solve_one(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
+def solve_one(
+    chosen: Plan, tolerance: float | None = None, nudge: float = 0.0, *, phases: int = _MOST_PHASES,
+    steps: int = _MOST_STEPS,
+) -> Motion:  # fmt: skip
     """Solve one scene of plain numbers.
 
-    An integration to another tolerance, or with weights changed by a share, tells its error.
+    An integration to another tolerance, or with weights changed by a share, tells its error. A search gives up sooner
+    than a user would: after fewer phases, or steps of SciPy for one of them.
     """
     scene = chosen.scene
     try:
         with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
-            motion = _solve(chosen, tolerance, nudge)
+            motion = _solve(chosen, tolerance, nudge, phases, steps)
             end = motion.end
         if not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
             raise OverflowError
@@ -76,11 +81,11 @@ def solve_one(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) 
         ) from error
 
 
-def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
+def _solve(chosen: Plan, tolerance: float | None, nudge: float, most_phases: int, most_steps: int) -> Motion:
     scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
     balance = balance.nudged(nudge) if nudge else balance
     scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
-    follow = _follower(chosen, balance, law, tolerance)
+    follow = _follower(chosen, balance, law, tolerance, most_steps)
     two_way = bool(scene.called.get("shaking", {}).get("two_way", False))
     omega = float(np.asarray(scene.initial_velocity)) / radius * scale
     end_time = None if scene.end_time is None else float(np.asarray(scene.end_time))
@@ -130,9 +135,9 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
         time, rotation, slip, excess = stop, rotation + direction * x, slip + radius * x, solved.excess
         if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law, excess):
             return Motion(chosen, whole, phases, time * scale, False)
-        if len(phases) >= _MOST_PHASES:
+        if len(phases) >= most_phases:
             raise ValueError(
-                f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times in {time * scale:.6g} s "
+                f"end_time = {scene.end_time!r}: this mass turns back {most_phases} times in {time * scale:.6g} s "
                 "without resting; give an earlier end in s"
             )
     if not arrested:
@@ -144,7 +149,7 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
 
 
 def _follower(
-    chosen: Plan, balance: Balance, law: Friction, tolerance: float | None
+    chosen: Plan, balance: Balance, law: Friction, tolerance: float | None, most_steps: int
 ) -> "Callable[[Start, float, float], Followed]":
     """What solves one phase, from its start, its longest duration and its time; only its module is imported."""
     if chosen.method in (CLOSED_IN_TIME, STEPPING):
@@ -157,7 +162,7 @@ def _follower(
         except ImportError as error:
             raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
         wanted = chosen.tolerance if tolerance is None else tolerance
-        return lambda start, longest, time: Integrated(balance, law, start, longest, time, wanted)
+        return lambda start, longest, time: Integrated(balance, law, start, longest, time, wanted, most_steps)
     if chosen.method == LINEAR_SYSTEM:
         from slipcircle.methods.heated import Heated
 

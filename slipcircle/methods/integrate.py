@@ -30,7 +30,6 @@ Floats = NDArray[np.float64]
 
 EPS = 2.0**-52
 _STIFF_STEPS = 300  # explicit steps between two kinks, ten times what is usual, after which LSODA takes over
-_MOST_STEPS = 100_000  # of one phase, between two kinks
 _FURTHEST = 1e4  # rotation of a frozen slide after which it will never rest, rad
 _GAUSS = (np.polynomial.legendre.leggauss(10)[0] + 1) / 2, np.polynomial.legendre.leggauss(10)[1] / 2
 _INSIDE = np.array([0.0, 0.25, 0.5, 0.75, 1.0])  # of a step, where its events are looked for
@@ -63,7 +62,7 @@ class Integrated:
     """
 
     def __init__(
-        self, balance: Balance, law: Friction, start: "Start", longest: float, time: float, tolerance: float
+        self, balance: Balance, law: Friction, start: "Start", longest: float, time: float, tolerance: float, most: int
     ) -> None:
         self.balance, self.law, self.start, self.longest, self.time = balance, law, start, longest, time
         self.at = balance.position(start.rotation, start.direction)
@@ -75,7 +74,7 @@ class Integrated:
         self.pieces: list[Piece] = []
         self._window = (-math.inf, math.inf)  # between two kinks, while it is integrated
         with np.errstate(all="ignore"):
-            self._integrate(tolerance)
+            self._integrate(tolerance, most)
         self._window = (-math.inf, math.inf)
 
     # -- the equation
@@ -133,7 +132,7 @@ class Integrated:
 
     # -- following it
 
-    def _integrate(self, tolerance: float) -> None:
+    def _integrate(self, tolerance: float, most: int) -> None:
         start = self.start
         t, y = 0.0, np.array([0.0, math.sqrt(start.energy), start.excess][: 2 + self.heats])
         slips = [(k - start.slip) / self.balance.radius for k in self.law.kinks if k > start.slip]
@@ -153,9 +152,9 @@ class Integrated:
                 if solver.status == "failed" or not np.all(np.isfinite(solver.y)):
                     raise OverflowError
                 steps += 1
-                if steps - since > _MOST_STEPS:
+                if steps - since > most:
                     raise ValueError(
-                        f"end_time: more than {_MOST_STEPS} steps after {self.time * self.balance.time_scale:.6g} s; "
+                        f"end_time: more than {most} steps after {self.time * self.balance.time_scale:.6g} s; "
                         "give an earlier end in s, or a smoother law"
                     )
                 dense, before, now = solver.dense_output(), float(solver.t_old), float(solver.t)
