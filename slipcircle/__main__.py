@@ -1,7 +1,6 @@
 """Command line: `slipcircle run SCENE...`, `plan`, `sweep`, `backanalyse`, ..., also as `python -m slipcircle`.
 
-Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was refused, 2 a wrong call,
-130 interrupted.
+Results go to stdout, messages to stderr; the exit status is what `EPILOG` says.
 """
 
 import argparse
@@ -12,6 +11,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 import slipcircle
@@ -21,46 +21,65 @@ from slipcircle.outputs import files, tables
 
 OBSERVED = (("runout", "m", "run-out along the arc"), ("peak-velocity", "m-s", "greatest velocity"),
             ("duration", "s", "time until it rested"))  # fmt: skip
+EPILOG = """\
+scenes that ship:
+  {}
+  or a TOML file of your own: `slipcircle schema --text` explains its keys
+
+exit status: 0 done, 1 the input was refused, 2 a wrong call, 130 interrupted
+"""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command and return its exit status."""
-    parser = argparse.ArgumentParser(prog="slipcircle", description=str(slipcircle.__doc__).partition("\n")[0])
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    which = f"one of {', '.join(shipped())}, or a TOML file"
-    run = commands.add_parser("run", help="solve scenes and print their motion side by side")
+    names = "\n  ".join(wrap(", ".join(shipped()), 76, break_on_hyphens=False))
+    parser = argparse.ArgumentParser(
+        "slipcircle",
+        description="\n".join(wrap(str(slipcircle.__doc__).partition("\n")[0], 78)),
+        epilog=EPILOG.format(names),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND", title="commands")
+    which = "a scene that ships, by name (`slipcircle --help` lists them), or the path of a TOML file"
+
+    def command(name: str, words: str) -> argparse.ArgumentParser:
+        return commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
+
+    run = command("run", "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
-    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg")
+    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg, and "
+                     "the slide itself as .gif")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
-    planned = commands.add_parser("plan", help="how a scene will be solved, and what that costs")
+    planned = command("plan", "how a scene will be solved, and what that costs")
     what = planned.add_mutually_exclusive_group(required=True)
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
-    swept = commands.add_parser("sweep", help="a scene on a grid of values, or for samples of its uncertain numbers")
+    swept = command("sweep", "a scene on a grid of values, or for samples of its uncertain numbers")
     swept.add_argument("scene", metavar="SCENE", help=which)
-    back = commands.add_parser("backanalyse", help="the friction, or another field, that explains an observed motion")
+    back = command("backanalyse", "the friction, or another field, that explains an observed motion")
     back.add_argument("scene", metavar="SCENE", help=which)
     for option, unit, words in OBSERVED:
         back.add_argument(f"--{option}-{unit}", type=_observed, dest=option.replace("-", "_"), metavar="X[+-S]",
                           help=f"observed {words}, and its standard error: 400+-20")  # fmt: skip
     back.add_argument("--field", action="append", metavar="NAME[=LOW:HIGH]", help="what is looked for, by default "
                       "friction, and between which values, in SI units; several for several observations")  # fmt: skip
-    slopes = commands.add_parser("sensitivity", help="exact derivatives of the motion by each number of a scene")
+    slopes = command("sensitivity", "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
-    commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
-    cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
+    schema = command("schema", "what a scene file may say: every effect, law, key and unit")
+    schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
+    cost = command("cost", "measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
     cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
     cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
-    info = commands.add_parser("info", help="versions and digests of what is installed")
+    info = command("info", "versions and digests of what is installed")
     if "sweep" in (sys.argv[1:] if argv is None else argv):  # no other command needs what it loads
         from slipcircle.studies import sweep
 
         sweep.arguments(swept)
-    for command in (run, planned, swept, back, slopes, cost, info):
-        command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
+    for parsed in (run, planned, swept, back, slopes, cost, info):
+        parsed.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
     options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
@@ -89,13 +108,13 @@ def _print(record: Any) -> None:
 def _run(options: argparse.Namespace) -> None:
     paths = [find(name) for name in options.scenes]
     asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
-    files.check({f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
+    files.check("run", {f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
     if options.plot or options.report:
         from slipcircle.outputs import pictures
 
-        pictures.check(options.plot or "", len(paths))
+        pictures.check("run", options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
-    motions = [solve(Scene.load(name)) for name in options.scenes]
+    motions = [_solved(name) for name in options.scenes]
     for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:
         files.write(path, content)
     if options.json:
@@ -114,6 +133,15 @@ def _run(options: argparse.Namespace) -> None:
         more = [f"solved at the median of {', '.join(drawn)}; sweep draws them"] if drawn else []
         for warning in (*m.warnings, *more):
             print(f"slipcircle: {m.plan.scene.name}: {warning}", file=sys.stderr)
+
+
+def _solved(name: str) -> Motion:
+    """The motion of a scene by name or file; where it has none, the error says of which."""
+    scene = Scene.load(name)
+    try:
+        return solve(scene)
+    except ValueError as error:
+        raise ValueError(f"{scene.name}: {error}") from error
 
 
 def _content(kind: str, path: str, motions: list[Motion], sources: list[bytes], options: argparse.Namespace) -> bytes:
@@ -182,6 +210,9 @@ def _backanalyse(options: argparse.Namespace) -> None:
                 raise ValueError(f"--field {text}: must be NAME or NAME=LOW:HIGH, such as friction=0.1:0.3") from None
             bounds[name] = low, high
     seen = {option.replace("-", "_"): vars(options)[option.replace("-", "_")] for option, _, _ in OBSERVED}
+    if all(value is None for value in seen.values()):
+        options_ = [f"--{option}-{unit}" for option, unit, _ in OBSERVED]
+        raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(options_)}")
     found = slipcircle.backanalyse(Scene.load(options.scene), field=fields, bounds=bounds, **seen)
     if options.json:
         _print(tables.backanalysis_record(found))
@@ -209,6 +240,11 @@ def _sensitivity(options: argparse.Namespace) -> None:
 
 
 def _schema(options: argparse.Namespace) -> None:
+    if options.text:
+        from slipcircle.outputs.guide import guide
+
+        print(guide())
+        return
     from slipcircle.inputs.scenekeys import schema
 
     _print(schema())

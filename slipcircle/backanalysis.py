@@ -302,7 +302,7 @@ def _doubts(first: Solution, observed: fit.Observations, ranges: Mapping[str, Se
     if all(sigma is not None for _, sigma in observed.values()):
         from scipy.special import chdtrc
 
-        chance = float(chdtrc(free, first.chi_square)) if free else float(first.chi_square < 1e-6)
+        chance = float(chdtrc(free, first.chi_square)) if free else float(first.chi_square < 1.0)
         if chance < _WORST:
             of = "no observation is left over, so that all could be met" if not free else f"chance {chance:.1g}"
             said.append(

@@ -110,7 +110,7 @@ class Scene:
     @property
     def called(self) -> Mapping[str, Mapping[str, Any]]:
         """Effects by name, each with its parameters, however they were given."""
-        assert isinstance(self.effects, Mapping)
+        assert isinstance(self.effects, dict)
         return self.effects
 
     @cached_property

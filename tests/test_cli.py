@@ -18,6 +18,7 @@ import generated
 import slipcircle
 from slipcircle import Motion, Scene, State, solve
 from slipcircle.__main__ import main
+from slipcircle.inputs.scenefile import shipped
 from slipcircle.prices import cost
 
 ROOT = Path(__file__).parents[1]
@@ -194,6 +195,7 @@ def test_no_environment_variable_makes_a_pipe_wide_or_narrow() -> None:
         (["run", "viaont"], 1, "scene 'viaont' is unknown; known are newmark-pulse, vaiont, vaiont-as-printed"),
         (["run", "vaiont-frozen", "viaont"], 1, "scene 'viaont' is unknown"),
         (["run", "viaont", "--json"], 1, "scene 'viaont' is unknown"),
+        (["backanalyse", "vaiont"], 1, "give one of --runout-m, --peak-velocity-m-s, --duration-s"),
         (["cost", "polar"], 1, "function 'polar' is unknown; known are polar_moment, moment_of_inertia"),
         ([], 2, "required: COMMAND"),
         (["run"], 2, "required: SCENE"),
@@ -215,6 +217,19 @@ def test_errors(argv: list[str], status: int, said: str, capsys: pytest.CaptureF
     if status == 1:
         assert err.startswith("slipcircle: ")
         assert err.count("\n") == 1
+
+
+def test_help_says_what_there_is_and_how_it_ends(capsys: pytest.CaptureFixture[str]) -> None:
+    """Every command has its own help and a sentence; scenes and exit status stand in the first; within 100 columns."""
+    said = {}
+    for name in ("", "run", "plan", "sweep", "backanalyse", "schema", "cost", "info"):
+        with pytest.raises(SystemExit, match="0"):
+            main([*name.split(), "--help"])
+        said[name] = capsys.readouterr().out
+        assert max(map(len, said[name].splitlines())) <= 100
+        assert re.search(r"\n\n[A-Z][^\n]*(\n[^\n]+)*\.\n", said[name]), name
+    assert "0 done, 1 the input was refused, 2 a wrong call, 130 interrupted" in said[""]
+    assert all(name in said[""] for name in (*shipped(), *said))
 
 
 def test_the_exit_status_reaches_the_shell() -> None:

@@ -489,7 +489,7 @@ def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     table = tmp_path / "a.csv"
     argv = ["sweep", "vaiont", "--grid", "friction.angle_deg=8:12:41", "--grid", "arc.radius_m=1000,1500"]
     assert main([*argv, "--csv", str(table)]) == 0
-    assert "82 scenes: 82 RESTS" in capsys.readouterr().out
+    assert "82 scenes: 82 rests" in capsys.readouterr().out
     head, *rows = table.read_text("utf-8").splitlines()
     assert head == "friction.angle_deg,arc.radius_m,run_out (m),peak_velocity (m/s),duration (s),status"
     assert len(rows) == 82

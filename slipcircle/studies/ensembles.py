@@ -420,7 +420,7 @@ def ensemble(
     if scene.shape:
         said.append("a scene of arrays is solved as it is: use solve")
     if not scene.uncertain:
-        said.append("no number is uncertain: give Scene(uncertain=...), or a distribution in its file")
+        said.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 1:
         said.append(f"n = {n!r}: must be a whole number, 1 at least")
     elif method == "latin-hypercube" and n > MOST_LATIN:
