@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -150,7 +149,6 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float, most_phases: int
     return Motion(chosen, whole, phases, duration, arrested)
 
 
-@cache
 def _follower(method: str) -> "Callable[[Balance, Friction, Start, float, float, float, int], Followed]":
     """What solves one phase, from its start, longest duration, time, tolerance and most steps; only it is imported."""
     if method in (CLOSED_IN_TIME, STEPPING):

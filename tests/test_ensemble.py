@@ -317,7 +317,7 @@ def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
         assert found.std(name).value == pytest.approx(std, abs=4 * error)
         assert abs(found.linear[name].std - std) > max(0.05 * std, 3 * error)
         assert (found.linear[name].std > 0.0) == moves
-        said = [w for w in found.warnings if w.startswith(name.replace("_", " "))]
+        said = [w for w in found.warnings if w.startswith(name.replace("run_", "run-").replace("_", " "))]
         assert len(said) == 1
         assert "trust the samples" in said[0]
 

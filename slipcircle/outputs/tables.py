@@ -119,7 +119,7 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
         for name, value in s.values.items():
             unit = found.units[name]
             error = f" +- {errors[name]:.2g}" if name in errors else ""
-            rows[f"{name}, {unit}" if unit else name] = f"{value:.8g}{error}"
+            rows[f"{name} ({unit})" if unit else name] = f"{value:.8g}{error}"
             if (degrees := angle_deg(name, value)) is not None:
                 per = np.degrees(errors.get(name, 0.0) / (1 + value**2))
                 rows["friction angle" if name == "friction" else f"{name}, angle"] = f"{degrees:.4f} deg" + (
@@ -133,7 +133,7 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
             kind = next(k for k, output in OBSERVED.items() if output == name)
             seen, sigma = found.observed.get(kind, (None, None))
             of = "" if seen is None else f" (observed {seen:.6g}" + (f" +- {sigma:.2g})" if sigma else ")")
-            rows[f"{name.replace('_', ' ')}, {UNITS[kind]}"] = f"{value:.6g}{of}"
+            rows[f"{kind.replace('runout', 'run-out').replace('_', ' ')} ({UNITS[kind]})"] = f"{value:.6g}{of}"
         if found.method == FITTED:
             known = all(sigma for _, sigma in found.observed.values())
             free = found.degrees_of_freedom
