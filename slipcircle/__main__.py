@@ -63,10 +63,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     back = command("backanalyse", "the friction, or another field, that explains an observed motion")
     back.add_argument("scene", metavar="SCENE", help=which)
     for option, unit, words in OBSERVED:
-        back.add_argument(f"--{option}-{unit}", type=float, dest=option, metavar="X", help=f"observed {words}")
-        back.add_argument(f"--sigma-{option}-{unit}", type=float, dest=f"sigma_{option}", metavar="X",
-                          help="its standard error")  # fmt: skip
-    back.add_argument("--field", default="friction", help="what is looked for: friction (the default), cohesion, ...")
+        back.add_argument(f"--{option}-{unit}", type=_observed, dest=option.replace("-", "_"), metavar="X[+-S]",
+                          help=f"observed {words}, and its standard error: 400+-20")  # fmt: skip
+    back.add_argument("--field", action="append", metavar="NAME[=LOW:HIGH]", help="what is looked for, by default "
+                      "friction, and between which values, in SI units; several for several observations")  # fmt: skip
     slopes = command("sensitivity", "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
     schema = command("schema", "what a scene file may say: every effect, law, key and unit")
@@ -190,23 +190,39 @@ def _sweep(options: argparse.Namespace) -> None:
         print(f"slipcircle: {found.scene.name}: {warning}", file=sys.stderr)
 
 
+def _observed(text: str) -> float | tuple[float, float]:
+    """400, or 400+-20."""
+    value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
+    if not error:
+        return float(value)
+    (sigma,) = error
+    return float(value), float(sigma)
+
+
 def _backanalyse(options: argparse.Namespace) -> None:
-    seen, given = {}, vars(options)
-    for option, unit, _ in OBSERVED:
-        value, sigma = given[option], given[f"sigma_{option}"]
-        if value is None and sigma is not None:
-            raise ValueError(f"--sigma-{option}-{unit}: needs --{option}-{unit}")
-        seen[option.replace("-", "_")] = value if sigma is None else (value, sigma)
+    fields, bounds = [], {}
+    for text in options.field or ["friction"]:
+        name, given, between = text.partition("=")
+        fields.append(name)
+        if given:
+            try:
+                low, high = map(float, between.split(":"))
+            except ValueError:
+                raise ValueError(f"--field {text}: must be NAME or NAME=LOW:HIGH, such as friction=0.1:0.3") from None
+            bounds[name] = low, high
+    seen = {option.replace("-", "_"): vars(options)[option.replace("-", "_")] for option, _, _ in OBSERVED}
     if all(value is None for value in seen.values()):
         options_ = [f"--{option}-{unit}" for option, unit, _ in OBSERVED]
         raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(options_)}")
-    found = slipcircle.backanalyse(Scene.load(options.scene), field=options.field, **seen)
+    found = slipcircle.backanalyse(Scene.load(options.scene), field=fields, bounds=bounds, **seen)
     if options.json:
         _print(tables.backanalysis_record(found))
         return
     numbers = [f"solution {k}" for k in range(1, len(found.solutions) + 1)]
     head = numbers if len(numbers) > 1 else [found.motion.plan.scene.name]
     tables.show(["", *head], tables.backanalysis_rows(found), caption=f"by {found.method}")
+    for warning in found.warnings:
+        print(f"slipcircle: {found.motion.plan.scene.name}: {warning}", file=sys.stderr)
 
 
 def _sensitivity(options: argparse.Namespace) -> None:

@@ -1,36 +1,38 @@
-"""Back-analysis: which friction, or which value of another field, explains the motion that was observed.
+"""Back-analysis: which friction, or which values of other fields, explain the motion that was observed.
 
-The field is followed over its range; where the mass turns back once more, begins to move or lifts off, the motion has
-a kink, so the range is cut there, and each smooth piece is searched for its own solutions.
+One field is followed over its range; where the mass turns back once more, begins to move or lifts off, the motion has
+a kink, so the range is cut there, and each smooth piece is searched for its own solutions. Several fields are fitted to
+several observations, from starts all over their ranges.
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from generated.effects import EFFECTS
 from slipcircle.balance import bind
 from slipcircle.checks import raise_all
-from slipcircle.friction import law_name
-from slipcircle.methods.roots import highest, root
 from slipcircle.motion import Motion
-from slipcircle.plan import INTEGRATION, plan
 from slipcircle.scene import Scene
-from slipcircle.sensitivity import OF_SCENE
 from slipcircle.solver import solve
+from slipcircle.studies import fit
+from slipcircle.studies.curve import Curve
+from slipcircle.studies.fields import OBSERVED, Field, outputs_of
 
-OUTPUTS = {"runout": "run_out", "peak_velocity": "peak_velocity", "duration": "duration"}
+Floats = NDArray[np.float64]
 CLOSED = "closed form"
 ROOT = "root in a bracket"
 FITTED = "least squares"
-_MOST_SWINGS = 12  # of a motion in a scan: below, run-out hardly depends on friction, and has ever more solutions
-_MOST_CLOSED = 60
-_EPS = 2.0**-52
+UNITS = {"runout": "m", "peak_velocity": "m/s", "duration": "s"}
+_MOST_CLOSED = 60  # swings of a motion in the closed form
+_MET = 1e-12  # sum of squares below which all is met exactly
+_WORST = 1e-3  # probability of so large a misfit, below which it is told
 
 Observed = float | tuple[float, float]
+Bounds = tuple[float, float]
 
 
 class Unattainable(ValueError):
@@ -39,7 +41,8 @@ class Unattainable(ValueError):
     Attributes
     ----------
     attainable : dict
-        For each observed output, its lowest and its highest value found, each with the value of the field there.
+        For each observed output, its lowest and its highest value found, each with the value of the field there; empty
+        where several fields were searched.
     """
 
     def __init__(self, message: str, attainable: dict[str, tuple[tuple[float, float], tuple[float, float]]]) -> None:
@@ -49,35 +52,56 @@ class Unattainable(ValueError):
 
 @dataclass(frozen=True)
 class Solution:
-    """One value of the field that explains what was observed.
+    """Values of the fields that explain what was observed.
 
     Attributes
     ----------
-    value : float
-        Of the field, SI units and radians.
+    values : dict of float
+        Of the fields, SI units and radians.
     motion : Motion
-        The motion with this value.
+        The motion with these values.
     residuals : dict of float
         Computed less observed, by observation.
-    standard_error : float or None
-        From the observations' standard errors, linear; None if there are none.
+    covariance : ndarray or None
+        Of the fields in their order, (fields, fields), to first order: from the observations' standard errors, or else
+        from the misfit; None where there is neither.
     error_estimate : float
-        Of the value, relative: numerical, by the motion's own estimate.
+        Of the values, relative: numerical, by the motion's own estimate.
     chi_square : float
         Sum of the squared residuals over their standard errors (over the observed values, where those are unknown).
     """
 
-    value: float
+    values: dict[str, float]
     motion: Motion
     residuals: dict[str, float]
-    standard_error: float | None
+    covariance: Floats | None
     error_estimate: float
     chi_square: float
 
     @property
-    def covariance(self) -> float | None:
-        """The square of the standard error: one field has a covariance of one number."""
-        return None if self.standard_error is None else self.standard_error**2
+    def value(self) -> float:
+        """Of the first field."""
+        return next(iter(self.values.values()))
+
+    @property
+    def standard_errors(self) -> dict[str, float] | None:
+        """Of the values, by field."""
+        if self.covariance is None:
+            return None
+        return dict(zip(self.values, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
+
+    @property
+    def standard_error(self) -> float | None:
+        """Of the first field."""
+        return None if self.covariance is None else math.sqrt(self.covariance[0, 0])
+
+    @property
+    def correlation(self) -> Floats | None:
+        """Correlation of the fields, (fields, fields)."""
+        if self.covariance is None:
+            return None
+        errors = np.sqrt(np.diag(self.covariance))
+        return np.asarray(self.covariance / np.outer(errors, errors))
 
 
 @dataclass(frozen=True)
@@ -86,23 +110,36 @@ class BackAnalysis:
 
     Attributes
     ----------
-    field, unit : str
+    units : dict of str
+        Unit of each field.
     observed : dict
         Value and standard error (None if not given) of each observation.
     solutions : tuple of Solution
         All that were found: the fewest swings first, or, for a fit, the best one first.
     method : str
+    warnings : tuple of str
+        What to know before the values are used.
     """
 
-    field: str
-    unit: str
+    units: dict[str, str]
     observed: dict[str, tuple[float, float | None]]
     solutions: tuple[Solution, ...]
     method: str
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def field(self) -> str:
+        """The first field."""
+        return next(iter(self.units))
+
+    @property
+    def unit(self) -> str:
+        """Of the first field."""
+        return self.units[self.field]
 
     @property
     def value(self) -> float:
-        """Of the first solution."""
+        """Of the first solution and field."""
         return self.solutions[0].value
 
     @property
@@ -112,18 +149,24 @@ class BackAnalysis:
 
     @property
     def standard_error(self) -> float | None:
-        """Of the first solution."""
+        """Of the first solution and field."""
         return self.solutions[0].standard_error
 
     @property
     def friction_angle_deg(self) -> float | None:
-        """Friction angle of the first solution, degrees; None for another field."""
+        """Friction angle of the first solution, degrees; None where the first field is another."""
         return angle_deg(self.field, self.value)
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Observations less fields."""
+        return len(self.observed) - len(self.units)
 
 
 def angle_deg(field: str, value: float) -> float | None:
     """What a coefficient of friction is in degrees; None for another field."""
-    return math.degrees(math.atan(value)) if field.startswith("friction") and field != "friction.length" else None
+    lengths = ("friction.length", "friction.velocity")
+    return math.degrees(math.atan(value)) if field.startswith("friction") and field not in lengths else None
 
 
 def backanalyse(
@@ -132,23 +175,24 @@ def backanalyse(
     runout: Observed | None = None,
     peak_velocity: Observed | None = None,
     duration: Observed | None = None,
-    field: str = "friction",
-    bounds: tuple[float, float] | None = None,
+    field: str | Sequence[str] = "friction",
+    bounds: Bounds | Mapping[str, Bounds] | None = None,
 ) -> BackAnalysis:
-    """Find all values of one field with which the scene moves as observed.
+    """Find the values of one field, or of several, with which the scene moves as observed.
 
     Parameters
     ----------
     scene : Scene
-        Its own value of the field does not count.
+        Its own values of the fields do not count.
     runout, peak_velocity, duration : float or tuple of float, optional
         Observed value, or value and standard error; m, m/s, s; signed as `Motion` gives them. One at least. One alone
-        is met exactly, several in the sense of least squares.
-    field : str, optional
+        is met exactly by one field, several in the sense of least squares.
+    field : str or sequence of str, optional
         ``friction``; ``friction.peak`` and so on of a law; ``cohesion``, ``ratio`` or ``pressure`` of the pore water,
         ``xi`` of the drag, also as ``pore_pressure.ratio``, whether the scene has the effect or not; ``radius``,
         ``theta_1``, ``theta_2``, ``dip`` (both angles at once), ``unit_weight``, ``gravity``, ``initial_velocity``.
-    bounds : tuple of float, optional
+        Several need as many observations at least.
+    bounds : tuple of float, or mapping of such by field, optional
         Where to search; by default a range wide enough for the field.
 
     Returns
@@ -160,36 +204,133 @@ def backanalyse(
     Unattainable
         If no value in the range explains the observation: says what is attainable, and at which values.
     ValueError
-        For mistakes in the arguments.
+        For mistakes in the arguments, and where the observations cannot tell the fields apart.
 
     Notes
     -----
     Run-out and peak velocity fall with friction as long as the mass does not turn back: E(x) does, at every x. Weak
     friction lets it swing, and the same run-out then has several solutions; motions of more than 12 swings are left
-    out (60 in the closed form). Scenes that are integrated in time are slow, and searched on a coarser grid: give
-    bounds.
+    out (60 in the closed form). Scenes that are integrated in time are searched on a coarser grid.
+
+    Several fields are fitted from the best of some hundred starts, with exact derivatives where there are any; all
+    different minima that are found, and fit about as well as the best one, are given. There may be others.
+
+    Examples
+    --------
+    >>> from slipcircle import Scene, backanalyse
+    >>> found = backanalyse(Scene.load("vaiont"), runout=(400, 20), peak_velocity=(17, 1), field=["friction", "dip"])
+    >>> {name: round(value, 3) for name, value in found.solutions[0].values.items()}
+    {'friction': 0.371, 'dip': 0.513}
     """
     observed = _observations({"runout": runout, "peak_velocity": peak_velocity, "duration": duration})
-    change = _Field(scene, field)
-    if list(observed) == ["runout"] and bounds is None and _tilted_pendulum(change):
+    names = [field] if isinstance(field, str) else list(field)
+    fields = [Field(scene, name) for name in names]
+    given = dict.fromkeys(names[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
+    between = {Field(scene, name).name: b for name, b in given.items()}
+    _check(fields, observed, bounds, between)
+    units = {f.name: f.unit for f in fields}
+    change = fields[0]
+    if list(observed) == ["runout"] and not between and _tilted_pendulum(change):
         values = _by_pendulum(change, observed["runout"][0])
         if values:
-            found = [_solution(change, v, observed) for v in values]
-            return BackAnalysis(change.name, change.unit, observed, tuple(found), CLOSED)
-    curve = _Curve(change, observed, change.range() if bounds is None else _between(*bounds))
+            found = [_solution(scene, fields, [v], observed) for v in values]
+            return BackAnalysis(units, observed, tuple(found), CLOSED)
+    ranges = [_between(f.name, *between[f.name]) if f.name in between else f.range(len(fields) == 1) for f in fields]
+    if len(fields) > 1:
+        return _fitted(scene, fields, observed, ranges, units)
+    curve = Curve(change, observed, ranges[0])
     values = curve.roots() if len(observed) == 1 else curve.minima()
     if not values:
         raise _unattainable(curve, observed)
-    solutions = [_solution(change, v, observed) for v in values]
+    solutions = [_solution(scene, fields, [v], observed) for v in values]
     if len(observed) == 1:
         solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
-        return BackAnalysis(change.name, change.unit, observed, tuple(solutions), ROOT)
-    solutions.sort(key=lambda s: s.chi_square)
-    best = solutions[0].chi_square
+        return BackAnalysis(units, observed, tuple(solutions), ROOT)
+    kept = _best(solutions, observed)
+    return BackAnalysis(units, observed, kept, FITTED, _doubts(kept[0], observed, {change.name: ranges[0]}))
+
+
+def _fitted(
+    scene: Scene, fields: Sequence[Field], observed: fit.Observations, ranges: Sequence[Sequence[float]],
+    units: dict[str, str],
+) -> BackAnalysis:  # fmt: skip
+    names = ", ".join(units)
+    fits = fit.search(scene, fields, observed, ranges)
+    if not fits:
+        raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
+    solutions, untold = [], list[ValueError]()
+    for f in fits:
+        try:
+            solutions.append(_solution(scene, fields, f.values.tolist(), observed))
+        except ValueError as error:  # here the fields cannot be told apart, though they may elsewhere
+            untold.append(error)
+    if not solutions:
+        raise untold[0]
+    found = _best(solutions, observed)
+    first = found[0]
+    if first.covariance is None and first.chi_square > _MET:
+        outputs = outputs_of(first.motion, [OBSERVED[n] for n in observed])
+        near = ", ".join(f"{n} = {outputs[OBSERVED[n]]:.6g} {UNITS[n]}" for n in observed)
+        at = ", ".join(f"{n} = {v:.6g} {units[n]}".rstrip() for n, v in first.values.items())
+        raise Unattainable(f"no values of {names} give {' and '.join(observed)} as observed; the nearest is {near} "
+                           f"at {at}; with standard errors that is fitted", {})  # fmt: skip
+    doubts = _doubts(first, observed, {f.name: r for f, r in zip(fields, ranges, strict=True)})
+    if not fits[0].settled:
+        doubts += ("the best values lie where the motion changes its kind: their covariance means little",)
+    return BackAnalysis(units, dict(observed), found, FITTED, doubts)
+
+
+def _best(solutions: Sequence[Solution], observed: fit.Observations) -> tuple[Solution, ...]:
+    """What fits about as well as the best one, which comes first; the fewest swings, where all is met exactly."""
+    ordered = sorted(solutions, key=lambda s: (max(s.chi_square, _MET), len(s.motion.phases)))
+    best = ordered[0].chi_square
     known = all(sigma is not None for _, sigma in observed.values())
-    limit = best + 9.0 if known else 4 * best + 1e-20  # three standard errors; without them, twice the misfit
-    kept = tuple(s for s in solutions if s.chi_square <= limit)
-    return BackAnalysis(change.name, change.unit, observed, kept, FITTED)
+    limit = best + 9.0 if known else 4 * best + _MET  # three standard errors; without them, twice the misfit
+    return tuple(s for s in ordered if s.chi_square <= limit)
+
+
+def _doubts(first: Solution, observed: fit.Observations, ranges: Mapping[str, Sequence[float]]) -> tuple[str, ...]:
+    """What to know of a fit."""
+    said = []
+    for name, value in first.values.items():
+        low, high = ranges[name][0], ranges[name][-1]
+        if min(value - low, high - value) <= 1e-6 * (high - low):
+            said.append(f"{name} = {value:.6g} lies at the end of its range: its standard error means little")
+        elif (first.standard_errors or {}).get(name, 0.0) > abs(value):
+            said.append(f"{name} = {value:.6g} is hardly told by what is observed: its standard error is larger")
+    free = len(observed) - len(first.values)
+    if all(sigma is not None for _, sigma in observed.values()):
+        from scipy.special import chdtrc
+
+        chance = float(chdtrc(free, first.chi_square)) if free else float(first.chi_square < 1.0)
+        if chance < _WORST:
+            of = "no observation is left over, so that all could be met" if not free else f"chance {chance:.1g}"
+            said.append(
+                f"the misfit is larger than the standard errors explain: chi-square {first.chi_square:.4g} with "
+                f"{free} degrees of freedom ({of})"
+            )
+    return tuple(said)
+
+
+def _check(fields: Sequence[Field], observed: fit.Observations, bounds: Any, between: Mapping[str, Bounds]) -> None:
+    """Refuse what makes no sense together."""
+    wrong, full, seen = [], [f.name for f in fields], ", ".join(observed)
+    if not fields:
+        wrong.append("field = []: name one at least")
+    if twice := sorted({n for n in full if full.count(n) > 1}):
+        wrong.append(f"field: {', '.join(twice)} is named twice")
+    if "dip" in full and {"theta_1", "theta_2"} & set(full):
+        wrong.append("field: dip turns theta_1 and theta_2 together; leave it or them out")
+    if len(fields) > len(observed):
+        wrong.append(
+            f"{len(fields)} fields from {len(observed)} of what is observed ({seen}): they cannot be told apart; give "
+            "as many observations as fields, or fewer fields"
+        )
+    if isinstance(bounds, tuple) and len(fields) > 1:
+        wrong.append(f"bounds = {bounds!r}: of several fields give a mapping, such as {{{full[0]!r}: {bounds!r}}}")
+    if other := [n for n in between if n not in full]:
+        wrong.append(f"bounds: {', '.join(other)} is none of the fields")
+    raise_all("backanalyse", wrong)
 
 
 def _observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float, float | None]]:
@@ -214,135 +355,33 @@ def _observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float
     return found
 
 
-# --- the field -----------------------------------------------------------------------------------------------------
-
-
-class _Field:
-    """One number of a scene that can be changed."""
-
-    def __init__(self, scene: Scene, name: str) -> None:
-        self.scene = scene
-        if scene.shape:
-            raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-        every = [
-            (e.name, p) for e in EFFECTS.values() for p in e.parameters if p.kind in ("number", "series") and p.key
-        ]
-        effects = {f"{e}.{p.name}": p for e, p in every}
-        names = [p.name for _, p in every]
-        short = {p.name: f"{e}.{p.name}" for e, p in every if names.count(p.name) == 1}
-        known = dict(OF_SCENE) | {"dip": "rad"}
-        if law_name(scene.friction) != "constant":
-            del known["friction"]
-        known |= {n: "" for n in scene.numbers if n.startswith("friction.")}
-        known |= {n: unit for n, unit in (("friction.length", "m"), ("friction.velocity", "m/s")) if n in known}
-        self.name = short.get(name, name)
-        if self.name not in known and self.name not in effects:
-            listed = ", ".join([*known, *(n for n in effects if n not in short.values()), *short])
-            raise ValueError(f"backanalyse: field = {name!r}: must be one of {listed}")
-        if scene.arc.given is not None and self.name in ("theta_1", "theta_2", "dip"):
-            raise ValueError(f"backanalyse: field = {name!r}: the arc's coefficients are given, and do not follow it")
-        self.unit = known[self.name] if self.name in known else effects[self.name].unit
-
-    def scene_with(self, value: float) -> Scene:
-        """The scene with this value."""
-        scene, arc = self.scene, self.scene.arc
-        head, _, tail = self.name.partition(".")
-        if self.name in ("friction", "initial_velocity"):
-            return replace(scene, **{self.name: value})  # type: ignore[arg-type]
-        if head == "friction":
-            assert isinstance(scene.friction, Mapping)
-            return replace(scene, friction={**scene.friction, tail: value})
-        if self.name == "dip":
-            turn = float(arc.dip) - value
-            ends = {n: float(np.asarray(getattr(arc, n))) + turn for n in ("theta_1", "theta_2")}
-            return replace(scene, arc=replace(arc, **ends))  # type: ignore[arg-type]
-        if tail:
-            return replace(scene, effects={**scene.called, head: {**scene.called.get(head, {}), tail: value}})
-        return replace(scene, arc=replace(arc, **{self.name: value}))  # type: ignore[arg-type]
-
-    def range(self) -> list[float]:
-        """Where its value may lie, closer where motions change faster."""
-        arc = self.scene.arc
-        now = {
-            n: float(np.asarray(getattr(arc, n))) for n in ("radius", "unit_weight", "gravity", "theta_1", "theta_2")
-        }
-        stress = float(arc.static_normal_stress)
-        speed = 2 * math.sqrt(now["gravity"] * now["radius"])
-        end = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
-        linear = np.concatenate([np.linspace(0.0, 1.0, 41)[:-1], end])
-        wide = np.geomspace(1e-3, 1e3, 61)
-        ranges: dict[str, Callable[[], Any]] = {
-            "friction": self._frictions,
-            "initial_velocity": lambda: np.linspace(-speed, speed, 121),
-            "dip": lambda: np.pi / 2 * np.concatenate([-linear[:0:-1], linear]),
-            "theta_1": lambda: now["theta_2"] - np.pi * linear[1:],
-            "theta_2": lambda: now["theta_1"] + np.pi * linear[1:],
-            "cohesion.cohesion": lambda: np.concatenate([[0.0], stress * np.geomspace(1e-6, 100.0, 81)]),
-            "pore_pressure.ratio": lambda: linear,
-            "pore_pressure.pressure": lambda: stress * linear,
-            "drag.xi": lambda: now["gravity"] * np.geomspace(1e-3, 1e9, 97),
-            "friction.length": lambda: now["radius"] * np.geomspace(1e-9, 10.0, 81),
-        }
-        if self.name in ranges:
-            return sorted(float(v) for v in ranges[self.name]())
-        if self.name.startswith("friction.") and not self.unit:
-            return self._frictions()
-        if self.name not in now and self.name not in self.scene.numbers:
-            raise ValueError(f"backanalyse: field = {self.name!r}: give bounds, as the scene has no value of it")
-        size = abs(float(np.asarray(self.scene.numbers[self.name]))) or 1.0
-        return [float(v) for v in size * wide]
-
-    def _frictions(self) -> list[float]:
-        """From none to the limit, beyond which nothing moves from rest."""
-        scene = self.scene_with(0.0)
-        balance = bind(scene)
-        at = balance.position(0.0, -1 if balance.fall < 0.0 else 1)
-        limit = float(balance.get("limit_friction", **at)) if balance.get("normal", **at) > 0.0 else 1.0
-        limit = max(limit, 1e-6)
-        shares = [*np.linspace(0.0, 1.0, 41), *1 / np.arange(1.0, 2 * _MOST_SWINGS + 2, 0.5)]
-        shares += [*(1.0 - 10.0 ** -np.arange(2.0, 13.0))]
-        if float(np.asarray(scene.initial_velocity)) != 0.0 or self.name != "friction":
-            shares += [*np.geomspace(1.0, 1e3, 40)]
-        return sorted({float(limit * s) for s in shares})
-
-    def derivative(self, motion: Motion, output: str) -> float:
-        """Of an output by the field: exact where there is a closed form, or by differences."""
-        try:
-            found = motion.sensitivity()
-        except ValueError:
-            found = None
-        if found is not None and self.name == "dip":
-            return -found.derivative(output, "theta_1") - found.derivative(output, "theta_2")
-        if found is not None and self.name in found.parameters:
-            return found.derivative(output, self.name)
-        value = _value(motion.plan.scene, self)
-        step = 1e-5 * (abs(value) or 1.0)
-        ends = [_outputs(solve(self.scene_with(v)), [output])[output] for v in (value - step, value + step)]
-        return (ends[1] - ends[0]) / (2 * step)
-
-
-def _value(scene: Scene, field: _Field) -> float:
-    """The field's value in a scene."""
-    head, _, tail = field.name.partition(".")
-    if tail:
-        box = scene.friction if head == "friction" else scene.called[head]
-        assert isinstance(box, Mapping)
-        return float(box[tail])
-    return float(np.asarray(getattr(scene if hasattr(scene, head) else scene.arc, head)))
-
-
-def _between(low: float, high: float) -> list[float]:
+def _between(name: str, low: float, high: float) -> list[float]:
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        raise ValueError(f"backanalyse: bounds = ({low!r}, {high!r}): must be two numbers, the lower one first")
+        raise ValueError(
+            f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
+        )
     if low > 0.0 and high > 100 * low:
         return [float(v) for v in np.geomspace(low, high, 101)]
     return [float(v) for v in np.linspace(low, high, 101)]
 
 
+def _solution(scene: Scene, fields: Sequence[Field], values: Sequence[float], observed: fit.Observations) -> Solution:
+    motion = solve(fit.scene_with(scene, fields, values))
+    outputs = outputs_of(motion, [OBSERVED[n] for n in observed])
+    missed = {n: outputs[OBSERVED[n]] - seen for n, (seen, _) in observed.items()}
+    chi_square = float(np.sum(fit.residuals(motion, observed) ** 2))
+    at, scaled = np.array(values), fit.changes(fields, motion, observed)
+    return Solution(
+        {f.name: float(v) for f, v in zip(fields, values, strict=True)}, motion, missed,
+        fit.covariance(fields, at, motion, observed, scaled), fit.numerical_error(at, motion, observed, scaled),
+        chi_square,
+    )  # fmt: skip
+
+
 # --- the closed form -----------------------------------------------------------------------------------------------
 
 
-def _tilted_pendulum(field: _Field) -> bool:
+def _tilted_pendulum(field: Field) -> bool:
     """Whether the mass is a pendulum under gravity tilted by friction, from rest to rest: no centripetal stress."""
     scene, water = field.scene, field.scene.called.get("pore_pressure", {})
     return (
@@ -355,7 +394,7 @@ def _tilted_pendulum(field: _Field) -> bool:
     )
 
 
-def _by_pendulum(field: _Field, runout: float) -> list[float]:
+def _by_pendulum(field: Field, runout: float) -> list[float]:
     """Frictions with this run-out, the fewest swings first.
 
     It swings about delta = arctan(mu C_r/C_theta), down-slope and back in turn, so that the dip's size falls by
@@ -373,200 +412,18 @@ def _by_pendulum(field: _Field, runout: float) -> list[float]:
     return found
 
 
-# --- following the field -------------------------------------------------------------------------------------------
-
-
-def _outputs(motion: Motion, names: Iterable[str]) -> dict[str, float]:
-    return {n: float(motion.peak.velocity) if n == "peak_velocity" else float(getattr(motion, n)) for n in names}
-
-
-@dataclass(frozen=True)
-class _Sample:
-    """One value of the field, what comes of it, and of what kind the motion is: between two kinds it has a kink."""
-
-    value: float
-    outputs: dict[str, float]
-    kind: tuple[Any, ...]
-
-
-class _Curve:
-    """What is observed as a function of the field, in smooth pieces."""
-
-    def __init__(self, field: _Field, observed: Mapping[str, tuple[float, float | None]], values: list[float]) -> None:
-        self.field, self.observed, self.span = field, observed, values[-1] - values[0]
-        self.outputs = [OUTPUTS[n] for n in observed]
-        self.costly = plan(field.scene).method == INTEGRATION  # its kinks are found roughly
-        values = [*values[:-1:3], values[-1]] if self.costly else values
-        samples = [s for v in values if (s := self.at(v)) is not None]
-        self.pieces: list[list[_Sample]] = []
-        for sample in samples:
-            if self.pieces and self.pieces[-1][-1].kind == sample.kind:
-                self.pieces[-1].append(sample)
-            elif self.pieces:
-                self._cut(self.pieces[-1][-1], sample)
-            else:
-                self.pieces.append([sample])
-
-    @property
-    def samples(self) -> Iterable[_Sample]:
-        """Of motions, in order."""
-        return (s for piece in self.pieces for s in piece if s.kind[0])
-
-    def at(self, value: float) -> _Sample | None:
-        """None where there is no such scene, it never rests, or swings too long."""
-        try:
-            motion = solve(self.field.scene_with(value))
-            if len(motion.phases) > _MOST_SWINGS or not (motion.arrested or self.field.scene.end_time is not None):
-                return None
-            kind = (motion.moves, motion.arrested, *((p.direction, p.solved.start.lifted) for p in motion.phases))
-            return _Sample(value, _outputs(motion, self.outputs), kind)
-        except ValueError:
-            return None
-
-    def _cut(self, low: _Sample, high: _Sample) -> None:
-        """Halve between two samples of different kinds until neighbours are all that is left of them."""
-        stack = [high]
-        while stack:
-            high = stack[-1]
-            low = self.pieces[-1][-1]
-            middle = (low.value + high.value) / 2
-            sample = None
-            if low.kind != high.kind and low.value < middle < high.value and not self._near(low, high):
-                sample = self.at(middle)
-            if sample is None:
-                stack.pop()
-                if low.kind == high.kind:
-                    self.pieces[-1].append(high)
-                else:
-                    self.pieces.append([high])
-            elif sample.kind == low.kind:
-                self.pieces[-1].append(sample)
-            else:
-                stack.append(sample)
-
-    def _near(self, low: _Sample, high: _Sample) -> bool:
-        """Whether they are so near that no solution hides between them."""
-        gap, size = high.value - low.value, max(abs(low.value), abs(high.value), 1e-12 * self.span)
-        if gap <= 4 * _EPS * size:
-            return True
-        if self.costly:
-            return gap <= 1e-4 * size
-        if gap > 1e-6 * size:
-            return False
-        return all(
-            min(abs(s.outputs[OUTPUTS[n]] - value) for s in (low, high)) > 1e-3 * abs(value)
-            for n, (value, _) in self.observed.items()
-        )
-
-    def roots(self) -> list[float]:
-        """All values with the one observation."""
-        ((name, (wanted, _)),) = self.observed.items()
-        output = OUTPUTS[name]
-
-        def miss(value: float) -> float:
-            sample = self.at(value)
-            return math.nan if sample is None else sample.outputs[output] - wanted
-
-        found: list[float] = []
-
-        def bracket(low: float, high: float, at_low: float, at_high: float) -> None:
-            value = root(miss, low, high, at_low, at_high)
-            if abs(miss(value)) <= 1e-9 * abs(wanted):  # no jump
-                found.append(value)
-
-        for piece in self.pieces:
-            if not piece[0].kind[0]:
-                continue
-            misses = [s.outputs[output] - wanted for s in piece]
-            values = [s.value for s in piece]
-            found += [v for v, m in zip(values, misses, strict=True) if m == 0.0]
-            for k in range(1, len(piece)):
-                if misses[k - 1] * misses[k] < 0.0:
-                    bracket(values[k - 1], values[k], misses[k - 1], misses[k])
-            for k in range(1, len(piece) - 1):  # a hump that reaches over the observation between two samples
-                sign = -1.0 if misses[k] > 0.0 else 1.0
-                before, here, after = (sign * m for m in misses[k - 1 : k + 2])
-                if before <= here >= after and here < 0.0 <= 2 * here - min(before, after):
-                    top = highest(lambda v, sign=sign: sign * miss(v), values[k - 1], values[k + 1])  # type: ignore[misc]
-                    if sign * miss(top) > 0.0:
-                        bracket(values[k - 1], top, misses[k - 1], miss(top))
-                        bracket(top, values[k + 1], miss(top), misses[k + 1])
-        return sorted(found)
-
-    def minima(self) -> list[float]:
-        """Where the observations are best met, in the sense of least squares, in each smooth piece."""
-        try:
-            from scipy.optimize import least_squares
-        except ImportError as error:
-            raise ImportError("several observations need SciPy: pip install 'slipcircle[scenes]'") from error
-        found = []
-        sizes = np.array([sigma or abs(value) for value, sigma in self.observed.values()])
-        outputs = self.outputs
-        wanted = np.array([value for value, _ in self.observed.values()])
-        for piece in self.pieces:
-            if not piece[0].kind[0]:
-                continue
-            misfit = [float(np.sum(((np.array([s.outputs[o] for o in outputs]) - wanted) / sizes) ** 2)) for s in piece]
-            for k, value in enumerate(misfit):
-                low, high = max(k - 1, 0), min(k + 1, len(piece) - 1)
-                if value > min(misfit[low], misfit[high]):
-                    continue
-                start, left, right = piece[k].value, piece[low].value, piece[high].value
-                if left == right:
-                    found.append(start)
-                    continue
-                unit = right - left
-
-                def residuals(share: Any, left: float = left, unit: float = unit) -> Any:
-                    sample = self.at(float(left + unit * share[0]))
-                    assert sample is not None
-                    return (np.array([sample.outputs[o] for o in outputs]) - wanted) / sizes
-
-                def jacobian(share: Any, left: float = left, unit: float = unit) -> Any:
-                    motion = solve(self.field.scene_with(float(left + unit * share[0])))
-                    return np.array([[unit * self.field.derivative(motion, o)] for o in outputs]) / sizes[:, None]
-
-                inside = min(max((start - left) / unit, 1e-9), 1.0 - 1e-9)
-                fit = least_squares(
-                    residuals, [inside], jacobian, bounds=(0.0, 1.0), xtol=1e-15, ftol=1e-15, gtol=1e-15
-                )
-                found.append(float(left + unit * fit.x[0]))
-        return found
-
-
-def _solution(field: _Field, value: float, observed: Mapping[str, tuple[float, float | None]]) -> Solution:
-    motion = solve(field.scene_with(value))
-    outputs = _outputs(motion, [OUTPUTS[n] for n in observed])
-    residuals = {n: outputs[OUTPUTS[n]] - seen for n, (seen, _) in observed.items()}
-    sizes = {n: sigma or abs(seen) for n, (seen, sigma) in observed.items()}
-    slope = {n: field.derivative(motion, OUTPUTS[n]) for n in observed}
-    chi_square = sum((residuals[n] / sizes[n]) ** 2 for n in observed)
-    known = all(sigma is not None for _, sigma in observed.values())
-    curvature = sum((slope[n] / sizes[n]) ** 2 for n in observed)
-    error = None
-    if curvature > 0.0 and known:
-        error = 1.0 / math.sqrt(curvature)
-    elif curvature > 0.0 and len(observed) > 1:  # from the misfit itself
-        error = math.sqrt(chi_square / (len(observed) - 1) / curvature)
-    # The motion's own error, carried back; the observations share it.
-    carried = [motion.error_estimate * abs(outputs[OUTPUTS[n]]) / abs(slope[n]) for n in observed if slope[n]]
-    estimate = min(carried, default=math.inf) / abs(value) if value else math.inf
-    return Solution(value, motion, residuals, error, max(estimate, _EPS), chi_square)
-
-
-def _unattainable(curve: _Curve, observed: Mapping[str, tuple[float, float | None]]) -> Unattainable:
+def _unattainable(curve: Curve, observed: Mapping[str, tuple[float, float | None]]) -> Unattainable:
     samples, field = list(curve.samples), curve.field
     unit = f" {field.unit}" if field.unit else ""
     if not samples:
         return Unattainable(f"{field.name}: with no value of it between the bounds does this scene move and rest", {})
     attainable, said = {}, []
-    units = {"runout": "m", "peak_velocity": "m/s", "duration": "s"}
     for name, (wanted, _) in observed.items():
-        ordered = sorted(samples, key=lambda s, name=name: s.outputs[OUTPUTS[name]])  # type: ignore[misc]
-        ends = [(s.outputs[OUTPUTS[name]], s.value) for s in (ordered[0], ordered[-1])]
+        ordered = sorted(samples, key=lambda s, name=name: s.outputs[OBSERVED[name]])  # type: ignore[misc]
+        ends = [(s.outputs[OBSERVED[name]], s.value) for s in (ordered[0], ordered[-1])]
         attainable[name] = (ends[0], ends[1])
-        words = " to ".join(f"{v:.6g} {units[name]} (at {field.name} = {at:.6g}{unit})" for v, at in ends)
+        words = " to ".join(f"{v:.6g} {UNITS[name]} (at {field.name} = {at:.6g}{unit})" for v, at in ends)
         if ends[1][0] - ends[0][0] <= 1e-9 * abs(ends[1][0]):
-            words = f"only {ends[0][0]:.6g} {units[name]}, whatever it is"
-        said.append(f"{name} = {wanted:.10g} {units[name]}: no {field.name} gives it; attainable: {words}")
+            words = f"only {ends[0][0]:.6g} {UNITS[name]}, whatever it is"
+        said.append(f"{name} = {wanted:.10g} {UNITS[name]}: no {field.name} gives it; attainable: {words}")
     return Unattainable("; ".join(said), attainable)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from slipcircle.motion import Followed, Solved
 
 _MOST_PHASES = 2000
+_MOST_STEPS = 100_000  # of SciPy, for one phase between two kinks
 
 
 def solve(scene: Scene, accuracy: float | None = None) -> Any:
@@ -57,15 +58,19 @@ def solve(scene: Scene, accuracy: float | None = None) -> Any:
     return solve_one(plan(scene, accuracy))
 
 
-def solve_one(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) -> Motion:
+def solve_one(
+    chosen: Plan, tolerance: float | None = None, nudge: float = 0.0, *, phases: int = _MOST_PHASES,
+    steps: int = _MOST_STEPS,
+) -> Motion:  # fmt: skip
     """Solve one scene of plain numbers.
 
-    An integration to another tolerance, or with weights changed by a share, tells its error.
+    An integration to another tolerance, or with weights changed by a share, tells its error. A search gives up sooner
+    than a user would: after fewer phases, or steps of SciPy for one of them.
     """
     scene = chosen.scene
     try:
         with np.errstate(over="raise", invalid="raise", divide="raise", under="ignore"):
-            motion = _solve(chosen, tolerance, nudge)
+            motion = _solve(chosen, tolerance, nudge, phases, steps)
             end = motion.end
         if not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
             raise OverflowError
@@ -77,7 +82,7 @@ def solve_one(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) 
         ) from error
 
 
-def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
+def _solve(chosen: Plan, tolerance: float | None, nudge: float, most_phases: int, most_steps: int) -> Motion:
     scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
     balance = balance.nudged(nudge) if nudge else balance
     scale, radius = balance.time_scale, balance.radius
@@ -118,7 +123,7 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
         else:
             lifted = not phases[-1].solved.start.lifted
         start = Start(rotation, direction, energy, slip, lifted, excess)
-        solved = follow(balance, law, start, end - time, time, tolerance)
+        solved = follow(balance, law, start, end - time, time, tolerance, most_steps)
         change = solved.change
         duration = solved.duration if change is None else change[0]
         stop, solved.longest = time + duration, min(solved.longest, duration)
@@ -132,9 +137,9 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
         if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law, excess):
             return Motion(chosen, whole, phases, time * scale, False)
         swings = min(swings_left(balance, law, phases), (end - time) / max(phases[-1].end - phases[-1].start, EPS))
-        if len(phases) >= _MOST_PHASES or swings > 2 * _MOST_PHASES:  # it knows them to about a fourth
+        if len(phases) >= most_phases or swings > 2 * most_phases:  # it knows them to about a fourth
             raise ValueError(
-                f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times and more without resting; "
+                f"end_time = {scene.end_time!r}: this mass turns back {most_phases} times and more without resting; "
                 "give an earlier end in s"
             )
     if not arrested:
@@ -145,12 +150,12 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
     return Motion(chosen, whole, phases, duration, arrested)
 
 
-def _follower(method: str) -> "Callable[[Balance, Friction, Start, float, float, float], Followed]":
-    """What solves one phase, from its start, its longest duration, its time and a tolerance; only it is imported."""
+def _follower(method: str) -> "Callable[[Balance, Friction, Start, float, float, float, int], Followed]":
+    """What solves one phase, from its start, longest duration, time, tolerance and most steps; only it is imported."""
     if method in (CLOSED_IN_TIME, STEPPING):
         from slipcircle.methods.frozen import Frozen
 
-        return lambda balance, law, start, longest, time, tolerance: Frozen(balance, law, start, longest)
+        return lambda balance, law, start, longest, time, tolerance, steps: Frozen(balance, law, start, longest)
     if method == INTEGRATION:
         try:
             from slipcircle.methods.integrate import Integrated
@@ -160,10 +165,10 @@ def _follower(method: str) -> "Callable[[Balance, Friction, Start, float, float,
     if method == LINEAR_SYSTEM:
         from slipcircle.methods.heated import Heated
 
-        return lambda balance, law, start, longest, time, tolerance: Heated(balance, law, start, longest)
+        return lambda balance, law, start, longest, time, tolerance, steps: Heated(balance, law, start, longest)
     from slipcircle.methods.phaseplane import Course
 
-    return lambda balance, law, start, longest, time, tolerance: Course(balance, law, start, longest)
+    return lambda balance, law, start, longest, time, tolerance, steps: Course(balance, law, start, longest)
 
 
 def _stepped(balance: Balance, law: Friction, omega: float, end: float, two_way: bool) -> "Stepped":

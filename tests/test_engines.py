@@ -1,6 +1,7 @@
 """Engines: the same bits from every one, a worker killed in the middle, runs that continue, files that are whole."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -75,10 +76,9 @@ def cluster() -> Iterator[Any]:
         yield found
 
 
-@pytest.mark.filterwarnings("default")  # Dask's own
 def test_a_dask_worker_killed_in_the_middle(cluster: Any) -> None:
     """A real cluster on loopback; its scheduler gives the lost blocks to others."""
-    serial = ensemble(SCENE, 200_000, 7, size=512, sensitivity=0)
+    serial = ensemble(SCENE, 50_000, 7, size=512, sensitivity=0)
     killed: list[str] = []
 
     class Killer:
@@ -90,15 +90,16 @@ def test_a_dask_worker_killed_in_the_middle(cluster: Any) -> None:
         def write(self, text: str) -> None:
             if not killed:
                 killed.append(text)
+                cluster.workers[0].auto_restart = False  # it stays away, and what it had goes to the other one
                 os.kill(cluster.workers[0].pid, signal.SIGKILL)
 
         def flush(self) -> None: ...
 
     with engine("dask", scheduler=cluster.scheduler_address) as pool:
         assert pool is not None
-        same(serial, ensemble(SCENE, 200_000, 7, pool, size=512, sensitivity=0, progress=Killer()))  # type: ignore[arg-type]
+        same(serial, ensemble(SCENE, 50_000, 7, pool, size=512, sensitivity=0, progress=Killer()))  # type: ignore[arg-type]
     assert killed
-    assert "200000 of" not in killed[0]
+    assert "K50000 of" not in killed[0]
 
 
 def test_what_an_engine_needs() -> None:
@@ -215,7 +216,7 @@ def test_progress(capsys: pytest.CaptureFixture[str]) -> None:
     told(40, 0)
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith("100 of 100 scenes, ")
-    assert line.endswith(" a second, 0 s left")
+    assert re.fullmatch(r".* a second, in [0-9.e-]+ s", line)
 
 
 def test_forecast() -> None:

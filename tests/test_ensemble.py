@@ -317,7 +317,7 @@ def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
         assert found.std(name).value == pytest.approx(std, abs=4 * error)
         assert abs(found.linear[name].std - std) > max(0.05 * std, 3 * error)
         assert (found.linear[name].std > 0.0) == moves
-        said = [w for w in found.warnings if w.startswith(name.replace("_", " "))]
+        said = [w for w in found.warnings if w.startswith(name.replace("run_", "run-").replace("_", " "))]
         assert len(said) == 1
         assert "trust the samples" in said[0]
 
@@ -442,11 +442,22 @@ def test_a_grid() -> None:
         grid(VAIONT, {"friction.angle": [1.0]})
 
 
+def test_blocks_show_how_results_converge() -> None:
+    """Also of few samples; and scenes that are integrated one by one come in small blocks, which workers share."""
+    for method in ("monte-carlo", "sobol"):
+        found = ensemble(ONE, 2**15, 1, method=method)
+        assert [c.n for c in found.convergence][-4:] == [2**12, 2**13, 2**14, 2**15]
+        widths = [c.median.high - c.median.low for c in found.convergence]
+        assert widths[-1] < widths[-4]
+    rate = replace(Scene.load("vaiont-rate"), uncertain={"friction.residual_deg": ANGLE})
+    assert ensemble(rate, 9, 1, sensitivity=0).size == 4
+
+
 # --- the command -----------------------------------------------------------------------------------------------------
 
 
 def test_sweep(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    argv = ["sweep", str(file), "--samples", "3000", "--seed", "4"]
+    argv = ["sweep", str(file), "--samples", "3e3", "--seed", "4"]
     table, arrays = tmp_path / "a.csv", tmp_path / "a.npz"
     assert main([*argv, "--json", "--csv", str(table), "--npz", str(arrays)]) == 0
     said = capsys.readouterr()

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from slipcircle.motion import Start
 
 _STIFF_STEPS = 300  # explicit steps between two kinks, ten times what is usual, after which LSODA takes over
-_MOST_STEPS = 100_000  # of one phase, between two kinks
 _WHOLE = 0.01  # of the tolerance, for a step from one kink in time to the next
 _FURTHEST = 1e4  # rotation of a frozen slide after which it will never rest, rad
 _SHARES = (1e-3, 0.25, 0.5, 0.75, 1.0 - 1e-3)  # of a step, where its events are looked for
@@ -51,7 +50,7 @@ class Integrated(Steps):
     """
 
     def __init__(
-        self, balance: Balance, law: Friction, start: "Start", longest: float, time: float, tolerance: float
+        self, balance: Balance, law: Friction, start: "Start", longest: float, time: float, tolerance: float, most: int
     ) -> None:
         self.balance, self.start, self.longest, self.time = balance, start, longest, time
         self.equation = equation = Equation(balance, law, start, time)
@@ -60,7 +59,7 @@ class Integrated(Steps):
         self._slips = [(k - start.slip) / balance.radius for k in law.kinks if k > start.slip]
         self._speeds = [v / equation.speed_unit for v in law.speeds]
         self._furthest = equation.at["dip"] + np.pi / 2 if balance.turns else _FURTHEST
-        self._tolerance, self._top = tolerance, math.sqrt(start.energy)
+        self._tolerance, self._most, self._top = tolerance, most, math.sqrt(start.energy)
         self._memory = min(1.0, 1.0 / max(float(balance.get("damping")), 1.0))
         self._doubtful: Step | None = None  # a step in which something may happen
         self._made: tuple[float, float, Any] | None = None  # a solver, its first step and its absolute tolerance
@@ -109,7 +108,7 @@ class Integrated(Steps):
         solver.set_initial_value(before.state, before.time).integrate(equation.here.end)
         equation.check()
         if solver.get_return_code() == -2:
-            self._count = _MOST_STEPS + 1
+            self._count = self._most + 1
         elif not solver.successful():
             raise OverflowError
         return max(guess, self._longest) if self._count == done + 1 else self._longest  # a kink may have cut it short
@@ -127,7 +126,7 @@ class Integrated(Steps):
                 "dop853",
                 rtol=max(share * self._tolerance, 1e-14),
                 atol=floor,
-                nsteps=_MOST_STEPS,
+                nsteps=self._most,
                 first_step=min(first, 1e300),
                 beta=0.02,
             )
@@ -173,7 +172,7 @@ class Integrated(Steps):
             self._doubtful = step
             return True
         self._keep(step)
-        if self._creeps() or self._count > (_STIFF_STEPS if dense is None else _MOST_STEPS):
+        if self._creeps() or self._count > (_STIFF_STEPS if dense is None else self._most):
             return True
         floor = self._floor(t)
         return dense is None and floor > 4 * self._atol and floor > 0.25 * self._tolerance * state[1]
@@ -184,9 +183,9 @@ class Integrated(Steps):
 
     def _check(self) -> None:
         """Refuse what takes for ever."""
-        if self._count > _MOST_STEPS:
+        if self._count > self._most:
             raise ValueError(
-                f"end_time: more than {_MOST_STEPS} steps after {self.time * self.balance.time_scale:.6g} s; "
+                f"end_time: more than {self._most} steps after {self.time * self.balance.time_scale:.6g} s; "
                 "give an earlier end in s, or a smoother law"
             )
         if self._creeps():

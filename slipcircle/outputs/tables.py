@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
+from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -80,21 +81,22 @@ def motion_column(motion: Motion, alike: bool) -> list[tuple[str, str]]:
 
 
 def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
-    """A back-analysis as JSON holds it: null for what is not known."""
+    """A back-analysis as JSON holds it: null for what is not known; matrices by fields in their order."""
     from slipcircle.backanalysis import angle_deg
 
     return {
         "scene": found.motion.plan.scene.name,
-        "field": found.field,
-        "unit": found.unit,
+        "fields": [{"name": name, "unit": unit} for name, unit in found.units.items()],
         "method": found.method,
         "observed": {n: {"value": value, "standard_error": sigma} for n, (value, sigma) in found.observed.items()},
+        "degrees_of_freedom": found.degrees_of_freedom,
         "solutions": [
             {
-                "value": s.value,
-                "friction_angle_deg": angle_deg(found.field, s.value),
-                "standard_error": s.standard_error,
-                "covariance": s.covariance,
+                "values": s.values,
+                "friction_angles_deg": {n: d for n, v in s.values.items() if (d := angle_deg(n, v)) is not None},
+                "standard_errors": s.standard_errors,
+                "covariance": None if s.covariance is None else s.covariance.tolist(),
+                "correlation": None if s.correlation is None else s.correlation.tolist(),
                 "error_estimate": s.error_estimate if np.isfinite(s.error_estimate) else None,
                 "chi_square": s.chi_square,
                 "residuals": s.residuals,
@@ -102,28 +104,42 @@ def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
             }
             for s in found.solutions
         ],
+        "warnings": list(found.warnings),
     }
 
 
 def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     """A back-analysis as rows of a table, a column for each solution."""
-    from slipcircle.backanalysis import angle_deg
+    from slipcircle.backanalysis import FITTED, UNITS, angle_deg
+    from slipcircle.studies.fields import OBSERVED, outputs_of
 
-    unit = f" {found.unit}" if found.unit else ""
     columns = []
     for s in found.solutions:
-        angle, error = angle_deg(found.field, s.value), s.standard_error
-        velocity = float(s.motion.peak.velocity)
-        computed = {"run-out": f"{s.motion.run_out:.2f} m", "peak velocity": f"{velocity:.3f} m/s",
-                    "duration": f"{s.motion.duration:.3f} s"}  # fmt: skip
-        columns.append(
-            {found.field: f"{s.value:.8g}{unit}"}
-            | ({"friction angle": f"{angle:.4f} deg"} if angle is not None else {})
-            | ({"standard error": f"{error:.3g}{unit}"} if error is not None else {})
-            | computed
-            | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"}
-        )
-    return [[label, *(c[label] for c in columns)] for label in columns[0]]
+        rows, errors = {}, s.standard_errors or {}
+        for name, value in s.values.items():
+            unit = found.units[name]
+            error = f" +- {errors[name]:.2g}" if name in errors else ""
+            rows[f"{name} ({unit})" if unit else name] = f"{value:.8g}{error}"
+            if (degrees := angle_deg(name, value)) is not None:
+                per = np.degrees(errors.get(name, 0.0) / (1 + value**2))
+                rows["friction angle" if name == "friction" else f"{name}, angle"] = f"{degrees:.4f} deg" + (
+                    f" +- {per:.2g}" if per else ""
+                )
+        if s.correlation is not None:
+            names = list(s.values)
+            for i, j in combinations(range(len(names)), 2):
+                rows[f"correlation of {names[i]} and {names[j]}"] = f"{s.correlation[i, j]:+.3f}"
+        for name, value in outputs_of(s.motion, OBSERVED.values()).items():
+            kind = next(k for k, output in OBSERVED.items() if output == name)
+            seen, sigma = found.observed.get(kind, (None, None))
+            of = "" if seen is None else f" (observed {seen:.6g}" + (f" +- {sigma:.2g})" if sigma else ")")
+            rows[f"{kind.replace('runout', 'run-out').replace('_', ' ')} ({UNITS[kind]})"] = f"{value:.6g}{of}"
+        if found.method == FITTED:
+            known = all(sigma for _, sigma in found.observed.values())
+            free = found.degrees_of_freedom
+            rows[f"chi-square, degrees of freedom {free}" if known else "misfit"] = f"{s.chi_square:.3g}"
+        columns.append(rows | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"})
+    return [[label, *(c.get(label, "") for c in columns)] for label in columns[0]]
 
 
 def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:

@@ -224,6 +224,8 @@ class Progress:
         self.said = now
         rate = (self.done - self.kept) / max(now - self.began, 1e-9)
         left = f"{(self.scenes - self.done) / rate:.0f} s left" if rate else "all there already"
+        if rate and self.done >= self.scenes:
+            left = f"in {now - self.began:.3g} s"
         kept_too = f", {self.kept} from before" if self.kept else ""
         text = f"{self.done} of {self.scenes} scenes{kept_too}, {rate:.3g} a second, {left}"
         end = "\n" if self.done >= self.scenes or not terminal else ""

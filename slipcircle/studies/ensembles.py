@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from slipcircle.arrays.block import Status
 from slipcircle.arrays.motions import values_of
-from slipcircle.plan import plan
+from slipcircle.plan import INTEGRATION, plan
 from slipcircle.scene import Scene
 from slipcircle.studies.distributions import Uncertain, place
 from slipcircle.studies.engines import Folder, Progress, computed, stored
@@ -390,8 +390,9 @@ def ensemble(
         Whether to keep the samples, by default up to 2**20 of them. Otherwise they are counted in bins of a relative
         width of 1/1024, and a million or a hundred million take the same memory.
     size : int, optional
-        Samples of a block, a power of two; by default 16384, 65536 beyond 2**22 samples, and 262144 beyond 2**28, where
-        many machines may work and each block costs the scheduler some milliseconds.
+        Samples of a block, a power of two; by default so that there are eight blocks at least, which show how the
+        results converge, and up to 16384, 65536 beyond 2**22 samples, and 262144 beyond 2**28, where many machines may
+        work and each block costs the scheduler some milliseconds. Few where each scene costs as much.
     confidence : float, optional
         Of all intervals.
     accuracy : float, optional
@@ -442,8 +443,14 @@ def ensemble(
     values = {k: v if k == "given" else float(v) for k, v in values_of(scene).items()}
     study = Study(chosen.effects, values, law, chosen.accuracy, inputs, (), method, n, base,
                   n <= _KEEP if keep is None else keep, tables)  # fmt: skip
-    size = size or (2**14 if n <= 2**22 else 2**16 if n <= 2**28 else 2**18)
+    size = size or _size(n // study.replicates, chosen.method)
     return conduct(scene, study, seed, size, executor, confidence, folder, progress)
+
+
+def _size(n: int, method: str) -> int:
+    """Samples of a block, of n in a sequence."""
+    least, most = (4, 64) if method == INTEGRATION else (256, 2**14 if n <= 2**22 else 2**16 if n <= 2**28 else 2**18)
+    return min(max(2 ** max(n // 8, 1).bit_length() // 2, least), most)
 
 
 def grid(
@@ -484,7 +491,7 @@ def grid(
     values = {k: v if k == "given" else float(v) for k, v in values_of(scene).items()}
     n = math.prod(len(x) for x in axes)
     study = Study(chosen.effects, values, law, chosen.accuracy, inputs, axes, "grid", n, 0, True)
-    return conduct(scene, study, 0, 16384, executor, 0.95, folder, progress)
+    return conduct(scene, study, 0, _size(n, chosen.method), executor, 0.95, folder, progress)
 
 
 def conduct(

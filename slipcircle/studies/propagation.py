@@ -66,4 +66,8 @@ def disagreement(output: str, linear: Linear, sampled: Sampled, accuracy: float)
         if abs(here - there) > max(share * sampled.std, _ERRORS * error, few):
             said.append(f"a {what} of {here:.4g} {unit}, the samples {there:.4g} +- {error:.2g}")
     words = " and ".join(said)
-    return f"{output.replace('_', ' ')}: linear propagation gives {words}: trust the samples" if said else ""
+    return (
+        f"{output.replace('run_out', 'run-out').replace('_', ' ')}: linear propagation gives {words}: trust the samples"
+        if said
+        else ""
+    )

@@ -29,7 +29,7 @@ _MOST_ROWS = 60  # of a grid, on the screen
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument("--samples", type=int, metavar="N", help="draw the scene's uncertain numbers N times")
+    what.add_argument("--samples", type=_count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6")
     what.add_argument("--grid", action="append", metavar="KEY=FROM:TO:COUNT", help="solve at these values, or at "
                       "KEY=A,B,C; all combinations where given more than once: friction.angle_deg=8:12:41")  # fmt: skip
     parser.add_argument("--uncertain", action="append", default=[], metavar="KEY=NAME:A:B", help="a distribution in "
@@ -48,6 +48,14 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     parser.add_argument("--csv", metavar="FILE", help="write one table of all results")
     parser.add_argument("--npz", metavar="FILE", help="write all results as NumPy arrays, the samples where kept")
+
+
+def _count(text: str) -> int:
+    """1000000, or 1e6."""
+    value = float(text)
+    if value != int(value):
+        raise ValueError
+    return int(value)
 
 
 def run(options: argparse.Namespace) -> Ensemble:
