@@ -6,6 +6,7 @@ Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was r
 
 import argparse
 import json
+import os
 import shlex
 import sys
 from collections.abc import Sequence
@@ -64,6 +65,18 @@ def main(argv: Sequence[str] | None = None) -> int:
         chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse, "schema": _schema,
                   "cost": _cost, "info": _info}  # fmt: skip
         chosen[options.command](options)
+        if sys.stdout is not None:  # closed by the caller
+            sys.stdout.flush()
+    except OSError as error:
+        if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
+        if isinstance(error, BrokenPipeError):  # the reader, such as head, has seen enough
+            return 0
+        print(f"slipcircle: {error.filename or 'the output'}: {error.strerror or error}", file=sys.stderr)
+        return 1
+    except MemoryError as error:
+        print(f"slipcircle: not enough memory: {error}", file=sys.stderr)
+        return 1
     except (ValueError, ImportError) as error:
         print(f"slipcircle: {error}", file=sys.stderr)
         return 1

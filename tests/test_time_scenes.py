@@ -479,6 +479,27 @@ def test_what_is_refused(friction: Any, effects: Any, said: str) -> None:
     assert str(caught.value).count("\n") == 0
 
 
+def test_a_record_that_begins_with_a_jump_changes_nothing_before() -> None:
+    """Kinks are rounded in dimensionless time; until the first sample the motion is that of the quiet scene."""
+    quiet = solve(Scene(ARC, 0.2, TURNING))
+    for start in np.linspace(1.0, 9.0, 17).tolist():
+        record = Series(np.array([start, start + 1.0]), np.array([0.3, 0.3]), held=False)
+        shaken = solve(Scene(ARC, 0.2, TURNING | {"shaking": {"horizontal": record}}, end_time=10.0))
+        assert float(shaken.at(start).displacement) == pytest.approx(float(quiet.at(start).displacement), rel=1e-9)
+
+
+def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
+    record = tmp_path / "shock.csv"
+    record.write_text("time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", encoding="utf-8")
+    effects = {"shaking": {"record": record, "holds": "ground", "units": "m/s2"}}
+    for arc, more in ((replace(ARC, gravity=np.array([9.81, 3.7])), {}),
+                      (ARC, {"uncertain": {"gravity": {"distribution": "uniform", "low": 1, "high": 9}}})):  # fmt: skip
+        with pytest.raises(ValueError, match=r"arc\.gravity: must be one number with a record"):
+            Scene(arc, 0.5, effects, **more)
+    assert Scene(replace(ARC, gravity=np.array([9.81, 9.81])), 0.5, effects).shape == (2,)
+    assert Scene(replace(ARC, gravity=np.empty(0)), 0.5, TURNING).shape == (0,)
+
+
 def test_scipy_is_imported_only_where_it_is_planned() -> None:
     code = (
         "import sys\nfrom slipcircle import Scene, solve\n"

@@ -122,19 +122,25 @@ def lane(scene: Scene, *index: int) -> Scene:
     """One lane of an ensemble, as a scene of plain numbers."""
     chosen = plan(scene)
     k = int(np.ravel_multi_index(index, scene.shape))
-    return scene_of(chosen.effects, _flat(scene), k, *_rest(chosen))
+    law, fixed = rest_of(chosen)
+    return scene_of(chosen.effects, _flat(scene), k, law, fixed or {})
 
 
 def solve_ensemble(chosen: Plan) -> Motions:
     """Solve a scene of arrays."""
-    scene, (law, fixed) = chosen.scene, _rest(chosen)
-    alone = fixed if chosen.method in (INTEGRATION, LINEAR_SYSTEM, STEPPING) else None
-    found = solve_block(chosen.effects, _flat(scene), chosen.accuracy, law, math.prod(scene.shape), alone)
+    scene, (law, fixed) = chosen.scene, rest_of(chosen)
+    found = solve_block(chosen.effects, _flat(scene), chosen.accuracy, law, math.prod(scene.shape), fixed)
     return Motions(chosen, found)
 
 
-def _rest(chosen: Plan) -> tuple[Any, dict[str, dict[str, Any]]]:
-    """What is no array of an ensemble: its law, if friction is not constant, and the effects' functions of time."""
-    scene = chosen.scene
+def rest_of(chosen: Plan) -> tuple[Any, dict[str, dict[str, Any]] | None]:
+    """What is no array of an ensemble: its law, if friction is not constant, and the effects' functions of time.
+
+    These are none where the arrays are all: a scene that is integrated, stepped or heated is solved one by one, even
+    without any.
+    """
+    scene, law = chosen.scene, None if chosen.law == "constant" else chosen.scene.friction
+    if chosen.method not in (INTEGRATION, LINEAR_SYSTEM, STEPPING):
+        return law, None
     kept = {e: {n: v for n, v in given.items() if f"{e}.{n}" not in scene.numbers} for e, given in scene.called.items()}
-    return None if chosen.law == "constant" else scene.friction, {e: rest for e, rest in kept.items() if rest}
+    return law, {e: rest for e, rest in kept.items() if rest}

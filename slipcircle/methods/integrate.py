@@ -372,8 +372,8 @@ def _function(balance: Balance, what: str) -> Callable[[dict[str, float]], float
 
 
 def _between(left: float, right: float) -> tuple[float, float]:
-    """Just inside two kinks, where a function that jumps there has the value that it has between them."""
-    return math.nextafter(left, math.inf), math.nextafter(right, -math.inf) if right < math.inf else math.inf
+    """Just inside two kinks, in s too, where a function that jumps there has the value that it has between them."""
+    return left * (1.0 + 4 * EPS), right * (1.0 - 4 * EPS)
 
 
 def _piece_of(
