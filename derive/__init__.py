@@ -19,4 +19,35 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 
 Beside them stand ``appendices``, ``paper``, ``evidence`` and ``verify``, which judge the paper's claims, and ``hard``,
 which measures the hard cases.
+
+To add something, declare it, then run ``python -m derive``: it proves the declaration, writes `generated`, and from
+there it is in plans, scene files and `slipcircle schema`. The tests follow what stands here to the letter.
+
+A friction law. ``coefficient`` is its formula and ``drop`` its fall from one slip to a greater one, without
+cancellation; a law of speed has no drop. At the end of ``LAWS`` in ``derive/effects.py``::
+
+    Law("inverse_square", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
+        "residual + (peak - residual)/(1 + slip/length)^2", _R + (_P - _R) * _HYPERBOLA**2,
+        (_P - _R) * _HYPERBOLA**2 * (MORE / _L) * (2 * (1 + SLIP / _L) + MORE / _L) / (1 + (SLIP + MORE) / _L) ** 2,
+        "length"),
+
+An effect: what it adds to the balance of momentum (the fields of `effects.Effect`), and its parameters. What makes a
+parameter dimensionless is a formula in VALUE, ALPHA, GRAVITY, REFERENCE and THETA, where the effect depends on time or
+speed also in RADIUS, DENSITY and the effect's other parameters. At the end of ``EFFECTS`` in ``derive/effects.py``::
+
+    Effect("suction", "2.20", (
+        Parameter("suction", "Pa", _BELOW_0, _INFINITY, "mean suction in the pores along the slip surface",
+                  "suction_kPa", 1e3, sp.Symbol("suction", real=True), VALUE / REFERENCE),), (),
+           "suction presses the grains together (Bishop 1959)", pressure=-sp.Symbol("suction", real=True)),
+
+A moment of the mass: its weight in the double integral. At the end of ``MOMENTS`` in ``derive/quantities.py``::
+
+    Moment("area", "S*", "1.10", r, "area of the moving mass"),
+
+and its form without cancellation, over alpha**3. At the end of ``_reduced_forms`` in ``derive/stable.py``::
+
+    "area": 4 * SineDefect(2 * alpha),
+
+It is then a function of `generated`, sampled only. A certificate takes its shape in ``approximants`` and ``fit``, and
+its closed form in ``truth``.
 """

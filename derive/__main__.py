@@ -78,16 +78,24 @@ def binary() -> str:
 
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call."""
-    parser = argparse.ArgumentParser(prog="python -m derive", description=str(__doc__))
+    parser = argparse.ArgumentParser(
+        "python -m derive",
+        description="Derive and prove everything, and write generated/; or judge the paper.",
+        epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call",
+    )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
-    commands = parser.add_subparsers(dest="command", metavar="{verify,hard,prove}")
-    verify = commands.add_parser("verify", help="judge every numbered equation, table entry and appendix of the paper")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
+
+    def command(name: str, words: str) -> argparse.ArgumentParser:
+        return commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
+
+    verify = command("verify", "judge every numbered equation, table entry and appendix of the paper")
     form = verify.add_mutually_exclusive_group()
     form.add_argument("--json", action="store_true", help="a list of objects on stdout")
     form.add_argument("--markdown", action="store_true", help="a page for a colleague")
-    hard = commands.add_parser("hard", help="the hard cases: error of the printed form beside ours")
+    hard = command("hard", "the hard cases: error of the printed form beside ours")
     hard.add_argument("--json", action="store_true", help="a list of objects on stdout")
-    commands.add_parser("prove", help="prove the error bounds of the kernels again, from their certificates alone")
+    command("prove", "prove the error bounds of the kernels again, from their certificates alone")
     options = parser.parse_args(argv)
     if options.command == "prove":
         from derive.certify import prove_all

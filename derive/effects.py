@@ -243,6 +243,25 @@ EFFECTS = (
 )  # fmt: skip
 
 
+def formulas(effect: Effect) -> tuple[str, ...]:
+    """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
+    scaled = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
+    names = {s: f"{s}_star" for s in scaled} | {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho",
+                                                REFERENCE: "sigma_ref", EFFECTIVE: "sigma'"}  # fmt: skip
+    slopes = {THETA * FALL_SLOPE: sp.Symbol("dJ_theta/dpsi"), THETA * PRESS_SLOPE: sp.Symbol("dJ_r/dpsi")}
+
+    def shown(e: sp.Expr) -> str:
+        text = sp.sstr(e.subs(slopes | {OMEGA_2: OMEGA**2} | {s: sp.Symbol(n) for s, n in names.items()}))
+        return text.replace("**", "^").replace("*", " ").replace("_star", "*")
+
+    adds = {"sigma": effect.stress, "u": effect.pressure, "resistance": effect.resistance, "J_theta": effect.fall,
+            "J_r": effect.press}  # fmt: skip
+    found = ["psi = psi_0 - phi"] if effect.turns else []
+    found += [f"adds {shown(term)} to {name}" for name, term in adds.items() if term != 0]
+    found += [f"d{x}/dphi = {shown(effect.growth)}" for x in effect.given]
+    return (*found, *(f"{s}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}" for s, p in scaled.items()))
+
+
 @dataclass(frozen=True)
 class Variant:
     """A function of the balance, with the terms of the effects that it needs and no others."""
@@ -257,9 +276,11 @@ class Variant:
         return "_".join((self.what, *self.effects))
 
 
-# Order of arguments.
-ORDER = ("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega", "omega_2",
-         "pore_ratio", "pore_pressure", "excess", "cohesion", "drag", "viscosity", "k_h", "k_v", "kappa")  # fmt: skip
+# Order of arguments: the position, what every scene has, then what each effect brings.
+ORDER = (
+    *("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega", "omega_2"),
+    *(x.name for e in EFFECTS for x in (*(p.symbol for p in e.parameters), *e.given) if x is not None),
+)
 
 
 @cache

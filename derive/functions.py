@@ -9,7 +9,7 @@ import sympy as sp
 from derive import dynamics
 from derive.appendices import APPENDICES, parse
 from derive.approximants import variants
-from derive.effects import EFFECTS, LAWS, ORDER, VALUE, Effect, Law, Parameter, specialised
+from derive.effects import EFFECTS, LAWS, ORDER, PRESS, VALUE, Effect, Law, Parameter, formulas, specialised
 from derive.emit import Function
 from derive.integrate import Derivation
 from derive.phase import CONSTANT, ENERGIES, WATER
@@ -25,6 +25,7 @@ ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
 # alpha up to pi/2 (1 + 4 eps) is inside, for half discs given in degrees; the kernels clip it to pi/2.
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
+_ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
 
@@ -61,10 +62,12 @@ def _tiers(name: str) -> dict[str, Program]:
 def _of_alpha(
     name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None
 ) -> Function:
-    """A kernel of alpha, whose tiers are fitted."""
+    """A kernel of alpha: in its fitted tiers, or in its stable form where nothing is fitted (yet)."""
     tiers = _tiers(name)
-    return Function(tiers["best"], f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
-                    f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, "", (), _accuracy(name, bounds), tiers)  # fmt: skip
+    whole = tiers.get("best") or program(name, ("alpha",), alpha**3 * REDUCED[name], let=_CLIP)
+    return Function(whole, f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
+                    f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds),
+                    tiers)  # fmt: skip
 
 
 def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
@@ -229,7 +232,7 @@ def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str
         if "rotation" not in chosen or {"damping", "fall", "pressurisation"} & set(served):
             continue  # E obeys no linear equation in the rotation, or not alone
         absent = {} if "constant" in served else {CONSTANT: 0}
-        absent |= {} if "pore_pressure" in chosen else {WATER: 0}
+        absent |= {} if variants[served["normal"]].expression.subs(PRESS, 0) else {WATER: 0}
         for energy in ENERGIES:
             if energy.braked != ("brake" in served):
                 continue
@@ -289,7 +292,7 @@ def _combination(served: dict[str, str], programs: dict[str, Program]) -> str:
 def _effect(e: Effect | Law, kind: str) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
-    more = f"{e.turns!r}, {e.any_of!r}" if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
+    more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}" if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
     return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
 
 
@@ -350,7 +353,7 @@ class Law:
 class Effect:
     """A term of the equation of motion: equation, parameters, what it depends on, help, whether the mass turns.
 
-    At least one parameter of ``any_of`` is needed.
+    At least one parameter of ``any_of`` is needed. ``formulas`` say what it adds to the balance.
     """
 
     name: str
@@ -360,6 +363,7 @@ class Effect:
     help: str
     turns: bool
     any_of: tuple[str, ...] = ()
+    formulas: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

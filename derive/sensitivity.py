@@ -372,10 +372,11 @@ STEADY = tuple(e for e in EFFECTS if not {"speed", "time", "history"} & set(e.de
 
 
 def balance_tangent() -> Program:
-    """Changes of drive, tilt, constant and brake; what an effect would bring is 0 in a scene without it."""
+    """Changes of drive, tilt, constant, brake and what presses; what an effect would bring is 0 without it."""
     whole = terms(STEADY)
     drive = effects.FALL - whole["resistance"].subs({effects.OMEGA: 0, effects.OMEGA_2: 0})
-    changing = (drive, whole["tilt"], whole["constant"], whole["brake"])
+    pressing = sp.expand(effects.LEVEL * whole["effective_stress"])
+    changing = (drive, whole["tilt"], whole["constant"], whole["brake"], pressing)
     names = tuple(n for n in ORDER if any(n == x.name for e in changing for x in e.free_symbols))
     outputs = [_tangent(e, ORDER) for e in changing]
     return program("balance_tangent", (*names, *(f"{n}_dot" for n in names)), *(sp.expand(e) for e in outputs))
@@ -458,7 +459,7 @@ def programs() -> list[tuple[Program, str]]:
          "derivatives of rotation, then of angular velocity, at a time by a, b and omega_0"),
         (program("arc_growth", ("alpha",), *arc_growth(), let={alpha: sp.Min(alpha, sp.pi / 2)}),
          "relative slopes of C_theta, C_r, I_p*, lambda, all over Theta*, and of Theta* times alpha"),
-        (balance_tangent(), "changes of drive, tilt, constant and brake"),
+        (balance_tangent(), "changes of drive, tilt, constant, brake and what presses, lambda sigma/Theta*"),
         (position_tangent(), "changes of J_theta, J_r over Theta* and of their slopes by the dip"),
         *((p, "change of a dimensionless parameter") for p in parameter_tangents()),
     ]  # fmt: skip

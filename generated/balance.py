@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fa915bfae785e43568b493b23ed2a7af2c9719ffcaa9dd0f45bd01d1dba40f11
+# sha256 of the text below: 4a113266f7003bdc349cf7d224cf992d9d7eabb0d382eed2b720aad173d145e0
 """The balance of momentum and the energy in the phase plane, specialised to the effects that are present."""
 
 from typing import Any
@@ -253,7 +253,7 @@ def constant_cohesion(level: Any, cohesion: Any) -> Any:
     return v2
 
 
-def constant_cohesion_thermal_pressurisation(level: Any, mu: Any, excess: Any, cohesion: Any) -> Any:
+def constant_cohesion_thermal_pressurisation(level: Any, mu: Any, cohesion: Any, excess: Any) -> Any:
     """Constant. Operations: 2 mul, 1 sub."""
     v6 = (cohesion - excess * mu) * level
     return v6
@@ -271,7 +271,7 @@ def constant_pore_pressure_cohesion(level: Any, mu: Any, pore_pressure: Any, coh
     return v6
 
 
-def constant_pore_pressure_cohesion_thermal_pressurisation(level: Any, mu: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+def constant_pore_pressure_cohesion_thermal_pressurisation(level: Any, mu: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
     """Constant. Operations: 3 mul, 2 sub."""
     v9 = (cohesion - excess * mu - mu * pore_pressure) * level
     return v9
@@ -312,7 +312,7 @@ def drive_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, mu: An
     return v18
 
 
-def drive_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
+def drive_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 5 mul, 1 add, 5 sub."""
     v21 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
     return v21
@@ -330,7 +330,7 @@ def drive_shaking(press: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any, lim
     return v12
 
 
-def drive_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
+def drive_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any, excess: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 4 mul, 1 add, 3 sub."""
     v16 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v) * press - excess * level)
     return v16
@@ -384,7 +384,7 @@ def effective_stress_centripetal_pore_pressure_shaking(press: Any, press_slope: 
     return v19
 
 
-def effective_stress_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def effective_stress_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Effective_stress. Operations: 5 mul, 2 add, 4 sub, 1 div."""
     v21 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v22 = v21 / level
@@ -403,7 +403,7 @@ def effective_stress_centripetal_shaking(press: Any, press_slope: Any, level: An
     return v14
 
 
-def effective_stress_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def effective_stress_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Effective_stress. Operations: 4 mul, 2 add, 2 sub, 1 div."""
     v17 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) / level
     return v17
@@ -427,7 +427,7 @@ def effective_stress_pore_pressure_shaking(press: Any, press_slope: Any, level: 
     return v15
 
 
-def effective_stress_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def effective_stress_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Effective_stress. Operations: 4 mul, 1 add, 4 sub, 1 div."""
     v18 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) / level
     return v18
@@ -445,7 +445,7 @@ def effective_stress_shaking(press: Any, press_slope: Any, level: Any, k_h: Any,
     return v10
 
 
-def effective_stress_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def effective_stress_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Effective_stress. Operations: 3 mul, 1 add, 2 sub, 1 div."""
     v13 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) / level
     return v13
@@ -734,13 +734,13 @@ def limit_friction_cohesion_shaking(static_limit: Any, press: Any, fall_slope: A
     return v21
 
 
-def limit_friction_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def limit_friction_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Limit_friction. Operations: 8 mul, 2 add, 4 sub, 1 div."""
     v24 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press - excess * level)
     return v24
 
 
-def limit_friction_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, excess: Any, cohesion: Any) -> Any:
+def limit_friction_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, cohesion: Any, excess: Any) -> Any:
     """Limit_friction. Operations: 3 mul, 2 sub, 1 div."""
     v10 = (press * static_limit - cohesion * level) / (press - excess * level)
     return v10
@@ -764,13 +764,13 @@ def limit_friction_pore_pressure_cohesion_shaking(static_limit: Any, press: Any,
     return v26
 
 
-def limit_friction_pore_pressure_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def limit_friction_pore_pressure_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Limit_friction. Operations: 9 mul, 2 add, 6 sub, 1 div."""
     v29 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
     return v29
 
 
-def limit_friction_pore_pressure_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+def limit_friction_pore_pressure_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
     """Limit_friction. Operations: 5 mul, 4 sub, 1 div."""
     v17 = (press * static_limit - cohesion * level) / ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure)
     return v17
@@ -782,7 +782,7 @@ def limit_friction_pore_pressure_shaking(static_limit: Any, press: Any, fall_slo
     return v23
 
 
-def limit_friction_pore_pressure_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def limit_friction_pore_pressure_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Limit_friction. Operations: 8 mul, 2 add, 5 sub, 1 div."""
     v26 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
     return v26
@@ -800,7 +800,7 @@ def limit_friction_shaking(static_limit: Any, press: Any, fall_slope: Any, press
     return v17
 
 
-def limit_friction_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def limit_friction_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Limit_friction. Operations: 7 mul, 2 add, 3 sub, 1 div."""
     v21 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press - excess * level)
     return v21
@@ -829,7 +829,7 @@ def normal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, pore_
     return v14
 
 
-def normal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def normal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Normal. Operations: 4 mul, 1 add, 4 sub."""
     v17 = k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     return v17
@@ -847,7 +847,7 @@ def normal_shaking(press: Any, press_slope: Any, k_h: Any, k_v: Any) -> Any:
     return v8
 
 
-def normal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def normal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Normal. Operations: 3 mul, 1 add, 2 sub."""
     v12 = k_h * press_slope + (1.0 - k_v) * press - excess * level
     return v12
@@ -883,52 +883,52 @@ def normal_thermal_pressurisation(press: Any, level: Any, excess: Any) -> Any:
     return v4
 
 
-def pressurisation_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+def pressurisation_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 7 mul, 2 add, 4 sub, 1 div."""
     v23 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v26 = v23 / level * kappa * mu
     return v26
 
 
-def pressurisation_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, kappa: Any) -> Any:
+def pressurisation_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 6 mul, 1 add, 3 sub, 1 div."""
     v19 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level * kappa
     v20 = v19 * mu
     return v20
 
 
-def pressurisation_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+def pressurisation_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 6 mul, 2 add, 2 sub, 1 div."""
     v21 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) / level * kappa * mu
     return v21
 
 
-def pressurisation_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, kappa: Any) -> Any:
+def pressurisation_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 4 mul, 1 add, 1 sub, 1 div."""
     v13 = (press + omega_2 * polar - excess * level) / level * kappa * mu
     return v13
 
 
-def pressurisation_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+def pressurisation_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 6 mul, 1 add, 4 sub, 1 div."""
     v20 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) / level
     v22 = v20 * kappa * mu
     return v22
 
 
-def pressurisation_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, kappa: Any) -> Any:
+def pressurisation_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 5 mul, 3 sub, 1 div."""
     v16 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level * kappa * mu
     return v16
 
 
-def pressurisation_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, k_h: Any, k_v: Any, kappa: Any) -> Any:
+def pressurisation_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 5 mul, 1 add, 2 sub, 1 div."""
     v17 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) / level * kappa * mu
     return v17
 
 
-def pressurisation_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any, kappa: Any) -> Any:
+def pressurisation_thermal_pressurisation(press: Any, level: Any, mu: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 3 mul, 1 sub, 1 div."""
     v9 = (press - excess * level) / level * kappa * mu
     return v9
@@ -964,13 +964,13 @@ def resistance_centripetal_cohesion_drag_shaking(press: Any, press_slope: Any, l
     return v21
 
 
-def resistance_centripetal_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
     v24 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
     return v24
 
 
-def resistance_centripetal_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+def resistance_centripetal_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
     v16 = cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
     return v16
@@ -989,14 +989,14 @@ def resistance_centripetal_cohesion_drag_viscosity_shaking(press: Any, press_slo
     return v25
 
 
-def resistance_centripetal_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 5 add, 2 sub."""
     v26 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
     v28 = v26 + omega * viscosity
     return v28
 
 
-def resistance_centripetal_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 4 add, 1 sub."""
     v20 = cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
     return v20
@@ -1008,13 +1008,13 @@ def resistance_centripetal_cohesion_shaking(press: Any, press_slope: Any, level:
     return v18
 
 
-def resistance_centripetal_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
     v21 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
     return v21
 
 
-def resistance_centripetal_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any) -> Any:
+def resistance_centripetal_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
     v13 = cohesion * level + (press + omega_2 * polar - excess * level) * mu
     return v13
@@ -1032,14 +1032,14 @@ def resistance_centripetal_cohesion_viscosity_shaking(press: Any, press_slope: A
     return v22
 
 
-def resistance_centripetal_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
     v23 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
     v25 = v23 + omega * viscosity
     return v25
 
 
-def resistance_centripetal_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+def resistance_centripetal_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
     v17 = cohesion * level + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
     return v17
@@ -1057,13 +1057,13 @@ def resistance_centripetal_drag_shaking(press: Any, press_slope: Any, polar: Any
     return v17
 
 
-def resistance_centripetal_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
     v21 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
     return v21
 
 
-def resistance_centripetal_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, drag: Any) -> Any:
+def resistance_centripetal_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
     v13 = drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
     return v13
@@ -1081,14 +1081,14 @@ def resistance_centripetal_drag_viscosity_shaking(press: Any, press_slope: Any, 
     return v21
 
 
-def resistance_centripetal_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
     v23 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
     v25 = v23 + omega * viscosity
     return v25
 
 
-def resistance_centripetal_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
     v17 = drag * omega_2 + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
     return v17
@@ -1119,14 +1119,14 @@ def resistance_centripetal_pore_pressure_cohesion_drag_shaking(press: Any, press
     return v26
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
     v27 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v29 = cohesion * level + drag * omega_2 + v27 * mu
     return v29
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
     v23 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     return v23
@@ -1146,14 +1146,14 @@ def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking(press: 
     return v30
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 9 mul, 5 add, 4 sub."""
     v29 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v33 = cohesion * level + drag * omega_2 + v29 * mu + omega * viscosity
     return v33
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 3 sub."""
     v25 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v27 = v25 + omega * viscosity
@@ -1167,14 +1167,14 @@ def resistance_centripetal_pore_pressure_cohesion_shaking(press: Any, press_slop
     return v23
 
 
-def resistance_centripetal_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
     v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v26 = cohesion * level + v24 * mu
     return v26
 
 
-def resistance_centripetal_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
     v20 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     return v20
@@ -1193,14 +1193,14 @@ def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking(press: Any, 
     return v27
 
 
-def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
     v26 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v30 = cohesion * level + v26 * mu + omega * viscosity
     return v30
 
 
-def resistance_centripetal_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
     v22 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v24 = v22 + omega * viscosity
@@ -1220,14 +1220,14 @@ def resistance_centripetal_pore_pressure_drag_shaking(press: Any, press_slope: A
     return v23
 
 
-def resistance_centripetal_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
     v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v26 = drag * omega_2 + v24 * mu
     return v26
 
 
-def resistance_centripetal_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
     v20 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     return v20
@@ -1246,14 +1246,14 @@ def resistance_centripetal_pore_pressure_drag_viscosity_shaking(press: Any, pres
     return v27
 
 
-def resistance_centripetal_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
     v26 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v30 = drag * omega_2 + v26 * mu + omega * viscosity
     return v30
 
 
-def resistance_centripetal_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
     v22 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v24 = v22 + omega * viscosity
@@ -1266,7 +1266,7 @@ def resistance_centripetal_pore_pressure_shaking(press: Any, press_slope: Any, l
     return v20
 
 
-def resistance_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
     v22 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v23 = v22 * mu
@@ -1292,14 +1292,14 @@ def resistance_centripetal_pore_pressure_viscosity_shaking(press: Any, press_slo
     return v24
 
 
-def resistance_centripetal_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
     v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
     v27 = v24 * mu + omega * viscosity
     return v27
 
 
-def resistance_centripetal_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
     v21 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
     return v21
@@ -1311,7 +1311,7 @@ def resistance_centripetal_shaking(press: Any, press_slope: Any, polar: Any, mu:
     return v14
 
 
-def resistance_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
     v18 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
     return v18
@@ -1335,13 +1335,13 @@ def resistance_centripetal_viscosity_shaking(press: Any, press_slope: Any, polar
     return v18
 
 
-def resistance_centripetal_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
     v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
     return v22
 
 
-def resistance_centripetal_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, viscosity: Any) -> Any:
+def resistance_centripetal_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
     v14 = (press + omega_2 * polar - excess * level) * mu + omega * viscosity
     return v14
@@ -1365,13 +1365,13 @@ def resistance_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, m
     return v18
 
 
-def resistance_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
     v21 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
     return v21
 
 
-def resistance_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+def resistance_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
     v13 = cohesion * level + drag * omega_2 + (press - excess * level) * mu
     return v13
@@ -1389,14 +1389,14 @@ def resistance_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, lev
     return v22
 
 
-def resistance_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
     v23 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
     v25 = v23 + omega * viscosity
     return v25
 
 
-def resistance_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
     v17 = cohesion * level + drag * omega_2 + (press - excess * level) * mu + omega * viscosity
     return v17
@@ -1408,13 +1408,13 @@ def resistance_cohesion_shaking(press: Any, press_slope: Any, level: Any, mu: An
     return v14
 
 
-def resistance_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
     v17 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
     return v17
 
 
-def resistance_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any, cohesion: Any) -> Any:
+def resistance_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
     v9 = cohesion * level + (press - excess * level) * mu
     return v9
@@ -1432,13 +1432,13 @@ def resistance_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: A
     return v18
 
 
-def resistance_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
     v21 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
     return v21
 
 
-def resistance_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+def resistance_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
     v13 = cohesion * level + (press - excess * level) * mu + omega * viscosity
     return v13
@@ -1456,13 +1456,13 @@ def resistance_drag_shaking(press: Any, press_slope: Any, mu: Any, omega_2: Any,
     return v14
 
 
-def resistance_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
     v18 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
     return v18
 
 
-def resistance_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, excess: Any, drag: Any) -> Any:
+def resistance_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
     v10 = drag * omega_2 + (press - excess * level) * mu
     return v10
@@ -1480,13 +1480,13 @@ def resistance_drag_viscosity_shaking(press: Any, press_slope: Any, mu: Any, ome
     return v18
 
 
-def resistance_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
     v22 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
     return v22
 
 
-def resistance_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
     v14 = drag * omega_2 + (press - excess * level) * mu + omega * viscosity
     return v14
@@ -1516,14 +1516,14 @@ def resistance_pore_pressure_cohesion_drag_shaking(press: Any, press_slope: Any,
     return v23
 
 
-def resistance_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
     v25 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v26 = cohesion * level + drag * omega_2 + v25
     return v26
 
 
-def resistance_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
     v20 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     return v20
@@ -1542,14 +1542,14 @@ def resistance_pore_pressure_cohesion_drag_viscosity_shaking(press: Any, press_s
     return v27
 
 
-def resistance_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
     v27 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v30 = cohesion * level + drag * omega_2 + v27 + omega * viscosity
     return v30
 
 
-def resistance_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
     v22 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v24 = v22 + omega * viscosity
@@ -1562,14 +1562,14 @@ def resistance_pore_pressure_cohesion_shaking(press: Any, press_slope: Any, leve
     return v19
 
 
-def resistance_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
     v21 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v22 = cohesion * level + v21
     return v22
 
 
-def resistance_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any) -> Any:
+def resistance_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 3 sub."""
     v16 = cohesion * level + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     return v16
@@ -1588,14 +1588,14 @@ def resistance_pore_pressure_cohesion_viscosity_shaking(press: Any, press_slope:
     return v23
 
 
-def resistance_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
     v23 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v26 = cohesion * level + v23 + omega * viscosity
     return v26
 
 
-def resistance_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, cohesion: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
     v20 = cohesion * level + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
     return v20
@@ -1613,14 +1613,14 @@ def resistance_pore_pressure_drag_shaking(press: Any, press_slope: Any, level: A
     return v20
 
 
-def resistance_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
     v22 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v23 = drag * omega_2 + v22
     return v23
 
 
-def resistance_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any) -> Any:
+def resistance_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 3 sub."""
     v17 = drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     return v17
@@ -1639,14 +1639,14 @@ def resistance_pore_pressure_drag_viscosity_shaking(press: Any, press_slope: Any
     return v24
 
 
-def resistance_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
     v24 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v27 = drag * omega_2 + v24 + omega * viscosity
     return v27
 
 
-def resistance_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
     v21 = drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
     return v21
@@ -1658,7 +1658,7 @@ def resistance_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, m
     return v16
 
 
-def resistance_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 4 sub."""
     v19 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     return v19
@@ -1682,14 +1682,14 @@ def resistance_pore_pressure_viscosity_shaking(press: Any, press_slope: Any, lev
     return v20
 
 
-def resistance_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
     v21 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
     v23 = v21 + omega * viscosity
     return v23
 
 
-def resistance_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 3 sub."""
     v17 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
     return v17
@@ -1701,7 +1701,7 @@ def resistance_shaking(press: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any
     return v10
 
 
-def resistance_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, excess: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 2 sub."""
     v14 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
     return v14
@@ -1725,13 +1725,13 @@ def resistance_viscosity_shaking(press: Any, press_slope: Any, mu: Any, omega: A
     return v14
 
 
-def resistance_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, excess: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
     v18 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
     return v18
 
 
-def resistance_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, excess: Any, viscosity: Any) -> Any:
+def resistance_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
     v10 = (press - excess * level) * mu + omega * viscosity
     return v10

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4b5cfe4ba7f1fa892199099f6e2c0e1d2682c8176824bd989e57e67b1a700f6b
+# sha256 of the text below: 9acb4afb8c6ab4fd4156624085feb976a6a243edcecfd6ccc3e0fba199c69717
 """Derivatives of the closed forms, of the balance and of the arc: what a small change makes of them."""
 
 from typing import Any
@@ -99,23 +99,25 @@ def arc_growth(alpha: Any) -> tuple[Any, Any, Any, Any, Any]:
     return v163, v381, v411, v455, v457
 
 
-def balance_tangent(fall: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, polar: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, fall_dot: Any, press_dot: Any, fall_slope_dot: Any, press_slope_dot: Any, level_dot: Any, polar_dot: Any, mu_dot: Any, pore_ratio_dot: Any, pore_pressure_dot: Any, cohesion_dot: Any, drag_dot: Any) -> tuple[Any, Any, Any, Any]:
-    """Changes of drive, tilt, constant and brake. Operations: 23 mul, 12 add, 9 sub."""
-    v20 = level * mu * pore_pressure_dot
-    v23 = level * mu_dot * pore_pressure
-    v26 = level_dot * mu * pore_pressure
-    v28 = mu * pore_ratio
-    v31 = mu * pore_ratio_dot
-    v34 = mu_dot * pore_ratio
-    v37 = cohesion * level_dot
-    v39 = cohesion_dot * level
-    v42 = fall_dot + v20 + v23 + v26 + v28 * press_dot + v31 * press + v34 * press - v37 - v39 - mu * press_dot
-    v44 = v42 - mu_dot * press
-    v52 = fall_slope_dot + v28 * press_slope_dot + v31 * press_slope + v34 * press_slope - mu * press_slope_dot
-    v54 = v52 - mu_dot * press_slope
-    v58 = v37 + v39 - v20 - v23 - v26
-    v62 = drag_dot + mu * polar_dot + mu_dot * polar
-    return v44, v54, v58, v62
+def balance_tangent(fall: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, fall_dot: Any, press_dot: Any, fall_slope_dot: Any, press_slope_dot: Any, level_dot: Any, polar_dot: Any, mu_dot: Any, omega_2_dot: Any, pore_ratio_dot: Any, pore_pressure_dot: Any, cohesion_dot: Any, drag_dot: Any) -> tuple[Any, Any, Any, Any, Any]:
+    """Changes of drive, tilt, constant, brake and what presses, lambda sigma/theta*. Operations: 29 mul, 14 add, 13 sub."""
+    v22 = level * mu * pore_pressure_dot
+    v25 = level * mu_dot * pore_pressure
+    v28 = level_dot * mu * pore_pressure
+    v30 = mu * pore_ratio
+    v33 = mu * pore_ratio_dot
+    v36 = mu_dot * pore_ratio
+    v39 = cohesion * level_dot
+    v41 = cohesion_dot * level
+    v44 = fall_dot + v22 + v25 + v28 + v30 * press_dot + v33 * press + v36 * press - v39 - v41 - mu * press_dot
+    v46 = v44 - mu_dot * press
+    v54 = fall_slope_dot + v30 * press_slope_dot + v33 * press_slope + v36 * press_slope - mu * press_slope_dot
+    v56 = v54 - mu_dot * press_slope
+    v60 = v39 + v41 - v22 - v25 - v28
+    v64 = drag_dot + mu * polar_dot + mu_dot * polar
+    v72 = press_dot + omega_2 * polar_dot + omega_2_dot * polar - level * pore_pressure_dot - level_dot * pore_pressure
+    v76 = v72 - pore_ratio * press_dot - pore_ratio_dot * press
+    return v46, v56, v60, v64, v76
 
 
 def cohesion_tangent(value: Any, half_angle: Any, gravity: Any, reference_stress: Any, Theta: Any, value_dot: Any, half_angle_dot: Any, gravity_dot: Any, reference_stress_dot: Any, Theta_dot: Any) -> Any:

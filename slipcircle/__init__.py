@@ -1,7 +1,9 @@
 """The dynamic slip circle method: how fast, how far, and when a mass that failed along a circle comes to rest.
 
 `Arc` holds the failed section, `Scene` adds friction, effects and the start, `plan` says how it will be solved and
-`solve` returns the `Motion`. The numbers come from the package `generated`, which `python -m derive` writes.
+`solve` returns the `Motion`; `ensemble` draws uncertain numbers, `backanalyse` looks for what explains an observation.
+Units are SI, angles radians. `slipcircle schema --text` is the guide to effects and friction laws: formulas, parameters
+and bounds. The numbers come from the package `generated`, which `python -m derive` writes.
 """
 
 from typing import TYPE_CHECKING, Any

@@ -1,7 +1,6 @@
 """Command line: `slipcircle run SCENE...`, `plan`, `sweep`, `backanalyse`, ..., also as `python -m slipcircle`.
 
-Results go to stdout, messages to stderr. Exit status: 0 done, 1 the input was refused, 2 a wrong call,
-130 interrupted.
+Results go to stdout, messages to stderr; the exit status is what `EPILOG` says.
 """
 
 import argparse
@@ -12,6 +11,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 import slipcircle
@@ -21,58 +21,78 @@ from slipcircle.outputs import files, tables
 
 OBSERVED = (("runout", "m", "run-out along the arc"), ("peak-velocity", "m-s", "greatest velocity"),
             ("duration", "s", "time until it rested"))  # fmt: skip
+EPILOG = """\
+scenes that ship:
+  {}
+  or a TOML file of your own: `slipcircle schema --text` explains its keys
+
+exit status: 0 done, 1 the input was refused, 2 a wrong call, 130 interrupted
+"""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command and return its exit status."""
-    parser = argparse.ArgumentParser(prog="slipcircle", description=str(slipcircle.__doc__).partition("\n")[0])
-    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    which = f"one of {', '.join(shipped())}, or a TOML file"
-    run = commands.add_parser("run", help="solve scenes and print their motion side by side")
+    names = "\n  ".join(wrap(", ".join(shipped()), 76, break_on_hyphens=False))
+    parser = argparse.ArgumentParser(
+        "slipcircle",
+        description="\n".join(wrap(str(slipcircle.__doc__).partition("\n")[0], 78)),
+        epilog=EPILOG.format(names),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND", title="commands")
+    which = "a scene that ships, by name (`slipcircle --help` lists them), or the path of a TOML file"
+
+    def command(name: str, words: str) -> argparse.ArgumentParser:
+        return commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
+
+    run = command("run", "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
-    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg")
+    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg, and "
+                     "the slide itself as .gif")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
-    planned = commands.add_parser("plan", help="how a scene will be solved, and what that costs")
+    planned = command("plan", "how a scene will be solved, and what that costs")
     what = planned.add_mutually_exclusive_group(required=True)
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
-    swept = commands.add_parser("sweep", help="a scene on a grid of values, or for samples of its uncertain numbers")
+    swept = command("sweep", "a scene on a grid of values, or for samples of its uncertain numbers")
     swept.add_argument("scene", metavar="SCENE", help=which)
-    back = commands.add_parser("backanalyse", help="the friction, or another field, that explains an observed motion")
+    back = command("backanalyse", "the friction, or another field, that explains an observed motion")
     back.add_argument("scene", metavar="SCENE", help=which)
     for option, unit, words in OBSERVED:
         back.add_argument(f"--{option}-{unit}", type=float, dest=option, metavar="X", help=f"observed {words}")
         back.add_argument(f"--sigma-{option}-{unit}", type=float, dest=f"sigma_{option}", metavar="X",
                           help="its standard error")  # fmt: skip
-    back.add_argument("--field", default="friction", help="what is looked for: friction, cohesion...")
-    commands.add_parser("schema", help="print the JSON Schema of scene files, for editors")
-    cost = commands.add_parser("cost", help="measure here what each way to compute something costs, and its error")
+    back.add_argument("--field", default="friction", help="what is looked for: friction (the default), cohesion, ...")
+    slopes = command("sensitivity", "exact derivatives of the motion by each number of a scene")
+    slopes.add_argument("scene", metavar="SCENE", help=which)
+    schema = command("schema", "what a scene file may say: every effect, law, key and unit")
+    schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
+    cost = command("cost", "measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
     cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
     cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
-    info = commands.add_parser("info", help="versions and digests of what is installed")
+    info = command("info", "versions and digests of what is installed")
     if "sweep" in (sys.argv[1:] if argv is None else argv):  # no other command needs what it loads
         from slipcircle.studies import sweep
 
         sweep.arguments(swept)
-    for command in (run, planned, swept, back, cost, info):
-        command.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
+    for parsed in (run, planned, swept, back, slopes, cost, info):
+        parsed.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
     options = parser.parse_args(argv)
     options.line = shlex.join(["slipcircle", *(sys.argv[1:] if argv is None else argv)])
     try:
-        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse, "schema": _schema,
-                  "cost": _cost, "info": _info}  # fmt: skip
+        chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse,
+                  "sensitivity": _sensitivity, "schema": _schema, "cost": _cost, "info": _info}  # fmt: skip
         chosen[options.command](options)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
         if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
-        if isinstance(error, BrokenPipeError):  # the reader, such as head, has seen enough
-            return 0
-        print(f"slipcircle: {error.filename or 'the output'}: {error.strerror or error}", file=sys.stderr)
+        if not isinstance(error, BrokenPipeError):  # nobody reads on, as with `| head`
+            print(f"slipcircle: {error.filename or 'the output'}: {error.strerror or error}", file=sys.stderr)
         return 1
     except MemoryError as error:
         print(f"slipcircle: not enough memory: {error}", file=sys.stderr)
@@ -95,13 +115,13 @@ def _print(record: Any) -> None:
 def _run(options: argparse.Namespace) -> None:
     paths = [find(name) for name in options.scenes]
     asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
-    files.check({f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
+    files.check("run", {f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
     if options.plot or options.report:
         from slipcircle.outputs import pictures
 
-        pictures.check(options.plot or "", len(paths))
+        pictures.check("run", options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
-    motions = [solve(Scene.load(name)) for name in options.scenes]
+    motions = [_solved(name) for name in options.scenes]
     for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:
         files.write(path, content)
     if options.json:
@@ -120,6 +140,15 @@ def _run(options: argparse.Namespace) -> None:
         more = [f"solved at the median of {', '.join(drawn)}; sweep draws them"] if drawn else []
         for warning in (*m.warnings, *more):
             print(f"slipcircle: {m.plan.scene.name}: {warning}", file=sys.stderr)
+
+
+def _solved(name: str) -> Motion:
+    """The motion of a scene by name or file; where it has none, the error says of which."""
+    scene = Scene.load(name)
+    try:
+        return solve(scene)
+    except ValueError as error:
+        raise ValueError(f"{scene.name}: {error}") from error
 
 
 def _content(kind: str, path: str, motions: list[Motion], sources: list[bytes], options: argparse.Namespace) -> bytes:
@@ -174,6 +203,9 @@ def _backanalyse(options: argparse.Namespace) -> None:
         if value is None and sigma is not None:
             raise ValueError(f"--sigma-{option}-{unit}: needs --{option}-{unit}")
         seen[option.replace("-", "_")] = value if sigma is None else (value, sigma)
+    if all(value is None for value in seen.values()):
+        options_ = [f"--{option}-{unit}" for option, unit, _ in OBSERVED]
+        raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(options_)}")
     found = slipcircle.backanalyse(Scene.load(options.scene), field=options.field, **seen)
     if options.json:
         _print(tables.backanalysis_record(found))
@@ -183,7 +215,27 @@ def _backanalyse(options: argparse.Namespace) -> None:
     tables.show(["", *head], tables.backanalysis_rows(found), caption=f"by {found.method}")
 
 
+def _sensitivity(options: argparse.Namespace) -> None:
+    motion = solve(Scene.load(options.scene))
+    found, name = motion.sensitivity(), motion.plan.scene.name
+    if options.json:
+        _print({"scene": name} | tables.sensitivity_record(found))
+        return
+    tables.show(
+        ["by", "value", *(f"{n.replace('_', ' ')}, {unit}" for n, unit in found.outputs.items())],
+        [["", "", *(f"{found.at[n]:.6g}" for n in found.outputs)], *tables.sensitivity_rows(found)],
+        name, "change per unit of the key, and in brackets in per cent per per cent of it",
+    )  # fmt: skip
+    if not motion.moves:
+        print(f"slipcircle: {name}: does not move, so that small changes change nothing", file=sys.stderr)
+
+
 def _schema(options: argparse.Namespace) -> None:
+    if options.text:
+        from slipcircle.outputs.guide import guide
+
+        print(guide())
+        return
     from slipcircle.inputs.scenekeys import schema
 
     _print(schema())

@@ -3,15 +3,16 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
 
 from generated import balance as functions
 from generated import kernels
-from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS
+from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS, Parameter
 from slipcircle.arc import Arc
+from slipcircle.checks import number
 from slipcircle.scene import Scene
 
 # Without shaking and heat: what is given anew at each moment comes on top.
@@ -22,7 +23,7 @@ LOCAL = {"k_h", "k_v", "excess"} | {
 }
 
 
-@dataclass(frozen=True)
+@dataclass
 class Balance:
     """The functions of the balance for one combination of effects, all over Theta*, in the direction of travel.
 
@@ -76,13 +77,17 @@ class Balance:
         values = self.values
         return getattr(functions, name)(*[local[a] if a in local else values[a] for a in ARGUMENTS[name]])
 
+    @property
+    def lightened(self) -> bool:
+        """Whether water or shaking may carry the mass, so that what presses is not J_r/Theta* alone."""
+        return self.names["normal"] != "normal"
+
     def drive(self, at: Mapping[str, float], mu: float) -> float:
         """The drive at a position less the resistance at rest: from the limit friction, unless water carries the mass.
 
         There friction is a small part, and none where the mass is lifted, mu = 0.
         """
-        normal = float(self.get("normal", **at))
-        if normal <= 1e-6 * at["press"]:
+        if self.lightened and (normal := float(self.get("normal", **at))) <= 1e-6 * at["press"]:
             return float(at["fall"] - self.get("constant", mu=0.0) - mu * normal)
         return float(self.get("drive", **at, mu=mu, limit_friction=self.get("limit_friction", **at)))
 
@@ -144,29 +149,25 @@ class Balance:
 
 def bind(scene: Scene) -> Balance:
     """The balance of a scene of plain numbers."""
-    arc, d = scene.arc, scene.arc.dimensionless
-    called = scene.called
-    chosen = tuple(e for e in EFFECTS if e in called)
-    alpha = float(arc.half_angle)
-    scales = {
-        "half_angle": alpha,
-        "gravity": float(np.asarray(arc.gravity)),
-        "reference_stress": float(arc.reference_stress),
-        "Theta": float(d.moment_of_inertia),
-        "radius": float(np.asarray(arc.radius)),
-        "density": float(np.divide(arc.unit_weight, arc.gravity)),
-    }
+    arc, d, called = scene.arc, scene.arc.dimensionless, scene.called
+    names, turns, valued = _combined(tuple(called))
     press = float(d.radial_weight_per_inertia)
     weight, radial = arc.amplitudes_per_inertia
     level = press / float(d.static_normal_stress)  # lambda/Theta* = (J_r/Theta*)/(J_r/lambda)
     values = {"level": level, "polar": float(d.polar_moment_per_inertia), **STILL}
     forcing: dict[str, tuple[Any, float]] = {}
-    for effect in chosen:
+    scales = {
+        "half_angle": float(arc.half_angle),
+        "gravity": number(arc.gravity),
+        "reference_stress": float(arc.reference_stress),
+        "Theta": float(d.moment_of_inertia),
+        "radius": number(arc.radius),
+        "density": float(np.divide(arc.unit_weight, arc.gravity)),
+    } if valued else {}  # fmt: skip
+    for effect, parameters in valued:
         given = called[effect]
         own = {p.name: float(given.get(p.name, 0.0)) for p in EFFECTS[effect].parameters if p.kind == "number"}
-        for p in EFFECTS[effect].parameters:
-            if not p.symbol:
-                continue
+        for p in parameters:
             value = given.get(p.name, 0.0)
             if callable(value):
                 forcing[p.symbol] = value, p.dimensionless(1.0, scales | own)
@@ -174,7 +175,7 @@ def bind(scene: Scene) -> Balance:
             values[p.symbol] = p.dimensionless(float(value), scales | own)
     limit = float(d.limit_friction)
     return Balance(
-        COMBINATIONS[chosen].functions,
+        names,
         values,
         float(weight),
         float(radial),
@@ -182,11 +183,19 @@ def bind(scene: Scene) -> Balance:
         limit * press,
         press,
         limit,
-        any(EFFECTS[e].turns for e in chosen),
-        float(np.asarray(arc.radius)),
+        turns,
+        number(arc.radius),
         float(arc.time_scale),
         forcing,
     )
+
+
+@cache
+def _combined(called: tuple[str, ...]) -> tuple[Mapping[str, str], bool, list[tuple[str, list[Parameter]]]]:
+    """What does not depend on values: the functions, whether the mass turns, effects with what the balance asks for."""
+    effects = tuple(e for e in EFFECTS if e in called)
+    valued = [(e, symbols) for e in effects if (symbols := [p for p in EFFECTS[e].parameters if p.symbol])]
+    return COMBINATIONS[effects].functions, any(EFFECTS[e].turns for e in effects), valued
 
 
 def bind_lanes(effects: tuple[str, ...], arc: Arc, values: Mapping[str, Any], *, stress: bool = False) -> Balance:

@@ -1,12 +1,14 @@
 """One clear error for bad input: every mistake at once, each with the field, the value and what is allowed."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # lower, upper (both open), and the same in words
+number: Callable[[Any], float] = float  # of a field that may be an array, where it is none
 
 
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds]) -> list[str]:

@@ -2,21 +2,19 @@
 
 from bisect import bisect_right
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from generated import balance
 from generated.effects import LAWS
-from slipcircle.checks import mistakes
+from slipcircle.checks import mistakes, number
 
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Friction:
+class Friction(NamedTuple):
     """A friction law with its numbers.
 
     Attributes
@@ -137,11 +135,10 @@ def friction(given: Any) -> Friction:
             "callable", lambda s, v=0.0, t=0.0: given(s), lambda s, more: given(s) - given(s + more), np.inf, (), {}
         )
     if not isinstance(given, Mapping):
-        given = {"law": "constant", "coefficient": float(np.asarray(given))}
+        return _constant(number(given))
     if "rate" in given:
         one, other = _named({k: v for k, v in given.items() if k != "rate"}), _named(given["rate"])
-        return replace(
-            one,
+        return one._replace(
             law=law_name(given),
             coefficient=lambda s, v=0.0, t=0.0: one.coefficient(s) * other.coefficient(s, v),
             parameters=given,
@@ -151,13 +148,18 @@ def friction(given: Any) -> Friction:
     return _named(given)
 
 
+def _constant(value: float) -> Friction:
+    return Friction(
+        "constant", lambda s, v=0.0, t=0.0: value, lambda s, more: 0.0 * more, np.inf, (), {"coefficient": value}, ()
+    )
+
+
 def _named(given: Mapping[str, Any]) -> Friction:
     """A law by name."""
     name, parameters = given["law"], {k: v for k, v in given.items() if k != "law"}
     law = LAWS[name]
     if name == "constant":
-        value = float(parameters["coefficient"])
-        return Friction(name, lambda s, v=0.0, t=0.0: value, lambda s, more: 0.0 * more, np.inf, (), parameters, ())
+        return _constant(float(parameters["coefficient"]))
     if law.parameters[0].kind == "list":
         place, values = (np.asarray(given[p.name], dtype=float) for p in law.parameters)
         return _tabulated(name, place, values, parameters)

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -66,8 +66,7 @@ class Energy:
         return self.work - (self.kinetic_end - self.kinetic_start) - self.dissipation
 
 
-@dataclass(frozen=True)
-class Start:
+class Start(NamedTuple):
     """Where a phase begins: in the direction of travel, dimensionless; slip in m."""
 
     rotation: float  # of the mass, in its own sense
@@ -78,8 +77,7 @@ class Start:
     excess: float = 0.0  # pore pressure that heat has added, over sigma_ref
 
 
-@dataclass(frozen=True)
-class Phase:
+class Phase(NamedTuple):
     """A stretch of motion in one direction: where it begins and ends, dimensionless, and what solves it."""
 
     start: float
@@ -126,10 +124,10 @@ class Motion:
     def __init__(self, plan: Plan, balance: Balance, phases: list[Phase], duration: float, arrested: bool) -> None:
         self.plan, self.balance, self.phases = plan, balance, phases
         self.moves = bool(phases) and duration > 0.0
-        self.arrested, self.duration = arrested, duration
+        self.arrested, self.duration, self._scale = arrested, duration, balance.time_scale
+        self.end = self._ended()
 
-    @cached_property
-    def end(self) -> State:
+    def _ended(self) -> State:
         if not self.phases:
             return self._state(self.duration, 0.0, 0.0, 0.0)
         last = self.phases[-1]
@@ -247,18 +245,13 @@ class Motion:
     def _arc(self) -> Any:
         return self.plan.scene.arc
 
-    @property
-    def _scale(self) -> float:
-        return float(self._arc.time_scale)
-
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
         """A state from its dimensionless numbers, or arrays of them."""
-        scale, radius = self._scale, float(self._arc.radius)
-        at = self.balance.given(time / scale) if self.balance.forcing else {}
-        at |= {"press": self.balance.press_at(rotation), "omega_2": omega * omega}
-        if "k_h" in at:
-            at["press_slope"] = self.balance.press_slope_at(rotation)
-        stress = self.balance.get("normal_stress", **at) * float(self._arc.reference_stress)
+        balance, scale, radius = self.balance, self._scale, self.balance.radius
+        at = {"press": balance.press_at(rotation), "omega_2": omega * omega}
+        if balance.forcing:
+            at |= balance.given(time / scale) | {"press_slope": balance.press_slope_at(rotation)}
+        stress = balance.get("normal_stress", **at) * float(self._arc.reference_stress)
         speed = omega / scale + 0.0  # no -0.0
         return State(time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
 
@@ -356,8 +349,9 @@ class Motion:
         work, lost = np.zeros_like(t), np.zeros_like(t)
         with np.errstate(under="ignore"):
             for phase, mask, local in self._lanes(t):
-                work[mask] += phase.solved.worked(local)
-                lost[mask] += phase.solved.dissipated(local)
+                inside, place = np.unique(local, return_inverse=True)  # what is later than a phase asks for its end
+                work[mask] += phase.solved.worked(inside)[place]
+                lost[mask] += phase.solved.dissipated(inside)[place]
         omega = self._followed(t)[1]
         first = self.phases[0].solved.start.energy if self.phases else 0.0
         arc, d = self._arc, self._arc.dimensionless

@@ -20,7 +20,7 @@ CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
 ENERGY_EQUATION = "quadrature of the linear energy equation"
 LINEAR_SYSTEM = "linear system of energy and pore pressure in the phase plane by collocation, time by quadrature"
 INTEGRATION = "integration in time by SciPy (DOP853, LSODA where stiff), events located"
-STEPPING = "exact steps along the record, frozen geometry"
+STEPPING = "exact steps along the record"
 # Evaluations of the specialised functions that a solution typically takes.
 EVALUATIONS = {
     CLOSED_IN_TIME: 3,
@@ -69,7 +69,7 @@ class Plan:
     @property
     def tolerance(self) -> float:
         """Relative tolerance of the steps of an integration that meets the accuracy."""
-        return max(self.accuracy * 1e-4, 3e-14)
+        return max(self.accuracy * 1e-3, 3e-14)
 
     @property
     def error_estimate(self) -> float:
@@ -99,29 +99,32 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
 
+    Returns
+    -------
+    Plan
+
     Raises
     ------
     ValueError
         If the accuracy is not between 0 and 1.
     """
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
-    if accuracy is not None:
+    if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
         raise_all("plan", mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}))
     called = scene.called
-    effects = tuple(e for e in EFFECTS if e in called)
-    series = tuple(f"{e}.{p}" for e in effects for p, value in called[e].items() if callable(value))
-    return Plan(
-        scene, **_choice(effects, law_name(scene.friction), law_depends(scene.friction), series), accuracy=wanted
-    )
+    series = tuple(e for e, given in called.items() if any(map(callable, given.values())))
+    choice = _choice(tuple(called), law_name(scene.friction), law_depends(scene.friction), series)
+    return Plan(scene, **choice, accuracy=wanted)
 
 
 @cache
-def _choice(effects: tuple[str, ...], law: str, by: tuple[str, ...], series: tuple[str, ...]) -> dict[str, Any]:
+def _choice(called: tuple[str, ...], law: str, by: tuple[str, ...], series: tuple[str, ...]) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
+    effects = tuple(e for e in EFFECTS if e in called)
     chosen = COMBINATIONS[effects]
     turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
     reasons = [f"{e} depends on the speed" for e in effects if "speed" in EFFECTS[e].depends_on]
-    reasons += [f"{e} depends on time" for e in dict.fromkeys(n.partition(".")[0] for n in series)]
+    reasons += [f"{e} depends on time" for e in effects if e in series]
     reasons += [f"friction depends on {'the speed' if x == 'speed' else x}" for x in by if x != "slip"]
     heats = "pressurisation" in chosen.functions
     if law == "constant" and not turns and not heats and reasons == ["shaking depends on time"]:

@@ -93,7 +93,9 @@ class Scene:
             found += said
             if not said and isinstance(self.arc, Arc):
                 gravity = np.unique(self.arc.gravity).tolist()
-                if "record" in effects[name] and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}):
+                if "record" in effects[name] and (
+                    len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}
+                ):
                     found.append("arc.gravity: must be one number with a record, which is read over gravity; give "
                                  "effects.shaking.horizontal as a Series over gravity instead")  # fmt: skip
                     continue
@@ -115,7 +117,7 @@ class Scene:
     @property
     def called(self) -> Mapping[str, Mapping[str, Any]]:
         """Effects by name, each with its parameters, however they were given."""
-        assert isinstance(self.effects, Mapping)
+        assert isinstance(self.effects, dict)
         return self.effects
 
     @cached_property

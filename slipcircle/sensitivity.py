@@ -232,11 +232,16 @@ class _Chain:
         tangent = slopes.position_tangent(
             fall, press, fall_slope, press_slope, self.weight_growth, self.radial_growth, dip_dot
         )
-        dots = dict(zip(at, tangent, strict=True)) | self.values_dot
+        dots = dict(zip(at, tangent, strict=True))
         dots["mu"] = self.mu_dot * (not solved.start.lifted)
-        known = at | self.values | {"mu": solved.mu}
-        found = slopes.balance_tangent(**known, **{f"{n}_dot": value for n, value in dots.items()})
+        *found, _ = self._balance_dot(at | {"mu": solved.mu}, dots)
         return np.array([self.energy_dot, *found, dots["press"], dots["press_slope"]])
+
+    def _balance_dot(self, at: dict[str, Any], dots: dict[str, Any]) -> Any:
+        """Derivatives of drive, tilt, constant, brake and what presses, from those of what they are made of."""
+        none = dict.fromkeys(("fall", "press", "fall_slope", "press_slope", "mu", "omega_2"), 0.0)
+        dots = {f"{n}_dot": value for n, value in (none | self.values_dot | dots).items()}
+        return slopes.balance_tangent(**(none | self.values | at), **dots)
 
     def _until(self, phase: "Phase", following: "Phase | None") -> str:
         """What ends a phase: "stop", "time", or "change", where water lifts or sets down the mass."""
@@ -250,18 +255,13 @@ class _Chain:
 
     def _pressing(self, x: float, energy: float, phase: "Phase", reduced: Floats) -> tuple[float, float, Floats]:
         """What presses, lambda sigma/Theta*: its slopes by x and by E, and its derivatives at fixed x and E."""
-        at, left = phase.solved.at, 1.0 - self.values["pore_ratio"]
-        if not self.balance.turns:
-            sine, cosine = 0.0, 1.0
-        else:
-            sine, cosine = math.sin(x), math.cos(x)
+        at, turned = phase.solved.at, x if self.balance.turns else 0.0
+        sine, cosine = math.sin(turned), math.cos(turned)
         press = at["press"] * cosine - at["press_slope"] * sine
-        by_x = -left * (at["press"] * sine + at["press_slope"] * cosine) if self.balance.turns else 0.0
+        rise = -at["press"] * sine - at["press_slope"] * cosine if self.balance.turns else 0.0
         press_dot = reduced[5] * cosine - reduced[6] * sine
-        dot = self.values_dot
-        water_dot = dot["level"] * self.values["pore_pressure"] + self.values["level"] * dot["pore_pressure"]
-        found = left * press_dot - press * dot["pore_ratio"] - water_dot + dot["polar"] * energy
-        return by_x, self.values["polar"], found
+        *_, found = self._balance_dot({"press": press, "omega_2": energy}, {"press": press_dot})
+        return self.balance.get("normal", press=rise, level=0.0), self.values["polar"], found
 
     # -- one phase
 

@@ -3,11 +3,13 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slipcircle.balance import Balance, bind
+from slipcircle.checks import number
 from slipcircle.friction import Friction, friction
 from slipcircle.inputs.series import Pulse
 from slipcircle.methods.rest import Rest, never_rests, next_start
@@ -79,13 +81,13 @@ def solve_one(chosen: Plan, tolerance: float | None = None, nudge: float = 0.0) 
 def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
     scene, balance, law = chosen.scene, bind(chosen.scene), friction(chosen.scene.friction)
     balance = balance.nudged(nudge) if nudge else balance
-    scale, radius = float(scene.arc.time_scale), float(np.asarray(scene.arc.radius))
-    follow = _follower(chosen, balance, law, tolerance)
+    scale, radius = balance.time_scale, balance.radius
+    follow, tolerance = _follower(chosen.method), chosen.tolerance if tolerance is None else tolerance
     two_way = bool(scene.called.get("shaking", {}).get("two_way", False))
-    omega = float(np.asarray(scene.initial_velocity)) / radius * scale
-    end_time = None if scene.end_time is None else float(np.asarray(scene.end_time))
+    omega = number(scene.initial_velocity) / radius * scale
+    end_time = None if scene.end_time is None else number(scene.end_time)
     end = math.inf if end_time is None else end_time / scale
-    direction = int(np.sign(omega))
+    direction = (omega > 0.0) - (omega < 0.0)
     time = rotation = slip = excess = 0.0
     energy, phases, arrested, change = omega**2, list[Phase](), False, None
     whole = balance
@@ -113,11 +115,11 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
                 break
         # Just after a change nothing presses, to rounding: from then on it is the other way.
         if change is None:
-            lifted = _lifted(balance, rotation, direction, energy, time, excess)
+            lifted = balance.lightened and _lifted(balance, rotation, direction, energy, time, excess)
         else:
             lifted = not phases[-1].solved.start.lifted
         start = Start(rotation, direction, energy, slip, lifted, excess)
-        solved = follow(start, end - time, time)
+        solved = follow(balance, law, start, end - time, time, tolerance)
         change = solved.change
         duration = solved.duration if change is None else change[0]
         stop, solved.longest = time + duration, min(solved.longest, duration)
@@ -143,28 +145,26 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
     return Motion(chosen, whole, phases, duration, arrested)
 
 
-def _follower(
-    chosen: Plan, balance: Balance, law: Friction, tolerance: float | None
-) -> "Callable[[Start, float, float], Followed]":
-    """What solves one phase, from its start, its longest duration and its time; only its module is imported."""
-    if chosen.method in (CLOSED_IN_TIME, STEPPING):
+@cache
+def _follower(method: str) -> "Callable[[Balance, Friction, Start, float, float, float], Followed]":
+    """What solves one phase, from its start, its longest duration, its time and a tolerance; only it is imported."""
+    if method in (CLOSED_IN_TIME, STEPPING):
         from slipcircle.methods.frozen import Frozen
 
-        return lambda start, longest, time: Frozen(balance, law, start, longest)
-    if chosen.method == INTEGRATION:
+        return lambda balance, law, start, longest, time, tolerance: Frozen(balance, law, start, longest)
+    if method == INTEGRATION:
         try:
             from slipcircle.methods.integrate import Integrated
         except ImportError as error:
             raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
-        wanted = chosen.tolerance if tolerance is None else tolerance
-        return lambda start, longest, time: Integrated(balance, law, start, longest, time, wanted)
-    if chosen.method == LINEAR_SYSTEM:
+        return Integrated
+    if method == LINEAR_SYSTEM:
         from slipcircle.methods.heated import Heated
 
-        return lambda start, longest, time: Heated(balance, law, start, longest)
+        return lambda balance, law, start, longest, time, tolerance: Heated(balance, law, start, longest)
     from slipcircle.methods.phaseplane import Course
 
-    return lambda start, longest, time: Course(balance, law, start, longest)
+    return lambda balance, law, start, longest, time, tolerance: Course(balance, law, start, longest)
 
 
 def _stepped(balance: Balance, law: Friction, omega: float, end: float, two_way: bool) -> "Stepped":

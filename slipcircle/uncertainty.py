@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.friction import friction
+from slipcircle.methods.collocation import EPS
 from slipcircle.methods.frozen import Frozen
-from slipcircle.methods.phaseplane import EPS, Course
+from slipcircle.methods.phaseplane import Course
 from slipcircle.methods.stepping import Stepped
 from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM
 
@@ -138,7 +139,7 @@ def _undecided(motion: "Motion", doubt: Doubt) -> bool:
 def _frozen(solved: Frozen, phase: "Phase", before: Doubt) -> tuple[Doubt, Inside]:
     """By the drive, a small difference near the limit, and the formulas' rounding."""
     unit, at, a = ROUNDING * EPS, solved.at, abs(solved.a)
-    b = float(solved.balance.get("brake", mu=solved.mu))
+    b = solved.b
     terms = abs(at["fall"]) + abs(solved.balance.get("constant", mu=solved.mu))
     terms += solved.mu * abs(solved.balance.get("normal", **at))
     elapsed, omega_0 = phase.end - phase.start, solved.omega_0

@@ -257,6 +257,14 @@ def test_an_error_above_the_bound_is_said_first(tier: str, tiered: Callable[...,
     assert said.partition(".")[0].count(f"{tier}, ") == 3
 
 
+def test_where_results_underflow_another_bound_holds() -> None:
+    points = np.array([3e-103, 1e-90])
+    row = Row(MEASURED, "best, fused", 1e-16, (0.1,), 1.0, bound=2e-16, bound_ulp=0.65, ulp=0.94, ours=True)
+    for ulp, said in ((np.array([0.94, 0.6]), False), (np.array([0.94, -0.7]), True)):
+        measured = replace(row, profile=cost.Profile(points, ulp, ulp))
+        assert ("above what is proved" in costtext.verdict([measured])) == said
+
+
 # --- rows ----------------------------------------------------------------------------------------------------------
 
 

@@ -19,9 +19,9 @@ from slipcircle.inputs.scenefile import read
 from slipcircle.inputs.scenekeys import schema
 from slipcircle.studies.distributions import DISTRIBUTIONS, Uncertain
 from slipcircle.studies.ensembles import Ensemble, grid
-from slipcircle.studies.estimates import histogram_quantile, indices, proportion, ranks
+from slipcircle.studies.estimates import histogram_quantile, indices, pooled, proportion, ranks, spread
 from slipcircle.studies.sampling import directions, latin, monte_carlo, sobol
-from slipcircle.studies.study import BIN_ERROR, BINS, bins, edges, sums
+from slipcircle.studies.study import BIN_ERROR, BINS, OUTPUTS, bins, edges, moments, sums
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = Scene.load("vaiont")
@@ -40,6 +40,8 @@ angle_deg = { distribution = "normal", mean = 10, std = 1 }
 [centripetal]
 [cohesion]
 cohesion_kPa = { distribution = "uniform", low = 0, high = 5 }
+[pore_pressure]
+pressure_kPa = { distribution = "triangular", low = 0, mode = 1, high = 3 }
 """
 
 
@@ -68,7 +70,10 @@ SCIPY: list[tuple[str, dict[str, float], Any]] = [
 @pytest.mark.parametrize(("name", "given", "wanted"), SCIPY, ids=lambda x: x if isinstance(x, str) else "")
 def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -> None:
     p = np.concatenate([[1e-12, 1e-6], np.linspace(0.001, 0.999, 97), [1 - 1e-6]])
-    np.testing.assert_allclose(Uncertain("", name, given).drawn(p), wanted.ppf(p), rtol=1e-9)
+    found = Uncertain("", name, given)
+    np.testing.assert_allclose(found.drawn(p), wanted.ppf(p), rtol=1e-9)
+    mean, std = wanted.stats("mv")
+    assert found.moments == pytest.approx((mean, np.sqrt(std)), rel=1e-6, abs=1e-12)
     assert {n for n, _, _ in SCIPY} == set(DISTRIBUTIONS)
 
 
@@ -77,7 +82,8 @@ def test_a_file_declares_them(file: Path) -> None:
     import tomllib
 
     scene = read(file)
-    assert list(scene.uncertain) == ["radius", "theta_2", "unit_weight", "friction", "cohesion.cohesion"]
+    assert list(scene.uncertain) == ["radius", "theta_2", "unit_weight", "friction", "pore_pressure.pressure",
+                                    "cohesion.cohesion"]  # fmt: skip
     assert scene.friction == pytest.approx(math.tan(math.radians(10)), rel=1e-15)
     assert scene.arc.unit_weight == pytest.approx(1e3 * stats.triang(0.4, 18, 5).median(), rel=1e-14)
     assert scene.called["cohesion"]["cohesion"] == 2500.0
@@ -187,6 +193,20 @@ def test_proportion_and_ranks_cover() -> None:
         assert high == n + 1 or below.cdf(high - 2) < 0.975 <= below.cdf(high - 1)
 
 
+def test_moments_of_parts_are_those_of_the_whole() -> None:
+    """In any parts, empty ones too; the errors of mean and standard deviation are those that many samples show."""
+    values = np.random.default_rng(2).gamma(2.0, 3.0, 5000) + 1e4
+    found = np.zeros(5)
+    for part in np.split(values, [0, 1, 7, 7, 1000, 4990]):
+        found = pooled(found, moments(part))
+    mean = float(np.mean(values))
+    off = [math.fsum((values - mean) ** k) for k in (2, 3, 4)]
+    np.testing.assert_allclose(found, np.array([5000.0, mean, *off]), rtol=1e-9)
+    each = np.array([spread(moments(x)) for x in np.random.default_rng(3).gamma(2.0, 3.0, (2000, 400))])
+    np.testing.assert_allclose(each[:, 1].mean(), each[:, 0].std(), rtol=0.05)
+    np.testing.assert_allclose(each[:, 3].mean(), each[:, 2].std(), rtol=0.07)
+
+
 def test_bins() -> None:
     values = np.concatenate(
         [[0.0, 1e-300, 1e300, np.inf], 10 ** np.random.default_rng(1).uniform(-8, 8, 1000), edges()[1:-1]]
@@ -250,6 +270,76 @@ def test_indices_and_their_intervals(case: str) -> None:
     assert all(math.isnan(e.value) for e in (*flat.first, *flat.total))
 
 
+# --- linear propagation ----------------------------------------------------------------------------------------------
+
+
+def scalar(scene: Scene, angles: Any, radii: Any) -> Any:
+    """Run-out, peak velocity and duration of draws, each by the scalar solver."""
+    rows = []
+    for angle, radius in zip(angles.tolist(), radii.tolist(), strict=True):
+        arc = replace(scene.arc, radius=radius)
+        motion = solve(replace(scene, arc=arc, friction=math.tan(math.radians(angle)), uncertain={}))
+        rows.append((motion.run_out, float(motion.peak.velocity), motion.duration))
+    return np.array(rows).T
+
+
+@pytest.mark.parametrize("keep", [True, False], ids=["kept", "streamed"])
+@pytest.mark.parametrize("method", ["monte-carlo", "sobol"])
+def test_linear_propagation_of_narrow_inputs(method: str, keep: bool) -> None:
+    """As draws of NumPy through the scalar solver scatter, and as the samples: nothing to warn of."""
+    given: Any = {"friction.angle_deg": {"distribution": "normal", "mean": 14, "std": 0.05},
+                  "arc.radius_m": {"distribution": "uniform", "low": 1490, "high": 1500}}  # fmt: skip
+    found = ensemble(replace(VAIONT, uncertain=given), 4096, 2, method=method, keep=keep)
+    rng = np.random.default_rng(8)
+    drawn = scalar(VAIONT, rng.normal(14, 0.05, 300), rng.uniform(1490, 1500, 300))
+    for name, values in zip(OUTPUTS, drawn, strict=True):
+        mean, error, std, std_error = spread(moments(values))
+        linear = found.linear[name]
+        assert linear.mean == pytest.approx(mean, abs=4 * error)
+        assert linear.std == pytest.approx(std, abs=4 * std_error)
+        for estimate, value in ((found.mean(name), linear.mean), (found.std(name), linear.std)):
+            # Twice the interval, and what is of second order, which a Sobol sequence is good enough to show.
+            assert abs(value - estimate.value) <= estimate.high - estimate.low + 0.01 * linear.std
+            assert (estimate.high - estimate.low) < (0.1 if method == "monte-carlo" else 0.01) * linear.std
+    assert found.warnings == []
+    assert found.no_linear == ""
+
+
+@pytest.mark.parametrize(("mean", "moves"), [(20.0, True), (24.0, False)])
+def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
+    """Of these a part stays where it is, at the means of the second case as well: the derivatives see nothing of it."""
+    wide: Any = {"distribution": "normal", "mean": mean, "std": 2.5}
+    found = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": wide}), 4096, 2)
+    rng = np.random.default_rng(9)
+    drawn = scalar(VAIONT, rng.normal(mean, 2.5, 400), np.full(400, VAIONT.arc.radius))
+    for k, name in enumerate(OUTPUTS):
+        _, _, std, error = spread(moments(drawn[k]))
+        assert found.std(name).value == pytest.approx(std, abs=4 * error)
+        assert abs(found.linear[name].std - std) > max(0.05 * std, 3 * error)
+        assert (found.linear[name].std > 0.0) == moves
+        said = [w for w in found.warnings if w.startswith(name.replace("_", " "))]
+        assert len(said) == 1
+        assert "trust the samples" in said[0]
+
+
+def test_where_nothing_is_propagated() -> None:
+    """What has no derivative says so; a unit weight moves nothing here, and rounding is no disagreement."""
+    angle: Any = {"distribution": "normal", "mean": 5, "std": 0.2}
+    softening = replace(Scene.load("vaiont-softening"), uncertain={"friction.residual_deg": angle})
+    cases: list[tuple[Scene, str]] = [
+        (softening, "closed form"),
+        (replace(VAIONT, uncertain={"friction": stats.cauchy(0.2, 0.01)}), "no finite mean"),
+        (replace(VAIONT, uncertain={"initial_velocity": stats.norm(0, 0.1)}), "no derivative by it"),
+    ]
+    for scene, said in cases:
+        found = ensemble(scene, 20, 1)
+        assert dict(found.linear) == {}
+        assert said in found.no_linear
+        assert found.mean("run_out").low < found.mean("run_out").high
+        assert json.dumps(found.record(), allow_nan=False)
+    assert ensemble(replace(VAIONT, uncertain={"arc.unit_weight_kN_m3": stats.norm(20, 1)}), 500, 1).warnings == []
+
+
 # --- what an ensemble finds ------------------------------------------------------------------------------------------
 
 
@@ -278,15 +368,22 @@ def test_intervals_cover() -> None:
     """Of 120 small ensembles about 95 % of the intervals hold the answer."""
     median, q95 = exact(0.5)[0], exact(0.95)[0]
     inside = np.zeros(3)
+    nodes, weights = np.polynomial.hermite_e.hermegauss(24)
+    runs = [solve(replace(VAIONT, friction=math.tan(math.radians(14 + z)))).run_out for z in nodes]
+    mean = np.average(runs, weights=weights)
+    std = math.sqrt(np.average((runs - mean) ** 2, weights=weights))
+    moment = np.zeros(2)
     for seed in range(120):
         plain, quasi = ensemble(ONE, 400, seed), ensemble(ONE, 256, seed, method="sobol") if seed % 6 == 0 else None
         for k, (e, x) in enumerate(((plain.quantile("run_out", 0.5), median), (plain.quantile("run_out", 0.95), q95))):
             inside[k] += e.low <= x <= e.high
+        moment += [e.low <= x <= e.high for e, x in ((plain.mean("run_out"), mean), (plain.std("run_out"), std))]
         if quasi:
             e = quasi.quantile("run_out", 0.5)
             inside[2] += 6 * (e.low <= median <= e.high)
     assert np.all(inside[:2] / 120 > 0.91)
     assert inside[2] / 120 > 0.8
+    assert np.all(moment / 120 > 0.9)
 
 
 def test_the_probability_of_moving() -> None:
@@ -381,7 +478,7 @@ def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     table = tmp_path / "a.csv"
     argv = ["sweep", "vaiont", "--grid", "friction.angle_deg=8:12:41", "--grid", "arc.radius_m=1000,1500"]
     assert main([*argv, "--csv", str(table)]) == 0
-    assert "82 scenes: 82 RESTS" in capsys.readouterr().out
+    assert "82 scenes: 82 rests" in capsys.readouterr().out
     head, *rows = table.read_text("utf-8").splitlines()
     assert head == "friction.angle_deg,arc.radius_m,run_out (m),peak_velocity (m/s),duration (s),status"
     assert len(rows) == 82
@@ -399,7 +496,10 @@ def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
         (["vaiont", "--grid", "friction.angle_deg=1,2", "--grid", "friction.angle_deg=3"], "each key once"),
         (["vaiont", "--grid", "friction.angle_deg=8:12:9999", "--grid", "arc.radius_m=1:9:9999"], "67108864 at most"),
         (["vaiont", "--grid", "friction.angle_deg=1:2:1000000000000"], "not enough memory"),
-        (["vaiont", "--grid", "friction.angle_deg=1", "--engine", "threads", "--workers", "0"], "--workers 0: must be 1"),
+        (
+            ["vaiont", "--grid", "friction.angle_deg=1", "--engine", "threads", "--workers", "0"],
+            "--workers 0: must be 1",
+        ),
         (["vaiont", "--grid", "friction.angle_deg=1", "--csv", "/no/such/place.csv"], "there is no folder /no/such"),
         (["vaiont", "--samples", "9", "--uncertain", "friction.angle_deg=normal:1"], "normal:mean:std, lognormal:mean"),
         (

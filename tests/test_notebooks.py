@@ -245,6 +245,60 @@ def test_key_numbers_of_vaiont() -> None:
     assert numbers["dip_at_rest_deg"] == pytest.approx(23.95 - np.degrees(float(steps[3].end.rotation)), abs=0.006)
 
 
+def test_key_numbers_of_the_ensemble() -> None:
+    """Beside another sample, drawn by NumPy and solved as one scene of arrays, and differences of single motions."""
+    numbers, scene = key_numbers("5_an_uncertain_slide.ipynb"), Scene.load("vaiont")
+    draw, n = np.random.default_rng(7), 50_000
+    angle, ratio = draw.normal(10.0, 1.5, n), draw.triangular(0.0, 0.05, 0.2, n)
+    first, radius = draw.normal(215.2, 1.0, n), draw.normal(1492.6, 50.0, n)
+
+    def slide(angle: Any, ratio: Any, first: Any, radius: Any) -> Any:
+        water = {**scene.called, "pore_pressure": {"ratio": ratio}}
+        arc = replace(scene.arc, theta_1=np.deg2rad(first), radius=radius)
+        return solve(replace(scene, arc=arc, friction=np.tan(np.deg2rad(angle)), effects=water))
+
+    many = slide(angle, ratio, first, radius)
+    for name, values, wide in (("run_out", many.run_out, 4.0), ("peak_velocity", many.peak.velocity, 0.15)):
+        assert numbers[name] == pytest.approx(np.quantile(values, [0.05, 0.5, 0.95]).tolist(), abs=wide)
+    seen = many.run_out <= 450.0
+    hits, rare = numbers["as_observed"]
+    assert abs(np.sum(seen) - hits / 4) < 4 * math.sqrt(hits / 4 * 1.25)
+    assert rare == 0 == np.sum(seen & (many.peak.velocity >= 20.0))
+    assert numbers["turn_back"] == pytest.approx(np.mean(many.duration > 60.0), abs=0.006)
+    # What is left of the variance when all but one are known: pairs of slides that share these.
+    other = slide(draw.normal(10.0, 1.5, n), ratio, first, radius)
+    share = np.mean((other.run_out - many.run_out) ** 2) / (2 * np.var(many.run_out))
+    assert numbers["total_index"]["friction.angle_deg"] == pytest.approx(share, abs=0.02)
+    # Derivatives as differences of single motions, at the means.
+    mean, std = np.array([10.0, 0.25 / 3, 215.2, 1492.6]), np.array([1.5, math.sqrt(0.0325 / 18), 1.0, 50.0])
+    steps = [np.where(np.arange(4) == k, 1e-4 * mean, 0.0) for k in range(4)]
+    for name, got in numbers["linear_std"].items():
+        ends = [(_output(slide(*(mean + h)), name), _output(slide(*(mean - h)), name)) for h in steps]
+        slopes = [(a - b) / (2e-4 * x) for (a, b), x in zip(ends, mean, strict=True)]
+        assert got == pytest.approx(math.hypot(*(std * slopes)), abs=0.01)
+    # What the friction angles that it found give.
+    for target, (found, speed, late) in numbers["back"].items():
+        motion = solve(replace(scene, friction=math.tan(math.radians(found))))
+        assert numbers_of(motion) == pytest.approx([speed, float(target), late], abs=0.06)
+    for r, found in zip(np.linspace(0.0, 0.3, 7), numbers["angle_with_water"], strict=True):
+        assert slide(found, float(r), 215.2, 1492.6).run_out == pytest.approx(400.0, abs=0.06)
+    best, chi = numbers["both"]
+    angles = np.linspace(best - 0.2, best + 0.2, 401)
+    swept = slide(angles, 0.0, 215.2, 1492.6)
+    missed = ((swept.run_out - 400.0) / 50.0) ** 2 + ((swept.peak.velocity - 25.0) / 2.5) ** 2
+    assert angles[np.argmin(missed)] == pytest.approx(best, abs=0.002)
+    assert np.min(missed) == pytest.approx(chi, abs=0.01)
+    # 1e9 scenes: blocks on workers, or what hands them out.
+    small, large = numbers["region"]["65536"], numbers["region"]["262144"]
+    assert small == pytest.approx([1526 * 0.045, 15259 * 0.0029], abs=0.5)
+    assert large == pytest.approx([382 * 0.179, 3815 * 0.0029], abs=0.5)
+    assert "us each" in printed(run(ROOT / "notebooks" / "5_an_uncertain_slide.ipynb"), "timed-cost")
+
+
+def _output(motion: Any, name: str) -> float:
+    return float(motion.peak.velocity if name == "peak_velocity" else getattr(motion, name))
+
+
 def written(notebook: Any) -> str:
     """Its text, as these files are written."""
     return str(nbformat.writes(notebook)) + "\n"

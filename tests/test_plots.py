@@ -5,7 +5,6 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import matplotlib
@@ -18,7 +17,9 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
 from slipcircle import Arc, Motion, Scene, plan, solve
-from slipcircle.outputs import plots, plotstyle
+from slipcircle.inputs.series import Pulse, Series
+from slipcircle.outputs import pictures, plots, plotstyle
+from slipcircle.outputs.report import report
 from slipcircle.outputs.trace import UNITS, csv, trace
 
 matplotlib.use("agg")
@@ -29,7 +30,14 @@ def scene(first: float, second: float, friction: Any, effects: Any, radius: floa
 
 
 BOTH = ["rotation", "centripetal"]
-SCENES = {name: Scene.load(name) for name in ("vaiont", "vaiont-frozen", "vaiont-softening", "wet-slope")} | {
+SHIPPED = ("vaiont", "vaiont-frozen", "vaiont-softening", "vaiont-rate", "vaiont-heated", "vaiont-shaken",
+           "newmark-pulse", "wet-slope")  # fmt: skip
+RISING = Series(np.array([0.0, 1.0, 4.0]), np.array([0.0, 0.0, 1.5e5]))
+CALMING = {"law": "prescribed", "time": [0.0, 2.0, 5.0], "coefficient": [0.45, 0.2, 0.35]}
+SCENES = {name: Scene.load(name) for name in SHIPPED} | {
+    "rising water": scene(215, 280, 0.45, {"rotation": {}, "pore_pressure": {"pressure": RISING}}, end_time=12.0),
+    "by time": scene(215, 280, CALMING, ["rotation"], end_time=8.0),
+    "shaken still": scene(215, 260, 0.9, {"shaking": {"horizontal": Pulse("triangular", 0.1, 0.0, 1.0)}}),
     "swings": scene(215, 280, 0.0, BOTH, end_time=60.0, name="swings, a name with $ and <"),
     "first stop": scene(215, 280, 0.0, ["rotation"]),
     "damped": scene(215, 280, 0.02, BOTH),
@@ -90,7 +98,7 @@ def clashes(figure: Any) -> list[str]:
 
 @each_scene
 def test_no_text_lies_on_another(name: str) -> None:
-    figure = Figure(figsize=(14.0, 10.0), dpi=60, layout="constrained")
+    figure = Figure(figsize=plots.size(motion(name)), dpi=60, layout="constrained")
     FigureCanvasAgg(figure)
     assert plots.overview(motion(name), figure) is figure
     assert len(list(texts(figure))) > 15
@@ -164,8 +172,9 @@ def test_trace_is_the_motion_and_balances(name: str) -> None:
     assert all(c.shape == columns["time"].shape for c in columns.values())
     assert float(columns["displacement"][-1]) == pytest.approx(m.run_out, rel=1e-12)
     start = float(m.energy.kinetic_start)
-    given, spent = start + columns["work"], columns["kinetic_energy"] + columns["dissipation"]
-    assert np.allclose(given, spent, rtol=0.0, atol=1e-9 * max(float(np.max(np.abs(given))), 1e-300))
+    given = start + columns["work_of_gravity_and_shaking"]
+    spent = columns["kinetic_energy"] + columns["dissipation"]
+    assert np.allclose(given, spent, rtol=0.0, atol=1e-8 * max(float(np.max(np.abs(given))), 1e-300))
     if m.moves:
         assert float(m.peak.time) in columns["time"]
         assert np.max(np.abs(columns["velocity"])) == pytest.approx(abs(float(m.peak.velocity)), rel=1e-9)
@@ -189,6 +198,90 @@ def test_friction_to_stand_still_crosses_at_the_peak() -> None:
     at_peak = int(np.flatnonzero(columns["time"] == float(m.peak.time))[0])
     assert columns["holding_friction"][at_peak] == pytest.approx(0.15, abs=1e-7)
     assert columns["holding_friction"][0] == pytest.approx(m.limit_friction)
+
+
+def test_friction_is_that_of_the_speed() -> None:
+    """By the law as it is declared: halfway at 0.0017 m/s; and at rest, before and after, its peak."""
+    columns = trace(motion("vaiont-rate"))
+    peak, residual = np.tan(np.deg2rad([10.0, 5.0]))
+    by_hand = residual + (peak - residual) / (1.0 + np.abs(columns["velocity"]) / 0.0017)
+    assert np.allclose(columns["friction"], by_hand, rtol=1e-14)
+    assert columns["friction"][0] == columns["friction"][-1] == pytest.approx(peak)
+    assert np.min(columns["friction"]) < 1.001 * residual
+
+
+def test_friction_is_that_of_the_time() -> None:
+    columns = trace(motion("by time"))
+    assert np.allclose(columns["friction"], np.interp(columns["time"], [0.0, 2.0, 5.0], [0.45, 0.2, 0.35]), rtol=1e-14)
+    assert {2.0, 5.0} <= set(columns["time"].tolist())  # where it bends
+    moving = columns["velocity"] != 0.0
+    assert np.any(~moving[1:])
+    first = int(np.flatnonzero(moving)[0])  # it starts where friction falls to what holds it
+    assert columns["friction"][first] == pytest.approx(columns["holding_friction"][first], rel=1e-3)
+
+
+def test_water_that_heat_presses_is_what_friction_has_dissipated() -> None:
+    """Undrained and adiabatic, Lambda/(rho c h) of each joule on a square metre of the layer is pore pressure."""
+    m = motion("vaiont-heated")
+    arc, columns = m.plan.scene.arc, trace(m)
+    layer = float(arc.radius) * float(arc.theta_2 - arc.theta_1)  # type: ignore[arg-type, operator]
+    added = 0.025e6 / (2.7e6 * 0.1) * columns["dissipation"] / layer
+    wanted = columns["normal_stress"] - added
+    pressed = wanted > 1e3
+    assert 0 < np.count_nonzero(~pressed) < len(pressed)
+    assert np.allclose(columns["effective_stress"][pressed], wanted[pressed], rtol=1e-6)
+
+
+def test_water_that_rises_relieves_at_its_time() -> None:
+    columns = trace(motion("rising water"))
+    relieved = columns["normal_stress"] - columns["effective_stress"]
+    wanted = np.minimum(np.interp(columns["time"], [0.0, 1.0, 4.0], [0.0, 0.0, 1.5e5]), columns["normal_stress"])
+    assert np.allclose(relieved, wanted, rtol=1e-12, atol=1e-6)
+    assert np.max(relieved) > 9e4
+
+
+def test_shaking_holds_and_works() -> None:
+    """By the section's weight and centre: a circular segment, pulled along k_h and (1 - k_v)."""
+    m = motion("vaiont-shaken")
+    arc, columns = m.plan.scene.arc, trace(m)
+    radius, first, second = (float(np.asarray(x)) for x in (arc.radius, arc.theta_1, arc.theta_2))
+    alpha, dip = (second - first) / 2, 1.5 * np.pi - (first + second) / 2
+    lever = 2 / 3 * np.sin(alpha) ** 3 / (alpha - np.sin(alpha) * np.cos(alpha))
+    weight = 20e3 * radius**2 * (alpha - np.sin(alpha) * np.cos(alpha))
+
+    def shaken(t: Any) -> Any:
+        return np.where(t < 10.0, np.sin(2 * np.pi * t), 0.0)
+
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    edges = np.unique(np.concatenate([np.arange(0.0, m.duration, 0.05), [10.0, m.duration]]))
+    half = np.diff(edges) / 2
+    t = edges[:-1, None] + half[:, None] * (nodes + 1.0)
+    state = m.at(t.ravel())
+    psi, omega, wave = dip - state.rotation, state.angular_velocity, shaken(t.ravel())
+    moment = weight * lever * radius * ((1.0 - 0.05 * wave) * np.sin(psi) + 0.15 * wave * np.cos(psi))
+    work = float(np.sum((moment * omega).reshape(t.shape) @ weights * half))
+    assert columns["work_of_gravity_and_shaking"][-1] == pytest.approx(work, rel=1e-5)
+    gravity = weight * lever * radius * (np.cos(dip - float(m.end.rotation)) - np.cos(dip))
+    assert abs(work - gravity) > 0.001 * gravity  # what shaking adds shows
+    # At rest, friction is the ratio of two arms times the tangent of the resultant's dip, down-slope.
+    wave, psi = shaken(columns["time"]), dip - columns["rotation"]
+    tilted = np.sign(psi) * (psi + np.arctan2(0.15 * wave, 1.0 - 0.05 * wave))
+    wanted = m.limit_friction / np.tan(dip) * np.maximum(np.tan(tilted), 0.0)
+    assert np.allclose(columns["holding_friction"], wanted, rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "words"), [("vaiont", "work of gravity"), ("vaiont-shaken", "work of gravity and shaking")]
+)
+def test_work_is_said_to_be_of_what_does_it(name: str, words: str) -> None:
+    said = [t.get_text() for t in plots.phase_plane(motion(name), drawn()).get_legend().get_texts()]
+    assert words in said
+    assert words in report([motion(name)])
+
+
+def test_every_sample_and_jump_of_the_shaking_is_there() -> None:
+    time = trace(motion("newmark-pulse"))["time"].tolist()
+    assert {0.5, np.nextafter(0.5, 0.0), 0.9, np.nextafter(0.9, 0.0)} <= set(time)
 
 
 def test_nothing_rubs_where_water_carries_the_mass() -> None:
@@ -242,6 +335,7 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     said = " ".join(t.get_text() for t in ax.get_legend().get_texts())
     assert f"depth {plotstyle.number(float(arc.depth))} m" in said
     assert f"$R$ = {plotstyle.number(radius)} m" in said
+    assert ("frozen geometry" in said) == (m.moves and "rotation" not in m.plan.effects)
     assert ("tangential" in said) == (name not in ("swings", "first stop", "lifted"))
 
 
@@ -271,10 +365,24 @@ def test_ladder() -> None:
     assert clashes(ax.figure) == []
 
 
-def test_animation(tmp_path: Path) -> None:
-    plots.animate(motion("wet-slope"), str(tmp_path / "slide.gif"), frames=3)
-    assert (tmp_path / "slide.gif").read_bytes().startswith(b"GIF89a")
-    assert [p.name for p in tmp_path.iterdir()] == ["slide.gif"]
+def test_animation_moves_the_mass() -> None:
+    m, figure = motion("wet-slope"), Figure(layout="constrained")
+    FigureCanvasAgg(figure)
+    played = plots.animate(m, figure, 5)
+    played._init_draw()  # which else complains that nothing was rendered
+    moving = [p for p in figure.axes[0].patches if isinstance(p, Polygon)][-1]
+    for frame in (0, 2, 4):
+        played._func(frame)
+        state = m.at(m.duration * frame / 4)
+        x, y = moving.get_xy()[0]
+        assert np.arctan2(y, x) % (2 * np.pi) == pytest.approx(
+            float(np.asarray(m.plan.scene.arc.theta_1)) + float(state.rotation)
+        )
+        assert f"{float(state.velocity):.2f} m/s" in figure.get_suptitle()
+
+
+def test_a_moving_picture_is_a_gif() -> None:
+    assert pictures.overview([motion("still")], "gif").startswith(b"GIF89a")
 
 
 def test_an_axis_is_made_where_none_is_given() -> None:

@@ -6,6 +6,7 @@ import json
 import re
 import shlex
 import sys
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -165,6 +166,32 @@ def test_a_scene_without_a_file_shows_its_fields() -> None:
     assert shown["cohesion.cohesion"][1:3] == ("1000.0", "Pa")
     assert shown["end_time"].value == "when the mass rests"
     assert "friction.residual" in report([m])
+
+
+def test_inputs_of_a_rate_and_of_distributions() -> None:
+    """A law of speed that multiplies one of slip has its own keys; what is uncertain says how."""
+    law = "law = 'linear'\npeak_deg = 15\nresidual_deg = 10\nlength_m = 2\n[friction.rate]\nlaw = 'rate_tabulated'\n"
+    law += "speed_m_s = [0.1, 10]  # tests\ncoefficient = [1, 0.8]\n[shaking]\namplitude_g = 0.1"
+    drawn = "radius_m = { distribution = 'normal', mean = 1490, std = 10 }  # the map"
+    found = {i.path: i[1:] for i in inputs(Scene.load("vaiont"), f"[arc]\n{drawn}\n[friction]\n{law}\n")}
+    assert found["friction.rate.speed_m_s"] == ("0.1, 10.0", "m/s", "speeds of the table, increasing", "tests")
+    assert found["friction.rate.coefficient"][2] == "friction coefficients at these speeds"
+    assert found["friction.peak_deg"][1] == "deg"
+    assert found["shaking.amplitude_g"][:2] == ("0.1", "g")
+    assert found["arc.radius_m"] == ("normal: mean 1490, std 10", "m", "radius of the slip circle", "the map")
+    rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.5, "velocity": 0.1}
+    slip = {"law": "linear", "peak": 0.4, "residual": 0.2, "length": 1.0, "rate": rate}
+    shown = {i.path: i for i in inputs(Scene(Scene.load("vaiont").arc, slip, ["rotation"]))}
+    assert shown["friction.rate.velocity"][1:3] == ("0.1", "m/s")
+    assert shown["friction.law"].value == "linear"
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_motion_of_uncertain_numbers_says_where_they_are() -> None:
+    drawn = {"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1}}
+    said = "at the median of friction.angle_deg;"
+    assert said in report([solve(replace(Scene.load("vaiont"), uncertain=drawn))])
+    assert said not in report([motion("wet-slope")])
 
 
 @pytest.mark.usefixtures("quick")

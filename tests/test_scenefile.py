@@ -19,6 +19,7 @@ from slipcircle.__main__ import main
 from slipcircle.arc import QUANTITIES
 from slipcircle.inputs.scenefile import read, shipped
 from slipcircle.inputs.scenekeys import schema, tables_of
+from slipcircle.outputs.guide import guide
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 ROOT = Path(__file__).parents[1]
@@ -251,10 +252,11 @@ MISTAKES = [
      "arc.theta_1 = 15.2 deg, theta_2 = 76.9 deg: it presses on nothing"),
     (ARC + GIVEN.replace("radial_weight = 0.0870\n", "") + FRICTION, "arc.given.radial_weight: is missing: radial wei"),
     (ARC + GIVEN.replace("0.468", "-1") + FRICTION, "arc.given.dynamic_coefficient = -1: must be a number above 0"),
-    (ARC + GIVEN + FRICTION + "[rotation]\n", "Scene slope: arc.given: belongs to the initial position and cannot"),
+    (ARC + GIVEN + FRICTION + "[rotation]\n", "arc.given: belongs to the initial position and cannot"),
     (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa is missing"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
-    (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n", "Scene slope: effects.cohesion.cohesion = inf: must be "),
+    (ARC + FRICTION + "[shaking]\npulse = 'sine'\n", "shaking.amplitude_g: is missing: a pulse needs it"),
+    (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n", "effects.cohesion.cohesion = inf: must be "),
     ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: relative error asked for"),
     ("end_time_s = 0\n" + ARC + FRICTION, "end_time_s = 0: must be a number above 0 (s): time of the end"),
     ("initial_velocity_m_s = nan\n" + ARC + FRICTION, "initial_velocity_m_s = nan: must be a number (m/s): velocity"),
@@ -354,7 +356,15 @@ def test_the_schema_is_one_and_the_shipped_files_obey_it() -> None:
 
 def test_the_schema_refuses_what_reading_refuses(file: Path) -> None:
     """But for what needs the mechanics, and for numbers that JSON does not have."""
-    beyond = ("arc.theta", "Scene slope", "is not TOML", "friction.slip", "friction.slip and")
+    beyond = (
+        "arc.theta",
+        "arc.given: belongs",
+        "shaking.amplitude_g",
+        "effects.cohesion",
+        "is not TOML",
+        "friction.slip",
+        "friction.slip and",
+    )
     for text, said in MISTAKES:
         if not said.startswith(beyond) and not re.search(r"= (nan|inf|1{57})", said):
             assert not valid(tomllib.loads(text)), said
@@ -371,6 +381,32 @@ def test_every_key_has_a_title_and_says_what_is_allowed() -> None:
     xi = schema()["$defs"]["drag"]["properties"]["xi_m_s2"]
     assert xi.pop("anyOf")[0] == {"type": "number", "exclusiveMinimum": 0.0}
     assert xi == {"title": "turbulence coefficient of Voellmy", "description": "a number above 0 (m/s^2)"}
+
+
+def test_the_guide_has_every_law_effect_and_key_and_fits_a_page() -> None:
+    lines = guide().splitlines()
+    assert max(map(len, lines)) <= 100
+    heads = {line[:28].strip() for line in lines}
+    for law in LAWS:
+        assert f'law = "{law}"' in heads
+        keys = {k for table in tables_of(law).values() for k in table.keys} - {"law"}
+        assert keys <= {k for head in heads for k in head.split(" or ")}
+    assert {f"[{effect}]" for effect in EFFECTS} <= heads
+
+
+def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
+    """What makes a parameter dimensionless, as people read it, computed."""
+    names = {"alpha": "half_angle", "g": "gravity", "R": "radius", "rho": "density", "sigma_ref": "reference_stress",
+             "Theta": "Theta"}  # fmt: skip
+    scales = {name: 1.0 + 0.37 * k for k, name in enumerate((*names.values(), "thickness", "heat_capacity"))}
+    known = scales | {short: scales[name] for short, name in names.items()} | {"sqrt": np.sqrt}
+    told = {e: [f.split("* = ") for f in effect.formulas if "* = " in f] for e, effect in EFFECTS.items()}
+    for effect, formulas in told.items():
+        for symbol, formula in formulas:
+            (p,) = (p for p in EFFECTS[effect].parameters if p.symbol == symbol)
+            product = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula)
+            assert np.isclose(eval(product, known | {p.name: 7.0}), p.dimensionless(7.0, scales), rtol=1e-14)
+    assert sum(map(len, told.values())) == 5
 
 
 def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -404,6 +440,7 @@ def command(*argv: str | Path, code: str = "pass") -> subprocess.CompletedProces
 def test_schema_and_a_file_from_the_shell(file: Path) -> None:
     done = command("schema")
     assert (done.returncode, done.stderr, json.loads(done.stdout)) == (0, "", schema())
+    assert command("schema", "--text").stdout == f"{guide()}\n"
     file.write_text(ARC + FRICTION + "[rotation]\n", "utf-8")
     done = command("run", file)
     assert (done.returncode, done.stderr) == (0, "")

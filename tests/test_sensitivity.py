@@ -18,11 +18,13 @@ import references
 from flint import ctx
 from mpmath import mpf
 
+import slipcircle
 from derive import functions, integrate
 from derive import sensitivity as derived
 from derive.quantities import MOMENTS
 from generated import sensitivity as slopes
 from slipcircle import Arc, Motion, Scene, solve
+from slipcircle.__main__ import main
 
 ULP = 2.0**-52
 
@@ -279,3 +281,42 @@ def test_where_there_is_no_derivative() -> None:
     at_limit = replace(scene, friction=float(scene.arc.dimensionless.limit_friction))
     with pytest.raises(ValueError, match="exactly at its limit"):
         solve(at_limit).sensitivity()
+
+
+# --- the command ---------------------------------------------------------------------------------------------------
+
+KEYS = {"friction.angle_deg": 24.0, "arc.theta_2_deg": 280.0, "arc.radius_m": 40.0, "arc.unit_weight_kN_m3": 20.0,
+        "pore_pressure.ratio": 0.35, "cohesion.cohesion_kPa": 3.0}  # fmt: skip
+
+
+def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Per degree and per kPa: against differences of motions whose files differ in that key."""
+    text = (Path(str(slipcircle.__file__)).parent / "scenes" / "wet-slope.toml").read_text("utf-8")
+    assert main(["sensitivity", "wet-slope"]) == 0
+    cells = {line.split()[0]: line.split() for line in capsys.readouterr().out.splitlines() if "." in line}
+    for path, value in KEYS.items():
+        key, step = path.rpartition(".")[2], 1e-4 * value
+        ends = []
+        for x in (value - step, value + step):
+            (tmp_path / "s.toml").write_text(re.sub(rf"^{key} = [0-9.]+", f"{key} = {x!r}", text, flags=re.M), "utf-8")
+            motion = solve(Scene.load(str(tmp_path / "s.toml")))
+            ends.append((float(motion.peak.velocity), motion.run_out, motion.duration))
+        found = cells[path]
+        assert float(found[1]) == value
+        for k in range(3):
+            slope = (ends[1][k] - ends[0][k]) / (2 * step)
+            assert float(found[2 + 2 * k]) == pytest.approx(slope, rel=1e-3)
+            elasticity = slope * value / ((ends[0][k] + ends[1][k]) / 2)
+            assert float(found[3 + 2 * k].strip("()")) == pytest.approx(elasticity, rel=0.06)
+
+
+def test_the_command_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sensitivity", "vaiont", "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    found = solve(Scene.load("vaiont")).sensitivity()
+    by = {p["name"]: p for p in record["parameters"]}
+    assert by["theta_1"]["unit"] == "rad"
+    assert by["theta_1"]["derivatives"]["run_out"] == found.derivative("run_out", "theta_1")
+    assert by["radius"]["elasticities"]["run_out"] == pytest.approx(1.0, abs=1e-12)
+    assert main(["sensitivity", "vaiont-rate"]) == 1
+    assert "need a closed form" in capsys.readouterr().err

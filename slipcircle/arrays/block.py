@@ -210,7 +210,9 @@ class Lanes:
         doubt(self, lanes, at, mu, g, f, stop)
         rotation = g.rotation + g.direction * (np.where(f.cut, f.x, f.end) if cut else f.end)
         way, margin = self._way(lanes, self.at(lanes, rotation if b.turns else None))
-        still = (mu == 0.0) & (pick(b.values.get("cohesion", 0.0), lanes) == 0.0) & np.isinf(until) & b.turns
+        still = (mu == 0.0) & np.isinf(until) & b.turns
+        if np.any(still):
+            still &= pick(b.get("constant", mu=0.0), lanes) == 0.0
         moving = f.cut | still  # at its end time, or without anything that brings it to rest
         alone = ~(f.good & (moving | (margin >= 1e-9)))
         rests = ~(moving | alone)

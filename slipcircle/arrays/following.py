@@ -10,7 +10,7 @@ from generated import balance as functions
 from generated import motion as formulas
 from slipcircle.arrays.courses import Courses, Start
 from slipcircle.arrays.swings import Swings
-from slipcircle.methods.phaseplane import EPS
+from slipcircle.methods.collocation import EPS
 from slipcircle.uncertainty import ROUNDING
 
 if TYPE_CHECKING:

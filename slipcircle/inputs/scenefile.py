@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 import tomllib
 from collections.abc import Mapping
 from difflib import get_close_matches
@@ -109,7 +110,19 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
         mu = friction["coefficient"] if law == "constant" and by_rate is None else friction
         return Scene(arc, mu, effects, **known, uncertain=uncertain)
     except ValueError as error:
-        raise ValueError(f"{file}: {error}") from error
+        said = str(error).removeprefix(f"Scene {known['name']}: ")
+        raise ValueError(f"{file}: {_by_key(said, tables)}") from error
+
+
+def _by_key(said: str, tables: Mapping[str, Table]) -> str:
+    """What an effect says of an argument, said of the key that stands for it in a file."""
+
+    def named(found: re.Match[str]) -> str:
+        effect, name = found.groups()
+        key = next((k for k, key in tables[effect].keys.items() if key.name == name), None)
+        return f"{effect}.{key}:" if key else f"{effect}: {name}"
+
+    return re.sub(r"effects\.(\w+): (\w+)", named, said)
 
 
 def _drawn(

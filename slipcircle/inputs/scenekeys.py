@@ -170,7 +170,7 @@ def model_of(*laws: str, rates: tuple[str, ...] = RATE_LAWS, uncertain: bool = F
         for k, key in table.keys.items():
             number = Annotated[float, Field(**key.limits)]
             either = number | drawn if drawn and name != "given" and key.name != "accuracy" else number
-            kinds = {float: either, list: list[number], (float, list): number | list[number]}
+            kinds = {float: either, list: list[number], (float, list): either | list[number]}
             fields[k] = field(kinds.get(key.type, key.type), key, key.required)
         needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
         needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []

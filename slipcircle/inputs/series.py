@@ -85,6 +85,8 @@ class Series:
             index, said = found
             raise ValueError(f"Series: sample {index + 1}: {said}")
 
+    straight = True  # between its kinks
+
     def __call__(self, t: ArrayLike) -> Any:
         """Values at times, s."""
         outside = {} if self.held else {"left": 0.0, "right": 0.0}
@@ -149,7 +151,7 @@ class Pulse:
         """s."""
         return self.start + self.duration
 
-    @property
+    @cached_property
     def _phase(self) -> float:
         """Radians of the sine that the whole pulse takes."""
         return math.pi * (2 * self.cycles if self.name == "sine" else 1.0)
@@ -160,8 +162,16 @@ class Pulse:
         inside = (time >= self.start) & (time < self.end)
         return np.clip(time - self.start, 0.0, self.duration), np.maximum(time - self.end, 0.0), inside
 
-    def __call__(self, t: ArrayLike) -> Any:
+    @cached_property
+    def straight(self) -> bool:
+        """Whether it is straight between its kinks."""
+        return self.name in ("rectangular", "triangular")
+
+    def __call__(self, t: Any) -> Any:
         """Values at times, s."""
+        if isinstance(t, float) and not self.straight:  # NumPy takes its time with one number
+            acts = self.start <= t < self.end
+            return self.amplitude * math.sin(self._phase * (t - self.start) / self.duration) if acts else 0.0
         tau, _, inside = self._local(t)
         if self.name == "rectangular":
             shape: Any = 1.0

@@ -32,9 +32,9 @@ class Frozen(EndsAtLiftOff):
         self.omega_0 = math.sqrt(start.energy)
         braked = balance.has("brake")
         prefix = "frozen_centripetal" if braked else "frozen"
-        b = (float(balance.get("brake", mu=self.mu)),) if braked else ()
-        self.coefficients = (self.a, *b, self.omega_0)
-        self._state = getattr(functions, "frozen_braked_state" if braked else "frozen_state")
+        self.b = float(balance.get("brake", mu=self.mu))
+        self.coefficients: tuple[float, ...] = (self.a, self.b, self.omega_0) if braked else (self.a, self.omega_0)
+        self._state: Any = functions.frozen_braked_state if braked else functions.frozen_state
         self.stops = self.a < 0.0
         self.duration = self.end = math.inf
         if self.stops:
@@ -44,7 +44,7 @@ class Frozen(EndsAtLiftOff):
 
     def fastest(self) -> tuple[float, float, float, float] | None:
         """Time, x, omega and d(omega)/dt at the greatest speed, at the start, as it is monotone; None if at the end."""
-        falls = self.a <= float(self.balance.get("brake", mu=self.mu)) * self.start.energy
+        falls = self.a <= self.b * self.start.energy
         return (0.0, *self.state(0.0)) if falls else None
 
     def state(self, t: float) -> tuple[float, float, float]:
@@ -96,8 +96,7 @@ class Frozen(EndsAtLiftOff):
 
     @cached_property
     def _losses(self) -> Piecewise:
-        last = self.last
-        b = float(self.balance.get("brake", mu=self.mu))
+        last, b = self.last, self.b
         pace = math.sqrt(abs(self.a) * b) + b * self.omega_0  # of change, at first
         steps = [2.0**k / pace for k in range(80) if 2.0**k / pace < last] if pace > 0.0 else []
         return resolve(self._loss, np.array([0.0, *steps, last]), 4e-15).integral()

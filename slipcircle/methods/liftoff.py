@@ -20,6 +20,8 @@ EPS = 2.0**-52
 def change(solved: "Course | Frozen") -> tuple[float, float, float] | None:
     """Time, x and E at which the mass lifts off or lands, if it does before the phase ends; only water can carry it."""
     balance, heats = solved.balance, solved.balance.has("pressurisation")
+    if not balance.lightened:
+        return None
     if balance.get("normal", press=0.0) == 0.0 and not heats:  # no water that could carry the mass
         return None
     water = abs(balance.get("effective_stress", press=0.0, omega_2=0.0))

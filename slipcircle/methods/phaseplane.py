@@ -5,7 +5,6 @@ exponential softening without brake, on a turning mass; otherwise by collocation
 """
 
 import math
-from bisect import bisect_right
 from collections.abc import Callable
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -17,7 +16,8 @@ from generated import balance as functions
 from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.friction import Friction
-from slipcircle.methods.chebyshev import NODES, Piecewise, accumulate, resolve
+from slipcircle.methods.chebyshev import Piecewise, accumulate, quadrature, resolve
+from slipcircle.methods.collocation import BACK, MEAN, RESOLVED, Panels, Z, over_panels, propose, series_at, solved
 from slipcircle.methods.liftoff import EndsAtLiftOff
 from slipcircle.methods.roots import halley, root, scalar
 
@@ -25,75 +25,10 @@ if TYPE_CHECKING:
     from slipcircle.motion import Start
 
 Floats = NDArray[np.float64]
-EPS = 2.0**-52
-
-# Collocation on [0, 1]: nodes, node values -> series, and node values of f -> the mean of f on [0, z] at the nodes z.
-# Means, not integrals, so that E grows from zero without losing digits. The end is a node (Radau), so that a strong
-# brake forgets errors from panel to panel.
-Z = (np.cos(2 * np.pi * np.arange(NODES) / (2 * NODES - 1)) + 1) / 2
-_GAUSS = (np.polynomial.legendre.leggauss(12)[0] + 1) / 2, np.polynomial.legendre.leggauss(12)[1] / 2
-BACK = np.linalg.inv(np.polynomial.chebyshev.chebvander(2 * Z - 1, NODES - 1))
-
-
-def _mean(z: Floats) -> Floats:
-    inside = np.polynomial.chebyshev.chebvander(2 * z[:, None] * _GAUSS[0] - 1, NODES - 1) @ BACK
-    return np.einsum("zgn,g->zn", inside, _GAUSS[1])
-
-
-MEAN = _mean(Z)
-HAIRS = Z[-1] * np.array([0.0, 1e-6, 1e-4, 1e-2, 0.3])  # places before the first node, and a series' values there
-PLACES = np.concatenate([Z, HAIRS])
-AT_HAIRS = np.polynomial.chebyshev.chebvander(2 * HAIRS - 1, NODES - 1)
-
-
-def _rules() -> tuple[Floats, Floats]:
-    """Nodes on [0, 1] of two Gauss-Legendre rules, and a row of weights for each."""
-    rules = [np.polynomial.legendre.leggauss(n) for n in (14, 22)]
-    weights = np.zeros((2, 36))
-    weights[0, :14], weights[1, 14:] = rules[0][1] / 2, rules[1][1] / 2
-    return (np.concatenate([r[0] for r in rules]) + 1) / 2, weights
-
-
-_RULES = _rules()
-
-
-def energy_on_panels(
-    edges: Floats, values: Floats, means: Floats
-) -> tuple[Callable[[Any], Any], Callable[[float], float]]:
-    """E of arrays and of a float, from its values at the panels' left edges and the series of its mean slope there."""
-
-    def energy(x: Any) -> Any:
-        at = np.asarray(x, dtype=np.float64)
-        k = np.clip(np.searchsorted(edges, at, side="right") - 1, 0, len(edges) - 2)
-        past = at - edges[k]
-        z = 2 * past / (edges[k + 1] - edges[k]) - 1
-        return values[k] + past * np.polynomial.chebyshev.chebval(z, means[:, k], tensor=False)
-
-    bounds, starts, series = edges.tolist(), values.tolist(), means.T[:, ::-1].tolist()
-
-    def at(x: float) -> float:
-        k = min(max(bisect_right(bounds, x) - 1, 0), len(bounds) - 2)
-        past = x - bounds[k]
-        z, one, two = 2 * (2 * past / (bounds[k + 1] - bounds[k]) - 1), 0.0, 0.0
-        for c in series[k][:-1]:  # Clenshaw's recurrence
-            one, two = c + z * one - two, one
-        return float(starts[k] + past * (series[k][-1] + z / 2 * one - two))
-
-    return energy, at
-
-
 # Panels on which E in closed form is searched for its greatest value, over its end.
 _SHARES = np.concatenate([[0.0], np.geomspace(1e-18, 0.1, 50), np.linspace(0.1, 1.0, 50)[1:]])
 MOST_PANELS = 4000  # of the collocation, halvings counted
-
-
-def standstill(at: Callable[[float], float], left: float, nodes: Floats, energy: Floats) -> float:
-    """Where E falls to zero on a panel that begins at left, from its values at the nodes, the last one first."""
-    grid = nodes[::-1]
-    below = int(np.argmax(energy[::-1] <= 0.0))
-    low, high = (float(grid[below - 1]) if below else left), float(grid[below])
-    # The series are rounded otherwise than the values at the nodes that the bracket comes from.
-    return root(at, low, high, max(at(low), 1e-300), min(at(high), -1e-300))
+_AHEAD = 12  # that are looked at together
 
 
 class Course(EndsAtLiftOff):
@@ -127,12 +62,12 @@ class Course(EndsAtLiftOff):
         self.unresolved, self.breaks = 0.0, list[float]()  # rotations between which all is smooth, where known
         if self.closed:
             self.energy, self._scalar = self._closed_form()
+            self._slope_at: Callable[[float], float] = lambda x: float(self.slope(x, self._scalar(x)))
             self.end, self.stops = self._first_zero()
-            self.panels = self.end * _SHARES
             if self.steady and self.stops:
                 self._both_ways = self._from_both_ends()
         else:
-            (self.energy, self._scalar), self.end, self.stops = self._collocate(longest)
+            self.end, self.stops = self._collocate(longest)
         self.peak = self._peak(self.end)
 
     # -- the balance along the path
@@ -157,31 +92,39 @@ class Course(EndsAtLiftOff):
         """How far friction has fallen since the start of the phase."""
         return 0.0 * x if self.steady else self.law.drop(self.start.slip, self.radius * x)
 
-    def friction(self, x: Any) -> Any:
-        """The friction coefficient at x."""
-        fallen = self.drop(x)
-        if self.steady or np.all(fallen <= self.mu / 2):
-            return self.mu - fallen
-        # Where most of it is gone, what is left of it has more digits than the difference.
-        return np.where(fallen > self.mu / 2, self.law.coefficient(self.start.slip + self.radius * x), self.mu - fallen)
+    def along(self, x: Any) -> tuple[Any, Any]:
+        """Drive and friction coefficient at x.
 
-    def driving(self, x: Any) -> Any:
-        """The drive at x: the one at the start, and what turning and softening change, so that no digit is lost."""
+        The drive is the one at the start, and what turning and softening change, so that no digit is lost.
+        """
         driving = self.drive + 0.0 * x
         if self.balance.turns:
-            driving = self.drive * np.cos(x) - self.tilt * np.sin(x) - 2 * self.constant * np.sin(x / 2) ** 2
+            driving = self.drive * np.cos(x) - self.tilt * np.sin(x)
+            if self.constant:
+                driving = driving - 2 * self.constant * np.sin(x / 2) ** 2
         if self.steady:
-            return driving
+            return driving, self.mu
         fallen, normal = self.drop(x), self.balance.get("normal", press=self.press(x), excess=self.start.excess)
-        driving = driving + fallen * normal
-        if np.all(fallen <= self.mu / 2):
-            return driving
-        anew = self.fall(x) - self.balance.get("constant", mu=0.0) - self.friction(x) * normal
-        return np.where(fallen > self.mu / 2, anew, driving)
+        driving, mu, gone = driving + fallen * normal, self.mu - fallen, fallen > self.mu / 2
+        if np.any(gone):  # where most of it is gone, what is left of it has more digits than the difference
+            mu = np.where(gone, self.law.coefficient(self.start.slip + self.radius * x), mu)
+            driving = np.where(gone, self.fall(x) - self.balance.get("constant", mu=0.0) - mu * normal, driving)
+        return driving, mu
+
+    def friction(self, x: Any) -> Any:
+        """The friction coefficient at x."""
+        return self.along(x)[1]
+
+    def driving(self, x: Any) -> Any:
+        """The drive at x."""
+        return self.along(x)[0]
 
     def braking(self, x: Any) -> Any:
         """The brake at x."""
-        return self.brake + 0.0 * x if self.steady else self.balance.get("brake", mu=self.friction(x)) + 0.0 * x
+        return self._brake(self.friction(x)) + 0.0 * x
+
+    def _brake(self, mu: Any) -> Any:
+        return self.brake if self.steady else self.balance.get("brake", mu=mu)
 
     def resistance(self, x: Any, energy: Any) -> Any:
         """The moment over Theta* of all that opposes the motion."""
@@ -199,7 +142,8 @@ class Course(EndsAtLiftOff):
 
     def slope(self, x: Any, energy: Any) -> Any:
         """E' = 2 (drive - brake E)."""
-        return 2 * (self.driving(x) - self.braking(x) * energy)
+        driving, mu = self.along(x)
+        return 2 * (driving - self._brake(mu) * energy)
 
     # -- E in closed form
 
@@ -208,13 +152,12 @@ class Course(EndsAtLiftOff):
         known = {"start": self.start.energy, "drive": self.drive, "tilt": self.tilt, "constant": self.constant,
                  "brake": self.brake}  # fmt: skip
         if not self.steady:
-            share = 1.0 - self.balance.values.get("pore_ratio", 0.0)
             known |= {
                 "drop": float(self.law.drop(self.start.slip, math.inf)),
                 "decay": self.radius / self.law.scale,
-                "press": self.at["press"] * share,
-                "press_rise": -self.at["press_slope"] * share,
-                "water": self.balance.values["level"] * self.balance.values.get("pore_pressure", 0.0),
+                "press": self.balance.get("normal", press=self.at["press"], level=0.0),
+                "press_rise": self.balance.get("normal", press=-self.at["press_slope"], level=0.0),
+                "water": -self.balance.get("normal", press=0.0),
             }
         rest = [known[a] for a in ARGUMENTS[name][1:]]
         function = getattr(functions, name)
@@ -300,10 +243,6 @@ class Course(EndsAtLiftOff):
         turned = (self.drive + self.constant) * math.cos(x) - self.tilt * math.sin(x)
         return rate, change, -2 * (turned + self.brake * change)
 
-    def _slope_at(self, x: float) -> float:
-        """E' at x."""
-        return float(self.slope(x, self._scalar(x)))
-
     def _peak(self, last: float) -> float:
         """Where E is greatest on [0, last]."""
         rate = self._slope_at
@@ -313,19 +252,47 @@ class Course(EndsAtLiftOff):
             if not self.stops and rate(self.end) >= 0.0:
                 return self.end
             # A strong brake soon holds the drive, and E' is rounded from then on.
-            held = min(20.0 / max(self.brake, 1e-300), self.end)
-            return max(halley(self._rates, self.end / 2, 0.0, self.end), held, key=self._scalar)
-        steps = np.diff(self.panels)[:, None] * np.linspace(0.0, 1.0, 9)
-        grid = np.unique(np.minimum(self.panels[:-1, None] + steps, last))
-        values = self.energy(grid)
+            held, top = 20.0 / max(self.brake, 1e-300), halley(self._rates, self.end / 2, 0.0, self.end)
+            return top if held >= self.end else max(top, held, key=self._scalar)
+        grid, values = self._sampled
+        inside = grid < last
+        grid, values = np.append(grid[inside], last), np.append(values[inside], self._scalar(last))
         k = int(np.argmax(values))
         left, right = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, len(grid) - 1)])
         at_left, at_right = rate(left), rate(right)
         return root(rate, left, right, at_left, at_right) if at_left > 0.0 > at_right else float(grid[k])
 
+    @cached_property
+    def _sampled(self) -> tuple[Floats, Floats]:
+        """Places along the path, and E there."""
+        edges = self.end * _SHARES
+        grid = (edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0.0, 1.0, 8, endpoint=False)).ravel()
+        return grid, self.energy(grid)
+
     # -- E by collocation, panel by panel
 
-    def _collocate(self, longest: float) -> tuple[tuple[Callable[[Any], Any], Callable[[float], float]], float, bool]:
+    def _equation(self, x: Floats) -> tuple[Floats, Floats]:
+        """Right side and matrix of E' = 2 drive - 2 brake E, for collocation."""
+        driving, mu = self.along(x)
+        return 2 * driving[None], np.broadcast_to(2 * self._brake(mu), (1, 1, *x.shape))
+
+    def _begin(self) -> Floats:
+        return np.array([self.start.energy])
+
+    def _keep(self, found: Panels) -> None:
+        """E and E' as functions."""
+        edges, starts = found.edges, found.values[:, 0].tolist()
+        mean, rate = series_at(edges, found.means[:, 0]), series_at(edges, found.rates[:, 0])
+
+        def at(x: float) -> float:
+            k, past, slope = mean(x)
+            return float(starts[k] + past * slope)
+
+        self.energy, self._scalar = over_panels(edges, found.values[:-1, 0], found.means[:, 0].T), at
+        self._slope_at = lambda x: rate(x)[2]
+        self.breaks = edges[1:-1].tolist()
+
+    def _collocate(self, longest: float) -> tuple[float, bool]:
         """E on panels, until it is zero, or the path ends, or more than the longest time has passed."""
         scale = min(self.law.scale / self.radius, 1.0, self.furthest)
         if self.drive > 0.0:
@@ -333,60 +300,63 @@ class Course(EndsAtLiftOff):
         elif self.drive < 0.0:  # the way to a standstill
             scale = min(scale, self.start.energy / -self.drive)
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
-        left, width, value, least = 0.0, scale / 16, self.start.energy, 0.0
-        edges, values, means = [0.0], [value], []
         never = 1e7 * max(1.0, self.law.scale / self.radius if math.isfinite(self.law.scale) else 0.0)
+        width, elapsed, panels = scale / 2, 0.0, None
+        left, state = 0.0, self._begin()
         for _ in range(MOST_PANELS):
-            right = min([left + width, self.furthest, *(k for k in kinks if k > left)])
-            half = right - left
-            places = left + half * PLACES
-            drives, brakes = 2 * self.driving(places), 2 * self.braking(places)
-            drive, brake = drives[:NODES], brakes[:NODES]
-            # E = value + (x - left) mean(E') and E' = drive - brake E, at the nodes: a linear system for E'.
-            matrix = brake[:, None] * (half * Z[:, None] * MEAN)
-            matrix[np.diag_indices(NODES)] += 1.0
-            rate = np.linalg.solve(matrix, drive - brake * value)
-            energy, mean = value + half * Z * (MEAN @ rate), BACK @ (MEAN @ rate)
-            rates, series = BACK @ rate, BACK @ energy
-            # Also before the first node: what falls within a hair of the start would pass unseen.
-            before = drives[NODES:] - brakes[NODES:] * (value + half * HAIRS * (AT_HAIRS @ mean))
-            missed = max(float(np.abs(AT_HAIRS @ rates - before).max() - 64 * EPS * np.abs(rates).sum()), 0.0)
-            # Where a strong brake holds the drive, E' is what rounding leaves of their difference; and rounding of the
-            # slip leaves little of a narrow table: there E is what counts, also where its series begins.
-            hair = missed * min(half * Z[-1], 1.0 / max(brake.max(), 1e-300)) + abs(value - AT_HAIRS[0] @ series)
-            missing = min(
-                (missed + np.abs(rates[-2:]).sum()) / max(np.abs(rate).max(), 1e-300),
-                (hair + np.abs(series[-2:]).sum()) / max(value, 1e-300),
+            edges = [left]
+            while len(edges) <= _AHEAD and edges[-1] < self.furthest:  # as many as may be good, each twice the last
+                last = edges[-1]
+                edges.append(min([last + width, self.furthest, *(k for k in kinks if k > last)]))
+                width *= 2
+            ahead = solved(*propose(self._equation, np.array(edges)), state)
+            half, right = np.diff(ahead.edges), ahead.edges[1:]
+            bad = (ahead.missing > RESOLVED) & (half > 1e-13 * right)
+            good = int(np.argmax(bad)) if bad.any() else len(half)
+            width = half[good] / 2 if good < len(half) else 2 * float(half.max())
+            energy = ahead.states[:good, 0]
+            passed = elapsed + np.cumsum(
+                half[:good] / np.sqrt(np.maximum(np.maximum(energy.max(axis=1), ahead.values[:good, 0]), 1e-300))
             )
-            if missing > 4e-15 and half > 1e-13 * right:
-                width = half / 2
+            ended = energy.min(axis=1) <= 0.0
+            last_one = ended | (right[:good] >= self.furthest) | (passed > longest)
+            if math.isinf(longest):
+                last_one |= right[:good] > never
+            count = int(np.argmax(last_one)) + 1 if last_one.any() else good
+            if not count:
                 continue
-            self.unresolved = max(self.unresolved, missing)
-            edges.append(right)
-            values.append(float(energy[0]))
-            means.append(mean)
-            ended = energy.min() <= 0.0
-            least += half / math.sqrt(max(float(energy.max()), value, 1e-300))
-            if not (ended or right >= self.furthest or least > longest or (math.isinf(longest) and right > never)):
-                left, value, width = right, values[-1], 2 * half
+            ahead = ahead.first(count)
+            panels = ahead if panels is None else panels.then(ahead)
+            left, state, elapsed = float(panels.edges[-1]), panels.values[-1], float(passed[count - 1])
+            if not last_one.any():
                 continue
-            found = energy_on_panels(np.array(edges), np.array(values), np.array(means).T)
-            if not ended:
-                self.panels = np.array(edges)
-                return found, right, False
-            end = standstill(found[1], left, left + half * Z, energy)
-            if left == 0.0 and end < 0.1 * half:  # a series is not relatively accurate next to its panel's start
-                width, least, edges, values, means = max(4 * end, 0.01 * half), 0.0, [0.0], [value], []
-                continue
-            stops = float(self.slope(end, 0.0)) < 0.0
-            if not stops:  # E has only become too small for a number
-                end = left
-            self.panels = np.array([*edges[:-1], end])
-            return found, end, stops
+            self._keep(panels)
+            self.unresolved = float(panels.missing.max())
+            stop, stops = left, False
+            if ended[count - 1]:
+                stop, whole = self._standstill(panels), left
+                if len(panels.missing) == 1 and stop < 0.1 * left:
+                    # A series is not relatively accurate next to its panel's start.
+                    width, elapsed, panels = max(4 * stop, 0.01 * whole), 0.0, None
+                    left, state = 0.0, self._begin()
+                    continue
+                stops = float(self.slope(stop, 0.0)) < 0.0
+                if not stops:  # E has only become too small for a number
+                    stop = float(panels.edges[-2])
+            self._sampled = panels.nodes[:, ::-1].ravel(), panels.states[:, 0, ::-1].ravel()
+            return stop, stops
         raise ValueError(
             f"friction: changes too sharply for {MOST_PANELS} panels of the energy equation, near a slip of "
             f"{self.start.slip + self.radius * left:.6g} m; give a smoother law"
         )
+
+    def _standstill(self, panels: Panels) -> float:
+        """Where E falls to zero on the last panel."""
+        grid, energy = panels.nodes[-1, ::-1], panels.states[-1, 0, ::-1]
+        below = int(np.argmax(energy <= 0.0))
+        low, high = (float(grid[below - 1]) if below else float(panels.edges[-2])), float(grid[below])
+        # The series are rounded otherwise than the values at the nodes that the bracket comes from.
+        return root(self._scalar, low, high, max(self._scalar(low), 1e-300), min(self._scalar(high), -1e-300))
 
     # -- time
 
@@ -402,32 +372,36 @@ class Course(EndsAtLiftOff):
         if self.stops and self.steady and self.closed:
             return np.maximum(self._both_ways(x, left), 0.0)
         found = np.asarray(self.energy(x))
-        # From the end a brake lets errors grow, by exp(2 brake left), and further on E is what the brake makes of it.
-        reach = min(0.05 * self.end, 0.5 / max(abs(float(self.braking(self.end))), 1e-300))
-        if self.stops and np.any(left < reach):
-            found, begins, held = found.copy(), 0.0, 0.0
-            kinks = [self.end - (k - self.start.slip) / self.radius for k in reversed(self.law.kinks)]
-            for stops in [*(k for k in kinks if 0.0 < k < reach), reach]:  # from the end
-                near = (left >= begins) & (left < stops)
-                found[near] = held + self._gained(begins, left[near])
-                begins, held = stops, held + float(self._gained(begins, np.array([stops]))[0])
+        if self.stops:
+            reach, before = self._before_standstill
+            near = left < reach
+            found[near] = before(left[near])
         return np.maximum(found, 0.0)
 
-    def _gained(self, near: float, far: Floats) -> Floats:
-        """What E grows by from one distance before the standstill to others, further from it."""
-        back = self.end - (near + (far - near)[:, None] * _GAUSS[0])
-        return -(self.slope(back, np.maximum(self.energy(back), 0.0)) @ _GAUSS[1]) * (far - near)
+    @cached_property
+    def _before_standstill(self) -> tuple[float, Callable[[Any], Any]]:
+        """E by the distance to the standstill, from which it is integrated, and up to where.
+
+        From the end a brake lets errors grow, by exp(2 brake left), and further on E is what the brake makes of it.
+        """
+        reach = min(0.05 * self.end, 0.5 / max(abs(float(self.braking(self.end))), 1e-300))
+        edges = np.array([0.0, *(d for b in reversed(self.breaks) if 0.0 < (d := self.end - b) < reach), reach])
+        width = np.diff(edges)
+        x = self.end - (edges[:-1] + width * Z[:, None])
+        means = MEAN @ -self.slope(x, np.maximum(self.energy(x), 0.0))
+        values = np.concatenate([[0.0], np.cumsum(means[0] * width)])
+        return reach, over_panels(edges, values, BACK @ means)
 
     @cached_property
     def pace(self) -> Piecewise:
         """dt/ds."""
         last = np.pi / 2 if self.stops else 1.0
-        inner = [k for k in ((q - self.start.slip) / self.radius for q in self.law.kinks) if 0.0 < k < self.end]
-        places = [self._variable(k) for k in (*inner, *self.breaks)]
-        # Over what E first changes: softening, a strong brake, a slow start. Panels grow from there.
-        slow = self.start.energy / max(abs(self.drive), 1e-300)
-        softening = math.inf if self.steady else self.law.scale / self.radius
-        paces = (softening, 1.0 / max(2 * self.brake, 1e-300), slow)
+        places = [self._variable(k) for k in self.breaks if k < self.end]
+        # Over what E first changes: a slow start and, where no panels of its own show it, softening, a strong brake.
+        # Panels grow from there.
+        paces = [self.start.energy / max(abs(self.drive), 1e-300)]
+        if self.closed:
+            paces += [1.0 / max(2 * self.brake, 1e-300), math.inf if self.steady else self.law.scale / self.radius]
         scales = [p / self.end for p in paces if 0.0 < p < 0.01 * self.end]
         first = [math.sqrt(p) * 2.0**k for p in scales for k in range(0, 600, 2) if math.sqrt(p) * 2.0**k < last / 2]
 
@@ -451,16 +425,16 @@ class Course(EndsAtLiftOff):
     def _times(self) -> tuple[float, float, float]:
         """Times to the end and to the peak, and what is estimated to be missing from them.
 
-        Two Gauss-Legendre rules in one evaluation; where they differ, or both would pass over a start that a strong
-        brake soon ends, the series on refined panels.
+        By quadrature; where that does not resolve the rate, or would pass over a start that a strong brake soon ends,
+        by the series on refined panels.
         """
         last, top = (np.pi / 2 if self.stops else 1.0), self._variable(self.peak)
-        if self.steady and self.closed and self.start.energy == 0.0 and self.brake * self.end < 100.0:
-            values = self._rate(np.concatenate([last * _RULES[0], top * _RULES[0]]))
-            coarse, fine = _RULES[1] @ values.reshape(2, -1).T
-            missing = abs(coarse[0] - fine[0]) + abs(coarse[1] - fine[1])
-            if missing * last <= 4e-14 * fine[0] * last:
-                return float(fine[0] * last), float(fine[1] * top), float(missing * last)
+        edges = np.array(sorted({0.0, top, *(self._variable(b) for b in self.breaks if b < self.end), last}))
+        smooth = not self.closed or (self.steady and self.brake * self.end < 100.0)
+        if smooth and self.start.energy == 0.0:
+            whole, part, missing = quadrature(self._rate, edges, top)
+            if missing <= 4e-14 * whole:
+                return whole, part, missing
         at_top = max(float(self.clock(np.array([top]))[0]), 0.0) if top < last else self.clock.end
         return self.clock.end, at_top, self.clock.tail
 

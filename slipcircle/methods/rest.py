@@ -54,6 +54,8 @@ def next_start(
 
 def kinks_of(balance: Balance, law: Friction) -> Floats:
     """Dimensionless times at which what changes with time is not smooth; none where nothing does."""
+    if not len(law.times):
+        return np.asarray(balance.kinks)
     return np.unique(np.concatenate([balance.kinks, np.asarray(law.times) / balance.time_scale]))
 
 
@@ -68,7 +70,7 @@ def _start(
     excess = _excess_of_drive(balance, law, rest, side)
     ahead = slice(np.searchsorted(kinks, time, side="right"), np.searchsorted(kinks, end))
     bounds = np.concatenate([[time], kinks[ahead], [end]])
-    straight = all(hasattr(f, "values") for f, _ in balance.forcing.values())
+    straight = all(getattr(f, "straight", False) for f, _ in balance.forcing.values())
     share = np.linspace(0.0, 1.0, 3 if straight else _SAMPLES)
     first, chunk = 0, _CHUNK
     while first < len(bounds) - 1:
@@ -119,11 +121,11 @@ def _excess_of_drive(balance: Balance, law: Friction, rest: Rest, side: int) -> 
 
 
 def never_rests(balance: Balance, law: Friction, excess: float) -> bool:
-    """No cohesion, and no friction, or water that carries the mass even where it would press most.
+    """No strength without friction, and no friction, or water that carries the mass even where it would press most.
 
     Heat takes strength ever more slowly, and never all: what is left after a hundredth does not count.
     """
-    if balance.values.get("cohesion", 0.0):
+    if balance.get("constant", mu=0.0) > 0.0:
         return False
     most = balance.radial if balance.turns else balance.press
     frictionless = law.constant and float(law.coefficient(0.0)) == 0.0

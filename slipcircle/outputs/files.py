@@ -7,11 +7,13 @@ from pathlib import Path
 from slipcircle.checks import raise_all
 
 
-def check(outputs: Mapping[str, str], inputs: Sequence[str] = ()) -> None:
+def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) -> None:
     """See that files can be written.
 
     Parameters
     ----------
+    command : str
+        Whose options they are.
     outputs : mapping
         Paths by the option that names them.
     inputs : sequence of str
@@ -36,7 +38,7 @@ def check(outputs: Mapping[str, str], inputs: Sequence[str] = ()) -> None:
         elif str(path) in taken:
             found.append(f"{option} {name}: would overwrite {taken[str(path)]}")
         taken[str(path)] = option
-    raise_all("run", found)
+    raise_all(command, found)
 
 
 def write(name: str, content: bytes) -> None:

@@ -5,18 +5,24 @@ import warnings
 from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
 
 from slipcircle.motion import Motion
-from slipcircle.outputs import plots
-from slipcircle.outputs.plotstyle import missing
+from slipcircle.outputs import plots, studyplots
+from slipcircle.outputs.plotstyle import missing, work
 
+if TYPE_CHECKING:
+    from slipcircle.studies.ensembles import Ensemble
+
+_Picture = tuple[str, str, Callable[[Any], Any], tuple[float, float]]  # name, caption, what draws it, inches
 _KINDS = ("png", "svg", "pdf", "jpg")
 _MOST = 20  # scenes in one picture
+_FRAMES, _SECONDS = 40, 5  # of an animation
 
 
-def check(path: str = "", scenes: int = 1) -> None:
-    """See that pictures can be drawn, and one of this file's type and of so many scenes.
+def check(command: str, path: str = "", scenes: int = 1) -> None:
+    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated.
 
     Raises
     ------
@@ -29,10 +35,12 @@ def check(path: str = "", scenes: int = 1) -> None:
         import matplotlib  # noqa: F401
     except ImportError as error:
         raise missing() from error
-    if path and Path(path).suffix[1:].lower() not in _KINDS:
-        raise ValueError(f"run: --plot {path}: must end in one of .{', .'.join(_KINDS)}")
-    if path and scenes > _MOST:
-        raise ValueError(f"run: --plot {path}: shows at most {_MOST} scenes; --report has room for all {scenes}")
+    kind, known = Path(path).suffix[1:].lower(), (*_KINDS, *["gif"] * (command == "run"))
+    if path and kind not in known:
+        raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")
+    if path and scenes > (1 if kind == "gif" else _MOST):
+        most = "moves one scene" if kind == "gif" else f"shows at most {_MOST} scenes"
+        raise ValueError(f"{command}: --plot {path}: {most}; --report has room for all {scenes}")
 
 
 def render(draw: Callable[[Any], Any], size: tuple[float, float], kind: str) -> bytes:
@@ -42,25 +50,44 @@ def render(draw: Callable[[Any], Any], size: tuple[float, float], kind: str) -> 
 
     # Also the names within an SVG, and its metadata, are to be the same every time.
     with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
-        figure = Figure(figsize=size, dpi=120, layout="constrained")
-        draw(figure)
+        figure = Figure(figsize=size, dpi=70 if kind == "gif" else 120, layout="constrained")
+        drawn = draw(figure)
         held = io.BytesIO()
         dated = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
         with warnings.catch_warnings():  # a name may hold letters that the font does not have
             warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
+            if kind == "gif":
+                figure.draw_without_rendering()
+                figure.set_layout_engine("none")  # which would lay out every frame anew
+                return _played(drawn)
             figure.savefig(held, format=kind, metadata=dated.get(kind))
     return held.getvalue()
 
 
+def _played(animation: Any) -> bytes:
+    """An animation as a GIF."""
+    from matplotlib.animation import PillowWriter
+
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "slide.gif"
+        animation.save(path, PillowWriter(fps=_FRAMES // _SECONDS))
+        return path.read_bytes()
+
+
 def overview(motions: Sequence[Motion], kind: str) -> bytes:
-    """The overviews of motions, one above the other, as a file of a kind such as png."""
+    """The overviews of motions, one above the other, as a file of a kind such as png; of a gif, the slide itself."""
+    if kind == "gif":
+        return render(lambda figure: plots.animate(motions[0], figure, _FRAMES), (7.0, 5.5), kind)
+
+    sizes = [plots.size(m) for m in motions]
+    heights = [height for _, height in sizes]
 
     def draw(figure: Any) -> None:
-        parts = figure.subfigures(len(motions), 1, squeeze=False)[:, 0]
+        parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=heights)[:, 0]
         for motion, part in zip(motions, parts, strict=True):
             plots.overview(motion, part)
 
-    return render(draw, (14.0, 10.0 * len(motions)), kind)
+    return render(draw, (sizes[0][0], sum(heights)), kind)
 
 
 def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
@@ -71,7 +98,7 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
         for what, ax in zip(plots.OVERVIEW, axes.flat, strict=True):
             plots.history(motion, what, ax)
 
-    found: list[tuple[str, str, Callable[[Any], Any], tuple[float, float]]] = [
+    found: list[_Picture] = [
         ("Section", "The section: forces at the start; the mass at the start, at its peak velocity and at the end.",
          lambda figure: plots.section(motion, figure.add_subplot()), (8.0, 6.0)),
     ]  # fmt: skip
@@ -80,6 +107,16 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
             ("Histories", "The motion over time. Where the mobilised friction is below the friction needed to stand "
              "still the mass tends to speed up, elsewhere to slow down.", histories, (11.0, 6.5)),
             ("Phase plane", "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
-             "up the work of gravity.", lambda figure: plots.phase_plane(motion, figure.add_subplot()), (8.0, 5.0)),
+             f"up the {work(motion)}.", lambda figure: plots.phase_plane(motion, figure.add_subplot()), (8.0, 5.0)),
         ]  # fmt: skip
+    if "shaking" in motion.plan.effects:
+        found.append(
+            ("Shaking", "What shakes the scene, over gravity; at the start it would move as soon as k_h passes k_y.",
+             lambda figure: plots.shaking(motion, figure.add_subplot()), (8.0, 3.0))
+        )  # fmt: skip
     return [(name, caption, partial(render, draw, size)) for name, caption, draw, size in found]
+
+
+def study(found: "Ensemble", kind: str) -> bytes:
+    """Exceedance curves of uncertain scenes, and which unknown matters, as a file of a kind such as png."""
+    return render(partial(studyplots.overview, found), studyplots.size(found), kind)

@@ -13,11 +13,11 @@ import numpy as np
 
 from slipcircle.ladder import Rung
 from slipcircle.motion import Motion
-from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, ending, legend, number, scaled, still
+from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, ending, legend, note, number, scaled, still, work
 from slipcircle.outputs.sectionplot import animate, section
 from slipcircle.outputs.trace import Floats, trace
 
-__all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section"]
+__all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 
 # What `history` draws: for each picture its label, unit, columns of the trace with their line and name, and a factor.
 HISTORIES: Mapping[str, tuple[str, str, tuple[tuple[str, str, str], ...], float]] = {
@@ -37,6 +37,7 @@ HISTORIES: Mapping[str, tuple[str, str, tuple[tuple[str, str, str], ...], float]
         1.0,
     ),
 }
+_TALL = 3.0  # the friction needed to stand still is seen up to so many times the greatest mobilised one
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
@@ -70,7 +71,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
     for column, line, name in curves:
         label_of = {"label": name} if len(curves) > 1 else {}
         ax.plot(columns["time"], factor * columns[column], **label_of, **LINES[line])
-    drawn = columns[curves[0][0]]
+    drawn = columns[first[0]]
     for mark, time, words in _marks(motion):
         value = factor * _read(time, columns["time"], drawn)
         shown = f"{words}: {number(value)}{' ' + unit if what != 'friction' else ''} at {number(time)} s"
@@ -80,7 +81,8 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
     ax.margins(y=0.08)
     ax.set_xlim(0.0, motion.duration)
     if what == "friction" or np.ptp(drawn) <= 1e-9 * np.max(np.abs(drawn)):  # also a level line stands above zero
-        top = factor * max(float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves)
+        tops = [factor * float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves]
+        top = min(max(tops), _TALL * tops[0] or math.inf)  # where next to nothing presses, no friction is enough
         ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
     handles, names = ax.get_legend_handles_labels()
     if len(curves) == 2:  # read by columns: the curves above the marks
@@ -125,7 +127,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     back = bool(np.any(np.diff(columns["displacement"]) < 0.0)) and bool(np.any(np.diff(columns["displacement"]) > 0.0))
     along = columns["path"] if back else columns["displacement"]
     first = float(motion.energy.kinetic_start)
-    given = first + columns["work"]
+    given = first + columns["work_of_gravity_and_shaking"]
     factor, unit = scaled(np.concatenate([given, columns["dissipation"]]), "J")
     ax.set(
         xlabel=f"{'path travelled, as it turns back' if back else 'displacement $s$'} (m)", ylabel=f"energy ({unit})"
@@ -136,7 +138,7 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     lost, kinetic = factor * columns["dissipation"], factor * columns["kinetic_energy"]
     ax.fill_between(along, 0.0, lost, label="dissipation", **AREAS["dissipation"])
     ax.fill_between(along, lost, lost + kinetic, label="kinetic energy", **AREAS["kinetic"])
-    name = "work of gravity" + (" and first kinetic energy" if first else "")
+    name = work(motion) + (" and first kinetic energy" if first else "")
     ax.plot(along, factor * given, label=name, **LINES["total"])
     ax.set_xlim(0.0, float(along[np.argmax(np.abs(along))]))  # to the left too the way is drawn from left to right
     ax.set_ylim(0.0, 1.05 * float(np.max(lost + kinetic)))
@@ -151,6 +153,34 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     right.set_ylim(0.0, 1.05 * float(np.max(speed)))
     handles, labels = (a + b for a, b in zip(*(x.get_legend_handles_labels() for x in (ax, right)), strict=True))
     legend(ax, columns=3, handles=handles, labels=labels)
+    return ax
+
+
+def shaking(motion: Motion, ax: Any = None) -> Any:
+    """What shakes the scene, over gravity, until it rests, or all of it where it does not move.
+
+    Beside it stands the yield coefficient at the start: a mass at rest starts when k_h passes it, k_v apart, as long as
+    its position and its friction are those of the start.
+    """
+    ax = axis(ax, (7.0, 2.5))
+    ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
+    given = {n: motion.balance.forcing[n][0] for n in ("k_h", "k_v") if n in motion.balance.forcing}
+    if not given:
+        ax.set(xticks=[], yticks=[])
+        return note("not shaken", ax)
+    knots = np.concatenate([f.pieces.knots if hasattr(f, "pieces") else f.kinks for f in given.values()])
+    last = motion.duration if motion.moves else float(np.max(knots))
+    at = trace(motion)["time"] if motion.moves else np.unique(np.concatenate([np.linspace(0, last, 401), knots]))
+    names = {"k_h": ("down-slope $k_h$" if motion.balance.fall >= 0.0 else "horizontal $k_h$", "main"),
+             "k_v": ("lightening $k_v$", "other")}  # fmt: skip
+    for name, function in given.items():
+        label, line = names[name]
+        ax.plot(at, function(at), label=label, **{**LINES[line], "lw": 1.2})
+    yields = motion.yield_coefficient * (-1.0 if motion.balance.fall < 0.0 else 1.0)
+    ax.axhline(yields, label=f"yields at the start: $k_y$ = {number(yields)}", **{**LINES["total"], "lw": 1.2})
+    ax.set_xlim(0.0, last)
+    ax.grid(alpha=0.3)
+    legend(ax, columns=3)
     return ax
 
 
@@ -183,20 +213,31 @@ def overview(motion: Motion, figure: Any = None) -> Any:
     ----------
     motion : Motion
     figure : matplotlib figure or subfigure, optional
-        An empty one with a constrained layout, some 14 in wide and 10 in high.
+        An empty one with a constrained layout, of `size`.
     """
     if figure is None:
-        figure = axis(None, (14.0, 10.0)).figure
+        figure = axis(None, size(motion)).figure
         figure.clear()
     name = shorten(motion.plan.scene.name, 80)
+    shaken = "shaking" in motion.plan.effects
     if not motion.moves:
-        section(motion, figure.add_subplot())
-        figure.suptitle(f"{name}: does not move", parse_math=False, fontweight="bold")
+        section(motion, figure.add_subplot(4 if shaken else 1, 1, (1, 3) if shaken else 1))
+        if shaken:
+            shaking(motion, figure.add_subplot(4, 1, 4))
+        figure.suptitle(": ".join(filter(None, (name, "does not move"))), parse_math=False, fontweight="bold")
         return figure
-    grid = figure.add_gridspec(4, 2, width_ratios=(1.15, 1.0))
-    section(motion, figure.add_subplot(grid[:2, 0]))
-    phase_plane(motion, figure.add_subplot(grid[2:, 0]))
+    left, right = figure.add_gridspec(1, 2, width_ratios=(1.15, 1.0))
+    left, right = left.subgridspec(2, 1), right.subgridspec(len(OVERVIEW) + shaken, 1)
+    section(motion, figure.add_subplot(left[0]))
+    phase_plane(motion, figure.add_subplot(left[1]))
     for row, what in enumerate(OVERVIEW):
-        history(motion, what, figure.add_subplot(grid[row, 1]))
+        history(motion, what, figure.add_subplot(right[row]))
+    if shaken:
+        shaking(motion, figure.add_subplot(right[len(OVERVIEW)]))
     figure.suptitle(name, parse_math=False, fontweight="bold")
     return figure
+
+
+def size(motion: Motion) -> tuple[float, float]:
+    """Inches of the overview."""
+    return 14.0, 12.0 if "shaking" in motion.plan.effects else 10.0

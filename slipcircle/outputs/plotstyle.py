@@ -31,6 +31,7 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
     "moving": {"facecolor": "#E69F00", "edgecolor": "black", "lw": 1.2, "alpha": 0.7},
     "kinetic": {"facecolor": "#56B4E9", "edgecolor": "0.35", "lw": 0.6, "hatch": "\\\\"},
     "dissipation": {"facecolor": "#F6DCA0", "edgecolor": "0.25", "lw": 0.6},
+    "band": {"facecolor": "0.82", "edgecolor": "0.55", "lw": 0.6},
 }
 FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential": "#CC79A7"}
 HALO = 2.5  # points of white around a text that stands on lines
@@ -95,10 +96,17 @@ def ending(motion: Motion) -> str:
     return "first standstill" if motion.plan.scene.end_time is None else "end, still moving"
 
 
+def work(motion: Motion) -> str:
+    """What does the work, in words."""
+    return "work of gravity and shaking" if "shaking" in motion.plan.effects else "work of gravity"
+
+
+def note(words: str, ax: Any) -> Any:
+    """Words in the middle of an axis that has nothing else to show."""
+    ax.text(0.5, 0.5, words, ha="center", va="center", transform=ax.transAxes)
+    return ax
+
+
 def still(motion: Motion, ax: Any) -> Any:
     """Say that the mass does not move."""
-    ax.text(
-        0.5, 0.5, f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ha="center", va="center",
-        transform=ax.transAxes,
-    )  # fmt: skip
-    return ax
+    return note(f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ax)

@@ -9,9 +9,9 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.arc import QUANTITIES
-from slipcircle.friction import law_name
-from slipcircle.inputs.scenekeys import Table, tables_of
-from slipcircle.inputs.series import Series
+from slipcircle.friction import RATE_LAWS
+from slipcircle.inputs.scenekeys import Key, Table, tables_of
+from slipcircle.inputs.series import Pulse, Series
 from slipcircle.scene import Scene
 
 _SI = dict(zip(QUANTITIES, ("m", "rad", "rad", "N/m^3", "m/s^2", "m"), strict=True))
@@ -36,35 +36,38 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
     file : str, optional
         The text of its file.
     """
-    return list(_of_scene(scene) if file is None else _of_file(scene, file))
+    return list(_of_scene(scene) if file is None else _of_file(file))
 
 
-def _of_file(scene: Scene, file: str) -> Iterator[Input]:
-    law = law_name(scene.friction)
-    tables, said = tables_of(law if law in LAWS else "constant"), comments(file)
-    document = tomllib.loads(file)
+def _of_file(file: str) -> Iterator[Input]:
+    document, said = tomllib.loads(file), comments(file)
+    friction = document.get("friction", {})
+    tables = tables_of(friction.get("law", "constant"), friction.get("rate", {}).get("law", RATE_LAWS[0]))
 
     def rows(path: str, given: Mapping[str, Any]) -> Iterator[Input]:
         known = tables.get(path, Table("", {})).keys
         for name, value in given.items():
             where = f"{path}.{name}".lstrip(".")
-            if isinstance(value, dict):
+            if isinstance(value, dict) and "distribution" not in value:
                 meaning = tables[where].title if where in tables else ""
                 if not value:
                     yield Input(where, "yes", "", meaning, said.get(where, ""))
                 yield from rows(where, value)
             elif name not in ("name", "note") or path:
-                key = known.get(name)
-                unit = re.search(r"\(([^()]*)\)$", key.allowed) if key else None
-                source = said.get(where) or said.get(path, "")
-                yield Input(where, _shown(value), unit[1] if unit else "", key.title if key else "", source)
+                key, source = known.get(name, Key(name, "")), said.get(where) or said.get(path, "")
+                yield Input(where, _shown(value), _unit(key) or "g" * name.endswith("_g"), key.title, source)
         for name, key in known.items():
             if name not in given and ", by default " in key.title and name != "name":
                 title, _, default = key.title.partition(", by default ")
-                unit = re.search(r"\(([^()]*)\)$", key.allowed)
-                yield Input(f"{path}.{name}".lstrip("."), default, unit[1] if unit else "", title, "default")
+                yield Input(f"{path}.{name}".lstrip("."), default, _unit(key), title, "default")
 
     yield from rows("", document)
+
+
+def _unit(key: Key) -> str:
+    """The unit that a key says it has."""
+    found = re.search(r"\(([^()]*)\)$", key.allowed)
+    return found[1] if found else ""
 
 
 def comments(file: str) -> dict[str, str]:
@@ -88,12 +91,15 @@ def _of_scene(scene: Scene) -> Iterator[Input]:
         yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name], "", "")
     for name, coefficient in (scene.arc.given or {}).items():
         yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given", "")
-    law = law_name(scene.friction)
     if callable(scene.friction):
         yield Input("friction", "a Python function of slip", "", "friction coefficient", "")
     elif isinstance(scene.friction, Mapping):
-        yield Input("friction.law", law, "", LAWS[law].help if law in LAWS else "", "")
-        yield from _parameters("friction", LAWS[scene.friction["law"]], scene.friction)
+        for path, given in (("friction", scene.friction), ("friction.rate", scene.friction.get("rate", {}))):
+            if not given:
+                continue
+            law = LAWS[given["law"]]
+            yield Input(f"{path}.law", given["law"], "", law.help, "")
+            yield from _parameters(path, law, given)
     else:
         yield Input("friction", _shown(scene.friction), "", "friction coefficient, tan(phi)", "")
     for name, given in scene.called.items():
@@ -111,11 +117,15 @@ def _parameters(path: str, declared: Any, given: Mapping[str, Any]) -> Iterator[
 
 
 def _shown(value: Any) -> str:
-    """A value in full; of a long list its ends."""
+    """A value in full; of a long list its ends, of a distribution its name and numbers."""
+    if isinstance(value, Mapping):
+        return f"{value['distribution']}: " + ", ".join(f"{k} {v}" for k, v in value.items() if k != "distribution")
     if isinstance(value, str):
         return value
     if isinstance(value, Series):
         return f"{len(value.time)} samples from {value.time[0]:g} to {value.time[-1]:g} s"
+    if isinstance(value, Pulse):
+        return f"{value.name} pulse of at most {value.amplitude:g}, from {value.start:g} to {value.end:g} s"
     if callable(value):
         return repr(value)
     if isinstance(value, bool):

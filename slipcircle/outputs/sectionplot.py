@@ -1,14 +1,11 @@
 """The section as a picture, after Figure 1-1: arc, chord, mass, centre, and the forces on it."""
 
 import math
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
 from slipcircle.motion import Motion
-from slipcircle.outputs.files import write
 from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, ending, legend, number
 from slipcircle.outputs.trace import Floats, trace
 
@@ -18,6 +15,9 @@ _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
 
 def section(motion: Motion, ax: Any = None) -> Any:
     """The section: the mass at the start, at the peak velocity and at the end, with the forces at the start.
+
+    It is drawn turned by s/R (1.2), also where the geometry is frozen: there the forces stay those of the start;
+    the legend says so.
 
     Parameters
     ----------
@@ -53,6 +53,9 @@ def section(motion: Motion, ax: Any = None) -> Any:
             ax.add_patch(Polygon(outline.T, closed=True, label=words, zorder=2, **AREAS[role]))
     ax.plot(*_points(radius, np.array([first, second])), color="black", lw=1.4, zorder=3)
     _dimensions(ax, radius, first, second, small)
+    if motion.moves and not motion.balance.turns:
+        # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
+        ax.plot([], [], ls="", label="frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start")
     if not small:
         _forces(ax, motion, radius, first, second, shown)
     ax.set_aspect("equal")
@@ -143,40 +146,38 @@ def _forces(ax: Any, motion: Motion, radius: float, first: float, second: float,
         ax.plot([], [], color=FORCES[what], lw=1.6, marker=">", ms=5, label=words)
 
 
-def animate(motion: Motion, path: str, frames: int = 60, seconds: float = 6.0) -> None:
-    """Write the slide as an animated GIF: the section, with the mass where it is at even times.
+def animate(motion: Motion, figure: Any = None, frames: int = 60) -> Any:
+    """The slide as an animation: the section, with the mass where it is at even times.
 
     Parameters
     ----------
     motion : Motion
-    path : str
-        Ending in .gif.
+    figure : matplotlib figure, optional
+        An empty one with a constrained layout.
     frames : int
-    seconds : float
-        How long it plays.
+        One where the mass does not move.
+
+    Returns
+    -------
+    matplotlib.animation.FuncAnimation
+        Keep it while it plays, or save it.
     """
-    from matplotlib.animation import FuncAnimation, PillowWriter
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
+    from matplotlib.animation import FuncAnimation
     from matplotlib.patches import Polygon
 
-    figure = Figure(figsize=(7.0, 5.5), layout="constrained")
-    FigureCanvasAgg(figure)
-    ax = section(motion, figure.add_subplot())
+    ax = section(motion, None if figure is None else figure.add_subplot())
     arc = motion.plan.scene.arc
     radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
     outline = _points(radius, np.linspace(first, second, 200)).T
     moving = ax.add_patch(Polygon(outline, closed=True, zorder=4, **AREAS["moving"]))
-    times = np.linspace(0.0, motion.duration, frames)
+    times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
     states = motion.at(times)
 
-    def draw(k: int) -> None:
+    def draw(k: int) -> tuple[Any]:
         turn = float(states.rotation[k])
         moving.set_xy(outline @ np.array([[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]]))
-        figure.suptitle(f"{times[k]:.2f} s, {abs(float(states.velocity[k])):.2f} m/s", fontsize="medium")
+        ax.figure.suptitle(f"{times[k]:.2f} s, {abs(float(states.velocity[k])):.2f} m/s", fontsize="medium")
+        return (moving,)
 
     draw(0)
-    with TemporaryDirectory() as folder:
-        whole = Path(folder) / "slide.gif"
-        FuncAnimation(figure, draw, frames).save(whole, PillowWriter(fps=max(1, round(frames / seconds))))
-        write(path, whole.read_bytes())
+    return FuncAnimation(ax.figure, draw, len(times))

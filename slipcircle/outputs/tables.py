@@ -14,6 +14,7 @@ from slipcircle.plan import Plan
 
 if TYPE_CHECKING:
     from slipcircle.backanalysis import BackAnalysis
+    from slipcircle.sensitivity import Sensitivity
 
 
 def motion_record(motion: Motion) -> dict[str, Any]:
@@ -113,7 +114,7 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     for s in found.solutions:
         angle, error = angle_deg(found.field, s.value), s.standard_error
         velocity = float(s.motion.peak.velocity)
-        computed = {"runout": f"{s.motion.run_out:.2f} m", "peak_velocity": f"{velocity:.3f} m/s",
+        computed = {"run-out": f"{s.motion.run_out:.2f} m", "peak velocity": f"{velocity:.3f} m/s",
                     "duration": f"{s.motion.duration:.3f} s"}  # fmt: skip
         columns.append(
             {found.field: f"{s.value:.8g}{unit}"}
@@ -123,6 +124,41 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
             | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"}
         )
     return [[label, *(c[label] for c in columns)] for label in columns[0]]
+
+
+def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:
+    """Derivatives as JSON holds them: SI units and radians, null for an elasticity of what is zero."""
+    columns = zip(found.parameters.items(), found.values.T.tolist(), found.elasticities.T.tolist(), strict=True)
+    return {
+        "outputs": [{"name": n, "unit": unit, "value": found.at[n]} for n, unit in found.outputs.items()],
+        "parameters": [
+            {
+                "name": name,
+                "unit": unit,
+                "value": found.at[name],
+                "derivatives": dict(zip(found.outputs, slopes, strict=True)),
+                "elasticities": {n: e if np.isfinite(e) else None for n, e in zip(found.outputs, per, strict=True)},
+            }
+            for (name, unit), slopes, per in columns
+        ],
+    }
+
+
+def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
+    """Derivatives as rows of a table, per unit of the key that a scene file has for each parameter."""
+    from slipcircle.studies.distributions import keys_of
+
+    rows = []
+    for k, name in enumerate(found.parameters):
+        of = keys_of("constant")[name]
+        value = of.from_si(found.at[name])
+        cells = []
+        for output, slope in zip(found.outputs, found.values[:, k] * of.slope(value), strict=True):
+            at = found.at[output]
+            per_cent = f" ({slope * value / at:+.2g})" if at and slope * value else ""
+            cells.append(f"{slope + 0.0:.4g}{per_cent}")
+        rows.append([of.key, f"{value:.6g}", *cells])
+    return rows
 
 
 def plan_record(plan: Plan) -> dict[str, Any]:

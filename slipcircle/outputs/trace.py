@@ -1,6 +1,5 @@
 """A motion as a table over time: what the plots draw and what a CSV file holds."""
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from functools import lru_cache
@@ -10,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.friction import friction
+from slipcircle.methods.rest import down_slope
 from slipcircle.motion import Motion
 
 Floats = NDArray[np.float64]
@@ -18,21 +18,36 @@ Floats = NDArray[np.float64]
 UNITS: Mapping[str, str] = {
     "time": "s", "rotation": "rad", "angular_velocity": "rad/s", "velocity": "m/s", "displacement": "m",
     "acceleration": "m/s^2", "path": "m", "normal_stress": "Pa", "effective_stress": "Pa", "friction": "",
-    "holding_friction": "", "kinetic_energy": "J", "work": "J", "dissipation": "J",
+    "holding_friction": "", "kinetic_energy": "J", "work_of_gravity_and_shaking": "J", "dissipation": "J",
 }  # fmt: skip
 _SAMPLES = 400
+_JUMP = 1e-3  # of the greatest value, by which what is given jumps
 
 
 def times(motion: Motion, samples: int = _SAMPLES) -> Floats:
-    """Times that show a motion: even ones, its peak, and in each phase some that crowd towards both its ends."""
+    """Times that show a motion: even ones, its peak, and in each phase some that crowd towards both its ends.
+
+    And those between which what changes with time is smooth; where it jumps, the time just before as well.
+    """
     scale, end = float(motion.plan.scene.arc.time_scale), motion.duration
     if not motion.moves:
         return np.zeros(1)
     each = max(4, samples // len(motion.phases))
     share = (1.0 - np.cos(np.linspace(0.0, np.pi, each + 1))) / 2
-    phases = [scale * (p.start + (p.end - p.start) * share) for p in motion.phases]
-    found = np.concatenate([np.linspace(0.0, end, samples + 1), [float(motion.peak.time)], *phases])
-    return np.unique(np.clip(found, 0.0, end))
+    found: list[Any] = [
+        np.linspace(0.0, end, samples + 1),
+        [float(motion.peak.time)],
+        friction(motion.plan.scene.friction).times,
+    ]
+    found += [scale * (p.start + (p.end - p.start) * share) for p in motion.phases]
+    found += [scale * p.solved.episodes[:, :2].ravel() for p in motion.phases if hasattr(p.solved, "episodes")]
+    for function, _ in motion.balance.forcing.values():
+        knots = function.pieces.knots if hasattr(function, "pieces") else np.asarray(function.kinks)
+        before = np.nextafter(knots, -np.inf)
+        values = np.abs(function(knots))
+        jumps = np.abs(function(before) - function(knots)) > _JUMP * np.max(values, initial=0.0)
+        found += [knots, before[jumps]]
+    return np.unique(np.clip(np.concatenate(found), 0.0, end))
 
 
 @lru_cache(maxsize=8)
@@ -46,38 +61,42 @@ def trace(motion: Motion) -> dict[str, Floats]:
     Returns
     -------
     dict of str to ndarray
-        `path` is the accumulated slip; `friction` the coefficient that the law gives for it, 0 where nothing presses
-        on the slip surface; `holding_friction` the one at which the mass would just stand still where it is, NaN where
-        nothing presses; `effective_stress` the normal stress without the water's share. `work` and `dissipation`
-        count from the start.
+        `path` is the accumulated slip; `friction` the coefficient that the law gives for it and for speed and time, 0
+        where nothing presses on the slip surface; `holding_friction` the one at which the mass would just stand still
+        where it is, under what shakes it then, NaN where nothing presses; `effective_stress` the normal stress without
+        the water's share. `work_of_gravity_and_shaking` and `dissipation` count from the start.
     """
     at = motion.at(time := times(motion))
     energy = motion.energy_at(time)
     path = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(at.displacement)))])
-    scale = float(motion.plan.scene.arc.time_scale)
-    press, omega = motion.balance.press_at(at.rotation), at.angular_velocity * scale
-    effective = motion.balance.get("effective_stress", press=press, omega_2=omega**2)
+    effective = np.asarray(at.normal_stress - motion.pore_pressure_at(time))
+    law = friction(motion.plan.scene.friction)
     columns: dict[str, Any] = asdict(at) | {
         "path": path,
-        "effective_stress": np.maximum(effective, 0.0) * float(motion.plan.scene.arc.reference_stress),
-        "friction": np.where(effective > 0.0, friction(motion.plan.scene.friction).coefficient(path), 0.0),
-        "holding_friction": np.array([_holding(motion, float(r)) for r in at.rotation]),
+        "effective_stress": np.maximum(effective, 0.0),
+        "friction": np.where(effective > 0.0, law.coefficient(path, np.abs(at.velocity), time), 0.0),
+        "holding_friction": _holding(motion, time, at.rotation),
         "kinetic_energy": energy.kinetic_end,
-        "work": energy.work,
+        "work_of_gravity_and_shaking": energy.work,
         "dissipation": energy.dissipation,
     }
     return {name: np.asarray(columns[name], dtype=np.float64) + np.zeros_like(time) for name in UNITS}
 
 
-def _holding(motion: Motion, rotation: float) -> float:
-    """The friction coefficient at which a mass at rest just stays at this rotation."""
-    balance = motion.balance
-    at = balance.position(rotation, 1)
-    if at["fall"] < 0.0:
-        at = balance.position(rotation, -1)
-    if float(balance.get("normal", **at)) <= 0.0:
-        return math.nan
-    return max(float(balance.get("limit_friction", **at)), 0.0)
+def _holding(motion: Motion, time: Floats, rotation: Floats) -> Floats:
+    """The friction coefficient at which a mass at rest just stays, at these times and rotations."""
+    balance, t = motion.balance, time / float(motion.plan.scene.arc.time_scale)
+    excess, found = np.zeros_like(t), np.full_like(t, np.nan)
+    for phase, mask, local in motion._lanes(t):
+        excess[mask] = phase.solved.excess_when(local)
+    two_way = "k_h" not in balance.forcing or motion.plan.scene.called["shaking"].get("two_way", False)
+    given = {side: balance.given(t, side) for side in (1, -1)}
+    for k, (turn, added) in enumerate(zip(rotation.tolist(), excess.tolist(), strict=True)):
+        for side in (1, -1) if two_way else (down_slope(balance, turn),):
+            at = balance.position(turn, side) | {n: v[k] for n, v in given[side].items()} | {"excess": added}
+            if float(balance.get("normal", **at)) > 0.0:
+                found[k] = np.fmax(found[k], max(float(balance.get("limit_friction", **at)), 0.0))
+    return found
 
 
 def csv(motions: Sequence[Motion]) -> str:

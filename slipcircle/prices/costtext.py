@@ -25,7 +25,15 @@ NOTES = (
     f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
     "no digit: an error of 1 or more somewhere; returning 0 is as accurate.",
 )
+UNDERFLOW = 2.0**-320  # below it results underflow, and another bound holds (`bound_underflow` of the certificates)
 COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "B", "saves", "verdict")
+
+
+def _ulp(row: Row) -> float:
+    """The worst error in ulp seen where the bound speaks of it."""
+    if row.profile is None:
+        return row.ulp or 0.0
+    return float(np.max(np.abs(row.profile.ulp[row.profile.points >= UNDERFLOW]), initial=0.0))
 
 
 def verdict(rows: Sequence[Row]) -> str:
@@ -34,7 +42,7 @@ def verdict(rows: Sequence[Row]) -> str:
     ours, others = [r for r in rows if r.ours], [r for r in rows if not r.ours]
     front = sorted((r for r in rows if r.verdict == FRONTIER), key=lambda r: r.error)
     by = {r.way: r for r in rows}
-    broken = [r.way for r in rows if r.error > (r.bound or np.inf) or (r.ulp or 0) > (r.bound_ulp or np.inf)]
+    broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
     lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
     lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {duration(r.price)})" for r in front) + ".")
     if not ours or not others:

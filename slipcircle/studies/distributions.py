@@ -124,6 +124,29 @@ class Uncertain:
         return np.tan(np.deg2rad(values)) if self.tangent else np.asarray(values) * self.per_unit
 
     @property
+    def moments(self) -> tuple[float, float]:
+        """Mean and standard deviation, in the key's unit, to six digits at least."""
+        if not isinstance(self.distribution, str):
+            found = self.distribution
+            return float(found.mean()), float((found.std if hasattr(found, "std") else found.standard_deviation)())
+        if set(self.parameters) == {"mean", "std"}:
+            return self.parameters["mean"], self.parameters["std"]
+        # The trapezoidal rule in the score z, p = Phi(z): what remains is smooth, and its weight is a Gaussian.
+        z = np.linspace(-8.0, 8.0, 1025)
+        weight = np.exp(-z * z / 2)
+        x = self.drawn(special().ndtr(z))
+        mean = np.average(x, weights=weight)
+        return float(mean), math.sqrt(np.average((x - mean) ** 2, weights=weight))
+
+    def from_si(self, value: float) -> float:
+        """A value of the scene in the key's unit."""
+        return math.degrees(math.atan(value)) if self.tangent else value / self.per_unit
+
+    def slope(self, value: float) -> float:
+        """Derivative of what the scene has by the key's value."""
+        return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
+
+    @property
     def record(self) -> dict[str, Any]:
         """As JSON holds it."""
         if isinstance(self.distribution, str):
@@ -173,7 +196,7 @@ def numbers_of(tables: Mapping[str, Table]) -> Iterator[tuple[str, str, str, Key
     """Keys of a scene file that may be uncertain: table, key, name as in `Scene.numbers`, and the key itself."""
     for path, table in tables.items():
         for k, key in table.keys.items():
-            if key.type is float and path != "arc.given" and key.name != "accuracy":
+            if key.type in (float, (float, list)) and path != "arc.given" and key.name != "accuracy":
                 constant = (path, key.name) == ("friction", "coefficient")
                 name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
                 yield path, k, name, key
@@ -183,6 +206,14 @@ def range_of(key: Key) -> tuple[float, float]:
     """Lowest and highest value of a key, in its unit."""
     limits = key.limits
     return limits.get("gt", limits.get("ge", -INFINITY)), limits.get("lt", INFINITY)
+
+
+def keys_of(law: str) -> dict[str, Uncertain]:
+    """The first key that a scene file has for each name in `Scene.numbers`, such as the angle of a friction."""
+    found: dict[str, Uncertain] = {}
+    for table, k, name, key in numbers_of(tables_of(law)):
+        found.setdefault(name, Uncertain(f"{table}.{k}".lstrip("."), "", {}, key.per_unit, key.tangent))
+    return found
 
 
 def place(path: str, friction: Any) -> tuple[str, Uncertain, tuple[float, float]]:

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterable, Mapping
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
+from functools import cached_property, reduce
 from typing import IO, Any, NamedTuple
 
 import numpy as np
@@ -18,7 +19,19 @@ from slipcircle.plan import plan
 from slipcircle.scene import Scene
 from slipcircle.studies.distributions import Uncertain, place
 from slipcircle.studies.engines import Folder, Progress, computed, stored
-from slipcircle.studies.estimates import Estimate, Indices, histogram_quantile, indices, proportion, ranks, student
+from slipcircle.studies.estimates import (
+    Estimate,
+    Indices,
+    histogram_quantile,
+    indices,
+    pooled,
+    proportion,
+    ranks,
+    spread,
+    student,
+    width,
+)
+from slipcircle.studies.propagation import Linear, Sampled, disagreement, propagated
 from slipcircle.studies.sampling import MOST_LATIN
 from slipcircle.studies.study import BIN_ERROR, BINS, METHODS, OUTPUTS, Result, Study, edges, sobol_tables
 
@@ -85,6 +98,7 @@ class Ensemble:
         self._answered = np.zeros(replicates, np.int64)
         self._moving = np.zeros(replicates, np.int64)
         self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTPUTS}
+        self._moments = {n: np.zeros((replicates, 5)) for n in OUTPUTS}
         self._ends = dict.fromkeys(OUTPUTS, (math.inf, -math.inf))
 
     @property
@@ -122,6 +136,49 @@ class Ensemble:
             return float(histogram_quantile(counts.sum(axis=0), rank / self.n, ends))
 
         return Estimate(value, at(low), at(high))
+
+    def mean(self, output: str) -> Estimate:
+        """Mean of an output; what does not move counts as 0."""
+        mean, error, _, _ = self._sampled(output)
+        return self._interval(mean, error)
+
+    def std(self, output: str) -> Estimate:
+        """Standard deviation of an output; what does not move counts as 0."""
+        _, _, std, error = self._sampled(output)
+        return self._interval(std, error)
+
+    def _sampled(self, output: str) -> Sampled:
+        each = self._moments[output]
+        found = Sampled(*spread(reduce(pooled, each)))
+        filled = each[each[:, 0] > 1]
+        if self.study.replicates == 1 or len(filled) < 2:
+            return found
+        spreads = np.array([spread(m) for m in filled])[:, [0, 2]]
+        errors = np.std(spreads, axis=0, ddof=1) / math.sqrt(len(filled))
+        return found._replace(mean_error=float(errors[0]), std_error=float(errors[1]))
+
+    def _interval(self, value: float, error: float) -> Estimate:
+        half = error * width(self.confidence, self.study.replicates)
+        return Estimate(value, value - half, value + half)
+
+    @property
+    def linear(self) -> Mapping[str, Linear]:
+        """Mean and standard deviation of each output by linear propagation; empty where there is no derivative."""
+        return self._linear[0]
+
+    @property
+    def no_linear(self) -> str:
+        """Why `linear` is empty."""
+        return self._linear[1]
+
+    @cached_property
+    def _linear(self) -> tuple[Mapping[str, Linear], str]:
+        if self.study.method == "grid":
+            return {}, "values on a grid have no distribution"
+        try:
+            return propagated(self.study), ""
+        except ValueError as error:
+            return {}, str(error)
 
     def exceedance(self, output: str, points: int = 101) -> Curve:
         """Probability that an output is at least so large, at edges of bins, where it has no bin error."""
@@ -172,6 +229,7 @@ class Ensemble:
             self._moving[replicate] += result["moving"][0]
             for name in OUTPUTS:
                 self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
+                self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
                 ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
                 self._ends[name] = min(ends[0], low), max(ends[1], high)
             for name, values in result.items():
@@ -202,6 +260,9 @@ class Ensemble:
         ):
             if count := int(self.counts[status]):
                 found.append(f"{count} of {total} samples {text}")
+        for name, linear in self.linear.items():
+            if said := disagreement(name, linear, self._sampled(name), self.study.accuracy):
+                found.append(said)
         return found
 
     def record(self) -> dict[str, Any]:
@@ -211,6 +272,9 @@ class Ensemble:
             curve = self.exceedance(name)
             outputs[name] = {
                 "unit": unit,
+                "mean": _estimate(self.mean(name)),
+                "std": _estimate(self.std(name)),
+                "linear": self.linear[name]._asdict() if name in self.linear else None,
                 "quantiles": [{"p": p} | _estimate(self.quantile(name, p)) for p in QUANTILES],
                 "exceedance": [
                     dict(zip(Curve._fields, map(float, row), strict=True)) for row in zip(*curve, strict=True)
@@ -225,6 +289,7 @@ class Ensemble:
             "status": {s.name: int(self.counts[s]) for s in Status},
             "moving": _estimate(self.moving),
             "outputs": outputs,
+            "no_linear": self.no_linear or None,
             "sensitivity_base": self.study.base,
             "sensitivity": [
                 {"output": output, "input": u.key, "first": _estimate(first), "total": _estimate(total)}
@@ -243,6 +308,9 @@ class Ensemble:
         found: list[tuple[str, str, str, float, float, float, float]] = []
         found.append(("probability of moving", "moves", "", math.nan, *self.moving))
         for name in OUTPUTS:
+            found += [("mean", name, "", math.nan, *self.mean(name)), ("std", name, "", math.nan, *self.std(name))]
+            for what, value in self.linear[name]._asdict().items() if name in self.linear else ():
+                found.append((f"linear {what}", name, "", math.nan, value, math.nan, math.nan))
             found += [("quantile", name, "", p, *self.quantile(name, p)) for p in QUANTILES]
             rows = np.stack(self.exceedance(name), axis=1).tolist()
             found += [("exceedance", name, "", *row) for row in rows]
@@ -257,11 +325,17 @@ class Ensemble:
         return found
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        """Everything as arrays by name: quantiles and curves as rows of (at, value, low, high), bins, samples."""
+        """Everything as arrays by name: quantiles and curves as rows of (at, value, low, high), bins, samples.
+
+        Means and standard deviations as (value, low, high), the linear ones as (mean, standard deviation).
+        """
         found: dict[str, NDArray[Any]] = {"status_counts": self.counts, "moving": np.array(self.moving)}
         for name in OUTPUTS:
             found[f"{name}_quantiles"] = np.array([(p, *self.quantile(name, p)) for p in QUANTILES])
             found[f"{name}_exceedance"] = np.stack(self.exceedance(name), axis=1)
+            found[f"{name}_mean"], found[f"{name}_std"] = np.array(self.mean(name)), np.array(self.std(name))
+            if name in self.linear:
+                found[f"{name}_linear"] = np.array(self.linear[name])
             counts = self._histograms[name].sum(axis=0)
             filled = np.flatnonzero(counts)
             found[f"{name}_bins"] = np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
@@ -288,8 +362,10 @@ def _known(given: Any) -> Any:
     if not hasattr(given, "__qualname__"):
         return repr(given)
     if "<" in given.__qualname__:  # another one has the same name
-        raise ValueError("folder: a friction function that a later run is to know again needs a name of its own: define "
-                         "it with def in a module, or give a table")  # fmt: skip
+        raise ValueError(
+            "folder: a friction function that a later run is to know again needs a name of its own: define it with def "
+            "in a module, or give a table"
+        )
     return f"{given.__module__}.{given.__qualname__}"
 
 
@@ -360,7 +436,7 @@ def ensemble(
     if scene.shape:
         said.append("a scene of arrays is solved as it is: use solve")
     if not scene.uncertain:
-        said.append("no number is uncertain: give Scene(uncertain=...), or a distribution in its file")
+        said.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 1:
         said.append(f"n = {n!r}: must be a whole number, 1 at least")
     elif method == "latin-hypercube" and n > MOST_LATIN:
@@ -440,7 +516,8 @@ def conduct(
         description = {
             "slipcircle": __version__, "effects": study.effects,
             "values": {k: v if v is None or isinstance(v, float) else dict(v) for k, v in sorted(study.values.items())},
-            "law": _known(study.law), "fixed": _known(study.fixed), "accuracy": study.accuracy, "inputs": [u.record for u in study.inputs.values()],
+            "law": _known(study.law), "fixed": _known(study.fixed), "accuracy": study.accuracy,
+            "inputs": [u.record for u in study.inputs.values()],
             "levels": [x.tolist() for x in study.levels], "method": study.method, "samples": study.n,
             "sensitivity_base": study.base, "keep": study.keep, "seed": seed, "block": size,
         }  # fmt: skip

@@ -34,8 +34,39 @@ def student(values: Floats, confidence: float) -> Any:
     count = len(values)
     if count < 2:
         return np.full(np.shape(values)[1:], np.nan)
-    wide = special().stdtrit(count - 1, (1.0 + confidence) / 2)
-    return wide * np.std(values, axis=0, ddof=1) / math.sqrt(count)
+    return width(confidence, count) * np.std(values, axis=0, ddof=1) / math.sqrt(count)
+
+
+def pooled(a: Floats, b: Floats) -> Floats:
+    """`slipcircle.studies.study.moments` of two sets of values together (Pebay 2008, equations 3.1)."""
+    n, m = a[0] + b[0], a[0] * b[0]
+    if not m:
+        return b if b[0] else a
+    step, p, q = b[1] - a[1], a[0] / n, b[0] / n
+    second = a[2] + b[2] + m / n * step**2
+    third = a[3] + b[3] + m / n * step**3 * (p - q) + 3 * step * (p * b[2] - q * a[2])
+    fourth = a[4] + b[4] + m / n * step**4 * (p * p - p * q + q * q)
+    fourth += 6 * step**2 * (p * p * b[2] + q * q * a[2]) + 4 * step * (p * b[3] - q * a[3])
+    return np.array([n, a[1] + q * step, second, third, fourth])
+
+
+def spread(moments: Floats) -> tuple[float, float, float, float]:
+    """Mean and its standard error, standard deviation and its own, from the moments of independent samples.
+
+    The variance of a sample's variance is that of the squares over n; a root halves relative errors.
+    """
+    n, mean, second, _, fourth = moments.tolist()
+    if n < 2:
+        return mean if n else math.nan, math.nan, math.nan, math.nan
+    std = math.sqrt(second / (n - 1))
+    rest = max(fourth / n - (second / n) ** 2, 0.0) / n
+    return mean, std / math.sqrt(n), std, math.sqrt(rest) / (2 * std) if std else 0.0
+
+
+def width(confidence: float, replicates: int = 1) -> float:
+    """Standard errors of half an interval: of many samples, or of a few replicates."""
+    tail = (1.0 + confidence) / 2
+    return float(special().stdtrit(replicates - 1, tail) if replicates > 1 else special().ndtri(tail))
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:

@@ -41,6 +41,16 @@ def edges() -> Floats:
     return np.concatenate([[0.0], inner.view(np.float64), [np.inf]])
 
 
+def moments(values: Floats) -> Floats:
+    """Number and mean of values, and sums of the second to fourth powers of what they differ from it."""
+    if not values.size:
+        return np.zeros(5)
+    mean = float(np.mean(values))
+    off = values - mean
+    squares = off * off
+    return np.array([values.size, mean, np.sum(squares), np.sum(squares * off), np.sum(squares * squares)])
+
+
 class Piece(NamedTuple):
     """A stretch of a sequence of points."""
 
@@ -161,8 +171,8 @@ def run_block(study: Study, index: int, seed: int, size: int) -> Result:
     Returns
     -------
     dict of ndarray
-        ``status`` counts; of each output the bins that are not empty, their counts, and the extremes; the samples where
-        they are kept. For sensitivity indices instead the sums of `slipcircle.studies.estimates.indices`.
+        ``status`` counts; of each output the bins that are not empty, their counts, the extremes and the `moments`; the
+        samples where they are kept. For sensitivity indices instead the sums of `slipcircle.studies.estimates.indices`.
     """
     first = study.sample_blocks(size)
     if index >= first:
@@ -181,6 +191,7 @@ def run_block(study: Study, index: int, seed: int, size: int) -> Result:
     for name in OUTPUTS:
         values = outputs[name][answered]
         result[f"{name}.bins"], result[f"{name}.counts"] = _filled(bins(values))
+        result[f"{name}.moments"] = moments(values)
         result[f"{name}.ends"] = np.array([values.min(), values.max()]) if values.size else np.array([np.inf, -np.inf])
     if study.keep:
         result |= {f"sample.{u.key}": x for u, x in zip(study.inputs.values(), drawn, strict=True)}

@@ -3,6 +3,7 @@
 import argparse
 import csv
 import io
+import math
 import sys
 from concurrent.futures import BrokenExecutor
 from dataclasses import replace
@@ -14,9 +15,10 @@ from numpy.typing import NDArray
 
 from slipcircle import Scene
 from slipcircle.arrays.block import Status
-from slipcircle.outputs import tables
+from slipcircle.inputs.scenefile import find
+from slipcircle.outputs import files, pictures, studyplots, tables
 from slipcircle.studies.distributions import DISTRIBUTIONS
-from slipcircle.studies.engines import ENGINES, engine, replacing, write
+from slipcircle.studies.engines import ENGINES, engine, replacing
 from slipcircle.studies.ensembles import QUANTILES, Ensemble, ensemble, grid
 from slipcircle.studies.estimates import Estimate
 from slipcircle.studies.study import BIN_ERROR, METHODS, OUTPUTS
@@ -41,6 +43,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
+    parser.add_argument("--plot", metavar="FILE", help="draw exceedance curves and which unknown matters, or a grid of "
+                        "one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
+    parser.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     parser.add_argument("--csv", metavar="FILE", help="write one table of all results")
     parser.add_argument("--npz", metavar="FILE", help="write all results as NumPy arrays, the samples where kept")
 
@@ -52,16 +57,30 @@ def run(options: argparse.Namespace) -> Ensemble:
         drawn = _drawn(options.uncertain)
         others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
         scene = replace(scene, uncertain=others | drawn)
-    for path in filter(None, (options.csv, options.npz)):
-        if not Path(path).parent.is_dir():  # said before the work, not after it
-            raise ValueError(f"{path}: there is no folder {Path(path).parent}")
+    drawn = {k: path for k in ("plot", "report") if (path := getattr(options, k))}
+    written = drawn | {k: path for k in ("csv", "npz") if (path := getattr(options, k))}
+    source = find(options.scene)
+    files.check("sweep", {f"--{k}": path for k, path in written.items()}, [str(source)])  # before the work
+    if options.report and options.grid:
+        raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
+    if drawn:
+        pictures.check("sweep", options.plot or "")
+        if options.grid:
+            studyplots.check_grid([len(x) for x in _levels(options.grid).values()])
+    content = source.read_bytes()
     try:
         found = _compute(scene, options)
     except BrokenExecutor as error:
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
+    if options.plot:
+        files.write(options.plot, pictures.study(found, Path(options.plot).suffix[1:].lower()))
+    if options.report:
+        from slipcircle.outputs.studyreport import study_report
+
+        files.write(options.report, study_report(found, content, options.line).encode())
     if options.csv:
-        write(options.csv, _csv(found).encode())
+        files.write(options.csv, _csv(found).encode())
     if options.npz:
         with replacing(options.npz) as file:
             _savez(file, found.arrays())
@@ -154,34 +173,52 @@ def record(found: Ensemble) -> Any:
     return {"scene": found.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in cells]}
 
 
-def _pm(e: Estimate, digits: str = ".4g") -> str:
-    ends = ", ".join("?" if np.isnan(x) else f"{x:{digits}}" for x in (e.low, e.high))
-    return f"{e.value:{digits}} [{ends}]" if not np.isnan(e.value) else "-"
+def _pm(e: Estimate) -> str:
+    """A value and its interval, to two digits of the interval's width."""
+    if np.isnan(e.value):
+        return "-"
+    wide = e.high - e.low
+    form = f".{min(max(1 - math.floor(math.log10(wide)), 0), 12)}f" if wide > 0.0 else ".6g"
+    value, *ends = ("?" if np.isnan(x) else f"{x:{form}}" for x in e)
+    return f"{value} [{', '.join(ends)}]"
+
+
+def _words(name: str, unit: str = "") -> str:
+    """An output or a status as the tables have it."""
+    return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
 
 def show(found: Ensemble) -> None:
     """Print tables."""
     study = found.study
     if study.method == "grid":
-        head, rows = grid_rows(found)
+        _, rows = grid_rows(found)
         if len(rows) > _MOST_ROWS:
-            said = ", ".join(f"{count} {Status(s).name}" for s, count in enumerate(found.counts) if count)
+            said = ", ".join(f"{count} {_words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
             print(f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json")
             return
-        tables.show(head, [[f"{x:.6g}" if isinstance(x, float) else x for x in row] for row in rows], found.scene.name)
+        head = [*(u.key for u in study.inputs.values()), *(_words(n, unit) for n, unit in OUTPUTS.items()), "status"]
+        cells = [[*(f"{x:.6g}" for x in numbers), _words(status)] for *numbers, status in rows]
+        tables.show(head, cells, found.scene.name)
         return
+    head = [_words(n, unit) for n, unit in OUTPUTS.items()]
     percent = f"{100 * found.confidence:g} %"
     tables.show(
-        ["quantile", *(f"{n.replace('_', ' ')}, {unit}" for n, unit in OUTPUTS.items())],
-        [[f"{p:g}", *(_pm(found.quantile(n, p), ".5g") for n in OUTPUTS)] for p in QUANTILES],
+        ["quantile", *head],
+        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTPUTS)] for p in QUANTILES],
         f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}",
-        f"probability of moving {_pm(found.moving, '.6g')}; {percent} intervals"
+        f"probability of moving {_pm(found.moving)}; {percent} intervals"
         + ("" if found.samples else f"; from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"),
     )
+    rows = [["mean", *(_pm(found.mean(n)) for n in OUTPUTS)], ["std", *(_pm(found.std(n)) for n in OUTPUTS)]]
+    for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
+        rows.insert(2 * k + 1, [what, *(f"{found.linear[n][k]:.6g}" for n in OUTPUTS)])
+    said = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
+    tables.show(["", *head], rows, "Mean and standard deviation", said)
     chosen = (0.5, 0.1, 0.01)
     curve = {n: found.exceedance(n) for n in ("run_out", "peak_velocity")}
     tables.show(
-        ["exceeded with probability", *(f"{n.replace('_', ' ')}, {OUTPUTS[n]}" for n in curve)],
+        ["exceeded with probability", *(_words(n, OUTPUTS[n]) for n in curve)],
         [[f"{p:g}", *(f"{found.quantile(n, 1 - p).value:.5g}" for n in curve)] for p in chosen],
         "Exceedance", "the curves are in --csv, --npz and --json",
     )  # fmt: skip
@@ -189,11 +226,11 @@ def show(found: Ensemble) -> None:
         rows = []
         for output, of in found.sensitivity.items():
             for u, first, total in zip(study.inputs.values(), *of, strict=True):
-                rows.append([output.replace("_", " "), u.key, _pm(first, ".3f"), _pm(total, ".3f")])
+                rows.append([_words(output), u.key, _pm(first), _pm(total)])
         tables.show(["output", "input", "first-order index", "total index"], rows, "Which unknown matters",
                     f"from {study.base} base points")  # fmt: skip
     tables.show(
-        ["samples", "probability of moving", "median run-out, m", "95 % quantile, m"],
-        [[str(c.n), _pm(c.moving), _pm(c.median, ".5g"), _pm(c.upper, ".5g")] for c in found.convergence],
+        ["samples", "probability of moving", "median run-out (m)", "95 % quantile (m)"],
+        [[str(c.n), _pm(c.moving), _pm(c.median), _pm(c.upper)] for c in found.convergence],
         "Convergence",
     )

@@ -1,0 +1,264 @@
+"""Pictures of uncertain scenes: exceedance curves, sensitivity indices, and what a change of each number changes.
+
+Every function draws on a given matplotlib axis, or on one of its own, and returns it.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from textwrap import shorten
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number
+
+if TYPE_CHECKING:
+    from slipcircle.sensitivity import Sensitivity
+    from slipcircle.studies.ensembles import Ensemble
+
+NAMES: Mapping[str, str] = {
+    "run_out": "run-out along the arc",
+    "peak_velocity": "peak velocity",
+    "duration": "duration",
+    "moves": "whether it moves",
+}
+_POINTS = 801  # of a curve, from 0 to the largest value
+# Of a family of curves: colours that the colour-blind tell apart, dashes and markers that greys leave apart.
+_STYLES: tuple[Mapping[str, Any], ...] = tuple(
+    {"color": colour, "ls": dashes, "marker": marker}
+    for colour, dashes, marker in (
+        ("#0072B2", "-", "o"), ("#D55E00", (0, (5, 2)), "s"), ("black", (0, (1, 1.2)), "^"),
+        ("#009E73", (0, (6, 1.5, 1, 1.5)), "D"), ("#CC79A7", "-", "x"), ("#E69F00", (0, (3, 1)), "v"),
+    )
+)  # fmt: skip
+_DEGREES, _SHARE = 1.0, 0.01  # changes in a tornado, by default
+
+
+def exceedance(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
+    """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
+
+    Parameters
+    ----------
+    found : Ensemble
+        Of samples, not a grid.
+    output : str
+        run_out, peak_velocity or duration.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    from slipcircle.studies.study import OUTPUTS
+
+    _drawn(found, output, tuple(OUTPUTS))
+    ax, unit = axis(ax), OUTPUTS[output]
+    ax.set(xlabel=f"{NAMES[output]} ({unit})", ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02))
+    ax.grid(alpha=0.3)
+    curve, moving = found.exceedance(output, _POINTS), found.moving
+    if not curve.at.size or moving.value == 0.0:
+        ax.set_xticks([])
+        return note("nothing moves", ax)
+    at = np.concatenate([[0.0], curve.at])  # whatever moves has a run-out, a velocity and a duration above 0
+    value, low, high = (np.concatenate([[first], rest]) for first, rest in zip(moving, curve[1:], strict=True))
+    ax.fill_between(at, low, high, label=f"{100 * found.confidence:g} % confidence at each place", **AREAS["band"])
+    ax.plot(at, value, label=f"{number(found.n)} samples", **LINES["main"])
+    for mark, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
+        place = found.quantile(output, p).value
+        if place == 0.0:
+            continue
+        shown = f"{words}: {number(place)} {unit}"
+        ax.plot(place, np.interp(place, at, value), ls="", clip_on=False, zorder=4, label=shown, **MARKS[mark])
+    top = float(at[-1])
+    least = float(at[np.flatnonzero(value == 1.0)[-1]]) if moving.value == 1.0 else 0.0
+    ax.set_xlim(max(0.0, least - 0.05 * (top - least)) if least > 0.4 * top else 0.0, top + 0.02 * (top - least))
+    legend(ax)
+    return ax
+
+
+def indices(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
+    """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence.
+
+    Parameters
+    ----------
+    found : Ensemble
+        With ``sensitivity``.
+    output : str
+        run_out, peak_velocity, duration or moves.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    _drawn(found, output, tuple(NAMES))
+    if output not in found.sensitivity:
+        raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
+    keys, of = [u.key for u in found.study.inputs.values()], found.sensitivity[output]
+    order = np.argsort([-e.value for e in of.total], kind="stable").tolist()
+    ax = axis(ax, (7.0, 1.6 + 0.6 * len(keys)))
+    ax.set(xlabel=f"share of the variance of {NAMES[output]} (–)", ylim=(len(keys) - 0.5, -0.5))
+    ax.set_yticks(range(len(keys)), [keys[k] for k in order], parse_math=False)
+    shown = np.array([(*of.first[k], *of.total[k]) for k in order])
+    if not np.all(np.isfinite(shown[:, [0, 3]])):
+        ax.set_xticks([])
+        return note("does not vary", ax)
+    for place, words, (value, low, high) in (
+        (-0.19, "on its own (first-order)", shown[:, :3].T),
+        (0.19, "together with others (total)", shown[:, 3:].T),
+    ):
+        at = np.arange(len(keys)) + place
+        bars = AREAS["rests" if place < 0 else "kinetic"]
+        ax.barh(at, np.maximum(value, 0.0), height=0.36, label=words, **bars)
+        error = np.nan_to_num([value - low, high - value])
+        ax.errorbar(value, at, xerr=error, fmt="none", ecolor="black", elinewidth=1.2, capsize=3)
+    low, high = np.nanmin(shown), np.nanmax(shown)
+    ax.set_xlim(min(0.0, 1.1 * low) if low < -0.01 else 0.0, max(1.0, 1.05 * high))
+    ax.axvline(0.0, color="0.25", lw=0.8)
+    ax.grid(axis="x", alpha=0.3)
+    legend(ax, columns=1)  # names of keys may leave little room beside
+    return ax
+
+
+def tornado(
+    table: "Sensitivity", output: str = "run_out", changes: Mapping[str, float] | None = None, ax: Any = None
+) -> Any:
+    """How much an output changes, to first order, with a change of each number of a scene; the largest on top.
+
+    Parameters
+    ----------
+    table : Sensitivity
+        Of a motion: ``motion.sensitivity()``.
+    output : str
+        run_out, peak_velocity or duration.
+    changes : mapping, optional
+        By how much each number changes, in the unit of its key in a scene file, ``{"friction.angle_deg": 2.0}``, and
+        only these are drawn; by default each angle by 1 degree, and everything else by 1 %.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    from slipcircle.studies.distributions import keys_of
+
+    _known("tornado", "output", output, table.outputs)
+    keys = keys_of("constant")
+    if changes is not None:
+        for changed in changes:
+            _known("tornado", "changes", changed, [keys[n].key for n in table.parameters])
+    bars = []
+    for k, name in enumerate(table.parameters):
+        key = keys[name]
+        value, angle = float(key.from_si(table.at[name])), key.key.endswith("_deg")
+        step = (_DEGREES if angle else _SHARE * abs(value)) if changes is None else changes.get(key.key, 0.0)
+        slope = float(table.values[list(table.outputs).index(output), k] * key.slope(value))
+        said = f"{number(value)} ± " + (f"{100 * _SHARE:g} %" if changes is None and not angle else f"{step:.3g}")
+        if step and (slope or changes is not None):
+            bars.append((abs(slope) * step, slope * step, f"{key.key} = {said}"))
+    ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
+    unit, at = table.outputs[output], table.at[output]
+    ax.set(xlabel=f"change of {NAMES[output]} from {number(at)} {unit} ({unit})")
+    if not at or not bars:
+        ax.set(xticks=[], yticks=[])
+        return note("nothing changes it" if at else "does not move", ax)
+    bars.sort(key=lambda bar: -bar[0])
+    for sign, words, style in ((1.0, "larger", "kinetic"), (-1.0, "smaller", "rests")):
+        ax.barh(range(len(bars)), [sign * x for _, x, _ in bars], height=0.62, label=words, **AREAS[style])
+    ax.set_yticks(range(len(bars)), [words for *_, words in bars], parse_math=False)
+    ax.set(ylim=(len(bars) - 0.5, -0.5), xlim=(-1.08 * bars[0][0], 1.08 * bars[0][0]))
+    ax.axvline(0.0, color="0.25", lw=0.8)
+    ax.grid(axis="x", alpha=0.3)
+    legend(ax)
+    return ax
+
+
+def response(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
+    """An output over the first number of a grid; of a second one, a curve for each of its values.
+
+    Parameters
+    ----------
+    found : Ensemble
+        Of a grid.
+    output : str
+        run_out, peak_velocity or duration.
+    ax : matplotlib axis, optional
+
+    Returns
+    -------
+    matplotlib axis
+    """
+    from slipcircle.studies.study import OUTPUTS
+
+    _known("response", "output", output, OUTPUTS)
+    levels, keys = found.study.levels, [u.key for u in found.study.inputs.values()]
+    check_grid([len(x) for x in levels])
+    ax = axis(ax)
+    values = np.where(np.isnan(found.samples["peak_velocity"]), np.nan, found.samples[output])
+    for column, style in zip(values.reshape(len(levels[0]), -1).T, _STYLES, strict=False):
+        ax.plot(levels[0], column, lw=1.8, ms=4, **style)
+    if len(levels) == 2:
+        names = [f"{keys[1]} = {number(x)}" for x in levels[1]]
+        legend(ax, handles=ax.lines, labels=names)
+    ax.set(ylabel=f"{NAMES[output]} ({OUTPUTS[output]})")
+    ax.set_xlabel(f"{keys[0]}", parse_math=False)
+    ax.grid(alpha=0.3)
+    return ax
+
+
+def check_grid(counts: Sequence[int]) -> None:
+    """See that a grid of so many values of each number can be drawn.
+
+    Raises
+    ------
+    ValueError
+        If not.
+    """
+    if not 1 <= len(counts) <= 2 or (len(counts) == 2 and counts[1] > len(_STYLES)):
+        raise ValueError(
+            f"a picture of a grid shows one number, or two with at most {len(_STYLES)} values of the second, not "
+            f"{' x '.join(map(str, counts)) or 'samples'}: give --csv or --npz"
+        )
+
+
+def overview(found: "Ensemble", figure: Any = None) -> Any:
+    """Exceedance of run-out and of peak velocity, and below what each unknown adds to them, in one figure.
+
+    Of a grid, run-out and peak velocity over its numbers.
+
+    Parameters
+    ----------
+    found : Ensemble
+    figure : matplotlib figure or subfigure, optional
+        An empty one with a constrained layout, of `size`.
+    """
+    if figure is None:
+        figure = axis(None, size(found)).figure
+        figure.clear()
+    outputs = ("run_out", "peak_velocity")
+    grid = figure.add_gridspec(1 + bool(found.sensitivity), 2, height_ratios=_heights(found))
+    for k, output in enumerate(outputs):
+        (response if found.study.method == "grid" else exceedance)(found, output, figure.add_subplot(grid[0, k]))
+        if found.sensitivity:
+            indices(found, output, figure.add_subplot(grid[1, k]))
+    figure.suptitle(shorten(found.scene.name, 80), parse_math=False, fontweight="bold")
+    return figure
+
+
+def size(found: "Ensemble") -> tuple[float, float]:
+    """Inches of the overview."""
+    return 14.0, sum(_heights(found)) + 0.4
+
+
+def _heights(found: "Ensemble") -> list[float]:
+    return [5.2, 1.6 + 0.55 * len(found.study.inputs)] if found.sensitivity else [5.2]
+
+
+def _drawn(found: "Ensemble", output: str, known: tuple[str, ...]) -> None:
+    _known("Ensemble", "output", output, known)
+    if found.study.method == "grid":
+        raise ValueError("Ensemble: values on a grid have no probability; draw samples of uncertain numbers")
+
+
+def _known(where: str, what: str, given: str, known: Iterable[str]) -> None:
+    if given not in known:
+        raise ValueError(f"{where}: {what} = {given!r}: must be one of {', '.join(known)}")
