@@ -560,8 +560,8 @@ def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
     record = tmp_path / "shock.csv"
     record.write_text("time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", encoding="utf-8")
     effects = {"shaking": {"record": record, "holds": "ground", "units": "m/s2"}}
-    for arc, more in ((replace(ARC, gravity=np.array([9.81, 3.7])), {}),
-                      (ARC, {"uncertain": {"gravity": {"distribution": "uniform", "low": 1, "high": 9}}})):  # fmt: skip
+    drawn: dict[str, Any] = {"uncertain": {"gravity": {"distribution": "uniform", "low": 1, "high": 9}}}
+    for arc, more in ((replace(ARC, gravity=np.array([9.81, 3.7])), {}), (ARC, drawn)):
         with pytest.raises(ValueError, match=r"arc\.gravity: must be one number with a record"):
             Scene(arc, 0.5, effects, **more)
     assert Scene(replace(ARC, gravity=np.array([9.81, 9.81])), 0.5, effects).shape == (2,)
