@@ -50,4 +50,7 @@ and its form without cancellation, over alpha**3. At the end of ``_reduced_forms
 
 It is then a function of `generated`, sampled only. A certificate takes its shape in ``approximants`` and ``fit``, and
 its closed form in ``truth``.
+
+The tests know nothing of a declaration: they ask for the same again in words of their own, a moment's weight in
+``tests/oracle.py``, an effect's symbols in ``tests/test_specialised.py``, its term in ``tests/test_physics.py``.
 """

@@ -6,19 +6,21 @@ Results go to stdout, messages to stderr; the exit status is what `EPILOG` says.
 import argparse
 import json
 import os
+import re
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
+from typing import Any, TypeVar
 
 import slipcircle
 from slipcircle import Motion, Scene, plan, solve
 from slipcircle.inputs.scenefile import find, shipped
 from slipcircle.outputs import files, tables
 
+T = TypeVar("T")
 OBSERVED = (("runout", "m", "run-out along the arc"), ("peak-velocity", "m-s", "greatest velocity"),
             ("duration", "s", "time until it rested"))  # fmt: skip
 EPILOG = """\
@@ -121,7 +123,7 @@ def _run(options: argparse.Namespace) -> None:
 
         pictures.check("run", options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
-    motions = [_solved(name) for name in options.scenes]
+    motions = [_speaking_of(Scene.load(name), solve) for name in options.scenes]
     for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:
         files.write(path, content)
     if options.json:
@@ -142,13 +144,12 @@ def _run(options: argparse.Namespace) -> None:
             print(f"slipcircle: {m.plan.scene.name}: {warning}", file=sys.stderr)
 
 
-def _solved(name: str) -> Motion:
-    """The motion of a scene by name or file; where it has none, the error says of which."""
-    scene = Scene.load(name)
+def _speaking_of(scene: Scene, work: Callable[[Scene], T]) -> T:
+    """What the work makes of a scene; an error says of which, and names the key of its file."""
     try:
-        return solve(scene)
+        return work(scene)
     except ValueError as error:
-        raise ValueError(f"{scene.name}: {error}") from error
+        raise ValueError(f"{scene.name}: {re.sub('end_time(?!_)', 'end_time_s', str(error))}") from error
 
 
 def _content(kind: str, path: str, motions: list[Motion], sources: list[bytes], options: argparse.Namespace) -> bytes:
@@ -175,7 +176,7 @@ def _plan(options: argparse.Namespace) -> None:
             tables.show(tables.ALL, rows, title="Floating-point operations of each combination of effects")
         return
     chosen = plan(Scene.load(options.scene))
-    rungs = chosen.ladder() if options.ladder else []
+    rungs = _speaking_of(chosen.scene, lambda _: chosen.ladder()) if options.ladder else []
     if options.json:
         _print(tables.plan_record(chosen) | ({"ladder": [asdict(r) for r in rungs]} if options.ladder else {}))
     elif options.ladder:

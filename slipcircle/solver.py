@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -145,7 +144,6 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
     return Motion(chosen, whole, phases, duration, arrested)
 
 
-@cache
 def _follower(method: str) -> "Callable[[Balance, Friction, Start, float, float, float], Followed]":
     """What solves one phase, from its start, its longest duration, its time and a tolerance; only it is imported."""
     if method in (CLOSED_IN_TIME, STEPPING):

@@ -244,7 +244,7 @@ def test_a_reader_that_stops_reading(what: str, reads: str, said: str) -> None:
 def test_help_says_what_there_is_and_how_it_ends(capsys: pytest.CaptureFixture[str]) -> None:
     """Every command has its own help and a sentence; scenes and exit status stand in the first; within 100 columns."""
     said = {}
-    for name in ("", "run", "plan", "sweep", "backanalyse", "schema", "cost", "info"):
+    for name in ("", "run", "plan", "sweep", "backanalyse", "sensitivity", "schema", "cost", "info"):
         with pytest.raises(SystemExit, match="0"):
             main([*name.split(), "--help"])
         said[name] = capsys.readouterr().out
@@ -252,6 +252,19 @@ def test_help_says_what_there_is_and_how_it_ends(capsys: pytest.CaptureFixture[s
         assert re.search(r"\n\n[A-Z][^\n]*(\n[^\n]+)*\.\n", said[name]), name
     assert "0 done, 1 the input was refused, 2 a wrong call, 130 interrupted" in said[""]
     assert all(name in said[""] for name in (*shipped(), *said))
+
+
+def test_a_scene_without_an_end_is_named_with_the_key_to_write(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (Path(slipcircle.__file__).parent / "scenes" / "vaiont-frozen.toml").read_text("utf-8")
+    path = tmp_path / "endless.toml"
+    path.write_text(text.replace("end_time_s = 30", "").replace("vaiont-frozen", "endless"), "utf-8")
+    for argv in (["run", "vaiont", str(path)], ["plan", "--ladder", str(path)]):
+        assert main(argv) == 1
+        said = capsys.readouterr().err
+        assert said.startswith("slipcircle: endless: end_time_s: this slide never rests")
+        assert "give end_time_s" in said
 
 
 def test_the_exit_status_reaches_the_shell() -> None:

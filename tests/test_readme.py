@@ -17,6 +17,7 @@ import test_time_scenes
 import generated
 import slipcircle
 from generated._compiled import LEVEL, LEVELS
+from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
 from slipcircle import Motion, Scene, plan, solve
 from slipcircle.__main__ import main
@@ -54,7 +55,8 @@ def test_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     motion = solve(Scene.load(str(path)))
     assert motion.moves
     assert motion.arrested
-    assert motion.plan.left_out == ("viscosity", "shaking", "thermal_pressurisation")
+    assert motion.plan.effects == tuple(e for e in EFFECTS if e in tomllib.loads(toml))
+    assert all(f"[{e}]" in toml for e in motion.plan.left_out)  # in its last comment
     assert main(["run", str(path)]) == 0
     assert main(["plan", "--ladder", str(path)]) == 0
     assert "my-slope" in capsys.readouterr().out

@@ -19,7 +19,7 @@ _GAUSS = (np.polynomial.legendre.leggauss(NODES)[0] + 1) / 2, np.polynomial.lege
 _LAST = (2 * np.arange(NODES - 2, NODES)[:, None] + 1) * _GAUSS[1]  # of the Legendre series, the last two terms
 _LAST *= np.polynomial.legendre.legvander(2 * _GAUSS[0] - 1, NODES - 1).T[-2:]
 _MAX_PANELS = 600
-_MOST_QUARTERINGS = 5
+_MOST_QUARTERINGS = 12
 _QUARTERS = np.array([[0.25], [0.5], [0.75]])
 
 
@@ -98,14 +98,16 @@ def quadrature(function: Callable[[Floats], Floats], edges: Floats, middle: floa
         width = right - left
         values = function(left + width * _GAUSS[0][:, None])
         sizes, tails = width * (_GAUSS[1] @ values), width * np.abs(_LAST @ values).sum(axis=0)
-        bad = tails > 1e-8 * sizes
-        good = ~bad
-        whole, part = whole + float(sizes[good].sum()), part + float(sizes[good & (left < middle)].sum())
-        missing += float((tails * tails / sizes)[good].sum())
-        if not bad.any():
+        bad, cut = tails > 1e-8 * sizes, left[:0]
+        if bad.any():
+            inner = left[bad] + width[bad] * _QUARTERS
+            cut, right = np.append(left[bad], inner), np.append(inner, right[bad])
+            sizes, tails, left = sizes[~bad], tails[~bad], left[~bad]
+        whole, part = whole + float(sizes.sum()), part + float(sizes[left < middle].sum())
+        missing += float((tails * tails / np.maximum(sizes, 1e-300)).sum())
+        if not cut.size:
             return whole, part, missing
-        inner = left[bad] + width[bad] * _QUARTERS
-        left, right = np.append(left[bad], inner), np.append(inner, right[bad])
+        left = cut
     return whole, part, np.inf
 
 

@@ -62,14 +62,17 @@ class Panels(NamedTuple):
         """Some of them."""
         return Panels(self.edges[: count + 1], self.values[: count + 1], *(a[:count] for a in self[2:]))
 
-    def then(self, more: "Panels") -> "Panels":
-        """And those that follow."""
-        ends = (np.concatenate([a, b[1:]]) for a, b in zip(self[:2], more[:2], strict=True))
-        return Panels(*ends, *(np.concatenate([a, b]) for a, b in zip(self[2:], more[2:], strict=True)))
+
+def joined(parts: list[Panels]) -> Panels:
+    """Panels that follow each other as one."""
+    if len(parts) == 1:
+        return parts[0]
+    ends = (np.concatenate([parts[0][i][:1], *(p[i][1:] for p in parts)]) for i in (0, 1))
+    return Panels(*ends, *(np.concatenate([p[i] for p in parts]) for i in range(2, 7)))
 
 
 def propose(
-    equation: Callable[[Floats], tuple[Floats, Floats]], edges: Floats, rounds: int = 6
+    equation: Callable[[Floats], tuple[Floats, Floats]], edges: Floats, terms: float, blur: float, rounds: int = 6
 ) -> tuple[Floats, Floats, Floats]:
     """Panels on which the equation is smooth, to be solved: as given, or halves where it is not.
 
@@ -79,6 +82,10 @@ def propose(
         Takes places of shape (p, n), gives right and matrix of shapes (m, p, n) and (m, m, p, n).
     edges : ndarray
         Shape (n + 1,).
+    terms : float
+        Size of the terms whose difference the right side is, at least: it is rounded as they are.
+    blur : float
+        By how much a rotation's rounding, relative to it, is larger in the equation, for each of the rotation.
     rounds : int, optional
         How often a panel is halved at most.
 
@@ -94,8 +101,8 @@ def propose(
         given = np.concatenate([right.reshape(-1, p, n), matrix.reshape(-1, p, n)])
         series = BACK @ given[:, :NODES]
         left_out = np.abs(series[:, -2:]).sum(axis=1) + np.abs(_AT_HAIRS.T @ series - given[:, NODES:]).max(axis=1)
-        largest = np.abs(series).sum(axis=1).max(axis=1, keepdims=True)  # where a drive passes zero it is rounded
-        rough = (left_out > RESOLVED * largest).any(axis=0)
+        largest = RESOLVED * np.abs(series).sum(axis=1).max(axis=1, keepdims=True)
+        rough = (left_out > np.maximum(largest, 4 * EPS * terms) * (1.0 + blur * edges[1:])).any(axis=0)
         if not rounds or not rough.any():
             break
         rounds -= 1

@@ -17,7 +17,18 @@ from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
 from slipcircle.friction import Friction
 from slipcircle.methods.chebyshev import Piecewise, accumulate, quadrature, resolve
-from slipcircle.methods.collocation import BACK, MEAN, RESOLVED, Panels, Z, over_panels, propose, series_at, solved
+from slipcircle.methods.collocation import (
+    BACK,
+    MEAN,
+    RESOLVED,
+    Panels,
+    Z,
+    joined,
+    over_panels,
+    propose,
+    series_at,
+    solved,
+)
 from slipcircle.methods.liftoff import EndsAtLiftOff
 from slipcircle.methods.roots import halley, root, scalar
 
@@ -28,7 +39,7 @@ Floats = NDArray[np.float64]
 # Panels on which E in closed form is searched for its greatest value, over its end.
 _SHARES = np.concatenate([[0.0], np.geomspace(1e-18, 0.1, 50), np.linspace(0.1, 1.0, 50)[1:]])
 MOST_PANELS = 4000  # of the collocation, halvings counted
-_AHEAD = 12  # that are looked at together
+_MOST_AHEAD = 12  # that are looked at together
 
 
 class Course(EndsAtLiftOff):
@@ -301,50 +312,49 @@ class Course(EndsAtLiftOff):
             scale = min(scale, self.start.energy / -self.drive)
         kinks = sorted((k - self.start.slip) / self.radius for k in self.law.kinks if k > self.start.slip)
         never = 1e7 * max(1.0, self.law.scale / self.radius if math.isfinite(self.law.scale) else 0.0)
-        width, elapsed, panels = scale / 2, 0.0, None
-        left, state = 0.0, self._begin()
-        for _ in range(MOST_PANELS):
+        width, elapsed, blur, parts = scale / 2, 0.0, self.radius / self.law.scale, list[Panels]()
+        left, state, many, tried = 0.0, self._begin(), _MOST_AHEAD, 0
+        while tried < MOST_PANELS:
             edges = [left]
-            while len(edges) <= _AHEAD and edges[-1] < self.furthest:  # as many as may be good, each twice the last
+            while len(edges) <= many and edges[-1] < self.furthest:  # as many as may be good, each twice the last
                 last = edges[-1]
                 edges.append(min([last + width, self.furthest, *(k for k in kinks if k > last)]))
                 width *= 2
-            ahead = solved(*propose(self._equation, np.array(edges)), state)
+            ahead = solved(*propose(self._equation, np.array(edges), self.balance.weight, blur), state)
             half, right = np.diff(ahead.edges), ahead.edges[1:]
             bad = (ahead.missing > RESOLVED) & (half > 1e-13 * right)
             good = int(np.argmax(bad)) if bad.any() else len(half)
-            width = half[good] / 2 if good < len(half) else 2 * float(half.max())
+            width, many = (half[good] / 2, good + 1) if good < len(half) else (2 * float(half.max()), 2 * many)
+            many, tried = min(many, _MOST_AHEAD), tried + good + 1
             energy = ahead.states[:good, 0]
-            passed = elapsed + np.cumsum(
-                half[:good] / np.sqrt(np.maximum(np.maximum(energy.max(axis=1), ahead.values[:good, 0]), 1e-300))
-            )
+            highest = np.maximum(np.maximum(energy.max(axis=1), ahead.values[:good, 0]), 1e-300)
+            passed = elapsed + np.cumsum(half[:good] / np.sqrt(highest))
             ended = energy.min(axis=1) <= 0.0
-            last_one = ended | (right[:good] >= self.furthest) | (passed > longest)
+            enough = ended | (right[:good] >= self.furthest) | (passed > longest)
             if math.isinf(longest):
-                last_one |= right[:good] > never
-            count = int(np.argmax(last_one)) + 1 if last_one.any() else good
-            if not count:
+                enough |= right[:good] > never
+            count, done, stop = good, bool(enough.any()), math.inf
+            if done:
+                count = int(np.argmax(enough)) + 1
+                if ended[count - 1]:
+                    stop, begin, whole = self._standstill(ahead.first(count)), ahead.edges[count - 1], half[count - 1]
+                    if (
+                        stop - begin < 0.1 * whole and whole > 1e-13 * stop
+                    ):  # what is behind must not set the scale there: once more, shorter
+                        width, count, done = max(4 * (stop - begin), 0.01 * whole), count - 1, False
+            if count:
+                parts.append(ahead.first(count))
+                left, state, elapsed = float(ahead.edges[count]), ahead.values[count], float(passed[count - 1])
+            if not done:
                 continue
-            ahead = ahead.first(count)
-            panels = ahead if panels is None else panels.then(ahead)
-            left, state, elapsed = float(panels.edges[-1]), panels.values[-1], float(passed[count - 1])
-            if not last_one.any():
-                continue
+            panels = joined(parts)
             self._keep(panels)
-            self.unresolved = float(panels.missing.max())
-            stop, stops = left, False
-            if ended[count - 1]:
-                stop, whole = self._standstill(panels), left
-                if len(panels.missing) == 1 and stop < 0.1 * left:
-                    # A series is not relatively accurate next to its panel's start.
-                    width, elapsed, panels = max(4 * stop, 0.01 * whole), 0.0, None
-                    left, state = 0.0, self._begin()
-                    continue
-                stops = float(self.slope(stop, 0.0)) < 0.0
-                if not stops:  # E has only become too small for a number
-                    stop = float(panels.edges[-2])
             self._sampled = panels.nodes[:, ::-1].ravel(), panels.states[:, 0, ::-1].ravel()
-            return stop, stops
+            self.unresolved = float(panels.missing.max())
+            if math.isinf(stop):
+                return left, False
+            stops = float(self.slope(stop, 0.0)) < 0.0
+            return stop if stops else float(panels.edges[-2]), stops  # or E has only become too small for a number
         raise ValueError(
             f"friction: changes too sharply for {MOST_PANELS} panels of the energy equation, near a slip of "
             f"{self.start.slip + self.radius * left:.6g} m; give a smoother law"
@@ -352,11 +362,18 @@ class Course(EndsAtLiftOff):
 
     def _standstill(self, panels: Panels) -> float:
         """Where E falls to zero on the last panel."""
-        grid, energy = panels.nodes[-1, ::-1], panels.states[-1, 0, ::-1]
-        below = int(np.argmax(energy <= 0.0))
-        low, high = (float(grid[below - 1]) if below else float(panels.edges[-2])), float(grid[below])
+        mean = series_at(panels.edges[-2:], panels.means[-1:, 0])
+        start = float(panels.values[-2, 0])
+
+        def energy(x: float) -> float:
+            _, past, slope = mean(x)
+            return start + past * slope
+
+        grid = panels.nodes[-1, ::-1]
+        below = int(np.argmax(panels.states[-1, 0, ::-1] <= 0.0))
+        low, high = float(grid[below - 1] if below else panels.edges[-2]), float(grid[below])
         # The series are rounded otherwise than the values at the nodes that the bracket comes from.
-        return root(self._scalar, low, high, max(self._scalar(low), 1e-300), min(self._scalar(high), -1e-300))
+        return root(energy, low, high, max(energy(low), 1e-300), min(energy(high), -1e-300))
 
     # -- time
 
