@@ -177,21 +177,32 @@ def _optional(name: str, help: str, unit: str = "", key: str = "", kind: str = "
     return Parameter(name, unit, -_INFINITY, _INFINITY, help, key or name, optional=True, kind=kind)
 
 
+_OF_A_RECORD = (
+    _optional("column", "name of the record's column, where there is a choice", kind="text"),
+    _optional("step", "time between samples of a record without times", "s", "step_s"),
+    _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
+)
 EFFECTS = (
     Effect("rotation", "1.2", (), ("slip",), "the mass turns as it slides, and its weight acts in its new position",
            turns=True),
     Effect("centripetal", "2.20", (), ("speed squared",),
            "the mass presses harder on the slip surface the faster it turns", stress=A * OMEGA_2),
     Effect("pore_pressure", "2.20", (
-        Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position",
-                  "ratio", symbol=_RATIO, optional=True),
+        Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position, "
+                  "constant or a function of time", "ratio", symbol=_RATIO, optional=True, kind="series"),
         Parameter("pressure", "Pa", _BELOW_0, _INFINITY, "mean pore pressure on the slip surface, constant "
                   "or a function of time", "pressure_kPa", 1e3, _PRESSURE, VALUE / REFERENCE, optional=True,
                   kind="series"),
-        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a pressure that is a list, straight lines between them",
-                  "time_s", optional=True, kind="list")), (),
+        Parameter("time", "s", _BELOW_0, _INFINITY, "times of a ratio or pressure that is a list, straight lines "
+                  "between them", "time_s", optional=True, kind="list"),
+        _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
+                  kind="text"),
+        _optional("units", "unit of the record's values, where it does not say it: Pa, kPa, MPa, or ratio for r_u",
+                  kind="text"),
+        _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
+        *_OF_A_RECORD), (),
            "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE,
-           any_of=("ratio", "pressure")),
+           any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "3.11", (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
                   _COHESION, VALUE / REFERENCE),), (),
@@ -219,13 +230,11 @@ EFFECTS = (
                   kind="ground|driving"),
         _optional("units", "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2",
                   kind="text"),
-        _optional("column", "name of the record's column, where there is a choice", kind="text"),
         _optional("vertical_record", "file of the vertical acceleration, upwards where it holds that of the ground",
                   kind="text"),
         _optional("vertical_column", "name of its column, in the same file where no other is named", kind="text"),
-        _optional("step", "time between samples of a record without times", "s", "step_s"),
         _optional("scale", "factor on the record's values, by default 1"),
-        _optional("gaps", "missing samples: refused, or bridged by straight lines", kind="refuse|linear"),
+        *_OF_A_RECORD,
         _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
            ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),
            fall=_K_H * THETA * FALL_SLOPE - _K_V * J_THETA, press=_K_H * THETA * PRESS_SLOPE - _K_V * J_R),

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 36ce843ebc9ab4a4cd477c6b0527ad7c6d276c3a8992b456620677f11ec9d608
+# sha256 of the text below: 6f808ddc9548cd995ab45d86f908ee115ca6ce9326d3a38cbe5d9c54e92fa2d8
 """Effects and friction laws that a scene may ask for, and the functions that serve them."""
 
 from collections.abc import Callable, Mapping
@@ -107,10 +107,16 @@ EFFECTS = {
     'rotation': Effect('rotation', '1.2', (), ('slip',), 'the mass turns as it slides, and its weight acts in its new position', True, (), ('psi = psi_0 - phi',)),
     'centripetal': Effect('centripetal', '2.20', (), ('speed squared',), 'the mass presses harder on the slip surface the faster it turns', False, (), ('adds A omega^2 to sigma',)),
     'pore_pressure': Effect('pore_pressure', '2.20', (
-        Parameter('ratio', '', -5e-324, 1.0, 'r_u, pore pressure over the static normal stress at the position', 'ratio', 1.0, 'pore_ratio', lambda value, scales: value, True, 'number'),
+        Parameter('ratio', '', -5e-324, 1.0, 'r_u, pore pressure over the static normal stress at the position, constant or a function of time', 'ratio', 1.0, 'pore_ratio', lambda value, scales: value, True, 'series'),
         Parameter('pressure', 'Pa', -5e-324, INFINITY, 'mean pore pressure on the slip surface, constant or a function of time', 'pressure_kPa', 1000.0, 'pore_pressure', lambda value, scales: value/scales['reference_stress'], True, 'series'),
-        Parameter('time', 's', -5e-324, INFINITY, 'times of a pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value, scales: value, True, 'list'),
-    ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure'), ('adds J_r pore_ratio/lambda + pore_pressure* to u', 'pore_pressure* = pressure/sigma_ref')),
+        Parameter('time', 's', -5e-324, INFINITY, 'times of a ratio or pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value, scales: value, True, 'list'),
+        Parameter('record', '', -INFINITY, INFINITY, "file of a record of either, relative to the scene's: a table of times and values", 'record', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('units', '', -INFINITY, INFINITY, "unit of the record's values, where it does not say it: Pa, kPa, MPa, or ratio for r_u", 'units', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('start', 's', -INFINITY, INFINITY, "time of its first sample, by default the record's own", 'start_s', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('step', 's', -INFINITY, INFINITY, 'time between samples of a record without times', 'step_s', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps', 1.0, '', lambda value, scales: value, True, 'refuse|linear'),
+    ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure', 'record'), ('adds J_r pore_ratio/lambda + pore_pressure* to u', 'pore_pressure* = pressure/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, INFINITY, 'shear strength without normal stress', 'cohesion_kPa', 1000.0, 'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),
     ), (), 'the slip surface has strength without normal stress', False, (), ('adds cohesion* lambda to resistance', 'cohesion* = cohesion/sigma_ref')),
@@ -133,11 +139,11 @@ EFFECTS = {
         Parameter('record', '', -INFINITY, INFINITY, "file of an acceleration record, relative to the scene's", 'record', 1.0, '', lambda value, scales: value, True, 'text'),
         Parameter('holds', '', -INFINITY, INFINITY, 'what the record holds: acceleration of the ground, or its opposite, which drives', 'holds', 1.0, '', lambda value, scales: value, True, 'ground|driving'),
         Parameter('units', '', -INFINITY, INFINITY, "unit of the record's values, where it does not say it: g, m/s2, cm/s2, gal, mm/s2", 'units', 1.0, '', lambda value, scales: value, True, 'text'),
-        Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column', 1.0, '', lambda value, scales: value, True, 'text'),
         Parameter('vertical_record', '', -INFINITY, INFINITY, 'file of the vertical acceleration, upwards where it holds that of the ground', 'vertical_record', 1.0, '', lambda value, scales: value, True, 'text'),
         Parameter('vertical_column', '', -INFINITY, INFINITY, 'name of its column, in the same file where no other is named', 'vertical_column', 1.0, '', lambda value, scales: value, True, 'text'),
-        Parameter('step', 's', -INFINITY, INFINITY, 'time between samples of a record without times', 'step_s', 1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('scale', '', -INFINITY, INFINITY, "factor on the record's values, by default 1", 'scale', 1.0, '', lambda value, scales: value, True, 'number'),
+        Parameter('column', '', -INFINITY, INFINITY, "name of the record's column, where there is a choice", 'column', 1.0, '', lambda value, scales: value, True, 'text'),
+        Parameter('step', 's', -INFINITY, INFINITY, 'time between samples of a record without times', 'step_s', 1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps', 1.0, '', lambda value, scales: value, True, 'refuse|linear'),
         Parameter('two_way', '', -INFINITY, INFINITY, 'whether shaking may start it up-slope too; by default it may not', 'two_way', 1.0, '', lambda value, scales: value, True, 'flag'),
     ), ('time',), 'ground motion tilts and scales gravity', False, ('horizontal', 'pulse', 'record'), ('adds -J_theta k_v + dJ_theta/dpsi k_h to J_theta', 'adds -J_r k_v + dJ_r/dpsi k_h to J_r')),

@@ -180,7 +180,7 @@ def _plan(options: argparse.Namespace) -> None:
     if options.json:
         _print(tables.plan_record(chosen) | ({"ladder": [asdict(r) for r in rungs]} if options.ladder else {}))
     elif options.ladder:
-        tables.show(tables.LADDER, tables.ladder_rows(rungs), title=chosen.scene.name)
+        tables.show(tables.LADDER, tables.ladder_rows(rungs), title=chosen.scene.name, tight=True)
     else:
         tables.show(["", chosen.scene.name], tables.plan_rows(chosen))
 

@@ -11,6 +11,8 @@ from slipcircle.plan import plan
 from slipcircle.scene import Scene
 from slipcircle.solver import solve
 
+_PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
+
 
 @dataclass(frozen=True)
 class Rung:
@@ -48,27 +50,30 @@ class Rung:
     difference: float
 
 
-def ladder(scene: Scene, clock: Callable[[], float] = time.perf_counter) -> list[Rung]:
+def ladder(scene: Scene, clock: Callable[[], float] = time.process_time) -> list[Rung]:
     """Solve a scene with its effects added in the order of what they change, most first.
 
-    Each step adds the effect that brings the motion closest to the fullest scene's. A step that would never rest is
-    followed as long as the fullest scene takes.
+    Seen from the fullest scene, each step down leaves out the effect without which the motion stays closest to the
+    fullest's. A step that would never rest is followed as long as the fullest scene takes.
 
     Parameters
     ----------
     scene : Scene
     clock : callable, optional
-        Seconds.
+        Seconds, by default of the processor.
     """
     full = solve(scene)
-    chosen: tuple[str, ...] = ()
-    rungs = [_rung(scene, "", chosen, full, clock)]
-    while len(chosen) < len(full.plan.effects):
-        rest = [e for e in full.plan.effects if e not in chosen]
-        best = min(rest, key=lambda e: (_distance(_solved(scene, (*chosen, e), full), full), rest.index(e)))
-        chosen = (*chosen, best)
-        rungs.append(_rung(scene, best, chosen, full, clock))
-    return rungs
+    chosen, order, motions = full.plan.effects, list[str](), [full]
+    while chosen:
+        without = [(e, _solved(scene, tuple(x for x in chosen if x != e), full)) for e in reversed(chosen)]
+        least, motion = min(without, key=lambda found: _distance(found[1], full))
+        chosen = tuple(e for e in chosen if e != least)
+        order.insert(0, least)
+        motions.insert(0, motion)
+    return [
+        _rung(added, tuple(order[:k]), motion, full, clock)
+        for k, (added, motion) in enumerate(zip(["", *order], motions, strict=True))
+    ]
 
 
 def _with(scene: Scene, effects: tuple[str, ...]) -> Scene:
@@ -89,10 +94,9 @@ def _distance(motion: Motion, full: Motion) -> float:
     return max(abs(a - b) / abs(b) if b else (math.inf if a else 0.0) for a, b in zip(*pairs, strict=True))
 
 
-def _rung(scene: Scene, added: str, effects: tuple[str, ...], full: Motion, clock: Callable[[], float]) -> Rung:
-    motion = _solved(scene, effects, full)
-    taken = []
-    for _ in range(5):
+def _rung(added: str, effects: tuple[str, ...], motion: Motion, full: Motion, clock: Callable[[], float]) -> Rung:
+    taken = list[float]()
+    while len(taken) < 5 and sum(taken) < _PATIENCE:
         start = clock()
         solve(motion.plan.scene)
         taken.append(clock() - start)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from slipcircle.balance import Balance
 from slipcircle.checks import INFINITY, mistakes, raise_all
 from slipcircle.friction import friction
-from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, Plan
+from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, STEPPING, Plan
 
 if TYPE_CHECKING:
     from slipcircle.methods.frozen import Frozen
@@ -112,7 +112,8 @@ class Motion:
     factor_of_safety : float
         Limit of resistance over drive at the start; infinite without a drive.
     lift_off : tuple of float
-        Times at which water carries the mass, so that nothing presses on the slip surface, s.
+        Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s; the first
+        of each rest.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     energy_error_estimate : float
@@ -187,14 +188,31 @@ class Motion:
             return 0.0
         return float(friction(self.plan.scene.friction).coefficient(0.0))
 
-    @property
+    @cached_property
     def lift_off(self) -> tuple[float, ...]:
         lifted, times = False, list[float]()
         for p in self.phases:
             inside = [p.start + float(t) for t in p.solved.lifts]
             times += [p.start] if p.solved.start.lifted > lifted and not inside else inside
             lifted = p.solved.start.lifted and not inside
-        return tuple(t * self._scale for t in times)
+        return tuple(t * self._scale for t in sorted({*times, *self._lifts_at_rest()}))
+
+    def _lifts_at_rest(self) -> list[float]:
+        """When shaking or water first carries the mass while it rests, for each rest; dimensionless."""
+        from slipcircle.methods.rest import Rest, lift_at_rest
+
+        if self.plan.method == STEPPING and self.phases:  # which walks through the rests as well
+            return []
+        end_time, law = self.plan.scene.end_time, friction(self.plan.scene.friction)
+        end = math.inf if end_time is None else float(np.asarray(end_time)) / self._scale
+        rests = [(Rest(0.0, 0.0), 0.0)]
+        for p in self.phases:  # one that ends lifted has been reported
+            excess = float(p.solved.excess_when(np.array([p.end - p.start]))[0])
+            begin = p.end if p.rests and not p.solved.start.lifted else math.inf
+            rests.append((Rest(p.rotation + p.direction * p.solved.end, 0.0, excess), begin))
+        ends = [*(p.start for p in self.phases), end]
+        found = [lift_at_rest(self.balance, law, r, t, end) for (r, t), end in zip(rests, ends, strict=True) if t < end]
+        return [t for t in found if t is not None]
 
     @cached_property
     def _estimates(self) -> tuple[float, float]:
@@ -227,7 +245,10 @@ class Motion:
         return tuple(self._warnings())
 
     def _warnings(self) -> list[str]:
-        found = [f"nothing presses on the slip surface from {t:.6g} s (lift-off)" for t in self.lift_off]
+        times = self.lift_off
+        more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
+        said = times[:1] if more else times
+        found = [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
         if self.error_estimate > self.plan.accuracy:
             cause = "the friction is next to its limit" if len(self.phases) < 100 else "the mass turns back many times"
             found.append(

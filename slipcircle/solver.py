@@ -11,7 +11,7 @@ from slipcircle.balance import Balance, bind
 from slipcircle.checks import number
 from slipcircle.friction import Friction, friction
 from slipcircle.inputs.series import Pulse
-from slipcircle.methods.rest import Rest, never_rests, next_start
+from slipcircle.methods.rest import EPS, Rest, never_rests, next_start, swings_left
 from slipcircle.motion import Motion, Phase, Start
 from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, LINEAR_SYSTEM, STEPPING, Plan, plan
 from slipcircle.scene import Scene
@@ -131,10 +131,11 @@ def _solve(chosen: Plan, tolerance: float | None, nudge: float) -> Motion:
         time, rotation, slip, excess = stop, rotation + direction * x, slip + radius * x, solved.excess
         if energy == 0.0 and math.isinf(end) and balance.turns and never_rests(balance, law, excess):
             return Motion(chosen, whole, phases, time * scale, False)
-        if len(phases) >= _MOST_PHASES:
+        swings = min(swings_left(balance, law, phases), (end - time) / max(phases[-1].end - phases[-1].start, EPS))
+        if len(phases) >= _MOST_PHASES or swings > 2 * _MOST_PHASES:  # it knows them to about a fourth
             raise ValueError(
-                f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times in {time * scale:.6g} s "
-                "without resting; give an earlier end in s"
+                f"end_time = {scene.end_time!r}: this mass turns back {_MOST_PHASES} times and more without resting; "
+                "give an earlier end in s"
             )
     if not arrested:
         time = end

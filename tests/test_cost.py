@@ -32,8 +32,15 @@ FORMS = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
 def _quick() -> Iterator[None]:
     """Few elements and few turns: no test is about how long something takes."""
     with pytest.MonkeyPatch.context() as patch:
-        for name, value in {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0}.items():
+        for name, value in {
+            "SIZES": (1, 50, 400),
+            "REPEATS": 2,
+            "_TICK": 1e-7,
+            "_PATIENCE": 0.0,
+            "_QUICK": 2e-3,
+        }.items():
             patch.setattr(cost, name, value)
+        patch.setattr(solvercost, "FEWEST", 5)
         yield
 
 
@@ -510,23 +517,73 @@ def test_the_axis_of_alpha_shows_both_ends() -> None:
 # --- solvers -------------------------------------------------------------------------------------------------------
 
 
+def of_scenes(name: str) -> tuple[dict[str, Row], dict[str, Row]]:
+    """Rows of one scene and of many, by way."""
+    found = cost.measure([name])
+    many = f"{name}, {cost.SIZES[1]} scenes"
+    assert {r.function for r in found} == {name, many}
+    return tuple({r.way: r for r in found if r.function == of} for of in (name, many))  # type: ignore[return-value]
+
+
 def test_integration_keeps_to_the_accuracy() -> None:
     """Where steps are needed here too: ours are as accurate as was asked for, with a hundred times to spare."""
-    rows = {r.way: r for r in cost.measure(["integration in time"])}
-    for accuracy in solvercost.ACCURACIES:
-        assert rows[f"slipcircle, {accuracy:.0e}"].error < max(accuracy / 100, 1e-12)
-    assert rows["slipcircle, 1e-09"].error < rows["DOP853, rtol 1e-09"].error
+    for rows in of_scenes("integration in time"):
+        for accuracy in solvercost.ACCURACIES:
+            assert rows[f"slipcircle, {accuracy:.0e}"].error < max(accuracy / 100, 1e-12)
+        assert rows["slipcircle, 1e-09"].error < rows["DOP853, rtol 1e-09"].error
 
 
 @pytest.mark.parametrize("name", [n for n in solvercost.SOLVERS if n != "integration in time"])
 def test_solvers(name: str) -> None:
     """Ours against textbook formulas at 40 digits; SciPy's error falls with its tolerance, and is never smaller."""
-    rows = {r.way: r for r in cost.measure([name])}
+    rows, many = of_scenes(name)
     ours = [r for r in rows.values() if r.ours]
+    each = {f"slipcircle, {a:.0e}" for a in solvercost.ACCURACIES}
     new = {solvercost.NEW} | ({solvercost.NEW_NUMPY} if _compiled.LEVEL != "numpy" else set())
-    assert {r.way for r in ours} == {f"slipcircle, {a:.0e}" for a in solvercost.ACCURACIES} | new
+    assert {r.way for r in ours} == each | new
     assert all(r.error < 1e-14 for r in ours)
     for method in ("RK45", "DOP853", "LSODA"):
         errors = [rows[f"{method}, rtol {a:.0e}"].error for a in solvercost.ACCURACIES]
         assert max(r.error for r in ours) < errors[-1] < 1e-11
+        assert errors[-1] < errors[0]
+    assert {r.way for r in many.values() if r.ours} == each
+    assert all(r.error < 1e-14 for r in many.values() if r.ours)
+    assert [w.partition(",")[0] for w in many if not w.startswith(("slip", "heyoka"))] == ["DOP853"] * 4
+    for row in many.values():
+        assert row.points == 5
+        assert row.ns_1e4 is not None
+        assert 5 <= row.elements <= cost.SIZES[1]
+        assert row.ns_1 == rows[row.way].ns_1
+
+
+def test_what_is_measured_of_many_scenes() -> None:
+    """So many as a pass has time for; fewer are marked, and said."""
+    counts: list[int] = []
+    assert cost._scenes(lambda mu: counts.append(mu.size) or np.zeros(3)) == cost.SIZES[1] == 50  # type: ignore[func-returns-value]
+    assert counts == [5, 5]  # once to warm up
+    slow = Row("f, 50 scenes", "one by one", 1e-9, (), 2e6, 2.1e6, elements=20)
+    quick = Row("f, 50 scenes", "at once", 1e-9, (), 2e6, 600.0, elements=10_000, ours=True)
+    rows = cost.judged([slow, quick])
+    head, cells = costtext.table(rows)
+    assert [c[head.index("N=1e4")] for c in cells] == ["~2.1 ms", "600 ns"]
+    assert "~: 20 scenes were measured, as these ways solve" in costtext.verdict(rows)
+    assert "~" not in costtext.verdict(rows[1:])
+    low, high = np.degrees(np.arctan(solvercost.frictions(9)[[0, -1]]))
+    assert (low, high) == pytest.approx((8.0, 12.0))
+
+
+def test_heyoka_is_there_where_it_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solvercost, "find_spec", lambda name: None)
+    said = io.StringIO()
+    ways, _, _ = solvercost.solutions("closed form in time", said)
+    assert all(way.startswith("slipcircle") for way in ways)
+    assert said.getvalue() == "scipy is missing, and left out\nheyoka is missing, and left out\n"
+
+
+@pytest.mark.parametrize("name", ["closed form in time", "integration in time"])
+def test_heyoka(name: str) -> None:
+    pytest.importorskip("heyoka")
+    for rows in of_scenes(name):
+        errors = [rows[f"heyoka, tol {a:.0e}"].error for a in solvercost.ACCURACIES]
+        assert errors[-1] < 1e-12
         assert errors[-1] < errors[0]

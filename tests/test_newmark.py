@@ -555,6 +555,17 @@ def test_samples_added_on_the_straight_lines_change_nothing() -> None:
     assert shaken(series(t, record(t))).run_out == pytest.approx(shaken(record).run_out, rel=1e-12)
 
 
+def test_a_million_samples() -> None:
+    """The same straight lines in a million samples: the same motion, and its energy still balances."""
+    record = earthquake(500)
+    t = np.unique(np.concatenate([record.time, np.linspace(record.time[0], record.time[-1], 10**6)]))
+    motion, plain = shaken(series(t, record(t))), shaken(record)
+    assert motion.run_out == pytest.approx(plain.run_out, rel=1e-12)
+    assert motion.duration == pytest.approx(plain.duration, rel=1e-12)
+    assert abs(motion.energy.residual) < 1e-12 * motion.energy.work
+    assert motion.error_estimate < 1e-9
+
+
 # --- bugs planted on purpose ---------------------------------------------------------------------------------------
 
 

@@ -1,6 +1,7 @@
 """The planner and the ladder: what they choose, what they print, and that they keep to what the scene calls for."""
 
 import json
+import re
 import subprocess
 import sys
 from dataclasses import replace
@@ -129,14 +130,14 @@ def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
     assert last.difference == 0.0
 
 
-def test_each_step_of_the_ladder_comes_as_close_as_one_effect_can() -> None:
+def test_each_step_of_the_ladder_leaves_out_what_matters_least() -> None:
     """Its order is found again by solving every alternative."""
     called = Scene.load("wet-slope")
     rungs = plan(called).ladder()
     full = solve(called)
     for before, after in pairwise(rungs):
-        for other in set(full.plan.effects) - set(before.effects):
-            effects = {e: called.called[e] for e in (*before.effects, other)}
+        for other in after.effects:
+            effects = {e: called.called[e] for e in after.effects if e != other}
             part = Scene(called.arc, called.friction, effects)
             try:
                 found = solve(part)
@@ -144,7 +145,34 @@ def test_each_step_of_the_ladder_comes_as_close_as_one_effect_can() -> None:
                 found = solve(replace(part, end_time=full.duration))
             numbers = zip((found.run_out, found.peak.velocity, found.duration),
                           (full.run_out, full.peak.velocity, full.duration), strict=True)  # fmt: skip
-            assert after.difference <= max(abs(a - b) / abs(b) for a, b in numbers) * (1 + 1e-12)
+            assert before.difference <= max(abs(a - b) / abs(b) for a, b in numbers) * (1 + 1e-12)
+
+
+LADDERS = {
+    "vaiont": ["rotation", "centripetal"],
+    "vaiont-shaken": ["rotation", "shaking", "centripetal"],
+    "vaiont-rate": ["rotation", "centripetal"],
+    "vaiont-heated": ["rotation", "thermal_pressurisation", "centripetal"],
+}
+
+
+@pytest.mark.parametrize("name", LADDERS)
+def test_the_ladders_of_vaiont_on_the_command_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """What decides comes first, what adds a few percent last; no line is broken, whatever its effects are called."""
+    assert main(["plan", "--ladder", name]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert max(map(len, lines)) <= 100
+    head, *shown = [x.split() for x in lines if "+ " in x or "none" in x or "rests" in x]
+    assert head[-2:] == ["rests", "differs"]
+    assert [x[1] for x in shown[1:]] == LADDERS[name]
+    assert all(re.fullmatch(r"[\d.]+ (us|ms)", " ".join(x[2:4] if x[0] == "+" else x[1:3])) for x in shown)
+    assert [x[-3] for x in shown] == {
+        "vaiont": ["no", "yes", "yes"], "vaiont-rate": ["no", "yes", "yes"],
+        "vaiont-shaken": ["stays", "stays", "yes", "yes"], "vaiont-heated": ["no", "yes", "no", "no"],
+    }[name]  # fmt: skip
+    differs = [float(x[-2]) for x in shown]
+    assert differs[-1] == 0.0
+    assert differs[-2] < 5.0 < differs[0]
 
 
 def test_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:

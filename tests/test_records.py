@@ -8,8 +8,10 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from slipcircle.inputs import records
-from slipcircle.inputs.records import PULSES, Pulse, Series, Shaking, read_record, unit_of
+from slipcircle.inputs import recordfiles
+from slipcircle.inputs.recordfiles import unit_of
+from slipcircle.inputs.records import read_pore_pressure, read_record
+from slipcircle.inputs.series import PULSES, Pulse, Series, Shaking
 
 AT2 = """PEER NGA STRONG MOTION DATABASE RECORD
 Nowhere 1/1/1999, Station Zero, 090
@@ -93,7 +95,7 @@ def test_ground_and_driving_are_opposite_and_g_is_the_scene_s(tmp_path: Path) ->
 
 
 def test_a_million_samples_survive(tmp_path: Path) -> None:
-    """A twentieth of them here; `slipcircle cost` measures the million."""
+    """A twentieth of them here; how a million shake a scene is a test of `test_newmark`."""
     time, values = 0.005 * np.arange(50_000), np.random.default_rng(5).normal(size=50_000)
     rows = (f"{t!r},{a!r}\n" for t, a in zip(time.tolist(), values.tolist(), strict=True))
     series = read_record(write(tmp_path, "t (s),a (g)\n" + "".join(rows)), holds="driving")
@@ -126,6 +128,8 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "no such column": (HEAD + "0,1\n1,2\n", {"column": "up"}, "column = 'up': must be one of 2 (acc)"),
     "time as column": (HEAD + "0,1\n1,2\n", {"column": 1}, "column = 1: must be one of 2 (acc)"),
     "no step": ("1\n2\n", {"units": "g"}, "has one column and no times; give step"),
+    "milliseconds": ("time (ms),acc (g)\n0,1\n1,2\n", {}, "its column 'time (ms)' says ms: must be s; convert"),
+    "bad start": (HEAD + "0,1\n1,2\n", {"start": -1.0}, "start = -1: must be a time in s, not before 0"),
     "step and times": (HEAD + "0,1\n1,2\n", {"step": 0.1}, "step = 0.1: its column 'time' holds the times"),
     "bad step": ("1\n2\n", {"units": "g", "step": 0.0}, "step = 0: must be a positive time in s"),
     "bad scale": (HEAD + "0,1\n1,2\n", {"scale": math.nan}, "scale = nan: must be a finite factor"),
@@ -155,11 +159,73 @@ def test_one_clear_error(tmp_path: Path, text: str, more: dict[str, Any], said: 
     assert str(caught.value).startswith(str(path))
 
 
+# --- pore pressure -------------------------------------------------------------------------------------------------
+
+WET = "time (s),u (kPa)\n"
+WATER: dict[str, tuple[str, dict[str, Any], str, list[float]]] = {
+    "kPa": (WET + "0,20\n10,30.5\n", {}, "pressure", [20e3, 30.5e3]),
+    "kPa in the name": ("t;u_kPa;depth_m\n0;20;1\n10;30.5;1\n", {"column": "u"}, "pressure", [20e3, 30.5e3]),
+    "Pa": ("# a piezometer\n0 2000\n10 0\n", {"units": "Pa"}, "pressure", [2000.0, 0.0]),
+    "MPa": ("time,u [MPa]\n0,0.02\n10,1\n", {}, "pressure", [2e4, 1e6]),
+    "a ratio": ("time,water\n0,0.25\n10,0\n", {"units": "ratio"}, "ratio", [0.25, 0.0]),
+    "a ratio in the header": ("time s;level (m);water (r_u)\n0;1;0.25\n10;1;0\n", {"column": 3}, "ratio", [0.25, 0.0]),
+    "a step": ("20\n30.5\n", {"units": "kPa", "step": 10.0}, "pressure", [20e3, 30.5e3]),
+    "later": (WET + "-5,20\n5,30.5\n", {"start": 0.0}, "pressure", [20e3, 30.5e3]),
+}
+
+
+@pytest.mark.parametrize(("text", "more", "kind", "values"), WATER.values(), ids=WATER)
+def test_records_of_water(tmp_path: Path, text: str, more: dict[str, Any], kind: str, values: list[float]) -> None:
+    ((found, series),) = read_pore_pressure(write(tmp_path, text), **more).items()
+    assert found == kind
+    np.testing.assert_array_equal(series.time, [0.0, 10.0])
+    np.testing.assert_allclose(series.values, values, rtol=1e-15)
+    assert series(-1.0) == series(0.0)  # what it was first and last holds beyond
+    assert series(1e9) == series(10.0)
+
+
+NO_WATER: dict[str, tuple[str, dict[str, Any], str]] = {
+    "suction": (WET + "0,20\n10,-3\n", {}, "line 3: value = -3.0: must be a pressure of at least 0; mend the value"),
+    "floats": ("time,water (ratio)\n0,0.2\n10,1\n", {}, "line 3: value = 1.0: must be a ratio of at least 0 and b"),
+    "no units": ("time,water\n0,1\n1,2\n", {}, "units are missing: its header names none; give units, one of Pa"),
+    "unknown units": (WET + "0,1\n1,2\n", {"units": "m"}, "units = 'm': must be one of Pa, kPa, MPa, ratio"),
+    "other units": (WET + "0,1\n1,2\n", {"units": "Pa"}, "units = 'Pa', but its header says kPa"),
+    "days": ("time_d,u (kPa)\n0,1\n1,2\n", {}, "its column 'time_d' says d: must be s; convert the times"),
+    "hours": ("time (h),u (kPa)\n0,1\n1,2\n", {}, "its column 'time (h)' says h: must be s; convert the times"),
+    "choice": ("t,P1 (kPa),P2 (kPa)\n0,1,2\n1,2,3\n", {}, "several columns of pore pressure; give column, one of 2 (P"),
+    "one sample": (WET + "0,1\n", {}, "holds 1 sample:"),
+    "empty": ("", {}, "is empty"),
+    "words": (WET, {}, "a record has a line of time and pore pressure for each sample"),
+    "nan": (WET + "0,1\n0.1,nan\n", {}, "line 3: value = nan: must be a finite number"),
+    "repeated": (WET + "0,1\n1,2\n1,3\n", {}, "line 4: time = 1.0 s repeats"),
+    "decreasing": (WET + "0,1\n2,2\n1,3\n", {}, "line 4: time = 1.0 s comes before"),
+    "gap": (WET + "".join(f"{t},1\n" for t in range(30) if t != 20), {}, "line 22: time = 21.0 s comes 2 s after"),
+    "early": (WET + "-1,1\n1,2\n", {}, "line 2: time = -1.0 s: must not be before 0"),
+    "an earthquake": (AT2.format(line="NPTS= 7, DT= .0050 SEC"), {"units": "kPa"}, "line 6: has 2 fields, where"),
+    "binary": ("a\0b", {}, "is not text; save the record as CSV"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "more", "said"), NO_WATER.values(), ids=NO_WATER)
+def test_one_clear_error_about_water(tmp_path: Path, text: str, more: dict[str, Any], said: str) -> None:
+    path = write(tmp_path, text)
+    with pytest.raises(ValueError) as caught:  # noqa: PT011
+        read_pore_pressure(path, **more)
+    assert said in str(caught.value)
+    assert str(caught.value).startswith(str(path))
+    assert "\n" not in str(caught.value)
+
+
+def test_a_gap_in_water_may_be_bridged(tmp_path: Path) -> None:
+    found = read_pore_pressure(write(tmp_path, NO_WATER["gap"][0]), gaps="linear")
+    assert found["pressure"](20.0) == 1e3
+
+
 def test_missing_and_huge_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(ValueError, match=r"none\.csv: No such file"):
         read_record(tmp_path / "none.csv", holds="driving")
     path = write(tmp_path, HEAD + "0,1\n1,2\n")
-    monkeypatch.setattr(records, "MOST_BYTES", 10)
+    monkeypatch.setattr(recordfiles, "MOST_BYTES", 10)
     with pytest.raises(ValueError, match="must be at most 1 GB"):
         read_record(path, holds="driving")
     with pytest.raises(ValueError, match="holds = 'both': must be"):

@@ -253,7 +253,7 @@ MISTAKES = [
     (ARC + GIVEN.replace("radial_weight = 0.0870\n", "") + FRICTION, "arc.given.radial_weight: is missing: radial wei"),
     (ARC + GIVEN.replace("0.468", "-1") + FRICTION, "arc.given.dynamic_coefficient = -1: must be a number above 0"),
     (ARC + GIVEN + FRICTION + "[rotation]\n", "arc.given: belongs to the initial position and cannot"),
-    (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa is missing"),
+    (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa or record is missing"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
     (ARC + FRICTION + "[shaking]\npulse = 'sine'\n", "shaking.amplitude_g: is missing: a pulse needs it"),
     (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n", "effects.cohesion.cohesion = inf: must be "),
@@ -297,7 +297,7 @@ def test_ten_mistakes_are_ten_sentences(file: Path) -> None:
         'end_time_s = "30 s":', "accuracy = 2:", "arc.radius_mm = 1492.6:", "arc.theta_1_deg = nan:",
         "arc.unit_weight_kN_m3 = -20:", "friction.peak_deg = 95:", "shakin = {}:", "drag.xi_m_s2 = true:",
         "arc.theta_2_deg: is missing", "friction.length_m: is missing", "friction: peak_deg and peak exclude",
-        "pore_pressure: ratio or pressure_kPa is missing",
+        "pore_pressure: ratio or pressure_kPa or record is missing",
     )  # fmt: skip
     assert len(found) == len(starts)
     assert sorted(found) == sorted(next(m for m in found if m.startswith(start)) for start in starts)

@@ -18,8 +18,11 @@ from mpmath import mpf
 from scipy.integrate import solve_ivp
 
 from generated.effects import EFFECTS
-from slipcircle import Arc, Motion, Scene, plan, solve
+from slipcircle import Arc, Motion, Scene, plan, solve, solver
+from slipcircle.friction import friction as friction_law
+from slipcircle.inputs.records import read_pore_pressure
 from slipcircle.inputs.series import Pulse, Series
+from slipcircle.methods import rest
 from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING
 
 ROWS: list[dict[str, Any]] = json.loads(time_references.FILE.read_text("utf-8"))
@@ -167,7 +170,13 @@ def by_hand(s: Scene, called: Mapping[str, Any], end: float) -> tuple[float, flo
         moment = gamma * radius**3 * weigh * ((1 - k_v) * math.sin(psi) + k_h * math.cos(psi))
         weight = gamma * radius**2 * press * ((1 - k_v) * math.cos(psi) - k_h * math.sin(psi))
         normal = (weight + gamma / gravity * omega**2 * radius**3 * polar) / length  # mean stress
-        u = float(np.interp(t, water["time"], water["pressure"])) if water else 0.0
+        u = (
+            float(np.interp(t, water["time"], water.get("pressure", np.zeros(99)[: len(water["time"])])))
+            if water
+            else 0.0
+        )
+        if water and "ratio" in water:  # of the weight alone, where it lies now
+            u += float(np.interp(t, water["time"], water["ratio"])) * gamma * radius**2 * press * math.cos(psi) / length
         effective = max(normal - u - risen, 0.0)
         mu = friction_of(s.friction, radius * phi, radius * omega, t)
         shear = mu * effective + called.get("cohesion", {}).get("cohesion", 0.0)
@@ -200,6 +209,19 @@ def test_every_new_combination_of_effects_against_numerical_integration() -> Non
         displacement, velocity = by_hand(motion.plan.scene, called, 11.0)
         assert motion.run_out == pytest.approx(displacement, rel=1e-9), (chosen, name)
         assert motion.end.velocity == pytest.approx(velocity, rel=1e-9), (chosen, name)
+
+
+@pytest.mark.parametrize("chosen", [(), ("rotation", "centripetal"), ("rotation", "shaking")], ids=str)
+def test_water_by_its_ratio_against_numerical_integration(chosen: tuple[str, ...]) -> None:
+    for more in ({}, {"pressure": [3e4, 0.0, 6e4]}):
+        water = {"time": [0.0, 4.0, 9.0], "ratio": [0.1, 0.5, 0.2], **more}
+        called = {e: PARAMETERS.get(e, {}) for e in chosen} | {"pore_pressure": water}
+        motion = solve(Scene(ARC, 0.2, called, end_time=11.0), 1e-10)
+        assert (motion.plan.method, "pore_pressure depends on time" in motion.plan.why) == (INTEGRATION, True)
+        displacement, velocity = by_hand(motion.plan.scene, called, 11.0)
+        assert motion.run_out == pytest.approx(displacement, rel=1e-9)
+        assert motion.end.velocity == pytest.approx(velocity, rel=1e-9)
+        assert abs(motion.energy.residual) < 1e-9 * motion.energy.work
 
 
 # --- answers from textbooks ------------------------------------------------------------------------------------------
@@ -360,6 +382,50 @@ def test_water_that_rises_later_starts_it_later() -> None:
     assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
 
 
+def test_water_by_a_ratio_that_does_not_change_is_the_closed_form_and_what_rises_starts_it() -> None:
+    """It yields where mu (1 - r_u) = mu_eq, wherever it lies."""
+    plain = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": 0.3}}))
+    series = solve(
+        Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": Series(np.array([0, 1]), np.array([0.3, 0.3]))}})
+    )
+    assert series.plan.method == INTEGRATION
+    assert series.run_out == pytest.approx(plain.run_out, rel=1e-9)
+    assert series.duration == pytest.approx(plain.duration, rel=1e-9)
+    late = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"time": [0, 40], "ratio": [0, 0.4]}}))
+    limit = float(ARC.dimensionless.limit_friction)
+    assert late.phases[0].start * float(ARC.time_scale) == pytest.approx(100 * (1 - limit / 0.5), rel=1e-12)
+
+
+def test_a_record_of_water_in_a_file_beside_the_scene(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "water.csv").write_text("time (s),upper (kPa),lower (kPa)\n0,0,0\n50,1000,2000\n100,0,0\n")
+    head = "[arc]\nradius_m = 1492.6\ntheta_1_deg = 215.2\ntheta_2_deg = 276.9\nunit_weight_kN_m3 = 20\n"
+    head += "[friction]\ncoefficient = 0.6\n[rotation]\n[centripetal]\n[pore_pressure]\n"
+    path = tmp_path / "scene.toml"
+    path.write_text(head + "record = 'data/water.csv'\ncolumn = 'lower'\n")
+    by_file = solve(Scene.load(path))
+    arrays = {"time": [0, 50, 100], "pressure": [0, 2e6, 0]}
+    same = solve(replace(Scene.load(path), effects=TURNING | {"pore_pressure": arrays}))
+    read = solve(replace(Scene.load(path), effects=TURNING | {
+        "pore_pressure": read_pore_pressure(tmp_path / "data" / "water.csv", column="lower")}))  # fmt: skip
+    assert (by_file.run_out, by_file.duration) == (same.run_out, same.duration) == (read.run_out, read.duration)
+    for more, said in {
+        "record = 'data/water.csv'\n": "give column, one of 2 (upper), 3 (lower)",
+        "record = 'nowhere.csv'\n": "nowhere.csv: No such file or directory",
+        "record = 'data/water.csv'\ncolumn = 'lower'\npressure_kPa = 1\n": "pressure_kPa and record exclude",
+        "record = 'data/water.csv'\ncolumn = 'lower'\nunits = 'm'\n": "units = 'm': must be one of Pa, kPa, MPa, ratio",
+        "column = 'lower'\nratio = 0.1\n": "pore_pressure.column: belongs to a record; leave it out, or give record",
+        "column = 'lower'\n": "ratio or pressure_kPa or record is missing",
+        "record = 1\n": "pore_pressure.record = 1: must be text",
+    }.items():
+        path.write_text(head + more)
+        with pytest.raises(ValueError) as caught:  # noqa: PT011
+            Scene.load(path)
+        assert said in str(caught.value)
+        assert str(caught.value).startswith(str(path))
+        assert "\n" not in str(caught.value)
+
+
 # --- hard cases ------------------------------------------------------------------------------------------------------
 
 
@@ -407,6 +473,75 @@ def test_friction_that_vanishes_with_speed() -> None:
     assert 0.95 * free.peak.velocity < motion.peak.velocity < free.peak.velocity
     with pytest.raises(ValueError, match="never rests"):
         solve(Scene(ARC, RATE | {"residual": 0.0}))
+
+
+VANISHING = [
+    *(RATE | {"residual": 0.0, "velocity": v} for v in (1e-5, 1e-9, 1e-15)),
+    *({"law": "rate_tabulated", "speed": [1e-9, v], "coefficient": [0.4, 0.0]} for v in (1e-8, 1.0)),
+    1e-9,
+]
+
+
+@pytest.mark.parametrize("friction", VANISHING, ids=str)
+def test_swings_that_hardly_die_away_are_refused_after_a_few(friction: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solver, "_MOST_PHASES", 20)
+    seen = 0
+
+    def counted(*arguments: Any) -> float:
+        nonlocal seen
+        seen += 1
+        return rest.swings_left(*arguments)
+
+    monkeypatch.setattr(solver, "swings_left", counted)
+    with pytest.raises(ValueError, match="turns back 20 times and more without resting; give an earlier end"):
+        solve(Scene(ARC, friction, TURNING))
+    assert seen <= 4
+    motion = solve(Scene(ARC, friction, TURNING, end_time=300.0))  # asked for so much only, it is followed
+    assert 8 <= len(motion.phases) < 10
+
+
+@pytest.mark.parametrize("friction", [RATE | {"residual": 0.0, "velocity": 0.05}, 0.01, 0.003], ids=str)
+def test_swings_left_are_about_those_that_follow(friction: Any) -> None:
+    motion = solve(Scene(ARC, friction, TURNING))
+    law = friction_law(friction)
+    for k in (3, 5):
+        left = len(motion.phases) - k
+        assert rest.swings_left(motion.balance, law, motion.phases[:k]) == pytest.approx(left, rel=0.35, abs=1.5)
+
+
+@pytest.mark.parametrize("turns", [False, True])
+@pytest.mark.parametrize(("start", "amplitude"), [(2.0, 0.0), (2.0, 0.3), (200.0, 0.3)])
+def test_a_mass_at_rest_that_k_v_lifts_is_reported(start: float, amplitude: float, turns: bool) -> None:
+    """A half-sine of 1.5 passes 1 after asin(2/3)/pi of its duration, whether the mass moves then or rests."""
+    vertical = Pulse("half-sine", 1.5, start, 2.0)
+    shaking = {"horizontal": Pulse("rectangular", amplitude, 0.0, 1.0), "vertical": vertical}
+    motion = solve(Scene(ARC, 0.5, {"shaking": shaking} | ({"rotation": {}} if turns else {})))
+    lifted = start + 2.0 * math.asin(2 / 3) / math.pi
+    assert motion.lift_off == pytest.approx((lifted,), rel=1e-14)
+    assert motion.warnings[0] == f"nothing presses on the slip surface from {lifted:.6g} s (lift-off)"
+    assert motion.moves == (amplitude > 0.0)
+    assert motion.duration < 10.0
+    below = shaking | {"vertical": Pulse("half-sine", 1.0, start, 2.0)}
+    assert not solve(Scene(ARC, 0.5, {"shaking": below} | ({"rotation": {}} if turns else {}))).lift_off
+
+
+def test_water_that_lifts_what_cohesion_holds_is_reported() -> None:
+    """It rests, and water carries it from where u passes the mean normal stress at rest; at each rest once."""
+    stress = float(ARC.dimensionless.static_normal_stress) * float(ARC.reference_stress)
+    rising = Series(np.array([0.0, 10.0, 20.0, 30.0]), np.array([0.0, 2.0, 0.0, 2.0]) * stress)
+    motion = solve(Scene(ARC, 0.2, TURNING | {"pore_pressure": {"pressure": rising}, "cohesion": {"cohesion": 1e8}}))
+    assert not motion.moves
+    assert motion.lift_off == pytest.approx((5.0,), rel=1e-14)
+
+
+def test_many_lift_offs_are_said_once() -> None:
+    waves = Series(np.arange(11.0), np.array([0.0, 3.0] * 5 + [0.0]), held=False)
+    shaking = {"shaking": {"horizontal": Series(np.array([0.0, 11.0]), np.array([0.3, 0.3])), "vertical": waves}}
+    motion = solve(Scene(ARC, 0.3, {"rotation": {}} | shaking, end_time=10.0))
+    assert len(motion.lift_off) == 5
+    said = [w for w in motion.warnings if "lift-off" in w]
+    assert len(said) == 1
+    assert f"{motion.lift_off[0]:.6g} s, and 4 times more until {motion.lift_off[-1]:.6g} s" in said[0]
 
 
 def test_creep_that_never_ends_is_refused() -> None:
@@ -509,7 +644,8 @@ REFUSED: list[tuple[Any, Any, str]] = [
     (0.3, {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 1.0), "two_way": 1}}, "two_way = 1: must be True"),
     (0.3, {"shaking": {"horizontal": 0.1}}, "horizontal = 0.1: must be a function of time"),
     (0.3, {"shaking": {"horizontal": math.sin}}, "must be a function of time"),
-    (0.3, {"pore_pressure": {"pressure": 1.0, "time": [1.0, 2.0]}}, "time and pressure: must be two lists"),
+    (0.3, {"pore_pressure": {"pressure": 1.0, "time": [1.0, 2.0]}}, "time and ratio or pressure: must be lists"),
+    (0.3, {"pore_pressure": {"record": "x.csv", "time": [1.0, 2.0]}}, "x.csv"),
     (0.3, {"pore_pressure": {"pressure": [1.0, 2.0], "time": [1.0, 1.0]}}, "repeats"),
     (0.3, {"viscosity": {"viscosity": -1.0, "thickness": 1.0}}, "viscosity = -1"),
     (0.3, {"viscosity": {"viscosity": 1.0}}, "'thickness' is missing"),
@@ -569,17 +705,22 @@ def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
 
 
 def test_scipy_is_imported_only_where_it_is_planned() -> None:
+    needs = "solve(Scene.load('vaiont-rate'))\n"
     code = (
         "import sys\nfrom slipcircle import Scene, solve\n"
         "for name in ('newmark-pulse', 'vaiont-heated', 'vaiont'):\n"
         "    m = solve(Scene.load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
         "assert 'scipy' not in sys.modules\n"
-        "solve(Scene.load('vaiont-rate'))\nassert 'scipy' in sys.modules\n"
-        "sys.modules['scipy.integrate'] = None\ndel sys.modules['slipcircle.methods.integrate']\n"
-        "try: solve(Scene.load('vaiont-rate'))\nexcept ImportError as error: print(error)\n"
     )
-    done = subprocess.run([sys.executable, "-c", code], check=True, timeout=60, capture_output=True, text=True)
-    assert done.stdout == "this scene is integrated by SciPy: pip install 'slipcircle[scenes]'\n"
+    without = f"sys.modules['scipy.integrate'] = None\ntry: {needs}except ImportError as error: print(error)\n"
+    for more, said in (
+        (needs + "assert 'scipy' in sys.modules\n", ""),
+        (without, "this scene is integrated by SciPy: pip install 'slipcircle[scenes]'\n"),
+    ):
+        done = subprocess.run(
+            [sys.executable, "-c", code + more], check=True, timeout=60, capture_output=True, text=True
+        )
+        assert done.stdout == said
 
 
 def test_files_say_all_of_it(tmp_path: Any) -> None:

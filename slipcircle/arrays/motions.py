@@ -104,10 +104,9 @@ def values_of(scene: Scene) -> dict[str, Any]:
     """What `slipcircle.arrays.lanes.solve_block` reads of a scene, in the scene's own shapes."""
     values: dict[str, Any] = {"end_time": np.inf} | dict(scene.numbers)
     for effect in scene.called:
-        numbers = [p for p in EFFECTS[effect].parameters if p.kind == "number" and p.symbol]
+        given = scene.called[effect]
+        numbers = (p for p in EFFECTS[effect].parameters if p.symbol and p.key and not callable(given.get(p.name)))
         values |= {f"{effect}.{p.name}": values.get(f"{effect}.{p.name}", 0.0) for p in numbers}
-    if "pore_pressure" in scene.called and not callable(scene.called["pore_pressure"].get("pressure")):
-        values |= {"pore_pressure.pressure": values.get("pore_pressure.pressure", 0.0)}
     values = {n.replace("friction.coefficient", "friction"): np.asarray(v, np.float64) for n, v in values.items()}
     return values | {"given": scene.arc.given}
 

@@ -9,6 +9,7 @@ from slipcircle.inputs.series import Pulse, Series
 
 _PULSE = ("amplitude", "duration")
 _OF_PULSES = {"pulse", "amplitude", "vertical_amplitude", "start", "duration", "cycles"}
+_OF_WATER = ("units", "column", "step", "start", "gaps")
 _OF_RECORDS = {"record", "holds", "units", "column", "vertical_record", "vertical_column", "step", "scale", "gaps",
                "start"}  # fmt: skip
 
@@ -24,18 +25,33 @@ def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, A
     try:
         if name == "shaking":
             return _shaking(given, gravity)
-        if name == "pore_pressure" and "time" in given:  # without it a list is an ensemble
-            return _series_of_lists(given)
+        if name == "pore_pressure":
+            return _water(given)
     except (ValueError, OSError) as error:
         raise ValueError(f"effects.{name}: {error}") from error
     return dict(given)
 
 
-def _series_of_lists(given: Mapping[str, Any]) -> dict[str, Any]:
-    if np.ndim(given["time"]) != 1 or np.ndim(given.get("pressure", 0.0)) != 1:
-        raise ValueError("time and pressure: must be two lists of numbers")
-    rest = {k: v for k, v in given.items() if k != "time"}
-    return rest | {"pressure": Series(np.asarray(given["time"]), np.asarray(given["pressure"]))}
+def _water(given: Mapping[str, Any]) -> dict[str, Any]:
+    """A ratio and a pressure: numbers, or functions of time from a record or from lists with their times."""
+    rest = {k: v for k, v in given.items() if k not in ("record", "time", *_OF_WATER)}
+    if "record" in given:
+        from slipcircle.inputs.records import read_pore_pressure
+
+        found = read_pore_pressure(given["record"], **{k: given[k] for k in _OF_WATER if k in given})
+        other = next((k for k in ("time", *found) if k in given), None)
+        if other is not None:
+            raise ValueError(f"{other} and record exclude each other; leave one out")
+        return rest | found
+    strange = next((k for k in _OF_WATER if k in given), None)
+    if strange is not None:
+        raise ValueError(f"{strange} belongs to a record; leave it out, or give record")
+    if "time" not in given:  # without it a list is an ensemble
+        return rest
+    lists = {k: v for k, v in rest.items() if not callable(v) and np.ndim(v) == 1}
+    if np.ndim(given["time"]) != 1 or not lists:
+        raise ValueError("time and ratio or pressure: must be lists of numbers")
+    return rest | {k: Series(np.asarray(given["time"]), np.asarray(v)) for k, v in lists.items()}
 
 
 def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:

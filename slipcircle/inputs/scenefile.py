@@ -102,9 +102,8 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
     if found:
         raise ValueError("\n".join(f"{file}: {m}" for m in found))
     effects = {name: _arguments(document[name], tables[name]) for name in EFFECTS if name in document}
-    if "shaking" in effects:  # records lie where the scene's file lies
-        there = {k: str(Path(file).parent / v) for k, v in effects["shaking"].items() if k.endswith("record")}
-        effects["shaking"] |= there
+    for given in effects.values():  # records lie where the scene's file lies
+        given |= {k: str(Path(file).parent / v) for k, v in given.items() if k.endswith("record")}
     known = {"name": Path(file).stem} | _arguments(document, tables[""])
     try:
         mu = friction["coefficient"] if law == "constant" and by_rate is None else friction
@@ -118,11 +117,11 @@ def _by_key(said: str, tables: Mapping[str, Table]) -> str:
     """What an effect says of an argument, said of the key that stands for it in a file."""
 
     def named(found: re.Match[str]) -> str:
-        effect, name = found.groups()
+        effect, name, other = found.groups()
         key = next((k for k, key in tables[effect].keys.items() if key.name == name), None)
-        return f"{effect}.{key}:" if key else f"{effect}: {name}"
+        return f"{effect}: {key or name}{other}" if other or not key else f"{effect}.{key}:"
 
-    return re.sub(r"effects\.(\w+): (\w+)", named, said)
+    return re.sub(r"effects\.(\w+): (\w+)((?: and \w+)?)", named, said)
 
 
 def _drawn(
@@ -169,10 +168,17 @@ def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table], model: A
     except ValidationError as error:
         errors = error.errors()
     found, meant = [], set()
+    many = {str(e["loc"][:2]) for e in errors if any(isinstance(x, int) for x in e["loc"])}
     for e in sorted(errors, key=lambda e: e["type"] == "missing"):  # what is misspelt is not missing as well
         *parents, last = (x for x in e["loc"] if isinstance(x, str))
+        kinds = ".".join(parents) not in tables  # a number or a list: each of them has been tried, and is named
+        if kinds:
+            *parents, last = parents
         table, path = ".".join(parents), ".".join((*parents, last))
-        shown = path + "".join(f"[{x}]" for x in e["loc"] if isinstance(x, int)) + f" = {_shown(e['input'])}"
+        index = [x for x in e["loc"] if isinstance(x, int)]
+        if kinds and not index and (str(e["loc"][:2]) in many or e["type"] == "list_type"):
+            continue
+        shown = path + "".join(f"[{x}]" for x in index) + f" = {_shown(e['input'])}"
         if e["type"] == "extra_forbidden":
             near, advice = _advice(table, last, tables)
             meant.add(near)

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 _STIFF_STEPS = 300  # explicit steps between two kinks, ten times what is usual, after which LSODA takes over
 _MOST_STEPS = 100_000  # of one phase, between two kinks
+_WHOLE = 0.01  # of the tolerance, for a step from one kink in time to the next
 _FURTHEST = 1e4  # rotation of a frozen slide after which it will never rest, rad
 _SHARES = (1e-3, 0.25, 0.5, 0.75, 1.0 - 1e-3)  # of a step, where its events are looked for
 _ENDS = ("stands", "presses", "over")  # of a phase
@@ -103,26 +104,36 @@ class Integrated(Steps):
                 equation.here.end, equation.reach(equation.here, before.time, before.state, equation.here.end)
             )
             return guess
-        floor = self._floor(before.time)
-        atol = floor if floor > 4 * self._atol else self._atol
-        self._atol, self._longest = atol, 0.0
-        solver = self._solver(guess if guess < left else math.inf, atol)
+        self._longest = 0.0
+        solver = self._solver(guess if 2 * guess < left else math.inf)
         solver.set_initial_value(before.state, before.time).integrate(equation.here.end)
         equation.check()
         if solver.get_return_code() == -2:
             self._count = _MOST_STEPS + 1
         elif not solver.successful():
             raise OverflowError
-        return 2 * self._longest if self._count <= done + 2 else self._longest  # a kink may have cut them short
+        return max(guess, self._longest) if self._count == done + 1 else self._longest  # a kink may have cut it short
 
-    def _solver(self, first: float, atol: float) -> Any:
-        """SciPy's compiled loop, which tries the first step first; its own choice where that is 0."""
-        if self._made is None or self._made[:2] != (first, atol):
+    def _solver(self, first: float) -> Any:
+        """SciPy's compiled loop, which tries the first step first; its own choice where that is 0.
+
+        A step from kink to kink is one that an integration to another tolerance makes too, and a comparison of both
+        would not see its error: so that has to be small.
+        """
+        share = 1.0 if first < math.inf else _WHOLE
+        floor = self._floor(self._last.time, share)
+        if self._made is None or self._made[0] != first or floor > 4 * self._made[1]:
             solver = ode(self.equation.rate).set_integrator(
-                "dop853", rtol=self._tolerance, atol=atol, nsteps=_MOST_STEPS, first_step=min(first, 1e300), beta=0.02
+                "dop853",
+                rtol=max(share * self._tolerance, 1e-14),
+                atol=floor,
+                nsteps=_MOST_STEPS,
+                first_step=min(first, 1e300),
+                beta=0.02,
             )
             solver.set_solout(self._stepped)
-            self._made = first, atol, solver
+            self._made = first, floor, solver
+        self._atol = self._made[1] / share
         return self._made[2]
 
     def _stepped(self, t: float, y: Any) -> int:
@@ -189,9 +200,9 @@ class Integrated(Steps):
         omega = self._last.state[1]
         return omega < 1e-9 * self._top and 0.0 < -1e-3 * self._last.rate < omega and self.equation.here.end == math.inf
 
-    def _floor(self, t: float) -> float:
+    def _floor(self, t: float, share: float = 1.0) -> float:
         """Absolute tolerance: what a rounded drive adds since the start, and of the greatest speed a share."""
-        return max(0.1 * self._tolerance * self._top, 16 * EPS * self._terms * min(max(t, 1e-4), self._memory))
+        return max(0.1 * share * self._tolerance * self._top, 4 * EPS * self._terms * min(max(t, 1e-4), self._memory))
 
     @cached_property
     def _terms(self) -> float:

@@ -1,7 +1,7 @@
 """A mass at rest: whether and which way it starts, now or, where something changes with time, later."""
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,11 @@ from slipcircle.balance import Balance
 from slipcircle.friction import Friction
 from slipcircle.methods.roots import highest, root
 
+if TYPE_CHECKING:
+    from slipcircle.motion import Phase
+
 Floats = NDArray[np.float64]
+EPS = 2.0**-52
 _CHUNK = 64  # stretches between two kinks that are looked at together, at first
 _SAMPLES = 33  # of a stretch, where what is given is curved
 
@@ -67,7 +71,19 @@ def down_slope(balance: Balance, rotation: float) -> int:
 def _start(
     balance: Balance, law: Friction, rest: Rest, time: float, end: float, side: int, kinks: Floats
 ) -> float | None:
-    excess = _excess_of_drive(balance, law, rest, side)
+    return _first(balance, _excess_of_drive(balance, law, rest, side), time, end, kinks)
+
+
+def lift_at_rest(balance: Balance, law: Friction, rest: Rest, time: float, end: float) -> float | None:
+    """When shaking or water first carries a mass that rests between two times; None if something presses throughout."""
+    at = balance.position(rest.rotation, 1) | {"excess": rest.excess}
+    if not balance.forcing:
+        return time if float(balance.get("normal", **at)) < 0.0 else None
+    return _first(balance, lambda t: -balance.get("normal", **at | balance.given(t)), time, end, kinks_of(balance, law))
+
+
+def _first(balance: Balance, excess: Callable[[Any], Any], time: float, end: float, kinks: Floats) -> float | None:
+    """The first time, from one to another, at which a function of what is given is above zero."""
     ahead = slice(np.searchsorted(kinks, time, side="right"), np.searchsorted(kinks, end))
     bounds = np.concatenate([[time], kinks[ahead], [end]])
     straight = all(getattr(f, "straight", False) for f, _ in balance.forcing.values())
@@ -131,3 +147,20 @@ def never_rests(balance: Balance, law: Friction, excess: float) -> bool:
     frictionless = law.constant and float(law.coefficient(0.0)) == 0.0
     left = 0.01 * most if excess > 0.0 else 0.0
     return frictionless or balance.get("normal", press=most, excess=excess) <= left
+
+
+def swings_left(balance: Balance, law: Friction, phases: "list[Phase]") -> float:
+    """About how many swings it takes until friction holds the mass, if each takes as much as the last two did.
+
+    Zero where that is not known: before three swings from rest to rest, where water carries the mass as it stands, or
+    where something but the speed changes the friction.
+    """
+    swings = phases[-3:]
+    known = set(law.depends_on) <= {"speed"} and not balance.forcing and not balance.has("pressurisation")
+    if not known or len(swings) < 3 or any(p.solved.start.energy for p in swings):
+        return 0.0
+    first, last = (balance.position(p.rotation, p.direction) for p in swings[::2])
+    if min(balance.get("normal", **first), balance.get("normal", **last)) <= 0.0:
+        return 0.0
+    before, now = (float(balance.get("limit_friction", **at)) for at in (first, last))
+    return 2 * (now - float(law.coefficient(0.0))) / max(before - now, EPS * abs(now))

@@ -71,8 +71,7 @@ class Steps:
     @cached_property
     def may_lift(self) -> bool:
         """Whether water, heat or shaking might carry the mass."""
-        forced = {"k_h", "k_v", "pore_pressure"} & set(self.balance.forcing)
-        return bool(forced) or self.equation.heats or self.balance.get("normal", press=0.0) != 0.0
+        return bool(self.balance.forcing) or self.equation.heats or self.balance.get("normal", press=0.0) != 0.0
 
     def point(self, t: float, state: list[float]) -> Point:
         """A point of the motion, by its time and state."""

@@ -168,7 +168,10 @@ class Walk:
 
     def _table(self, side: int) -> "Table":
         shape, h = self.segments.shapes[f"push {side}"], self.segments.length
-        starts = shape.middle(h) > 0.0
+        # Where k_v passes 1, push and pressure vanish together: no mass starts between their two zeros, rounded.
+        short = h <= 4 * EPS * self.segments.start
+        pressed = np.pad(self.regime == PRESSING, 1, constant_values=True)
+        starts = (shape.middle(h) > 0.0) & ~(short & ~(pressed[:-2] & pressed[1:-1] & pressed[2:]))
         brake = self._brakes(self.regime == LIFTED)
         if not self.braked:
             thrust, _ = advance(list(shape.coefficients), 0.0, 0.0, 0.0, h, False)

@@ -193,16 +193,24 @@ def plan_rows(plan: Plan) -> list[tuple[str, str]]:
     ]
 
 
-LADDER = ("effect added", "time", "operations", "peak", "run-out", "duration", "rests", "to the fullest")
+LADDER = ("effect added", "time", "operations", "peak", "run-out", "duration", "rests", "differs")
 
 
 def ladder_rows(rungs: Iterable[Rung]) -> list[list[str]]:
-    """A ladder as rows of a table."""
+    """A ladder as rows of a table; how far each differs from the fullest."""
     return [
-        [f"+ {r.added}" if r.added else "none", f"{r.seconds * 1e6:.0f} us", f"{r.cost}", f"{r.peak_velocity:.2f} m/s",
-         f"{r.run_out:.1f} m", f"{r.duration:.2f} s", "yes" if r.arrested else "no", f"{100 * r.difference:.3g} %"]
+        [f"+ {r.added}" if r.added else "none", _seconds(r.seconds), f"{r.cost}", f"{r.peak_velocity:.2f} m/s",
+         f"{r.run_out:.4g} m", f"{r.duration:.2f} s", _rests(r), f"{100 * r.difference:.3g} %"]
         for r in rungs
     ]  # fmt: skip
+
+
+def _rests(r: Rung) -> str:
+    return "no" if not r.arrested else "yes" if r.peak_velocity else "stays"
+
+
+def _seconds(x: float) -> str:
+    return f"{x * 1e6:.0f} us" if x < 1e-3 else f"{x * 1e3:.1f} ms" if x < 1e-2 else f"{x * 1e3:.0f} ms"
 
 
 ALL = ("effects", "operations", "of these")

@@ -22,6 +22,7 @@ SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that
 BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
 REPEATS = 9
 _TICK, _PASS, _PATIENCE = 5e-4, 0.1, 0.08  # seconds: shortest thing timed, longest single pass, all repeats of one
+_QUICK = 0.02  # seconds for scenes, after which ten times as many are not asked for
 FRONTIER, LOST = "frontier", "beaten: "
 NAMES = [*FUNCTIONS, *solvercost.SOLVERS]
 
@@ -110,8 +111,11 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     for name in names:
         if progress:
             print(f"measuring {name}", file=progress, flush=True)
-        rows = _solvers(name, progress) if name in solvercost.SOLVERS else _functions(name, FUNCTIONS[name]())
-        found += judged(rows)
+        if name in solvercost.SOLVERS:
+            one, many = _solvers(name, progress)
+            found += [*judged(one), *judged(many)]
+        else:
+            found += judged(_functions(name, FUNCTIONS[name]()))
     return found
 
 
@@ -128,14 +132,40 @@ def _functions(name: str, subject: Subject) -> list[Row]:
     return rows
 
 
-def _solvers(name: str, progress: TextIO | None) -> list[Row]:
-    works, exact = solvercost.solutions(name, progress)
+def _solvers(name: str, progress: TextIO | None) -> tuple[list[Row], list[Row]]:
+    """Rows of one scene, and of ten thousand."""
+    ways, exact, (some, of_some) = solvercost.solutions(name, progress)
     rows = []
-    for (way, work), seconds in zip(works.items(), interleaved(list(works.values())), strict=True):
-        error = max(abs(v / e - 1) if e else abs(v) for v, e in zip(work(), exact, strict=True))
-        memory = _memory(work, 1)
-        rows.append(Row(name, way, error, (), median(seconds) * 1e9, memory=memory, ours=way.startswith("slipcircle")))
-    return rows
+    for (way, works), seconds in zip(ways.items(), interleaved([w.one for w in ways.values()]), strict=True):
+        error = _apart(np.array(works.one()), np.array(exact))
+        row = Row(name, way, error, (), median(seconds) * 1e9, memory=_memory(works.one, 1))
+        rows.append(replace(row, ours=way.startswith("slipcircle")))
+    alone = {row.way: row for row in rows}
+    kept = {way: works.many for way, works in ways.items() if works.many is not None}
+    counts = [_scenes(many) for many in kept.values()]
+    jobs = [partial(many, solvercost.frictions(n)) for many, n in zip(kept.values(), counts, strict=True)]
+    found = []
+    for (way, many), job, count, seconds in zip(kept.items(), jobs, counts, interleaved(jobs), strict=True):
+        found.append(replace(
+            alone[way], function=f"{name}, {SIZES[1]} scenes", ns_1e4=median(seconds) / count * 1e9, elements=count,
+            error=_apart(many(some), of_some), points=some.size,
+            memory=_memory(job, count) if count == SIZES[1] else None,
+        ))  # fmt: skip
+    return rows, found
+
+
+def _apart(found: Floats, exact: Floats) -> float:
+    """The worst relative error; absolute where the exact value is 0."""
+    return float(np.max(np.abs(found - exact) / np.where(exact == 0.0, 1.0, np.abs(exact))))
+
+
+def _scenes(many: Callable[[Floats], Floats]) -> int:
+    """How many scenes a pass has time for: ten times as many, while that is quick, up to ten thousand."""
+    count = min(solvercost.FEWEST, SIZES[1])
+    many(solvercost.frictions(count))  # what is imported at first only shall not pass for long work
+    while count < SIZES[1] and _timed(partial(many, solvercost.frictions(count)), 1) < _QUICK:
+        count = min(10 * count, SIZES[1])
+    return count
 
 
 # --- errors --------------------------------------------------------------------------------------------------------
@@ -212,7 +242,9 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
     plans = []
     for work in works:
         work()
-        took = min(_timed(work, 1) for _ in range(3))  # what is slow at first only shall not pass for long work
+        took = _timed(work, 1)
+        if took < _PATIENCE:  # what is slow at first only shall not pass for long work
+            took = min(took, _timed(work, 1), _timed(work, 1))
         loops = max(1, int(_TICK / took))
         plans.append((loops, min(REPEATS, max(3, int(_PATIENCE / (took * loops))))))
     samples: list[list[float]] = [[] for _ in works]
@@ -226,10 +258,10 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
 
 
 def _timed(work: Callable[[], object], loops: int) -> float:
-    start = time.perf_counter()
+    start = time.process_time()  # of the processor: what else it does in the meantime is not ours
     for _ in range(loops):
         work()
-    return max((time.perf_counter() - start) / loops, 1e-9)
+    return max((time.process_time() - start) / loops, 1e-9)
 
 
 def _memory(work: Callable[[], object], elements: int) -> float:

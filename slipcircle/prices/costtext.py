@@ -18,8 +18,9 @@ WIDTH = 100  # of tables and text, columns
 NOTES = (
     "proved: bound over the whole domain, rounding included. seen: worst relative error; ulp: worst error in units of "
     "the last place of the row's format; at: where.",
-    f"N=: ns an element, the median of up to {REPEATS} turns, into a given array where the way can; ~ on fewer "
-    "elements (of dblquad and mpmath also errors).",
+    f"N=: processor time, ns an element or that of a scene, the median of up to {REPEATS} turns, into a given array "
+    "where the way can; ~ on fewer elements (of dblquad and mpmath also errors). What heyoka takes to compile is left "
+    "out.",
     "B: bytes an element besides argument and result. saves: times cheaper than the next more "
     "accurate on the frontier.",
     f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
@@ -45,6 +46,9 @@ def verdict(rows: Sequence[Row]) -> str:
     broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
     lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
     lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {duration(r.price)})" for r in front) + ".")
+    if few := sorted({r.elements for r in rows if r.ns_1e4 and r.ns_1e6 is None and r.elements < SIZES[1]}):
+        counts = " or ".join(map(str, few))
+        lines.append(f"~: {counts} scenes were measured, as these ways solve scenes one by one.")
     if not ours or not others:
         return wrapped(lines)
     lost = [
@@ -127,13 +131,14 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
     place = {row.way: str(i) for i, row in enumerate(rows, 1)}
     found = []
     for row in rows:
-        winner, few = place.get(row.verdict.removeprefix(LOST)), "~" if row.elements < SIZES[-1] else ""
+        solver, winner = row.ns_1e6 is None, place.get(row.verdict.removeprefix(LOST))
+        time, few = duration if solver else _number, "~" if row.elements < SIZES[1 if solver else -1] else ""
         ulp = "" if row.ulp is None else "0" if row.ulp < 5e-4 else f"{row.ulp:.3f}" if row.ulp < 10 else None
         found.append([
             place[row.way], row.way, _proved(row), short(row.error) if row.error == row.error else "",
             short(float(row.ulp or 0), 1) if ulp is None else ulp, _at(row.worst_input_ulp),
-            duration(row.ns_1) if row.ns_1e4 is None else _number(row.ns_1), _number(row.ns_1e4),
-            few + _number(row.ns_1e6) if row.ns_1e6 else "", _number(None if row.memory is None else round(row.memory)),
+            time(row.ns_1), (few if solver else "") + time(row.ns_1e4) if row.ns_1e4 else "",
+            few + time(row.ns_1e6) if row.ns_1e6 else "", _number(None if row.memory is None else round(row.memory)),
             f"{_ratio(row.cheaper)}x" if row.cheaper else "", f"beaten {winner}" if winner else row.verdict,
         ])  # fmt: skip
     filled = [any(column) for column in zip(*found, strict=True)]

@@ -1,31 +1,33 @@
-"""What solving a scene costs: this package at each accuracy beside SciPy's solve_ivp, judged against 40 digits."""
+"""What solving scenes costs: this package at each accuracy beside solve_ivp and heyoka, judged against 40 digits."""
 
 import itertools
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
+from importlib.util import find_spec
 from types import SimpleNamespace
-from typing import Any, TextIO
+from typing import Any, NamedTuple, TextIO
 
 import numpy as np
 
 from generated import _compiled, kernels
 from slipcircle import arc
+from slipcircle.prices.reference import Floats
 from slipcircle.prices.ways import closed, multiprecision
 
 ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12)
 
 
-def _of_slip(mu: float) -> Callable[[Any], Any]:
-    return lambda slip: mu + 0.0 * slip
+def _of_slip(mu: Any) -> dict[str, Any]:
+    return {"law": "exponential", "peak": mu, "residual": mu, "length": 1.0}
 
 
-def _of_speed(mu: float) -> dict[str, Any]:
+def _of_speed(mu: Any) -> dict[str, Any]:
     return {"law": "rate_weakening", "peak": mu, "residual": mu, "velocity": 1.0}
 
 
-SOLVERS: dict[str, tuple[str, Callable[[float], Any] | None]] = {
+SOLVERS: dict[str, tuple[str, Callable[[Any], Any] | None]] = {
     "closed form in time": ("vaiont-frozen", None),
     "closed form in the phase plane": ("vaiont", None),
     # The same scene, its friction given as a law of slip or of speed that does not change, so its solution is known.
@@ -33,41 +35,71 @@ SOLVERS: dict[str, tuple[str, Callable[[float], Any] | None]] = {
     "integration in time": ("vaiont", _of_speed),
 }
 NEW, NEW_NUMPY = (f"slipcircle, 1e-09, new arc{which}" for which in ("", ", NumPy kernels"))
+FEWEST = 20  # scenes of an ensemble that are measured where they are slow
+_SEEN = 5  # scenes of it whose errors are known
 Answer = tuple[float, float, float]  # run-out, peak velocity and duration
 
 
-def solutions(name: str, progress: TextIO | None = None) -> tuple[dict[str, Callable[[], Answer]], Answer]:
-    """Ways to solve a scene, ours named "slipcircle, accuracy", and the answer to the nearest double.
+class Way(NamedTuple):
+    """A way to solve one scene, and many of the same arc by their friction coefficients: answers (3, n)."""
 
-    SciPy's solve_ivp gets a hand-written right-hand side and events.
+    one: Callable[[], Answer]
+    many: Callable[[Floats], Floats] | None = None
+
+
+def frictions(count: int) -> Floats:
+    """Friction coefficients of an ensemble: around 10 deg, from 8 to 12."""
+    return np.tan(np.radians(np.linspace(8.0, 12.0, count)))
+
+
+def solutions(name: str, progress: TextIO | None = None) -> tuple[dict[str, Way], Answer, tuple[Floats, Floats]]:
+    """Ways to solve a scene, ours named "slipcircle, accuracy"; its answer; and some frictions with theirs, (3, n).
+
+    SciPy's solve_ivp and heyoka get a hand-written right-hand side and events, and scenes one after the other.
     """
     from slipcircle import Scene, solve
 
     shipped, law = SOLVERS[name]
     scene = Scene.load(shipped)
     mu = float(np.asarray(scene.friction))
-    if law is not None:
-        scene = replace(scene, friction=law(mu))
 
-    def ours(accuracy: float, scene: Scene = scene) -> Answer:
+    def given(mu: Any) -> Any:
+        return mu if law is None else law(mu)
+
+    def ours(accuracy: float, scene: Scene) -> Answer:
         motion = solve(scene, accuracy)
         return motion.run_out, float(motion.peak.velocity), motion.duration
 
-    found: dict[str, Callable[[], Answer]] = {f"slipcircle, {a:.0e}": partial(ours, a) for a in ACCURACIES}
+    def ours_of(accuracy: float, mu: Floats) -> Floats:
+        motions = solve(replace(scene, friction=given(mu)), accuracy)
+        return np.array([motions.run_out, motions.peak.velocity, motions.duration])
+
+    single = replace(scene, friction=given(mu))
+    found = {f"slipcircle, {a:.0e}": Way(partial(ours, a, single), partial(ours_of, a)) for a in ACCURACIES}
     # A scene keeps the coefficients of its arc; what the kernels cost shows in a new one.
-    found[NEW] = new = lambda: ours(ACCURACIES[2], replace(scene, arc=replace(scene.arc)))
+    new = lambda: ours(ACCURACIES[2], replace(single, arc=replace(scene.arc)))  # noqa: E731
+    found[NEW] = Way(new)
     if _compiled.LEVEL != "numpy":
-        found[NEW_NUMPY] = lambda: _in_numpy(new)
-    try:
-        import scipy.integrate  # noqa: F401
-    except ImportError:
-        if progress:
-            print("solve_ivp is missing: pip install 'slipcircle[scenes]'", file=progress)
-    else:
-        methods = itertools.product(("RK45", "DOP853", "LSODA"), ACCURACIES)
-        found |= {f"{m}, rtol {a:.0e}": partial(_integrated, scene, mu, m, a) for m, a in methods}
+        found[NEW_NUMPY] = Way(lambda: _in_numpy(new))
+    for module, methods in (("scipy", ("RK45", "DOP853", "LSODA")), ("heyoka", ("heyoka",))):
+        if find_spec(module) is None:
+            if progress:
+                print(f"{module} is missing, and left out", file=progress)
+            continue
+        for method, a in itertools.product(methods, ACCURACIES):
+            solver: Callable[[float], Answer] = (
+                _heyoka(scene, a) if module == "heyoka" else partial(_integrated, scene, method, a)
+            )
+            many = None if method in ("RK45", "LSODA") else partial(_one_by_one, solver)  # the best of SciPy's
+            found[f"{method}, {'tol' if method == 'heyoka' else 'rtol'} {a:.0e}"] = Way(partial(solver, mu), many)
+    some = frictions(_SEEN)
     run_out, peak, time = map(float, _reference(scene, mu))
-    return found, (run_out, peak, time)
+    exact = np.array([_reference(scene, x) for x in some.tolist()], dtype=np.float64).T
+    return found, (run_out, peak, time), (some, exact)
+
+
+def _one_by_one(solver: Callable[[float], Answer], mu: Floats) -> Floats:
+    return np.array([solver(x) for x in mu.tolist()]).T
 
 
 def _in_numpy(work: Callable[[], Answer]) -> Answer:
@@ -81,14 +113,35 @@ def _in_numpy(work: Callable[[], Answer]) -> Answer:
         names["kernels"] = before
 
 
-def _integrated(scene: Any, mu: float, method: str, tolerance: float) -> Answer:
+class _Equation(NamedTuple):
+    """d(omega)/dt = weight sin psi - mu (radial cos psi + polar omega**2), psi = dip - phi; scales; latest time."""
+
+    weight: float
+    radial: float
+    polar: float
+    dip: float
+    turns: bool
+    scale: float
+    radius: float
+    end: float
+
+
+def _equation(scene: Any) -> _Equation:
+    section, scale = scene.arc, float(scene.arc.time_scale)
+    weight, radial = (float(x) for x in section.amplitudes_per_inertia)
+    polar, end = (
+        float(section.dimensionless.polar_moment_per_inertia),
+        scene.end_time / scale if scene.end_time else 1e3,
+    )
+    turns = "rotation" in scene.called
+    return _Equation(weight, radial, polar, float(section.dip), turns, scale, float(section.radius), end)
+
+
+def _integrated(scene: Any, method: str, tolerance: float, mu: float) -> Answer:
     """Run-out, peak velocity and duration by solve_ivp, with events for the peak and the standstill."""
     from scipy.integrate import solve_ivp
 
-    section, d = scene.arc, scene.arc.dimensionless
-    scale, radius, dip = float(section.time_scale), float(section.radius), float(section.dip)
-    turns, polar = "rotation" in scene.called, float(d.polar_moment_per_inertia)
-    weight, radial = (float(x) for x in section.amplitudes_per_inertia)
+    weight, radial, polar, dip, turns, scale, radius, end = _equation(scene)
 
     def rate(_: float, y: Any) -> tuple[float, float]:
         psi = dip - y[0] if turns else dip
@@ -103,10 +156,46 @@ def _integrated(scene: Any, mu: float, method: str, tolerance: float) -> Answer:
     events: list[Any] = [stands, turns_slower]
     for event in events:
         event.terminal, event.direction = event is stands, -1.0
-    end = scene.end_time / scale if scene.end_time else 1e3
     found = solve_ivp(rate, (0.0, end), (0.0, 0.0), method, rtol=tolerance, atol=tolerance * 1e-3, events=events)
     peak = found.y_events[1][0][1] if len(found.y_events[1]) else found.y[1, -1]
     return radius * found.y[0, -1], radius * peak / scale, found.t[-1] * scale
+
+
+@cache
+def _taylor(of: _Equation, tolerance: float) -> tuple[Any, list[float]]:
+    """Heyoka's integrator, compiled once, with mu as its parameter; and where it leaves the peak speed."""
+    import heyoka as hy  # type: ignore[import-not-found, unused-ignore]
+
+    phi, omega = hy.make_vars("phi", "omega")
+    psi = of.dip - phi if of.turns else hy.expression(of.dip)
+    rate = of.weight * hy.sin(psi) - hy.par[0] * (of.radial * hy.cos(psi) + of.polar * omega * omega)
+    peak = [0.0]
+
+    def at_peak(integrator: Any, time: float, _: int) -> None:
+        integrator.update_d_output(time)
+        peak[0] = float(integrator.d_output[1])
+
+    falls = hy.event_direction.negative
+    found = hy.taylor_adaptive(
+        [(phi, omega), (omega, rate)], [0.0, 0.0], pars=[0.0], tol=tolerance,
+        t_events=[hy.t_event(omega, direction=falls)], nt_events=[hy.nt_event(rate, at_peak, direction=falls)],
+    )  # fmt: skip
+    return found, peak
+
+
+def _heyoka(scene: Any, tolerance: float) -> Callable[[float], Answer]:
+    """Run-out, peak velocity and duration by heyoka's Taylor series, with events for the peak and the standstill."""
+    of = _equation(scene)
+    system, peak = _taylor(of, tolerance)
+
+    def solved(mu: float) -> Answer:
+        system.time, system.state[:], system.pars[0], peak[0] = 0.0, 0.0, mu, 0.0
+        system.reset_cooldowns()
+        system.propagate_until(of.end)
+        phi, omega = system.state.tolist()
+        return of.radius * phi, of.radius * max(peak[0], omega) / of.scale, system.time * of.scale
+
+    return solved
 
 
 def _reference(scene: Any, mu: float) -> tuple[Any, Any, Any]:
