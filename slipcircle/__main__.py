@@ -88,9 +88,16 @@ def main(argv: Sequence[str] | None = None) -> int:
         chosen = {"run": _run, "plan": _plan, "sweep": _sweep, "backanalyse": _backanalyse,
                   "sensitivity": _sensitivity, "schema": _schema, "cost": _cost, "info": _info}  # fmt: skip
         chosen[options.command](options)
-        sys.stdout.flush()
-    except BrokenPipeError:  # nobody reads on, as with `| head`; nothing is left to be flushed at the end
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if sys.stdout is not None:  # closed by the caller
+            sys.stdout.flush()
+    except OSError as error:
+        if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
+        if not isinstance(error, BrokenPipeError):  # nobody reads on, as with `| head`
+            print(f"slipcircle: {error.filename or 'the output'}: {error.strerror or error}", file=sys.stderr)
+        return 1
+    except MemoryError as error:
+        print(f"slipcircle: not enough memory: {error}", file=sys.stderr)
         return 1
     except (ValueError, ImportError) as error:
         print(f"slipcircle: {error}", file=sys.stderr)

@@ -92,8 +92,15 @@ class Scene:
         for name, said in wrong.items():
             found += said
             if not said and isinstance(self.arc, Arc):
+                gravity = np.unique(self.arc.gravity).tolist()
+                if "record" in effects[name] and (
+                    len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}
+                ):
+                    found.append("arc.gravity: must be one number with a record, which is read over gravity; give "
+                                 "effects.shaking.horizontal as a Series over gravity instead")  # fmt: skip
+                    continue
                 try:
-                    effects[name] = resolved(name, effects[name], float(np.asarray(self.arc.gravity).flat[0]))
+                    effects[name] = resolved(name, effects[name], max(gravity, default=9.81))
                 except ValueError as error:
                     found.append(str(error))
         found += [] if found else shape_mistakes(self.numbers)

@@ -18,7 +18,7 @@ import generated
 import slipcircle
 from slipcircle import Motion, Scene, State, solve
 from slipcircle.__main__ import main
-from slipcircle.inputs.scenefile import shipped
+from slipcircle.inputs.scenefile import find, shipped
 from slipcircle.prices import cost
 
 ROOT = Path(__file__).parents[1]
@@ -217,6 +217,28 @@ def test_errors(argv: list[str], status: int, said: str, capsys: pytest.CaptureF
     if status == 1:
         assert err.startswith("slipcircle: ")
         assert err.count("\n") == 1
+
+
+def test_a_name_is_anybodys_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = tmp_path / "a.toml"
+    text = find("vaiont").read_text("utf-8").replace('name = "vaiont"', 'name = "[/b] [red]:warning:"')
+    scene.write_text(text, "utf-8")
+    assert main(["run", str(scene)]) == 0
+    assert "[/b] [red]:warning:" in capsys.readouterr().out
+    scene.write_text("a = " + 99999 * "[", "utf-8")
+    assert main(["run", str(scene)]) == 1
+    assert main(["run", str(tmp_path)]) == 1
+    assert "is a folder" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("reads", "said"), [("| true", ""), ("> /dev/full", "No space left on device")])
+@pytest.mark.parametrize("what", ["schema", "run vaiont --json", "plan --all"])
+def test_a_reader_that_stops_reading(what: str, reads: str, said: str) -> None:
+    line = f"{sys.executable} -m slipcircle {what} {reads}; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", line], cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert said in done.stderr
+    assert done.stderr.count("\n") == (said != "")
 
 
 def test_help_says_what_there_is_and_how_it_ends(capsys: pytest.CaptureFixture[str]) -> None:

@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Scene, ensemble
+from slipcircle import Scene, ensemble, solve
+from slipcircle.inputs.series import Series
 from slipcircle.studies.engines import Progress, computed, engine, forecast, replacing, stored, write
 from slipcircle.studies.ensembles import Ensemble, grid
 from slipcircle.studies.study import Result, Study
@@ -162,6 +163,45 @@ def test_another_study_is_refused(tmp_path: Path) -> None:
             ensemble(scene, n, seed, folder=tmp_path)
 
 
+def test_another_record_or_law_is_refused(tmp_path: Path) -> None:
+    """What is no number tells studies apart too."""
+    for k in range(2):
+        one, two = (shaken(Series(np.arange(3.0), np.array([0.0, a, 0.0]), held=False)) for a in (0.5, 0.4 + 0.1 * k))
+        grid(one, {"friction": [0.4]}, folder=tmp_path / str(k))
+        if k:
+            grid(two, {"friction": [0.4]}, folder=tmp_path / str(k))
+            continue
+        with pytest.raises(ValueError, match="another study: fixed differ"):
+            grid(two, {"friction": [0.4]}, folder=tmp_path / str(k))
+    with pytest.raises(ValueError, match="needs a name of its own"):
+        grid(replace(Scene.load("vaiont"), friction=lambda s: 0.2 + 0 * s), {"radius": [1e3]}, folder=tmp_path / "law")
+
+
+def shaken(horizontal: Any) -> Scene:
+    return replace(Scene.load("vaiont"), effects={"rotation": {}, "shaking": {"horizontal": horizontal}}, friction=0.6)
+
+
+@pytest.mark.parametrize("name", ["vaiont-shaken", "vaiont-heated", "vaiont-rate", "newmark-pulse", "vaiont-softening"])
+def test_what_is_no_number_goes_into_the_blocks(name: str) -> None:
+    """Shaking, heat and laws: a study's scenes are those that `solve` solves one by one."""
+    scene = Scene.load(name)
+    with ThreadPoolExecutor(2) as pool:
+        found = grid(scene, {"radius": [1000.0, 1500.0]}, pool)
+    for k, radius in enumerate((1000.0, 1500.0)):
+        wanted = solve(replace(scene, arc=replace(scene.arc, radius=radius)))
+        assert found.samples["run_out"][k] == pytest.approx(wanted.run_out, rel=1e-12)
+        assert found.samples["duration"][k] == pytest.approx(wanted.duration, rel=1e-12)
+
+
+@pytest.mark.parametrize("content", ["not json", "[1, 2]"])
+def test_a_folder_that_is_none(tmp_path: Path, content: str) -> None:
+    (tmp_path / "study.json").write_text(content, "utf-8")
+    with pytest.raises(ValueError, match="give an empty folder"):
+        ensemble(SCENE, 10, 1, folder=tmp_path)
+    with pytest.raises(ValueError, match=r"study\.json: can be no folder"):
+        ensemble(SCENE, 10, 1, folder=tmp_path / "study.json")
+
+
 def test_a_killed_command_continues(tmp_path: Path) -> None:
     """`--resume` after SIGKILL: the same file as of a run that nobody stopped."""
     (tmp_path / "s.toml").write_text(
@@ -196,6 +236,20 @@ def test_files_are_whole_or_not_there(tmp_path: Path) -> None:
         fails()
     assert target.read_bytes() == b"first"
     assert list(tmp_path.iterdir()) == [target]
+
+
+def test_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
+    link, pipe = tmp_path / "link", tmp_path / "pipe"
+    link.symlink_to("target")
+    write(link, b"through it")
+    assert link.is_symlink()
+    assert (tmp_path / "target").read_bytes() == b"through it"
+    os.mkfifo(pipe)
+    with ThreadPoolExecutor(1) as reader:
+        read = reader.submit(pipe.read_bytes)
+        write(pipe, b"once")
+        assert read.result(10) == b"once"
+    assert pipe.is_fifo()
 
 
 def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -504,6 +504,13 @@ def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
         (["vaiont", "--grid", "friction.angle_deg=1:2"], "must be KEY=FROM:TO:COUNT"),
         (["vaiont", "--grid", "friction.angel_deg=1:2:3"], "did you mean friction.angle_deg"),
         (["vaiont", "--grid", "friction.angle_deg=1", "--engine", "dask"], "belong together"),
+        (["vaiont", "--grid", "friction.angle_deg=1,2", "--grid", "friction.angle_deg=3"], "each key once"),
+        (["vaiont", "--grid", "friction.angle_deg=8:12:9999", "--grid", "arc.radius_m=1:9:9999"], "67108864 at most"),
+        (["vaiont", "--grid", "friction.angle_deg=1:2:1000000000000"], "not enough memory"),
+        (
+            ["vaiont", "--grid", "friction.angle_deg=1", "--engine", "threads", "--workers", "0"],
+            "--workers 0: must be 1",
+        ),
         (["vaiont", "--grid", "friction.angle_deg=1", "--csv", "/no/such/place.csv"], "there is no folder /no/such"),
         (["vaiont", "--samples", "9", "--uncertain", "friction.angle_deg=normal:1"], "normal:mean:std, lognormal:mean"),
         (

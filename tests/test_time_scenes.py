@@ -666,6 +666,44 @@ def test_what_is_refused(friction: Any, effects: Any, said: str) -> None:
     assert str(caught.value).count("\n") == 0
 
 
+def test_a_record_that_begins_with_a_jump_changes_nothing_before() -> None:
+    """Kinks are rounded in dimensionless time; until the first sample the motion is that of the quiet scene."""
+    quiet = solve(Scene(ARC, 0.2, TURNING))
+    for start in np.linspace(1.0, 9.0, 17).tolist():
+        record = Series(np.array([start, start + 1.0]), np.array([0.3, 0.3]), held=False)
+        shaken = solve(Scene(ARC, 0.2, TURNING | {"shaking": {"horizontal": record}}, end_time=10.0))
+        assert float(shaken.at(start).displacement) == pytest.approx(float(quiet.at(start).displacement), rel=1e-9)
+
+
+def test_lift_offs_late_in_a_record_are_those_of_the_same_one_early() -> None:
+    """Water and k_v carry the mass again and again, at times that are rounded more the later they are."""
+    arc = replace(ARC, radius=60.0)
+    for seed in range(6):
+        rng = np.random.default_rng(seed)
+        time, values = np.cumsum(rng.uniform(0.2, 1, 30)) * 0.03, rng.standard_normal((2, 30))
+        found = []
+        for late in (0.5, 500.0):
+            shaking = {"horizontal": Series(late + time, 1.5 * values[0], held=False),
+                       "vertical": Series(late + time, 0.8 * values[1], held=False)}  # fmt: skip
+            found.append(solve(Scene(arc, 0.6, {"rotation": {}, "shaking": shaking}, end_time=late + 20)))
+        early, later = found
+        assert early.lift_off
+        assert len(later.lift_off) == len(early.lift_off)
+        assert later.run_out == pytest.approx(early.run_out, rel=1e-8)
+
+
+def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
+    record = tmp_path / "shock.csv"
+    record.write_text("time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", encoding="utf-8")
+    effects = {"shaking": {"record": record, "holds": "ground", "units": "m/s2"}}
+    drawn: dict[str, Any] = {"uncertain": {"gravity": {"distribution": "uniform", "low": 1, "high": 9}}}
+    for arc, more in ((replace(ARC, gravity=np.array([9.81, 3.7])), {}), (ARC, drawn)):
+        with pytest.raises(ValueError, match=r"arc\.gravity: must be one number with a record"):
+            Scene(arc, 0.5, effects, **more)
+    assert Scene(replace(ARC, gravity=np.array([9.81, 9.81])), 0.5, effects).shape == (2,)
+    assert Scene(replace(ARC, gravity=np.empty(0)), 0.5, TURNING).shape == (0,)
+
+
 def test_scipy_is_imported_only_where_it_is_planned() -> None:
     needs = "solve(Scene.load('vaiont-rate'))\n"
     code = (

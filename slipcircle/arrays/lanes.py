@@ -25,7 +25,7 @@ LANES = 4096  # at once, so that what they need stays in the cache
 
 def solve_block(
     effects: tuple[str, ...], values: Mapping[str, Any], accuracy: float, law: Any = None, lanes: int | None = None,
-    fixed: Mapping[str, Mapping[str, Any]] | None = None,
+    fixed: Mapping[str, Mapping[str, Any]] = {},
 ) -> Block:  # fmt: skip
     """Solve a block of scenes: a pure function of plain arrays.
 
@@ -55,7 +55,7 @@ def solve_block(
     depends = {*law_depends(law)}.union(*(EFFECTS[e].depends_on for e in effects))
     if fixed or callable(law) or depends & {"time", "speed", "history"}:
         for k in range(size):
-            _alone(out, k, effects, values, accuracy, law, fixed or {})
+            _alone(out, k, effects, values, accuracy, law, fixed)
         return out
     work, shared = workspace(min(size, LANES)), None
     own = ("friction", "initial_velocity", "end_time")  # not the balance's

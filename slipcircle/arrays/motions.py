@@ -121,17 +121,17 @@ def lane(scene: Scene, *index: int) -> Scene:
     """One lane of an ensemble, as a scene of plain numbers."""
     chosen = plan(scene)
     k = int(np.ravel_multi_index(index, scene.shape))
-    return scene_of(chosen.effects, _flat(scene), k, *_rest(chosen))
+    return scene_of(chosen.effects, _flat(scene), k, *rest_of(chosen))
 
 
 def solve_ensemble(chosen: Plan) -> Motions:
     """Solve a scene of arrays."""
-    scene, (law, fixed) = chosen.scene, _rest(chosen)
+    scene, (law, fixed) = chosen.scene, rest_of(chosen)
     found = solve_block(chosen.effects, _flat(scene), chosen.accuracy, law, math.prod(scene.shape), fixed)
     return Motions(chosen, found)
 
 
-def _rest(chosen: Plan) -> tuple[Any, dict[str, dict[str, Any]]]:
+def rest_of(chosen: Plan) -> tuple[Any, dict[str, dict[str, Any]]]:
     """What is no array of an ensemble: its law, if friction is not constant, and the effects' functions of time."""
     scene = chosen.scene
     kept = {e: {n: v for n, v in given.items() if f"{e}.{n}" not in scene.numbers} for e, given in scene.called.items()}

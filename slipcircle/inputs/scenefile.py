@@ -42,6 +42,8 @@ def find(name: str | PathLike[str]) -> Any:
         return path
     near = get_close_matches(path.stem, names, 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)
+    if is_path and os.path.isdir(path):
+        raise ValueError(f"{path}: is a folder; give a scene's file")
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
@@ -71,7 +73,7 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
         raise ValueError(f"{file}: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ValueError(f"{file}: is not TOML: {error}") from error
     friction: Any = document.get("friction")
     wanted = friction.get("law", "constant") if isinstance(friction, dict) else "constant"

@@ -266,7 +266,7 @@ class Integrated(Steps):
             "presses": lambda p: p.pressing,
             "slip" if self._limit < self._furthest else "over": lambda p: self._limit - p.state[0],
         }
-        points, noise, at = self._points(step), self._noise(), partial(self.within, step)
+        points, noise, at = self._points(step), self._noise(step), partial(self.within, step)
         found: tuple[str, Point] | None = None
         for name, watch in watched.items():
             least = 0.0 if watch(points[0]) > 0.0 else -noise.get(name, 0.0)
@@ -301,10 +301,17 @@ class Integrated(Steps):
                 found.append(at(highest(lambda t: -at(t).pressing, a.time, c.time)))
         return sorted(points + found)
 
-    def _noise(self) -> dict[str, float]:
-        """How far below zero rounding alone may put what is watched where it begins at zero."""
-        values, top = self.balance.values, self._top
+    def _noise(self, step: Step) -> dict[str, float]:
+        """How far below zero rounding alone may put what is watched where it begins at zero.
+
+        What is given is known to the rounding of the time since the scene began, in which what presses may change fast.
+        """
+        values, top, one = self.balance.values, self._top, step.start
         pressing = 64 * EPS * (self._terms + values["polar"] * top * top) / values["level"]
+        later = one.time + 1e-3 * min(step.stretch.end - one.time, 1.0)
+        if self.time > 0.0 and later > one.time:
+            pace = abs(self.point(later, [*one.state]).pressing - one.pressing) / (later - one.time)
+            pressing += 16 * EPS * (self.time + one.time) * pace
         return {"stands": 16 * EPS * min(self._terms, 1.0) * max(top, 1e-6), "presses": pressing}
 
 

@@ -254,6 +254,6 @@ def show(
     )  # fmt: skip
     for row in rows:
         shown.add_row(*row)
-    console = Console(highlight=False)
+    console = Console(highlight=False, markup=False, emoji=False)  # a scene's name is anybody's text
     console.width = min(console.width, 100) if console.is_terminal else 100
     console.print(shown)

@@ -56,6 +56,8 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
     scheduler : str, optional
         Address of a running Dask scheduler, such as tcp://10.0.0.1:8786.
     """
+    if workers is not None and workers < 1:
+        raise ValueError(f"--workers {workers}: must be 1 at least; leave it out for one for each processor")
     workers = workers or os.cpu_count() or 1
     if (name == "dask") != (scheduler is not None):
         raise ValueError("--engine dask and --scheduler ADDRESS belong together: the address of a running scheduler")
@@ -90,7 +92,10 @@ class Folder:
 
     def __init__(self, path: str | os.PathLike[str], description: Mapping[str, Any]) -> None:
         self.path = Path(path)
-        self.path.mkdir(parents=True, exist_ok=True)
+        try:
+            self.path.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise ValueError(f"{self.path}: can be no folder for blocks: {error.strerror}") from error
         held = stored(self.path)
         if held is None:
             write(self.path / "study.json", json.dumps(description, indent=2).encode())
@@ -123,14 +128,26 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
     path = Path(folder) / "study.json"
     if not path.exists():
         return None
-    found: dict[str, Any] = json.loads(path.read_text("utf-8"))
+    try:
+        found = json.loads(path.read_text("utf-8"))
+    except ValueError as error:
+        raise ValueError(f"{path}: is damaged: {error}; give an empty folder") from error
+    if not isinstance(found, dict):
+        raise ValueError(f"{path}: is no study; give an empty folder")
     return found
 
 
 @contextmanager
 def replacing(path: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
-    """A file to write that takes its name only when all of it is on the disk; on an error nothing changes."""
-    target = Path(path)
+    """A file to write that takes its name only when all of it is on the disk; on an error nothing changes.
+
+    A link stays one, and what is no file, such as /dev/stdout, is written to.
+    """
+    target = Path(os.path.realpath(path))
+    if target.exists() and not target.is_file() and not target.is_dir():
+        with open(path, "wb") as device:
+            yield device
+        return
     with tempfile.NamedTemporaryFile(dir=target.parent, prefix=f".{target.name}.", delete=False) as file:
         try:
             yield file

@@ -1,5 +1,6 @@
 """Ensembles: the distribution of run-out and peak velocity where a scene's numbers are uncertain."""
 
+import hashlib
 import math
 import os
 from collections.abc import Iterable, Mapping
@@ -12,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.arrays.block import Status
-from slipcircle.arrays.motions import values_of
+from slipcircle.arrays.motions import rest_of, values_of
+from slipcircle.inputs.series import Series
 from slipcircle.plan import INTEGRATION, plan
 from slipcircle.scene import Scene
 from slipcircle.studies.distributions import Uncertain, place
@@ -37,6 +39,7 @@ Floats = NDArray[np.float64]
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
+_MOST_GRID = 2**26
 
 
 class Curve(NamedTuple):
@@ -347,9 +350,23 @@ def _estimate(e: Estimate) -> dict[str, Any]:
     return {k: v if math.isfinite(v) else None for k, v in zip(e._fields, map(float, e), strict=True)}
 
 
-def _law(law: Any) -> str:
-    """A law as a folder remembers it; of a function no more than its name."""
-    return f"{law.__module__}.{law.__qualname__}" if hasattr(law, "__qualname__") else repr(law)
+def _known(given: Any) -> Any:
+    """A law, or what else is no number, as a folder remembers it and as JSON holds it."""
+    if isinstance(given, Mapping):
+        return {k: _known(v) for k, v in given.items()}
+    if isinstance(given, Series):
+        samples = hashlib.sha256(given.time.tobytes() + given.values.tobytes()).hexdigest()
+        return {"samples": samples, "held": given.held}
+    if isinstance(given, list | tuple | np.ndarray):
+        return np.asarray(given).tolist()
+    if not hasattr(given, "__qualname__"):
+        return repr(given)
+    if "<" in given.__qualname__:  # another one has the same name
+        raise ValueError(
+            "folder: a friction function that a later run is to know again needs a name of its own: define it with def "
+            "in a module, or give a table"
+        )
+    return f"{given.__module__}.{given.__qualname__}"
 
 
 def _seed(rng: Any, folder: Any) -> int:
@@ -439,9 +456,8 @@ def ensemble(
     inputs = dict(scene.uncertain)
     base = (min(_BASE, n) if len(inputs) > 1 and n > 1 else 0) if sensitivity is None else sensitivity
     tables = sobol_tables(seed, n, len(inputs)) if method == "sobol" else ()
-    law = None if chosen.law == "constant" else scene.friction
     values = {k: v if k == "given" else float(v) for k, v in values_of(scene).items()}
-    study = Study(chosen.effects, values, law, chosen.accuracy, inputs, (), method, n, base,
+    study = Study(chosen.effects, values, *rest_of(chosen), chosen.accuracy, inputs, (), method, n, base,
                   n <= _KEEP if keep is None else keep, tables)  # fmt: skip
     size = size or _size(n // study.replicates, chosen.method)
     return conduct(scene, study, seed, size, executor, confidence, folder, progress)
@@ -483,14 +499,15 @@ def grid(
             said.append(f"{path}: must be a list of numbers")
         inputs[name] = inputs_of
     said += ["a scene of arrays is solved as it is: use solve"] if scene.shape else []
+    n = math.prod(np.size(x) for x in levels.values())
+    if n > _MOST_GRID:
+        said.append(f"{n} combinations: they are held in memory, so {_MOST_GRID} at most; draw samples instead")
     if said or not levels:
         raise ValueError("grid: " + ("; ".join(said) or "no values are given"))
     chosen = plan(scene, accuracy)
     axes = tuple(np.asarray(v, dtype=np.float64) for v in levels.values())
-    law = None if chosen.law == "constant" else scene.friction
     values = {k: v if k == "given" else float(v) for k, v in values_of(scene).items()}
-    n = math.prod(len(x) for x in axes)
-    study = Study(chosen.effects, values, law, chosen.accuracy, inputs, axes, "grid", n, 0, True)
+    study = Study(chosen.effects, values, *rest_of(chosen), chosen.accuracy, inputs, axes, "grid", n, 0, True)
     return conduct(scene, study, 0, _size(n, chosen.method), executor, 0.95, folder, progress)
 
 
@@ -506,7 +523,8 @@ def conduct(
         description = {
             "slipcircle": __version__, "effects": study.effects,
             "values": {k: v if v is None or isinstance(v, float) else dict(v) for k, v in sorted(study.values.items())},
-            "law": _law(study.law), "accuracy": study.accuracy, "inputs": [u.record for u in study.inputs.values()],
+            "law": _known(study.law), "fixed": _known(study.fixed), "accuracy": study.accuracy,
+            "inputs": [u.record for u in study.inputs.values()],
             "levels": [x.tolist() for x in study.levels], "method": study.method, "samples": study.n,
             "sensitivity_base": study.base, "keep": study.keep, "seed": seed, "block": size,
         }  # fmt: skip

@@ -65,7 +65,7 @@ class Study:
 
     Attributes
     ----------
-    effects, values, law, accuracy
+    effects, values, law, fixed, accuracy
         As `slipcircle.arrays.lanes.solve_block` takes them.
     inputs : mapping
         What varies, by its name among the values.
@@ -86,6 +86,7 @@ class Study:
     effects: tuple[str, ...]
     values: Mapping[str, Any]
     law: Any
+    fixed: Mapping[str, Mapping[str, Any]]
     accuracy: float
     inputs: Mapping[str, Uncertain]
     levels: tuple[Floats, ...]
@@ -148,7 +149,7 @@ def _solve(study: Study, drawn: list[Floats], count: int) -> tuple[NDArray[np.in
     with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
         given = {n: u.to_si(x) for (n, u), x in zip(study.inputs.items(), drawn, strict=True)}
         values = dict(study.values) | given
-        block = solve_block(study.effects, values, study.accuracy, study.law, count)
+        block = solve_block(study.effects, values, study.accuracy, study.law, count, study.fixed)
         radius = np.asarray(values["radius"])
         found = {"run_out": np.abs(radius * block.rotation),
                  "peak_velocity": np.abs(radius * block.peak_angular_velocity), "duration": block.duration}  # fmt: skip

@@ -118,10 +118,12 @@ def _drawn(given: list[str]) -> dict[str, dict[str, Any]]:
         name, *numbers = value.split(":")
         wanted = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
         try:
+            if key in found:
+                raise ValueError
             found[key] = {"distribution": name} | dict(zip(wanted, map(float, numbers), strict=True))
         except ValueError:
             forms = ", ".join(":".join((n, *d.parameters)) for n, d in DISTRIBUTIONS.items())
-            said.append(f"--uncertain {text}: must be KEY= and one of {forms}")
+            said.append(f"--uncertain {text}: must be KEY=, each key once, and one of {forms}")
     if said:
         raise ValueError("; ".join(said))
     return found
@@ -134,13 +136,16 @@ def _levels(given: list[str]) -> dict[str, NDArray[np.float64]]:
     for text in given:
         key, _, values = text.partition("=")
         try:
+            if key in found:
+                raise ValueError
             if values.count(":") == 2:
                 first, last, count = values.split(":")
                 found[key] = np.linspace(float(first), float(last), int(count))
             else:
                 found[key] = np.array([float(v) for v in values.split(",")])
         except ValueError:
-            said.append(f"--grid {text}: must be KEY=FROM:TO:COUNT or KEY=A,B,C, such as friction.angle_deg=8:12:41")
+            said.append(f"--grid {text}: must be KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as "
+                        "friction.angle_deg=8:12:41")  # fmt: skip
     if said:
         raise ValueError("; ".join(said))
     return found
