@@ -17,7 +17,8 @@ import pytest
 
 from slipcircle import Scene, ensemble, solve
 from slipcircle.inputs.series import Series
-from slipcircle.studies.engines import Progress, computed, engine, forecast, replacing, stored, write
+from slipcircle.outputs.files import replacing, write
+from slipcircle.studies.engines import Progress, computed, engine, forecast, stored
 from slipcircle.studies.ensembles import Ensemble, grid
 from slipcircle.studies.study import Result, Study
 

@@ -1,8 +1,11 @@
 """Files that a command writes: checked before the work begins, and never seen half written."""
 
 import os
-from collections.abc import Mapping, Sequence
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from typing import IO
 
 from slipcircle.checks import raise_all
 
@@ -41,7 +44,33 @@ def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) 
     raise_all(command, found)
 
 
-def write(name: str, content: bytes) -> None:
+@contextmanager
+def replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
+    """A file to write that takes its name only when all of it is on the disk; on an error nothing changes.
+
+    A link stays one, and what is no file, such as /dev/stdout, is written to.
+    """
+    if _is_device(name):
+        with open(name, "wb") as device:
+            yield device
+        return
+    path = Path(os.path.realpath(name))
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name[:200]}.", delete=False) as file:
+        try:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+            file.close()
+            umask = os.umask(0)
+            os.umask(umask)
+            os.chmod(file.name, 0o666 & ~umask)  # as any other file
+            os.replace(file.name, path)
+        except BaseException:
+            os.unlink(file.name)
+            raise
+
+
+def write(name: str | os.PathLike[str], content: bytes) -> None:
     """Write a file whole: a reader sees what was there before, or all of this.
 
     Raises
@@ -49,21 +78,13 @@ def write(name: str, content: bytes) -> None:
     ValueError
         If that fails.
     """
-    path = Path(os.path.realpath(name))  # so that a link stays one
-    part = path.with_name(f".{path.name[:200]}.{os.getpid()}.part")
     try:
-        if _is_device(name):
-            Path(name).write_bytes(content)
-            return
-        try:
-            part.write_bytes(content)
-            os.replace(part, path)
-        finally:
-            part.unlink(missing_ok=True)
+        with replacing(name) as file:
+            file.write(content)
     except OSError as error:
         raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
 
 
-def _is_device(name: str) -> bool:
+def _is_device(name: str | os.PathLike[str]) -> bool:
     """Whether it is no file that could be replaced, such as a pipe or /dev/stdout."""
     return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)

@@ -12,7 +12,6 @@ block one after the other (sending it off, taking its result back and adding it 
 import json
 import os
 import sys
-import tempfile
 import time
 import zipfile
 from collections.abc import Callable, Iterator, Mapping
@@ -23,6 +22,7 @@ from typing import IO, Any
 
 import numpy as np
 
+from slipcircle.outputs.files import replacing, write
 from slipcircle.studies.study import Result, Study, run_block
 
 ENGINES = ("serial", "threads", "processes", "dask")
@@ -135,38 +135,6 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
     if not isinstance(found, dict):
         raise ValueError(f"{path}: is no study; give an empty folder")
     return found
-
-
-@contextmanager
-def replacing(path: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
-    """A file to write that takes its name only when all of it is on the disk; on an error nothing changes.
-
-    A link stays one, and what is no file, such as /dev/stdout, is written to.
-    """
-    target = Path(os.path.realpath(path))
-    if target.exists() and not target.is_file() and not target.is_dir():
-        with open(path, "wb") as device:
-            yield device
-        return
-    with tempfile.NamedTemporaryFile(dir=target.parent, prefix=f".{target.name}.", delete=False) as file:
-        try:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())
-            file.close()
-            umask = os.umask(0)
-            os.umask(umask)
-            os.chmod(file.name, 0o666 & ~umask)  # as any other file
-            os.replace(file.name, target)
-        except BaseException:
-            os.unlink(file.name)
-            raise
-
-
-def write(path: str | os.PathLike[str], content: bytes) -> None:
-    """Write a whole file, or nothing."""
-    with replacing(path) as file:
-        file.write(content)
 
 
 def computed(

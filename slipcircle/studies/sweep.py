@@ -18,7 +18,7 @@ from slipcircle.arrays.block import Status
 from slipcircle.inputs.scenefile import find
 from slipcircle.outputs import files, pictures, studyplots, tables
 from slipcircle.studies.distributions import DISTRIBUTIONS
-from slipcircle.studies.engines import ENGINES, engine, replacing
+from slipcircle.studies.engines import ENGINES, engine
 from slipcircle.studies.ensembles import QUANTILES, Ensemble, ensemble, grid
 from slipcircle.studies.estimates import Estimate
 from slipcircle.studies.study import BIN_ERROR, METHODS, OUTPUTS
@@ -90,7 +90,7 @@ def run(options: argparse.Namespace) -> Ensemble:
     if options.csv:
         files.write(options.csv, _csv(found).encode())
     if options.npz:
-        with replacing(options.npz) as file:
+        with files.replacing(options.npz) as file:
             _savez(file, found.arrays())
     return found
 
