@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # lower, upper (both open), and the same in words
 number: Callable[[Any], float] = float  # of a field that may be an array, where it is none

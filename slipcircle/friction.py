@@ -110,13 +110,18 @@ def _range(p: Any) -> str:
     return f"{low}{' ' + p.unit if p.unit else ''}"
 
 
-def law_name(given: Any) -> str:
-    """The name of the law that a scene's ``friction`` stands for."""
+def law_names(given: Any) -> tuple[str, ...]:
+    """The names of the law that a scene's ``friction`` stands for, and of the law of speed that multiplies it."""
     if callable(given):
-        return "callable"
+        return ("callable",)
     if not isinstance(given, Mapping):
-        return "constant"
-    return str(given["law"]) + (f" times {given['rate']['law']}" if "rate" in given else "")
+        return ("constant",)
+    return (str(given["law"]), *([str(given["rate"]["law"])] if "rate" in given else []))
+
+
+def law_name(given: Any) -> str:
+    """The same in one."""
+    return " times ".join(law_names(given))
 
 
 def law_depends(given: Any) -> tuple[str, ...]:

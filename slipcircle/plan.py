@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generated.effects import COMBINATIONS, EFFECTS
-from slipcircle.checks import mistakes, raise_all
+from slipcircle.checks import EPS, mistakes, raise_all
 from slipcircle.friction import friction, law_depends, law_name
 from slipcircle.scene import ACCURACY, Scene
 
@@ -80,7 +80,7 @@ class Plan:
         at = balance.position(0.0, -1 if balance.fall < 0.0 else 1)
         limit, mu = balance.get("limit_friction", **at), float(friction(self.scene.friction).coefficient(0.0))
         moving = float(np.asarray(self.scene.initial_velocity)) != 0.0
-        rounding = 32 * 2.0**-52 * (1.0 if moving or limit == mu else 1.0 + (abs(limit) + mu) / abs(limit - mu))
+        rounding = 32 * EPS * (1.0 if moving or limit == mu else 1.0 + (abs(limit) + mu) / abs(limit - mu))
         return max(rounding, 100 * self.tolerance) if self.method == INTEGRATION else rounding
 
     def ladder(self) -> "list[Rung]":

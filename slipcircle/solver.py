@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.balance import Balance, bind
-from slipcircle.checks import number
+from slipcircle.checks import EPS, number
 from slipcircle.friction import Friction, friction
 from slipcircle.inputs.series import Pulse
-from slipcircle.methods.rest import EPS, Rest, never_rests, next_start, swings_left
+from slipcircle.methods.rest import Rest, never_rests, next_start, swings_left
 from slipcircle.motion import Motion, Phase, Start
 from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, LINEAR_SYSTEM, STEPPING, Plan, plan
 from slipcircle.scene import Scene

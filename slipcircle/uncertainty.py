@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.checks import EPS
 from slipcircle.friction import friction
-from slipcircle.methods.collocation import EPS
 from slipcircle.methods.frozen import Frozen
 from slipcircle.methods.phaseplane import Course
 from slipcircle.methods.stepping import Stepped

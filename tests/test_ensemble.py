@@ -151,6 +151,17 @@ def test_a_law_may_be_uncertain() -> None:
 # --- points ----------------------------------------------------------------------------------------------------------
 
 
+def test_a_law_times_a_law_of_speed_may_be_uncertain() -> None:
+    law = {"law": "exponential", "peak": 0.3, "residual": 0.2, "length": 0.5,
+           "rate": {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 2.0}}  # fmt: skip
+    scene = Scene.load("vaiont")
+    scene = replace(scene, friction=law, uncertain={"friction.residual": stats.uniform(0.15, 0.1)})
+    found = ensemble(scene, 3, 5)
+    for k, residual in enumerate(found.samples["friction.residual"]):
+        wanted = solve(replace(scene, friction=law | {"residual": residual}, uncertain={}))
+        assert found.samples["run_out"][k] == pytest.approx(wanted.run_out, rel=1e-12)
+
+
 def test_points_do_not_depend_on_the_blocks() -> None:
     whole = monte_carlo(3, (0,), 0, 1000, 3)
     np.testing.assert_array_equal(monte_carlo(3, (0,), 400, 600, 3), whole[:, 400:])

@@ -11,7 +11,7 @@ from generated import motion as formulas
 from slipcircle.arrays.courses import Courses, Start
 from slipcircle.arrays.paths import Paths
 from slipcircle.arrays.swings import Swings
-from slipcircle.methods.collocation import EPS
+from slipcircle.checks import EPS
 from slipcircle.uncertainty import ROUNDING
 
 if TYPE_CHECKING:

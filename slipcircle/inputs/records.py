@@ -12,7 +12,7 @@ from typing import Literal
 
 import numpy as np
 
-from slipcircle.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.checks import EPS, INFINITY, Bounds, mistakes, raise_all
 from slipcircle.inputs.recordfiles import ACCELERATION, PORE_PRESSURE, UNITS, Found, Quantity, parse, unit_of
 from slipcircle.inputs.series import Floats, Series, bad_sample
 
@@ -165,7 +165,7 @@ def _gap(time: Floats) -> tuple[int, str] | None:
     """The sample after a gap in a record that is otherwise evenly sampled; what is uneven has no gaps."""
     steps = np.diff(time)
     usual = float(np.median(steps))
-    even = np.abs(steps - usual) <= 0.01 * usual + 8 * 2.0**-52 * time[-1]
+    even = np.abs(steps - usual) <= 0.01 * usual + 8 * EPS * time[-1]
     wide = np.flatnonzero(steps > _GAP * usual)
     if steps.size < 8 or not wide.size or np.count_nonzero(even) < 0.9 * steps.size:
         return None

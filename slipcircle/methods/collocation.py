@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.checks import EPS
 from slipcircle.methods.chebyshev import NODES
 
 Floats = NDArray[np.float64]
-EPS = 2.0**-52
 
 # On [0, 1]: nodes, node values -> series, and node values of f -> the mean of f on [0, z] at the nodes z.
 # Means, not integrals, so that E grows from zero without losing digits. The end is a node (Radau), so that a strong

@@ -15,6 +15,7 @@ from scipy.integrate import DOP853, ode
 from generated import balance as functions
 from generated.effects import ARGUMENTS
 from slipcircle.balance import Balance
+from slipcircle.checks import EPS
 from slipcircle.friction import Friction
 from slipcircle.methods.rest import kinks_of
 from slipcircle.methods.roots import scalar
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-EPS = 2.0**-52
 _FEW, _MANY = 16, 4096  # stretches that are prepared together, at first and at most
 
 

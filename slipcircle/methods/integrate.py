@@ -17,8 +17,9 @@ import numpy as np
 from scipy.integrate import LSODA, ode
 
 from slipcircle.balance import Balance
+from slipcircle.checks import EPS
 from slipcircle.friction import Friction
-from slipcircle.methods.equation import EPS, Equation
+from slipcircle.methods.equation import Equation
 from slipcircle.methods.roots import highest, root
 from slipcircle.methods.steps import Point, Step, Steps
 

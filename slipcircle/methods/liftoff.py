@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.checks import EPS
 from slipcircle.methods.roots import highest, root
 
 if TYPE_CHECKING:
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from slipcircle.motion import Start
 
 Floats = NDArray[np.float64]
-EPS = 2.0**-52
 
 
 def change(solved: "Course | Frozen") -> tuple[float, float, float] | None:

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.balance import Balance
+from slipcircle.checks import EPS
 from slipcircle.friction import Friction
 from slipcircle.methods.roots import highest, root
 
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from slipcircle.motion import Phase
 
 Floats = NDArray[np.float64]
-EPS = 2.0**-52
 _CHUNK = 64  # stretches between two kinks that are looked at together, at first
 _SAMPLES = 33  # of a stretch, where what is given is curved
 

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.checks import EPS
 from slipcircle.inputs.series import Pieces
 from slipcircle.methods.roots import root
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.intp]
-EPS = 2.0**-52
 
 
 @dataclass(frozen=True)

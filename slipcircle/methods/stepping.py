@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 
 from slipcircle.balance import Balance
+from slipcircle.checks import EPS
 from slipcircle.inputs.series import Shaking
 from slipcircle.methods.riccati import advance
 from slipcircle.methods.roots import root
-from slipcircle.methods.segments import EPS, horner
+from slipcircle.methods.segments import horner
 from slipcircle.methods.walk import CHUNK, Floats, Integers, Walk
 
 _ROUNDING = 4.0  # units in which a term of the drive is uncertain

@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.balance import Balance
+from slipcircle.checks import EPS
 from slipcircle.inputs.series import Shaking
 from slipcircle.methods.riccati import REACH, Step, advance, step
 from slipcircle.methods.roots import root
-from slipcircle.methods.segments import EPS, Segments, Shape, combine, cut, divide, horner, merge, shifted
+from slipcircle.methods.segments import Segments, Shape, combine, cut, divide, horner, merge, shifted
 from slipcircle.motion import Start
 
 Floats = NDArray[np.float64]

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.friction import law_names
 from slipcircle.motion import Motion
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
@@ -117,7 +118,8 @@ def given(plan: Plan, text: str | None) -> Iterable[Raw]:
             for use, names in (("used", plan.effects), ("left out", plan.left_out)) for name in names]  # fmt: skip
     yield table(rows, ["effect", "", "what it does", "equation of the paper"])
     laws = (
-        ": ".join(filter(None, (name, LAWS[name].help if name in LAWS else ""))) for name in plan.law.split(" times ")
+        ": ".join(filter(None, (name, LAWS[name].help if name in LAWS else "")))
+        for name in law_names(plan.scene.friction)
     )
     yield table([["friction law", " times ".join(laws)]])
 

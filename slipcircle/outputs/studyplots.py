@@ -142,7 +142,7 @@ def tornado(
     from slipcircle.studies.distributions import keys_of
 
     _known("tornado", "output", output, table.outputs)
-    keys = keys_of("constant")
+    keys = keys_of()
     if changes is not None:
         for changed in changes:
             _known("tornado", "changes", changed, [keys[n].key for n in table.parameters])

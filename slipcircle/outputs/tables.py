@@ -166,7 +166,7 @@ def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
 
     rows = []
     for k, name in enumerate(found.parameters):
-        of = keys_of("constant")[name]
+        of = keys_of()[name]
         value = of.from_si(found.at[name])
         cells = []
         for output, slope in zip(found.outputs, found.values[:, k] * of.slope(value), strict=True):

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.checks import EPS
 from slipcircle.methods.roots import highest, root
 from slipcircle.plan import INTEGRATION, plan
 from slipcircle.studies.fields import OBSERVED, ROUGH, Field, attempt, outputs_of
 from slipcircle.studies.fit import refined
 
-_EPS = 2.0**-52
 _MET = 1e-12  # relative: below the error of an integrated motion, so that no more of them are needed
 _FINE = 0.02  # share by which samples are near
 _STEEP = 3.0  # per cent that an output may change with a per cent of the field
@@ -87,7 +87,7 @@ class Curve:
     def _near(self, low: Sample, high: Sample) -> bool:
         """Whether they are so near that no solution hides between them."""
         gap, size = high.value - low.value, max(abs(low.value), abs(high.value), 1e-12 * self.span)
-        if gap <= 4 * _EPS * size:
+        if gap <= 4 * EPS * size:
             return True
         if self.costly:
             return gap <= 1e-4 * size or not any(self._between(low, high, gap / size, name) for name in self.observed)

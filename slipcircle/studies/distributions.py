@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.friction import law_name
+from slipcircle.friction import law_names
 from slipcircle.inputs.scenekeys import Key, Table, tables_of
 
 Floats = NDArray[np.float64]
@@ -208,10 +208,10 @@ def range_of(key: Key) -> tuple[float, float]:
     return limits.get("gt", limits.get("ge", -INFINITY)), limits.get("lt", INFINITY)
 
 
-def keys_of(law: str) -> dict[str, Uncertain]:
+def keys_of() -> dict[str, Uncertain]:
     """The first key that a scene file has for each name in `Scene.numbers`, such as the angle of a friction."""
     found: dict[str, Uncertain] = {}
-    for table, k, name, key in numbers_of(tables_of(law)):
+    for table, k, name, key in numbers_of(tables_of("constant")):
         found.setdefault(name, Uncertain(f"{table}.{k}".lstrip("."), "", {}, key.per_unit, key.tangent))
     return found
 
@@ -226,9 +226,9 @@ def place(path: str, friction: Any) -> tuple[str, Uncertain, tuple[float, float]
     """
     from slipcircle.scene import bounds
 
-    law = law_name(friction)
+    law, *rate = law_names(friction)
     known = {}
-    for table, k, name, key in numbers_of(tables_of("constant" if law == "callable" else law)):
+    for table, k, name, key in numbers_of(tables_of("constant" if law == "callable" else law, *rate)):
         if table == "friction" and law == "callable":
             continue
         known[f"{table}.{k}".lstrip(".")] = name, key

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.checks import EPS
 from slipcircle.motion import Motion
 from slipcircle.plan import INTEGRATION, plan
 from slipcircle.scene import Scene
@@ -189,4 +190,4 @@ def numerical_error(values: Floats, motion: Motion, observed: Observations, scal
     outputs = outputs_of(motion, [OBSERVED[n] for n in observed])
     off = [motion.error_estimate * abs(outputs[OBSERVED[n]]) / (sigma or abs(seen))
            for n, (seen, sigma) in observed.items()]  # fmt: skip
-    return float(max(np.max(np.abs(np.linalg.pinv(relative)) @ off), 2.0**-52))
+    return float(max(np.max(np.abs(np.linalg.pinv(relative)) @ off), EPS))
