@@ -18,6 +18,7 @@ import pytest
 from slipcircle import Scene, ensemble, solve
 from slipcircle.inputs.series import Series
 from slipcircle.outputs.files import replacing, write
+from slipcircle.studies import written
 from slipcircle.studies.engines import Progress, computed, engine, forecast, stored
 from slipcircle.studies.ensembles import Ensemble, grid
 from slipcircle.studies.study import Result, Study
@@ -31,7 +32,7 @@ MANY: dict[str, Any] = {"n": 6000, "rng": 7, "size": 512, "sensitivity": 640}
 
 def same(one: Ensemble, two: Ensemble) -> None:
     """All arrays, bit for bit."""
-    a, b = one.arrays(), two.arrays()
+    a, b = written.arrays(one), written.arrays(two)
     assert a.keys() == b.keys()
     for name in a:
         np.testing.assert_array_equal(a[name].view(np.uint8), b[name].view(np.uint8), err_msg=name)

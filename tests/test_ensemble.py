@@ -17,6 +17,7 @@ from slipcircle.__main__ import main
 from slipcircle.arrays.block import Status
 from slipcircle.inputs.scenefile import read
 from slipcircle.inputs.scenekeys import schema
+from slipcircle.studies import written
 from slipcircle.studies.distributions import DISTRIBUTIONS, Uncertain
 from slipcircle.studies.ensembles import Ensemble, grid
 from slipcircle.studies.estimates import histogram_quantile, indices, pooled, proportion, ranks, spread
@@ -347,7 +348,7 @@ def test_where_nothing_is_propagated() -> None:
         assert dict(found.linear) == {}
         assert said in found.no_linear
         assert found.mean("run_out").low < found.mean("run_out").high
-        assert json.dumps(found.record(), allow_nan=False)
+        assert json.dumps(written.record(found), allow_nan=False)
     assert ensemble(replace(VAIONT, uncertain={"arc.unit_weight_kN_m3": stats.norm(20, 1)}), 500, 1).warnings == []
 
 
@@ -422,8 +423,8 @@ def test_what_is_no_scene_is_counted_and_left_out() -> None:
     nothing = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(-50, 1)}), 10, 1)
     assert nothing.n == 0
     assert math.isnan(nothing.moving.value)
-    assert json.dumps(nothing.record(), allow_nan=False)
-    assert nothing.rows()
+    assert json.dumps(written.record(nothing), allow_nan=False)
+    assert written.rows(nothing)
 
 
 def test_indices_of_a_scene(file: Path) -> None:
@@ -476,21 +477,21 @@ def test_sweep(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     assert "3000 samples" not in said.err
     assert re.search(r"of \d+ scenes, .* a second", said.err)
     found: Ensemble = ensemble(read(file), 3000, 4)
-    assert record == json.loads(json.dumps(found.record()))
+    assert record == json.loads(json.dumps(written.record(found)))
     held = np.load(arrays)
     np.testing.assert_array_equal(held["sample_run_out"], found.samples["run_out"])
     np.testing.assert_array_equal(held["run_out_quantiles"][:, 1], [found.quantile("run_out", p).value for p in
                                                                    held["run_out_quantiles"][:, 0]])  # fmt: skip
     lines = table.read_text("utf-8").splitlines()
     assert lines[0] == "table,output,input,at,value,low,high"
-    assert len(lines) == 1 + len(found.rows())
+    assert len(lines) == 1 + len(written.rows(found))
     assert main(argv) == 0
     out = " ".join(capsys.readouterr().out.split())
     assert main(["sweep", "vaiont", "--uncertain", "friction.angle_deg=normal:14:1", "--samples", "100", "--seed", "4",
                  "--json"]) == 0  # fmt: skip
     assert (
         json.loads(capsys.readouterr().out)["moving"]
-        == json.loads(json.dumps(ensemble(ONE, 100, 4).record()))["moving"]
+        == json.loads(json.dumps(written.record(ensemble(ONE, 100, 4))))["moving"]
     )
     assert f"{found.quantile('run_out', 0.5).value:.5g}" in out
     assert "Which unknown matters" in out

@@ -13,6 +13,7 @@ from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, pa
 from slipcircle.outputs.report import given
 from slipcircle.outputs.studyplots import NAMES
 from slipcircle.plan import plan
+from slipcircle.studies import written
 from slipcircle.studies.estimates import Estimate
 from slipcircle.studies.study import BIN_ERROR, OUTPUTS
 
@@ -86,7 +87,7 @@ def _study(found: "Ensemble", file: bytes | None) -> Iterable[Raw]:
         ["relative error asked for, of each solution", number(study.accuracy)],
         ["relative error of quantiles from bins", "none: samples were kept" if found.samples else number(BIN_ERROR)],
     ])  # fmt: skip
-    yield folded("All numbers, as JSON", json.dumps(found.record(), indent=2))
+    yield folded("All numbers, as JSON", json.dumps(written.record(found), indent=2))
     if text is not None:
         yield folded("The scene's file", text)
 

@@ -33,10 +33,9 @@ from slipcircle.studies.estimates import (
 )
 from slipcircle.studies.propagation import Linear, Sampled, disagreement, propagated
 from slipcircle.studies.sampling import MOST_LATIN
-from slipcircle.studies.study import BIN_ERROR, BINS, METHODS, OUTPUTS, Result, Study, edges, sobol_tables
+from slipcircle.studies.study import BINS, METHODS, OUTPUTS, Result, Study, edges, sobol_tables
 
 Floats = NDArray[np.float64]
-QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
@@ -191,6 +190,12 @@ class Ensemble:
         above = np.cumsum(self._histograms[output][:, ::-1], axis=1)[:, ::-1][:, places]
         return Curve(edges()[places], *self._probability(above))
 
+    def bins(self, output: str) -> Floats:
+        """The histogram of an output: from, to and how many, in rows; only bins that hold any."""
+        counts = self._histograms[output].sum(axis=0)
+        filled = np.flatnonzero(counts)
+        return np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
+
     def _ordered(self, output: str) -> Floats:
         answered = (self.samples["status"] != Status.FAILED) & (self.samples["status"] != Status.INVALID)
         return np.sort(self.samples[output][answered])
@@ -245,7 +250,7 @@ class Ensemble:
             names = ("moves", *OUTPUTS)
             self.sensitivity = {n: indices(every[:, k], self.confidence) for k, n in enumerate(names)}
 
-    # -- what is written
+    # -- what to know
 
     @property
     def warnings(self) -> list[str]:
@@ -264,90 +269,6 @@ class Ensemble:
             if said := disagreement(name, linear, self._sampled(name), self.study.accuracy):
                 found.append(said)
         return found
-
-    def record(self) -> dict[str, Any]:
-        """As JSON holds it: SI units but for inputs, null for what cannot be said."""
-        outputs = {}
-        for name, unit in OUTPUTS.items():
-            curve = self.exceedance(name)
-            outputs[name] = {
-                "unit": unit,
-                "mean": _estimate(self.mean(name)),
-                "std": _estimate(self.std(name)),
-                "linear": self.linear[name]._asdict() if name in self.linear else None,
-                "quantiles": [{"p": p} | _estimate(self.quantile(name, p)) for p in QUANTILES],
-                "exceedance": [
-                    dict(zip(Curve._fields, map(float, row), strict=True)) for row in zip(*curve, strict=True)
-                ],
-            }
-        return {
-            "scene": self.scene.name,
-            "inputs": [u.record for u in self.study.inputs.values()],
-            "method": self.study.method, "samples": self.study.n, "seed": self.seed, "block": self.size,
-            "accuracy": self.study.accuracy, "confidence": self.confidence,
-            "bin_error": 0.0 if self.samples else BIN_ERROR,
-            "status": {s.name: int(self.counts[s]) for s in Status},
-            "moving": _estimate(self.moving),
-            "outputs": outputs,
-            "no_linear": self.no_linear or None,
-            "sensitivity_base": self.study.base,
-            "sensitivity": [
-                {"output": output, "input": u.key, "first": _estimate(first), "total": _estimate(total)}
-                for output, found in self.sensitivity.items()
-                for u, first, total in zip(self.study.inputs.values(), *found, strict=True)
-            ],
-            "convergence": [
-                {"n": c.n, "moving": _estimate(c.moving), "run_out_median": _estimate(c.median),
-                 "run_out_95": _estimate(c.upper)} for c in self.convergence
-            ],
-            "warnings": self.warnings,
-        }  # fmt: skip
-
-    def rows(self) -> list[tuple[str, str, str, float, float, float, float]]:
-        """One table of everything: what, output, input, at which value, and the estimate with its interval."""
-        found: list[tuple[str, str, str, float, float, float, float]] = []
-        found.append(("probability of moving", "moves", "", math.nan, *self.moving))
-        for name in OUTPUTS:
-            found += [("mean", name, "", math.nan, *self.mean(name)), ("std", name, "", math.nan, *self.std(name))]
-            for what, value in self.linear[name]._asdict().items() if name in self.linear else ():
-                found.append((f"linear {what}", name, "", math.nan, value, math.nan, math.nan))
-            found += [("quantile", name, "", p, *self.quantile(name, p)) for p in QUANTILES]
-            rows = np.stack(self.exceedance(name), axis=1).tolist()
-            found += [("exceedance", name, "", *row) for row in rows]
-        for output, of in self.sensitivity.items():
-            for kind, estimates in zip(("first-order index", "total index"), of, strict=True):
-                keys = (u.key for u in self.study.inputs.values())
-                found += [(kind, output, key, math.nan, *e) for key, e in zip(keys, estimates, strict=True)]
-        for c in self.convergence:
-            found.append(("moving after n", "moves", "", c.n, *c.moving))
-            found.append(("median after n", "run_out", "", c.n, *c.median))
-            found.append(("95 % quantile after n", "run_out", "", c.n, *c.upper))
-        return found
-
-    def arrays(self) -> dict[str, NDArray[Any]]:
-        """Everything as arrays by name: quantiles and curves as rows of (at, value, low, high), bins, samples.
-
-        Means and standard deviations as (value, low, high), the linear ones as (mean, standard deviation).
-        """
-        found: dict[str, NDArray[Any]] = {"status_counts": self.counts, "moving": np.array(self.moving)}
-        for name in OUTPUTS:
-            found[f"{name}_quantiles"] = np.array([(p, *self.quantile(name, p)) for p in QUANTILES])
-            found[f"{name}_exceedance"] = np.stack(self.exceedance(name), axis=1)
-            found[f"{name}_mean"], found[f"{name}_std"] = np.array(self.mean(name)), np.array(self.std(name))
-            if name in self.linear:
-                found[f"{name}_linear"] = np.array(self.linear[name])
-            counts = self._histograms[name].sum(axis=0)
-            filled = np.flatnonzero(counts)
-            found[f"{name}_bins"] = np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
-        for output, of in self.sensitivity.items():
-            found[f"{output}_first_order"], found[f"{output}_total"] = np.array(of.first), np.array(of.total)
-        found["inputs"] = np.array([u.key for u in self.study.inputs.values()])
-        found["convergence"] = np.array([(c.n, *c.moving, *c.median, *c.upper) for c in self.convergence])
-        return found | {f"sample_{k}": v for k, v in self.samples.items()}
-
-
-def _estimate(e: Estimate) -> dict[str, Any]:
-    return {k: v if math.isfinite(v) else None for k, v in zip(e._fields, map(float, e), strict=True)}
 
 
 def _known(given: Any) -> Any:

@@ -17,9 +17,10 @@ from slipcircle import Scene
 from slipcircle.arrays.block import Status
 from slipcircle.inputs.scenefile import find
 from slipcircle.outputs import files, pictures, studyplots, tables
+from slipcircle.studies import written
 from slipcircle.studies.distributions import DISTRIBUTIONS
 from slipcircle.studies.engines import ENGINES, engine
-from slipcircle.studies.ensembles import QUANTILES, Ensemble, ensemble, grid
+from slipcircle.studies.ensembles import Ensemble, ensemble, grid
 from slipcircle.studies.estimates import Estimate
 from slipcircle.studies.study import BIN_ERROR, METHODS, OUTPUTS
 
@@ -66,9 +67,9 @@ def run(options: argparse.Namespace) -> Ensemble:
         others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
         scene = replace(scene, uncertain=others | drawn)
     drawn = {k: path for k in ("plot", "report") if (path := getattr(options, k))}
-    written = drawn | {k: path for k in ("csv", "npz") if (path := getattr(options, k))}
+    wanted = drawn | {k: path for k in ("csv", "npz") if (path := getattr(options, k))}
     source = find(options.scene)
-    files.check("sweep", {f"--{k}": path for k, path in written.items()}, [str(source)])  # before the work
+    files.check("sweep", {f"--{k}": path for k, path in wanted.items()}, [str(source)])  # before the work
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
     if drawn:
@@ -91,7 +92,7 @@ def run(options: argparse.Namespace) -> Ensemble:
         files.write(options.csv, _csv(found).encode())
     if options.npz:
         with files.replacing(options.npz) as file:
-            _savez(file, found.arrays())
+            _savez(file, written.arrays(found))
     return found
 
 
@@ -160,7 +161,7 @@ def _csv(found: Ensemble) -> str:
         out.writerows(rows)
         return text.getvalue()
     out.writerow(["table", "output", "input", "at", "value", "low", "high"])
-    out.writerows(["" if isinstance(x, float) and np.isnan(x) else x for x in row] for row in found.rows())
+    out.writerows(["" if isinstance(x, float) and np.isnan(x) else x for x in row] for row in written.rows(found))
     return text.getvalue()
 
 
@@ -175,7 +176,7 @@ def grid_rows(found: Ensemble) -> tuple[list[str], list[list[Any]]]:
 def record(found: Ensemble) -> Any:
     """As JSON holds it."""
     if found.study.method != "grid":
-        return found.record()
+        return written.record(found)
     head, rows = grid_rows(found)
     cells = ([None if isinstance(x, float) and np.isnan(x) else x for x in row] for row in rows)
     return {"scene": found.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in cells]}
@@ -213,7 +214,7 @@ def show(found: Ensemble) -> None:
     percent = f"{100 * found.confidence:g} %"
     tables.show(
         ["quantile", *head],
-        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTPUTS)] for p in QUANTILES],
+        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTPUTS)] for p in written.QUANTILES],
         f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}",
         f"probability of moving {_pm(found.moving)}; {percent} intervals"
         + ("" if found.samples else f"; from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"),
