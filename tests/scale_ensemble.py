@@ -16,7 +16,7 @@ from slipcircle.prices.costtext import machine
 from slipcircle.studies.engines import engine, forecast
 
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
-SIZE = 65536
+SIZE, LARGE = 65536, 262144  # samples of a block
 BLOCKS = 400  # small ones, for the engine's own time
 REGION = 10**9
 SCENE = replace(Scene.load("vaiont"), uncertain={"friction.angle_deg": ANGLE})
@@ -34,7 +34,8 @@ def main(samples: int) -> None:
 
     print(f"{machine()}, {os.cpu_count()} processors; load at the start {os.getloadavg()[0]:.1f}")
     print(f"{'engine':14} {'s':>7} {'us a scene':>11} {'speed-up':>9} {'of this process, ms a block':>28}")
-    block = serial = own = 0.0
+    serial = own = 0.0
+    blocks: dict[int, float] = {}  # seconds of the processor, by size
     for name, workers in (("serial", 1), ("threads", 2), ("processes", 1), ("processes", 2), ("dask", 2)):
         with ExitStack() as stack:
             address = None
@@ -47,14 +48,15 @@ def main(samples: int) -> None:
             run(pool, 4 * SIZE, SIZE)  # so that workers have started
             clock, processor = run(pool, samples, SIZE)
             if name == "serial":
-                serial, block = clock, processor / samples * SIZE
+                serial = clock
+                blocks = {SIZE: processor / samples * SIZE, LARGE: run(pool, samples, LARGE)[1] / samples * LARGE}
             own = run(pool, BLOCKS * 1024, 1024)[1] / BLOCKS
             said = f"{own * 1e3:28.2f}" if name in ("processes", "dask") else f"{'-':>28}"
             print(f"{f'{name} ({workers})':14} {clock:7.2f} {clock / samples * 1e6:11.3f} {serial / clock:9.2f} {said}")
-    for times in (1, 4):
-        blocks, each = -(-REGION // (times * SIZE)), times * block
-        forecasts = ", ".join(f"{w}: {forecast(blocks, each, own, w):.0f} s" for w in (1, 10, 100, 1000))
-        print(f"{REGION:.0e} scenes on Dask, {blocks} blocks of {each * 1e3:.0f} ms and {own * 1e3:.1f} ms here, on "
+    for size, each in blocks.items():
+        count = -(-REGION // size)
+        forecasts = ", ".join(f"{w}: {forecast(count, each, own, w):.0f} s" for w in (1, 10, 100, 1000))
+        print(f"{REGION:.0e} scenes on Dask, {count} blocks of {each * 1e3:.0f} ms and {own * 1e3:.1f} ms here, on "
               f"workers {forecasts}; it stops scaling at about {each / own:.0f}")  # fmt: skip
     print("From there on the scheduler and this process take the time, which hand blocks out one after the other.")
 
