@@ -32,8 +32,8 @@ class Scene:
     friction : float or array_like, mapping, or callable
         Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
         ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}``, lengths in m; or a function of the
-        accumulated slip in m, which takes and returns arrays. Laws of speed and of time go by name as well, and
-        ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
+        accumulated slip in m, which takes and returns arrays, also of slips beyond the run-out. Laws of speed and of
+        time go by name as well, and ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
     effects : mapping or iterable of str, optional
         Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any. What
         changes with time is a `slipcircle.inputs.series.Series` or `Pulse`, or what such are made of: a pulse by

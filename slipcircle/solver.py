@@ -25,7 +25,7 @@ _MOST_STEPS = 100_000  # of SciPy, for one phase between two kinks
 
 
 def solve(scene: Scene, accuracy: float | None = None) -> Any:
-    """Solve a scene until it rests, or until its end time; a scene of arrays lane by lane.
+    """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
 
     Parameters
     ----------

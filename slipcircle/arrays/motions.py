@@ -1,4 +1,4 @@
-"""The motions of an ensemble: a scene whose fields are arrays, solved lane by lane."""
+"""The motions of an ensemble: a scene whose fields are arrays, solved together."""
 
 import math
 from dataclasses import dataclass
