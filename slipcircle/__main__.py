@@ -239,7 +239,7 @@ def _sensitivity(options: argparse.Namespace) -> None:
         _print({"scene": name} | tables.sensitivity_record(found))
         return
     tables.show(
-        ["by", "value", *(f"{n.replace('_', ' ')}, {unit}" for n, unit in found.outputs.items())],
+        ["by", "value", *(tables.words(n, unit) for n, unit in found.outputs.items())],
         [["", "", *(f"{found.at[n]:.6g}" for n in found.outputs)], *tables.sensitivity_rows(found)],
         name, "change per unit of the key, and in brackets in per cent per per cent of it",
     )  # fmt: skip

@@ -1,5 +1,6 @@
 """What the command line shows of motions, plans and ladders: records for machines, tables for people."""
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 from itertools import combinations
@@ -117,14 +118,13 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     for s in found.solutions:
         rows, errors = {}, s.standard_errors or {}
         for name, value in s.values.items():
-            unit = found.units[name]
-            error = f" +- {errors[name]:.2g}" if name in errors else ""
-            rows[f"{name} ({unit})" if unit else name] = f"{value:.8g}{error}"
+            unit, error = found.units[name], errors.get(name, 0.0)
+            rows[f"{name} ({unit})" if unit else name] = _with_error(value, error, ".8g")
             if (degrees := angle_deg(name, value)) is not None:
-                per = np.degrees(errors.get(name, 0.0) / (1 + value**2))
-                rows["friction angle" if name == "friction" else f"{name}, angle"] = f"{degrees:.4f} deg" + (
-                    f" +- {per:.2g}" if per else ""
-                )
+                angle = _with_error(degrees, np.degrees(error / (1 + value**2)), ".4f")
+                rows["friction angle" if name == "friction" else f"{name}, angle"] = f"{angle} deg"
+            elif unit == "rad":
+                rows[f"{name} (deg)"] = _with_error(np.degrees(value), np.degrees(error), ".4f")
         if s.correlation is not None:
             names = list(s.values)
             for i, j in combinations(range(len(names)), 2):
@@ -133,13 +133,26 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
             kind = next(k for k, output in OBSERVED.items() if output == name)
             seen, sigma = found.observed.get(kind, (None, None))
             of = "" if seen is None else f" (observed {seen:.6g}" + (f" +- {sigma:.2g})" if sigma else ")")
-            rows[f"{kind.replace('runout', 'run-out').replace('_', ' ')} ({UNITS[kind]})"] = f"{value:.6g}{of}"
+            rows[words(name, UNITS[kind])] = f"{value:.6g}{of}"
         if found.method == FITTED:
             known = all(sigma for _, sigma in found.observed.values())
             free = found.degrees_of_freedom
             rows[f"chi-square, degrees of freedom {free}" if known else "misfit"] = f"{s.chi_square:.3g}"
         columns.append(rows | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"})
     return [[label, *(c.get(label, "") for c in columns)] for label in columns[0]]
+
+
+def _with_error(value: float, error: float, form: str) -> str:
+    """A number with its standard error, to two digits of that; in its own form where there is none."""
+    if not error > 0.0:
+        return f"{value:{form}}"
+    digits = min(max(1 - math.floor(math.log10(error)), 0), 12)
+    return f"{value:.{digits}f} +- {error:.{digits}f}"
+
+
+def words(name: str, unit: str = "") -> str:
+    """An output or a status as tables have it."""
+    return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
 
 
 def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:

@@ -192,25 +192,18 @@ def _pm(e: Estimate) -> str:
     return f"{value} [{', '.join(ends)}]"
 
 
-def _words(name: str, unit: str = "") -> str:
-    """An output or a status as the tables have it."""
-    return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
-
-
 def show(found: Ensemble) -> None:
     """Print tables."""
-    study = found.study
+    study, head = found.study, [tables.words(n, unit) for n, unit in OUTPUTS.items()]
     if study.method == "grid":
         _, rows = grid_rows(found)
         if len(rows) > _MOST_ROWS:
-            said = ", ".join(f"{count} {_words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
+            said = ", ".join(f"{count} {tables.words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
             print(f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json")
             return
-        head = [*(u.key for u in study.inputs.values()), *(_words(n, unit) for n, unit in OUTPUTS.items()), "status"]
-        cells = [[*(f"{x:.6g}" for x in numbers), _words(status)] for *numbers, status in rows]
-        tables.show(head, cells, found.scene.name)
+        cells = [[*(f"{x:.6g}" for x in numbers), tables.words(status)] for *numbers, status in rows]
+        tables.show([*(u.key for u in study.inputs.values()), *head, "status"], cells, found.scene.name)
         return
-    head = [_words(n, unit) for n, unit in OUTPUTS.items()]
     percent = f"{100 * found.confidence:g} %"
     tables.show(
         ["quantile", *head],
@@ -227,7 +220,7 @@ def show(found: Ensemble) -> None:
     chosen = (0.5, 0.1, 0.01)
     curve = {n: found.exceedance(n) for n in ("run_out", "peak_velocity")}
     tables.show(
-        ["exceeded with probability", *(_words(n, OUTPUTS[n]) for n in curve)],
+        ["exceeded with probability", *(tables.words(n, OUTPUTS[n]) for n in curve)],
         [[f"{p:g}", *(f"{found.quantile(n, 1 - p).value:.5g}" for n in curve)] for p in chosen],
         "Exceedance", "the curves are in --csv, --npz and --json",
     )  # fmt: skip
@@ -235,7 +228,7 @@ def show(found: Ensemble) -> None:
         rows = []
         for output, of in found.sensitivity.items():
             for u, first, total in zip(study.inputs.values(), *of, strict=True):
-                rows.append([_words(output), u.key, _pm(first), _pm(total)])
+                rows.append([tables.words(output), u.key, _pm(first), _pm(total)])
         tables.show(["output", "input", "first-order index", "total index"], rows, "Which unknown matters",
                     f"from {study.base} base points")  # fmt: skip
     tables.show(
