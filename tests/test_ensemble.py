@@ -340,6 +340,7 @@ def test_where_nothing_is_propagated() -> None:
     softening = replace(Scene.load("vaiont-softening"), uncertain={"friction.residual_deg": angle})
     cases: list[tuple[Scene, str]] = [
         (softening, "closed form"),
+        (replace(Scene.load("newmark-pulse"), uncertain={"friction": stats.norm(0.3, 0.01)}), "exact steps along"),
         (replace(VAIONT, uncertain={"friction": stats.cauchy(0.2, 0.01)}), "no finite mean"),
         (replace(VAIONT, uncertain={"initial_velocity": stats.norm(0, 0.1)}), "no derivative by it"),
     ]

@@ -8,12 +8,14 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
+from slipcircle.methods.chebyshev import gauss
+
 Floats = NDArray[np.float64]
 
 NODES = 16
 TURN = 1.0  # that a panel may make, rad
 
-Z, WEIGHTS = ((x + shift) / 2 for x, shift in zip(legendre.leggauss(NODES), (1.0, 0.0), strict=True))
+Z, WEIGHTS = gauss(NODES)
 _SERIES = np.linalg.inv(legendre.legvander(2 * Z - 1, NODES - 1))
 LAST = _SERIES[-2:].copy()
 LAST_FROM_REST, LAST_TO_REST = LAST / Z, LAST / (1.0 - Z)  # see `_integrals`

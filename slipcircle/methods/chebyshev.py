@@ -9,13 +9,20 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
+
+def gauss(count: int) -> tuple[Floats, Floats]:
+    """Nodes and weights of Gauss's rule on [0, 1]."""
+    nodes, weights = np.polynomial.legendre.leggauss(count)
+    return (nodes + 1) / 2, weights / 2
+
+
 NODES = 16
 _X = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)  # first kind: the ends, where 0/0 may stand, are left out
 # cos(j pi (2 k + 1)/(2 NODES)), the angle within one turn, so that the last terms of a series are no rounding errors.
 _TO_SERIES = np.cos(np.pi / (2 * NODES) * (np.outer(np.arange(NODES), 2 * np.arange(NODES) + 1) % (4 * NODES)))
 _TO_SERIES *= np.where(np.arange(NODES) > 0, 2.0, 1.0)[:, None] / NODES
 _INTEGRATE = np.array([series.chebint(row, lbnd=-1.0) for row in np.eye(NODES)]).T  # series -> series of its integral
-_GAUSS = (np.polynomial.legendre.leggauss(NODES)[0] + 1) / 2, np.polynomial.legendre.leggauss(NODES)[1] / 2  # [0, 1]
+_GAUSS = gauss(NODES)
 _LAST = (2 * np.arange(NODES - 2, NODES)[:, None] + 1) * _GAUSS[1]  # of the Legendre series, the last two terms
 _LAST *= np.polynomial.legendre.legvander(2 * _GAUSS[0] - 1, NODES - 1).T[-2:]
 _MAX_PANELS = 600

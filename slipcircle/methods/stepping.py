@@ -159,14 +159,6 @@ class Stepped(Walk):
         coefficients = self.segments.shapes[name].coefficients[:, self.rows.segment[row]]
         return np.asarray(horner(list(coefficients), self.rows.offset[row] + since))
 
-    def pressing_at(self, t: Floats) -> Floats:
-        """The effective mean normal stress over sigma_ref, shaking included; negative where the mass is lifted."""
-        row, since = self._located(np.asarray(t, dtype=np.float64))
-        omega, _ = self._followed(row, since)
-        omega = np.where(self.rows.side[row] != 0.0, omega, 0.0)
-        level = self.balance.values["level"]
-        return np.asarray((self._on_segments("normal", row, since) + self.polar * omega**2) / level)
-
     # -- energy
 
     def _powers(self, row: Integers, since: Floats) -> tuple[Floats, Floats]:

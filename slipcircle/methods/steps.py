@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.balance import Balance
+from slipcircle.methods.chebyshev import gauss
 from slipcircle.methods.equation import Equation, Stretch
 from slipcircle.methods.roots import root
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-_GAUSS = (np.polynomial.legendre.leggauss(10)[0] + 1) / 2, np.polynomial.legendre.leggauss(10)[1] / 2
+_GAUSS = gauss(10)
 _FEW = 16  # times up to which each is reached alone
 
 

@@ -13,7 +13,20 @@ import numpy as np
 
 from slipcircle.ladder import Rung
 from slipcircle.motion import Motion
-from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, ending, legend, note, number, scaled, still, work
+from slipcircle.outputs.plotstyle import (
+    AREAS,
+    LINES,
+    MARKS,
+    axis,
+    ending,
+    legend,
+    note,
+    number,
+    scaled,
+    sheet,
+    still,
+    work,
+)
 from slipcircle.outputs.sectionplot import animate, section
 from slipcircle.outputs.trace import Floats, trace
 
@@ -215,9 +228,7 @@ def overview(motion: Motion, figure: Any = None) -> Any:
     figure : matplotlib figure or subfigure, optional
         An empty one with a constrained layout, of `size`.
     """
-    if figure is None:
-        figure = axis(None, size(motion)).figure
-        figure.clear()
+    figure = sheet(figure, size(motion))
     name = shorten(motion.plan.scene.name, 80)
     shaken = "shaking" in motion.plan.effects
     if not motion.moves:

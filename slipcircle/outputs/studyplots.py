@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number
+from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number, sheet
 
 if TYPE_CHECKING:
     from slipcircle.sensitivity import Sensitivity
@@ -231,9 +231,7 @@ def overview(found: "Ensemble", figure: Any = None) -> Any:
     figure : matplotlib figure or subfigure, optional
         An empty one with a constrained layout, of `size`.
     """
-    if figure is None:
-        figure = axis(None, size(found)).figure
-        figure.clear()
+    figure = sheet(figure, size(found))
     outputs = ("run_out", "peak_velocity")
     grid = figure.add_gridspec(1 + bool(found.sensitivity), 2, height_ratios=_heights(found))
     for k, output in enumerate(outputs):

@@ -12,6 +12,7 @@ from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
 from slipcircle.outputs.report import given
 from slipcircle.outputs.studyplots import NAMES
+from slipcircle.outputs.tables import words
 from slipcircle.plan import plan
 from slipcircle.studies import written
 from slipcircle.studies.estimates import Estimate
@@ -78,12 +79,12 @@ def _study(found: "Ensemble", file: bytes | None) -> Iterable[Raw]:
     yield table([[Raw(f'<code class="path">{escaped(u.key)}</code>'), _said(u.record)] for u in study.inputs.values()],
                 ["input", "distribution, independent of the others"])  # fmt: skip
     yield tag("h3", "Method and accuracy")
-    ends = {Status(s).name.lower().replace("_", " "): int(count) for s, count in enumerate(found.counts) if count}
+    ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}
     yield table([
         ["samples", f"{study.n}, {study.method}"],
         ["seed", str(found.seed)],
         ["samples of a block", str(found.size)],
-        ["samples by how they ended", ", ".join(f"{count} {words}" for words, count in ends.items())],
+        ["samples by how they ended", ", ".join(f"{count} {ending}" for ending, count in ends.items())],
         ["relative error asked for, of each solution", number(study.accuracy)],
         ["relative error of quantiles from bins", "none: samples were kept" if found.samples else number(BIN_ERROR)],
     ])  # fmt: skip

@@ -146,8 +146,13 @@ def _with_error(value: float, error: float, form: str) -> str:
     """A number with its standard error, to two digits of that; in its own form where there is none."""
     if not error > 0.0:
         return f"{value:{form}}"
-    digits = min(max(1 - math.floor(math.log10(error)), 0), 12)
-    return f"{value:.{digits}f} +- {error:.{digits}f}"
+    form = decimals(error)
+    return f"{value:{form}} +- {error:{form}}"
+
+
+def decimals(error: float) -> str:
+    """The form of numbers that are known up to an error: two digits of that."""
+    return f".{min(max(1 - math.floor(math.log10(error)), 0), 12)}f"
 
 
 def words(name: str, unit: str = "") -> str:

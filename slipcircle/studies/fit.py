@@ -126,10 +126,7 @@ def search(
         if not any(share is s for s in starts):
             continue
         fit = refined(scene, fields, observed, values, low, high, rough)
-        near = (_SAME * (np.abs(f.values) + 1e-6 * (high - low)) for f in found)
-        if fit is not None and not any(
-            np.all(np.abs(fit.values - f.values) <= n) for f, n in zip(found, near, strict=True)
-        ):
+        if fit is not None and not any(_same(f.values, fit.values, high - low) for f in found):
             found.append(fit)
     return sorted([f for f in found if f.settled] or found, key=lambda f: f.chi_square)
 

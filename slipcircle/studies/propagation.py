@@ -8,6 +8,7 @@ import math
 from typing import NamedTuple
 
 from slipcircle.arrays.lanes import scene_of
+from slipcircle.outputs.tables import words
 from slipcircle.solver import solve
 from slipcircle.studies.study import OUTPUTS, Study
 
@@ -44,7 +45,7 @@ def propagated(study: Study) -> dict[str, Linear]:
     if wrong := [study.inputs[n].key for n, (mean, std) in known.items() if not math.isfinite(mean + std)]:
         raise ValueError(f"{', '.join(wrong)}: has no finite mean and standard deviation")
     means = {n: float(u.to_si(known[n][0])) for n, u in study.inputs.items()}
-    motion = solve(scene_of(study.effects, {**study.values, **means}, 0, study.law), study.accuracy)
+    motion = solve(scene_of(study.effects, {**study.values, **means}, 0, study.law, study.fixed), study.accuracy)
     table = motion.sensitivity()
     idle = {"width", *(["end_time"] if motion.arrested else [])}
     if wrong := [u.key for n, u in study.inputs.items() if n not in idle and n not in table.parameters]:
@@ -65,9 +66,4 @@ def disagreement(output: str, linear: Linear, sampled: Sampled, accuracy: float)
     for what, here, there, error, share in pairs:
         if abs(here - there) > max(share * sampled.std, _ERRORS * error, few):
             said.append(f"a {what} of {here:.4g} {unit}, the samples {there:.4g} +- {error:.2g}")
-    words = " and ".join(said)
-    return (
-        f"{output.replace('run_out', 'run-out').replace('_', ' ')}: linear propagation gives {words}: trust the samples"
-        if said
-        else ""
-    )
+    return f"{words(output)}: linear propagation gives {' and '.join(said)}: trust the samples" if said else ""

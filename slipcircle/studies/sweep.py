@@ -3,7 +3,6 @@
 import argparse
 import csv
 import io
-import math
 import sys
 from concurrent.futures import BrokenExecutor
 from dataclasses import replace
@@ -187,7 +186,7 @@ def _pm(e: Estimate) -> str:
     if np.isnan(e.value):
         return "-"
     wide = e.high - e.low
-    form = f".{min(max(1 - math.floor(math.log10(wide)), 0), 12)}f" if wide > 0.0 else ".6g"
+    form = tables.decimals(wide) if wide > 0.0 else ".6g"
     value, *ends = ("?" if np.isnan(x) else f"{x:{form}}" for x in e)
     return f"{value} [{', '.join(ends)}]"
 
