@@ -24,7 +24,7 @@ To add something, declare it, then run ``python -m derive``: it proves the decla
 there it is in plans, scene files and `slipcircle schema`. The tests follow what stands here to the letter.
 
 A friction law. ``coefficient`` is its formula and ``drop`` its fall from one slip to a greater one, without
-cancellation; a law of speed has no drop. At the end of ``LAWS`` in ``derive/effects.py``::
+cancellation; a law of speed has no drop. At the end of ``LAWS`` in ``derive/declare/effects.py``::
 
     Law("inverse_square", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "residual + (peak - residual)/(1 + slip/length)^2", _R + (_P - _R) * _HYPERBOLA**2,
@@ -33,18 +33,19 @@ cancellation; a law of speed has no drop. At the end of ``LAWS`` in ``derive/eff
 
 An effect: what it adds to the balance of momentum (the fields of `effects.Effect`), and its parameters. What makes a
 parameter dimensionless is a formula in VALUE, ALPHA, GRAVITY, REFERENCE and THETA, where the effect depends on time or
-speed also in RADIUS, DENSITY and the effect's other parameters. At the end of ``EFFECTS`` in ``derive/effects.py``::
+speed also in RADIUS, DENSITY and the effect's other parameters. At the end of
+``EFFECTS`` in ``derive/declare/effects.py``::
 
     Effect("suction", "2.20", (
         Parameter("suction", "Pa", _BELOW_0, _INFINITY, "mean suction in the pores along the slip surface",
                   "suction_kPa", 1e3, sp.Symbol("suction", real=True), VALUE / REFERENCE),), (),
            "suction presses the grains together (Bishop 1959)", pressure=-sp.Symbol("suction", real=True)),
 
-A moment of the mass: its weight in the double integral. At the end of ``MOMENTS`` in ``derive/quantities.py``::
+A moment of the mass: its weight in the double integral. At the end of ``MOMENTS`` in ``derive/declare/quantities.py``::
 
     Moment("area", "S*", "1.10", r, "area of the moving mass"),
 
-and its form without cancellation, over alpha**3. At the end of ``_reduced_forms`` in ``derive/stable.py``::
+and its form without cancellation, over alpha**3. At the end of ``_reduced_forms`` in ``derive/algebra/stable.py``::
 
     "area": 4 * SineDefect(2 * alpha),
 

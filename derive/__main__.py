@@ -35,9 +35,12 @@ def derive_all() -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive import dynamics, effects, functions, integrate, measure, phase, sensitivity, stable, write
-    from derive.appendices import APPENDICES, simplify
-    from derive.quantities import MOMENTS
+    from derive.algebra import dynamics, integrate, phase, sensitivity, stable
+    from derive.check import measure
+    from derive.code import functions, write
+    from derive.declare import effects
+    from derive.declare.quantities import MOMENTS
+    from derive.judge.appendices import APPENDICES, simplify
 
     derivations = []
     for moment in MOMENTS:
@@ -98,20 +101,20 @@ def main(argv: list[str] | None = None) -> int:
     command("prove", "prove the error bounds of the kernels again, from their certificates alone")
     options = parser.parse_args(argv)
     if options.command == "prove":
-        from derive.certify import prove_all
+        from derive.check.certify import prove_all
 
         return 0 if prove_all() else 1
     if options.command == "verify":
-        from derive.verify import report
+        from derive.judge.verify import report
 
         print(report("json" if options.json else "markdown" if options.markdown else "table"))
         return 0
     if options.command == "hard":
-        from derive.hard import report as hard_report
+        from derive.judge.hard import report as hard_report
 
         print(hard_report("json" if options.json else "table"))
         return 0
-    from derive import write
+    from derive.code import write
 
     start = time.perf_counter()
     texts = derive_all()

@@ -20,11 +20,11 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from derive import certify, exact, truth
-from derive.approximants import variants
-from derive.certify import QUARTER, SMALL, UNDERFLOW, UNITS
-from derive.rounding import Record
-from derive.truth import SEGMENTS, TOP
+from derive.approximate.approximants import variants
+from derive.check import certify, exact, truth
+from derive.check.certify import QUARTER, SMALL, UNDERFLOW, UNITS
+from derive.check.rounding import Record
+from derive.check.truth import SEGMENTS, TOP
 from generated import _compiled, kernels
 
 Floats = NDArray[np.float64]
@@ -162,7 +162,7 @@ def _exact(alpha: Floats, scale: NDArray[np.int64], names: Sequence[str]) -> Flo
 
 
 def errors(record: Record, values: Numbers, at: Reference) -> Floats:
-    """Signed errors in the unit of the certificate's claims: as `derive.certify` means them."""
+    """Signed errors in the unit of the certificate's claims: as `derive.check.certify` means them."""
     high, low = at.values[record["kernel"]]
     scale = np.zeros_like(at.scale) if record["kernel"] in truth.QUOTIENTS else at.scale
     distance = np.ldexp(values.astype(np.float64), -scale) - high - low

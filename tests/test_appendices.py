@@ -12,7 +12,8 @@ import mpmath as mp
 import pytest
 import sympy as sp
 
-from derive.appendices import (
+from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
+from derive.judge.appendices import (
     APPENDICES,
     APPENDIX_I,
     APPENDIX_II,
@@ -28,7 +29,6 @@ from derive.appendices import (
     simplify,
     undo_each_repair,
 )
-from derive.symbols import alpha, r, theta, theta_1, theta_2, theta_m
 
 ROOT = Path(__file__).parents[1]
 each = pytest.mark.parametrize("appendix", APPENDICES, ids=lambda appendix: appendix.name)
@@ -203,7 +203,7 @@ def test_real_arithmetic(appendix: Appendix, start: str, end: str, fails: bool) 
 
 def test_same_output_under_any_hash_seed() -> None:
     code = (
-        "from derive.appendices import *\n"
+        "from derive.judge.appendices import *\n"
         "for a in APPENDICES:\n"
         "    p = simplify(a)\n"
         "    print(parse(a), p.expression, p.integrand, p.steps, real_arithmetic_fails(a), sep='\\n')\n"
@@ -224,8 +224,8 @@ def test_same_output_under_any_hash_seed() -> None:
 
 
 def test_imports() -> None:
-    tree = ast.parse((ROOT / "derive" / "appendices.py").read_text())
+    tree = ast.parse((ROOT / "derive" / "judge" / "appendices.py").read_text())
     modules = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     modules |= {name.name for node in ast.walk(tree) if isinstance(node, ast.Import) for name in node.names}
     outside = {module for module in modules if module and module.split(".")[0] not in sys.stdlib_module_names}
-    assert outside == {"sympy", "mpmath", "derive.symbols"}
+    assert outside == {"sympy", "mpmath", "derive.declare.symbols"}

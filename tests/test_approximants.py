@@ -10,10 +10,11 @@ import pytest
 from flint import ctx
 from numpy.typing import NDArray
 
-from derive import emit, exact
-from derive.approximants import DEGREES, QUOTIENT_SHAPES, SHAPES, Variant, variants
-from derive.fit import HALF_PI
-from derive.program import Op
+from derive.approximate.approximants import DEGREES, QUOTIENT_SHAPES, SHAPES, Variant, variants
+from derive.approximate.fit import HALF_PI
+from derive.check import exact
+from derive.code import emit
+from derive.code.program import Op
 
 Floats = NDArray[np.float64]
 

@@ -16,11 +16,11 @@ import oracle
 import pytest
 from flint import arb, ctx
 
-from derive import certificates, certify, exact, rounding, truth
-from derive.approximants import Variant, variants
-from derive.certify import Rejected
-from derive.rounding import Record
-from derive.truth import SEGMENTS, TOP
+from derive.approximate.approximants import Variant, variants
+from derive.check import certificates, certify, exact, rounding, truth
+from derive.check.certify import Rejected
+from derive.check.rounding import Record
+from derive.check.truth import SEGMENTS, TOP
 
 RECORDS = [record for path in sorted(certify.FOLDER.glob("*.json")) for record in certify.read(path)]
 KERNELS = (*truth.KERNELS, *truth.QUOTIENTS)
@@ -394,10 +394,10 @@ def test_what_is_no_program_is_refused() -> None:
 def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
     for node in ast.walk(ast.parse(Path(module.__file__).read_text("utf-8"))):
         if isinstance(node, ast.ImportFrom):
-            names = {f"{node.module}.{a.name}" if node.module == "derive" else str(node.module) for a in node.names}
+            names = {f"{node.module}.{a.name}" if node.module == "derive.check" else str(node.module) for a in node.names}
         elif isinstance(node, ast.Import):
             names = {a.name for a in node.names}
         else:
             continue
-        own = {"derive.certify", "derive.rounding", "derive.truth", "flint"}
+        own = {"derive.check.certify", "derive.check.rounding", "derive.check.truth", "flint"}
         assert {n for n in names if n.partition(".")[0] not in sys.stdlib_module_names} <= own

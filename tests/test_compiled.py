@@ -20,8 +20,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from derive import build, emit_c, exact, write
-from derive.approximants import Variant, variants
+from derive import build
+from derive.approximate.approximants import Variant, variants
+from derive.check import exact
+from derive.code import emit_c, write
 from generated import _compiled, kernels
 
 Floats = NDArray[np.float64]

@@ -7,10 +7,11 @@ import pytest
 import sympy as sp
 from mpmath import mpf
 
-from derive import dynamics, functions, stable
-from derive.integrate import PSI, Derivation, compare, derive, quadrature
-from derive.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
-from derive.symbols import a, alpha, b, omega_0, r, t, theta, theta_1
+from derive.algebra import dynamics, stable
+from derive.algebra.integrate import PSI, Derivation, compare, derive, quadrature
+from derive.code import functions
+from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
+from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1
 
 each_moment = pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 DIGITS = 40

@@ -16,7 +16,7 @@ import pytest
 from scipy.integrate import dblquad, solve_ivp
 
 ROOT = Path(__file__).resolve().parent.parent
-# ``At the end of ``LAWS`` in ``derive/effects.py``::``, and what stands indented below.
+# ``At the end of ``LAWS`` in ``derive/declare/effects.py``::``, and what stands indented below.
 STEP = re.compile(r"[Aa]t the end of\s+``(\w+)`` in\s+``(\S+)``::\n\n((?: {4}.*\n)+)")
 SLOPE = {"radius_m": 100.0, "theta_1_deg": 205.0, "theta_2_deg": 285.0, "unit_weight_kN_m3": 19.0}
 SOFTENING = {"peak": 0.35, "residual": 0.2, "length": 1.5}

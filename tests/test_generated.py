@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 
 import generated
-from derive import write
 from derive.__main__ import derive_all, main
+from derive.code import write
 from generated import kernels, motion
 
 Function = Callable[..., Any]

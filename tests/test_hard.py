@@ -8,9 +8,9 @@ import oracle
 import pytest
 from test_motion_formulas import BOUND as MOTION_BOUND
 
-from derive import dynamics
 from derive.__main__ import main
-from derive.hard import CASES, HardCase, Result, measured, report
+from derive.algebra import dynamics
+from derive.judge.hard import CASES, HardCase, Result, measured, report
 from generated import _compiled, balance, kernels, motion
 
 

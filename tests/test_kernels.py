@@ -10,8 +10,8 @@ import oracle
 import pytest
 from numpy.typing import NDArray
 
-from derive.integrate import quadrature
-from derive.quantities import MOMENTS
+from derive.algebra.integrate import quadrature
+from derive.declare.quantities import MOMENTS
 from generated import _compiled, kernels
 
 Floats = NDArray[np.float64]

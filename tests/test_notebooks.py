@@ -22,7 +22,7 @@ import pytest
 from nbclient import NotebookClient
 
 import generated
-from derive.paper import CLAIMS
+from derive.judge.paper import CLAIMS
 from generated import stable, tiers
 from slipcircle import Motion, Scene, solve
 

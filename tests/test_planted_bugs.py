@@ -13,10 +13,12 @@ import test_generated
 import test_kernels
 import test_motion_formulas
 
-from derive import dynamics, functions, integrate, quantities, stable, write
-from derive.integrate import PSI, Derivation, ProofError
-from derive.quantities import MOMENTS
-from derive.symbols import a, alpha, omega_0, r
+from derive.algebra import dynamics, integrate, stable
+from derive.algebra.integrate import PSI, Derivation, ProofError
+from derive.code import functions, write
+from derive.declare import quantities
+from derive.declare.quantities import MOMENTS
+from derive.declare.symbols import a, alpha, omega_0, r
 from generated import kernels
 
 FOLDER = test_generated.FOLDER

@@ -12,11 +12,11 @@ import seen
 from flint import arb, ctx
 from seen import KERNELS, LAST_SINGLE, Inputs, Numbers, Reference, Run, Seen
 
-from derive import certificates, exact, truth
-from derive.approximants import SHAPES, variants
-from derive.fit import LIMIT, near_fit
-from derive.program import Op, Program
-from derive.truth import TOP
+from derive.approximate.approximants import SHAPES, variants
+from derive.approximate.fit import LIMIT, near_fit
+from derive.check import certificates, exact, truth
+from derive.check.truth import TOP
+from derive.code.program import Op, Program
 from generated import _compiled, kernels
 from slipcircle.balance import Balance
 

@@ -19,9 +19,10 @@ from flint import ctx
 from mpmath import mpf
 
 import slipcircle
-from derive import functions, integrate
-from derive import sensitivity as derived
-from derive.quantities import MOMENTS
+from derive.algebra import integrate
+from derive.algebra import sensitivity as derived
+from derive.code import functions
+from derive.declare.quantities import MOMENTS
 from generated import sensitivity as slopes
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.__main__ import main

@@ -17,9 +17,11 @@ import pytest
 import sympy as sp
 from mpmath import mpf
 
-from derive import effects, functions, phase
-from derive.integrate import ProofError
-from derive.program import Program
+from derive.algebra import phase
+from derive.algebra.integrate import ProofError
+from derive.code import functions
+from derive.code.program import Program
+from derive.declare import effects
 from generated import balance
 from generated.effects import ARGUMENTS, COMBINATIONS, EFFECTS, LAWS
 

@@ -12,10 +12,10 @@ from pathlib import Path
 import mpmath as mp
 import pytest
 
-from derive.appendices import repaired_text
-from derive.evidence import context
-from derive.paper import CLAIMS, VERDICTS, Claim
-from derive.verify import KEYS, Row, judge, report, rows
+from derive.judge.appendices import repaired_text
+from derive.judge.evidence import context
+from derive.judge.paper import CLAIMS, VERDICTS, Claim
+from derive.judge.verify import KEYS, Row, judge, report, rows
 
 ROOT = Path(__file__).parents[1]
 BY_ID = {claim.id: claim for claim in CLAIMS}

@@ -1,13 +1,13 @@
 """The quantities of the method, declared once as data; every stage walks these lists.
 
-A new moment is one more `Moment` here, and its stable form in `derive.stable`.
+A new moment is one more `Moment` here, and its stable form in `derive.algebra.stable`.
 """
 
 from dataclasses import dataclass
 
 import sympy as sp
 
-from derive.symbols import alpha, r, theta, theta_1
+from derive.declare.symbols import alpha, r, theta, theta_1
 
 
 @dataclass(frozen=True)

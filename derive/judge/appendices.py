@@ -20,7 +20,7 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
-from derive.symbols import alpha, r, theta, theta_1, theta_2, theta_m, u
+from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m, u
 
 # --- the print -------------------------------------------------------------------------------------------
 # Every round bracket is the print's own, the wrong ones included. {a}/{b} is a fraction bar, a^n a raised n,

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import mpmath
 import sympy as sp
 
-from derive.quantities import CHORD, Moment
-from derive.symbols import alpha, r, theta, theta_1, theta_m, u
+from derive.declare.quantities import CHORD, Moment
+from derive.declare.symbols import alpha, r, theta, theta_1, theta_m, u
 
 PSI = sp.Symbol("psi", real=True)
 

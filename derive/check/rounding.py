@@ -1,6 +1,6 @@
 """A program on a box of alpha: no comparisons left, exact steps and compensations recognised, rounding bounded.
 
-Part of the checker (`derive.certify`): standard library and python-flint only. Ranges of computed values are balls, the
+Part of the checker (`certify`): standard library and python-flint only. Ranges of computed values are balls, the
 bound on a rounding error is half an ulp of the largest value in the range, and the derivatives of the result by every
 rounding error are taken backwards over those ranges.
 """
@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from flint import arb, arb_series, fmpq
 
-from derive import truth
-from derive.truth import ball, working
+from derive.check import truth
+from derive.check.truth import ball, working
 
 Record = dict[str, Any]
 

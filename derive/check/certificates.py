@@ -1,6 +1,6 @@
 """The certificates of `generated`: for each variant its operations, the bounds proved for it and the worst input seen.
 
-The proof itself is the checker's (`derive.certify`), which reads the records made here as plain data.
+The proof itself is the checker's (`derive.check.certify`), which reads the records made here as plain data.
 """
 
 import itertools
@@ -12,11 +12,11 @@ from decimal import ROUND_CEILING, Context
 import numpy as np
 from flint import arb, ctx
 
-from derive import certify, exact, truth
-from derive.approximants import Variant
-from derive.certify import UNITS, Worst
-from derive.exact import Floats
-from derive.rounding import Record
+from derive.approximate.approximants import Variant
+from derive.check import certify, exact, truth
+from derive.check.certify import UNITS, Worst
+from derive.check.exact import Floats
+from derive.check.rounding import Record
 
 
 def plain(variant: Variant) -> Record:

@@ -12,9 +12,9 @@ import mpmath
 import sympy as sp
 from sympy.polys.ring_series import rs_atanh, rs_sin
 
-from derive.integrate import prove_zero, refute
-from derive.quantities import MOMENTS, QUOTIENTS, RESISTANCE
-from derive.symbols import alpha
+from derive.algebra.integrate import prove_zero, refute
+from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
+from derive.declare.symbols import alpha
 
 EPS = Fraction(1, 2**53)
 

@@ -9,15 +9,15 @@ from functools import cache
 
 import sympy as sp
 
-from derive import effects
-from derive.dynamics import Cardinal, solution
-from derive.effects import ALPHA, EFFECTS, GRAVITY, ORDER, REFERENCE, THETA, VALUE, terms
-from derive.integrate import prove_zero
-from derive.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, ExpDefect, ExpRatio, X
-from derive.program import Program, program
-from derive.quantities import RESISTANCE
-from derive.stable import REDUCED, Horner, Log1p, Select, SincSlope, SineDefect, Stable, prove_equal, unfold
-from derive.symbols import a, alpha, b, omega_0, t
+from derive.algebra.dynamics import Cardinal, solution
+from derive.algebra.integrate import prove_zero
+from derive.algebra.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, ExpDefect, ExpRatio, X
+from derive.algebra.stable import REDUCED, Horner, Log1p, Select, SincSlope, SineDefect, Stable, prove_equal, unfold
+from derive.code.program import Program, program
+from derive.declare import effects
+from derive.declare.effects import ALPHA, EFFECTS, GRAVITY, ORDER, REFERENCE, THETA, VALUE, terms
+from derive.declare.quantities import RESISTANCE
+from derive.declare.symbols import a, alpha, b, omega_0, t
 
 _SMALL = sp.Rational(1, 2**57)
 

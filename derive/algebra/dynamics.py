@@ -10,9 +10,9 @@ from fractions import Fraction
 
 import sympy as sp
 
-from derive.integrate import prove_zero
-from derive.stable import Horner, Log1p, Select, Stable, even_series, unfold
-from derive.symbols import a, b, omega_0, t
+from derive.algebra.integrate import prove_zero
+from derive.algebra.stable import Horner, Log1p, Select, Stable, even_series, unfold
+from derive.declare.symbols import a, b, omega_0, t
 
 # Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
 R, g, rho, ell = sp.symbols("R g rho ell", positive=True)

@@ -9,12 +9,14 @@ from pathlib import Path
 
 import sympy
 
-from derive import certificates, certify, emit, emit_c, functions, sensitivity
-from derive.approximants import variants
-from derive.integrate import Derivation
-from derive.rounding import Record
+from derive.algebra import sensitivity
+from derive.algebra.integrate import Derivation
+from derive.approximate.approximants import variants
+from derive.check import certificates, certify
+from derive.check.rounding import Record
+from derive.code import emit, emit_c, functions
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 MEND = "python -m derive"

@@ -1,7 +1,7 @@
 """What the paper claims, as data: 67 numbered equations, 16 table entries, two appendices and some of its sentences.
 
 Nothing here says whether a claim holds. A claim has the printed text, its transcription, and how what it must equal
-follows from what precedes it in the paper; `derive.verify` walks the list and judges. Transcriptions are read in the
+follows from what precedes it in the paper; `verify` walks the list and judges. Transcriptions are read in the
 notation of `evidence.Context.names`: ``body(f)`` is the integral of f over the moving mass in r and theta,
 ``body_star`` the same in r*; a semicolon separates the parts of an equation.
 """
@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any, Literal
 import mpmath as mp
 import sympy as sp
 
-from derive.appendices import APPENDIX_I, APPENDIX_II, Appendix
-from derive.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
-from derive.integrate import PSI
-from derive.symbols import a, alpha, b, r, t, theta, theta_1, theta_2
+from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
+from derive.algebra.integrate import PSI
+from derive.declare.symbols import a, alpha, b, r, t, theta, theta_1, theta_2
+from derive.judge.appendices import APPENDIX_I, APPENDIX_II, Appendix
 
 if TYPE_CHECKING:
-    from derive.evidence import Context
+    from derive.judge.evidence import Context
 
 VERDICTS = ("holds", "holds to the printed digits", "imprecise", "misprint", "wrong", "assumption",
             "not machine-checkable")  # fmt: skip

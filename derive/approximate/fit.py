@@ -34,7 +34,7 @@ def nearest(x: arb) -> float:
 
 # --- the functions -------------------------------------------------------------------------------------------------
 
-CLOSED: dict[str, Function] = {  # of (2.17), (3.12), (2.23), (3.13), (3.14), as derive.integrate finds them
+CLOSED: dict[str, Function] = {  # of (2.17), (3.12), (2.23), (3.13), (3.14), as derive.algebra.integrate finds them
     "polar_moment": lambda a: (2 * a - a.sin() * a.cos() - a.cos() ** 3 * a.sin().atanh()) / 3,
     "moment_of_inertia": lambda a: a / 2 - (2 * a).sin() / 6 - (4 * a).sin() / 24,
     "radial_weight_amplitude": lambda a: a.sin() - a.cos() ** 2 * a.sin().atanh(),

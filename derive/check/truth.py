@@ -1,6 +1,6 @@
 """The five kernels in ball arithmetic: Taylor models with rigorous remainders on [0, pi/2], from the closed forms.
 
-Standard library and python-flint only: this belongs to the checker (`derive.certify`), which trusts nothing of what
+Standard library and python-flint only: this belongs to the checker (`certify`), which trusts nothing of what
 the generator computed. The closed forms are compared with quadrature of the raw definitions in the tests.
 """
 

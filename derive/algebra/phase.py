@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derive.integrate import prove_zero
-from derive.stable import Expm1, Horner, Select, SineDefect, Stable, exp_series, unfold
+from derive.algebra.integrate import prove_zero
+from derive.algebra.stable import Expm1, Horner, Select, SineDefect, Stable, exp_series, unfold
 
 X = sp.Symbol("x", real=True)
 DRIVE, TILT, CONSTANT, BRAKE, START = sp.symbols("drive tilt constant brake start", real=True)

@@ -10,7 +10,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from derive.program import Program
+from derive.code.program import Program
 
 Floats = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from derive.program import Op, Program, operations
+from derive.code.program import Op, Program, operations
 
 _INFIX = {"add": ("+", 1), "sub": ("-", 1), "mul": ("*", 2), "div": ("/", 2), "less": ("<", 0)}
 _CALL = {"min": "minimum", "max": "maximum", "select": "where"}

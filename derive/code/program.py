@@ -12,7 +12,7 @@ from typing import Literal
 import mpmath
 import sympy as sp
 
-from derive.stable import Horner, RoundingError, Select, Stable
+from derive.algebra.stable import Horner, RoundingError, Select, Stable
 
 Kind = Literal["input", "const", "add", "sub", "mul", "div", "neg", "min", "max", "less", "select", "fma", "call"]
 

@@ -6,18 +6,18 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
-from derive import dynamics
-from derive.appendices import APPENDICES, parse
-from derive.approximants import variants
-from derive.effects import EFFECTS, LAWS, ORDER, PRESS, VALUE, Effect, Law, Parameter, formulas, specialised
-from derive.emit import Function
-from derive.integrate import Derivation
-from derive.phase import CONSTANT, ENERGIES, WATER
-from derive.program import Program, operations, program
-from derive.quantities import MOMENTS, QUOTIENTS, RESISTANCE
-from derive.rounding import Record
-from derive.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
-from derive.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
+from derive.algebra import dynamics
+from derive.algebra.integrate import Derivation
+from derive.algebra.phase import CONSTANT, ENERGIES, WATER
+from derive.algebra.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
+from derive.approximate.approximants import variants
+from derive.check.rounding import Record
+from derive.code.emit import Function
+from derive.code.program import Program, operations, program
+from derive.declare.effects import EFFECTS, LAWS, ORDER, PRESS, VALUE, Effect, Law, Parameter, formulas, specialised
+from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
+from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
+from derive.judge.appendices import APPENDICES, parse
 
 HALF_PI = repr(float(sp.N(sp.pi / 2, 40)))
 PAPER = "the paper"

@@ -1,4 +1,4 @@
-"""What follows from the paper's definitions: the evidence that `derive.verify` holds against its claims.
+"""What follows from the paper's definitions: the evidence that `derive.judge.verify` holds against its claims.
 
 Nothing here knows what the paper prints, except where a method says so: `second_appendix`, and `coefficients` with
 the slips that explain the printed numbers.
@@ -10,20 +10,21 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
-from derive import dynamics, symbols
-from derive.appendices import APPENDIX_II
-from derive.appendices import simplify as simplify_appendix
-from derive.integrate import PSI, Derivation, ProofError, derive, quadrature
-from derive.paper import GRAVITY, SECTION, SPAN
-from derive.quantities import CHORD, MOMENTS
-from derive.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2, theta_m
+from derive.algebra import dynamics
+from derive.algebra.integrate import PSI, Derivation, ProofError, derive, quadrature
+from derive.declare import symbols
+from derive.declare.quantities import CHORD, MOMENTS
+from derive.declare.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2, theta_m
+from derive.judge.appendices import APPENDIX_II
+from derive.judge.appendices import simplify as simplify_appendix
+from derive.judge.paper import GRAVITY, SECTION, SPAN
 
 _RATE = sp.symbols("c0 c1 c2", positive=True)
 _RATES = sp.symbols("omega omega_dot", real=True)
 
 
 class Context:
-    """What the definitions give, derived once and only when asked for; the words in which `derive.paper` speaks."""
+    """What the definitions give, derived once and only when asked for; the words in which `judge.paper` speaks."""
 
     # --- mechanics ---------------------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-"""The judge: every claim of `derive.paper` against what follows from the definitions.
+"""The judge: every claim of `derive.judge.paper` against what follows from the definitions.
 
 A verdict is computed, never declared. A form holds if its difference from the derived form is proved to vanish, a
 number if its printed digits come out. A cause is shown, not asserted: either it reproduces the printed digits, or
@@ -19,15 +19,15 @@ import mpmath as mp
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from derive.appendices import ProofError as AppendixError
-from derive.appendices import parse, real_arithmetic_fails
-from derive.appendices import simplify as simplify_appendix
-from derive.dynamics import R
-from derive.evidence import context
-from derive.integrate import prove_zero
-from derive.paper import CLAIMS, DIMENSIONS, VERDICTS, Claim
-from derive.quantities import CHORD
-from derive.symbols import theta, theta_m
+from derive.algebra.dynamics import R
+from derive.algebra.integrate import prove_zero
+from derive.declare.quantities import CHORD
+from derive.declare.symbols import theta, theta_m
+from derive.judge.appendices import ProofError as AppendixError
+from derive.judge.appendices import parse, real_arithmetic_fails
+from derive.judge.appendices import simplify as simplify_appendix
+from derive.judge.evidence import context
+from derive.judge.paper import CLAIMS, DIMENSIONS, VERDICTS, Claim
 
 KEYS = ("id", "claim", "printed", "computed", "verdict", "cause")
 _DIGITS = 30
@@ -123,7 +123,7 @@ def judge(claim: Claim) -> Row:
     Parameters
     ----------
     claim : Claim
-        From `derive.paper.CLAIMS`, or changed by `dataclasses.replace`.
+        From `derive.judge.paper.CLAIMS`, or changed by `dataclasses.replace`.
     """
     with mp.workdps(_DIGITS):
         kind = {"number": _number, "range": _range, "form": _form, "appendix": _appendix, "outside": _outside}

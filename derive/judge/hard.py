@@ -15,12 +15,13 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from derive import functions, measure
-from derive.integrate import PSI, derive
-from derive.phase import BRAKE, CONSTANT, DECAY, DRIVE, DROP, PRESS, PRESS_RISE, START, TILT, X
-from derive.program import Program, program
-from derive.quantities import MOMENTS, QUOTIENTS
-from derive.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
+from derive.algebra.integrate import PSI, derive
+from derive.algebra.phase import BRAKE, CONSTANT, DECAY, DRIVE, DROP, PRESS, PRESS_RISE, START, TILT, X
+from derive.check import measure
+from derive.code import functions
+from derive.code.program import Program, program
+from derive.declare.quantities import MOMENTS, QUOTIENTS
+from derive.declare.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
 
 
 @dataclass(frozen=True)

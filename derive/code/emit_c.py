@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from derive.approximants import Variant
-from derive.emit import identifier
-from derive.program import Op, Program, without_dead
+from derive.approximate.approximants import Variant
+from derive.code.emit import identifier
+from derive.code.program import Op, Program, without_dead
 
 TEMPLATE = Path(__file__).resolve().parent / "templates" / "_kernels.c"
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from derive.fit import (
+from derive.approximate.fit import (
     HALF_PI,
     LIMIT,
     cheap_fit,
@@ -21,8 +21,8 @@ from derive.fit import (
     weight_even_fit,
     weight_fit,
 )
-from derive.program import Kind, Op, Program, without_dead
-from derive.quantities import QUOTIENTS
+from derive.code.program import Kind, Op, Program, without_dead
+from derive.declare.quantities import QUOTIENTS
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,9 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from derive import emit
-from derive.program import Program
-from derive.symbols import alpha
+from derive.code import emit
+from derive.code.program import Program
+from derive.declare.symbols import alpha
 
 SAMPLES = (1e-300, 1e-100, 1e-8, 1e-4, 1e-2, 0.1, 0.3, 0.5385, 0.7, 0.7610127, 0.8, 1.0, 1.2, 1.4, 1.5, 1.57)
 

@@ -1,7 +1,7 @@
 """The checker: proves the error bound of a straight-line float64 program on the whole domain, rounding included.
 
 It reads plain data (`generated/certificates/*.json`) and uses the standard library and python-flint only; of the
-generator it knows nothing, and `derive.truth` has the exact functions. Per box of alpha,
+generator it knows nothing, and `derive.check.truth` has the exact functions. Per box of alpha,
 
     |computed - exact| <= |P - F| + sum_i sup |dP/dn_i| d_i + half an ulp,
 
@@ -24,11 +24,22 @@ from pathlib import Path
 
 from flint import arb
 
-from derive import rounding, truth
-from derive.rounding import DOWN, LOG_ULPS, ROUNDING_BITS, TINY, UP, Record, Tape, Unbounded, Undecided, specialise
-from derive.truth import BITS, CUBE, QUOTIENTS, SEGMENTS, TOP, Model, Segment, ball, working
+from derive.check import rounding, truth
+from derive.check.rounding import (
+    DOWN,
+    LOG_ULPS,
+    ROUNDING_BITS,
+    TINY,
+    UP,
+    Record,
+    Tape,
+    Unbounded,
+    Undecided,
+    specialise,
+)
+from derive.check.truth import BITS, CUBE, QUOTIENTS, SEGMENTS, TOP, Model, Segment, ball, working
 
-FOLDER = Path(__file__).resolve().parent.parent / "generated" / "certificates"
+FOLDER = Path(__file__).resolve().parent.parent.parent / "generated" / "certificates"
 
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
 UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds

@@ -1,0 +1,1 @@
+"""From a definition to closed and stable forms, each step proved."""

@@ -1,0 +1,1 @@
+"""From a closed form to polynomials and rationals for each tier of accuracy."""

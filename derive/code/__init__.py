@@ -1,0 +1,1 @@
+"""From expressions to programs, and from programs to the text of `generated`."""

@@ -1,0 +1,1 @@
+"""What is derived, declared once as data."""
