@@ -394,7 +394,9 @@ def test_what_is_no_program_is_refused() -> None:
 def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
     for node in ast.walk(ast.parse(Path(module.__file__).read_text("utf-8"))):
         if isinstance(node, ast.ImportFrom):
-            names = {f"{node.module}.{a.name}" if node.module == "derive.check" else str(node.module) for a in node.names}
+            names = {
+                f"{node.module}.{a.name}" if node.module == "derive.check" else str(node.module) for a in node.names
+            }
         elif isinstance(node, ast.Import):
             names = {a.name for a in node.names}
         else:
