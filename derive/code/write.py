@@ -15,6 +15,7 @@ from derive.approximate.approximants import variants
 from derive.check import certificates, certify
 from derive.check.rounding import Record
 from derive.code import emit, emit_c, functions
+from derive.flow import emit as flow
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -37,6 +38,7 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "balance.py": emit.plain_module(BALANCE, functions.balance()[0]),
         "effects.py": functions.effects_module(),
+        "flow.py": flow.module(),
         "kernels.py": emit.module(KERNELS, kernels),
         "motion.py": emit.module(MOTION, motion),
         "_kernels.c": c_source,

@@ -1,0 +1,81 @@
+"""The operations of a flow program: what each means, and how its Taylor coefficients follow one from the other.
+
+Each is stated once, here. `prove` compares it with SymPy's own series; from the same statement come the text that the
+compiled interpreter and the one in NumPy run, and what a program is in any other numbers.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from derive.algebra.stable import Expm1, Log1p
+
+n, k = sp.symbols("n k", integer=True)
+A, B, Q, X, Z, E, H, P, S, V, L = (sp.IndexedBase(x) for x in "abqxzehpsvl")
+POWER = sp.Symbol("power", real=True)
+
+
+def _sum(term: sp.Expr, first: int = 1, last: sp.Expr = n) -> sp.Expr:
+    return sp.Sum(term, (k, first, last))
+
+
+@dataclass(frozen=True)
+class Operation:
+    """An operation on series: results and arguments, order 0 from order 0, and order n from what is known by then.
+
+    ``means`` gives each result as a function of the arguments; ``start`` is the same without cancellation at 0, and
+    ``step`` is coefficient n >= 1. ``numbers`` are arguments that are cells, not series.
+    """
+
+    name: str
+    results: tuple[sp.IndexedBase, ...]
+    arguments: tuple[sp.IndexedBase, ...]
+    means: tuple[sp.Expr, ...]
+    start: tuple[sp.Expr, ...]
+    step: tuple[sp.Expr, ...]
+    numbers: tuple[sp.Symbol, ...] = ()
+
+
+D, M = sp.IndexedBase("d"), sp.IndexedBase("m")
+_t = sp.Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
+OPERATIONS = {
+    o.name: o
+    for o in (
+        Operation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
+        Operation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
+        Operation("tim", (Q,), (A,), (_t * sp.Derivative(A, _t),), (sp.Integer(0),), (n * A[n],)),
+        Operation("turn", (S, V), (Q, X), (sp.sin(X), 1 - sp.cos(X)), (sp.sin(X[0]), 2 * sp.sin(X[0] / 2) ** 2),
+                  ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n)),
+        Operation("exp", (E, M), (Q, Z), (sp.exp(Z), sp.exp(Z) - 1), (sp.exp(Z[0]), Expm1(Z[0])),
+                  (_sum(Q[k] * E[n - k]) / n, E[n])),
+        Operation("rec", (H, M), (Z,), (1 / (1 + Z), 1 / (1 + Z) - 1), (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
+                  (-H[0] * _sum(Z[k] * H[n - k]), H[n])),
+        Operation("log", (L,), (Z,), (sp.log(1 + Z),), (Log1p(Z[0]),),
+                  ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),)),
+        Operation("pow", (P, M), (Z,), ((1 + Z) ** POWER, (1 + Z) ** POWER - 1),
+                  (Expm1(POWER * Log1p(Z[0])) + 1, Expm1(POWER * Log1p(Z[0]))),
+                  (_sum((POWER * k - (n - k)) * Z[k] * P[n - k]) / n / (1 + Z[0]), P[n]), (POWER,)),
+    )
+}  # fmt: skip
+
+
+def first(series: Iterable[Sequence[Any]], values: Mapping[str, sp.Expr], cells: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+    """Order 0 of every register that operations on series make, from that of the registers they start with."""
+    found = dict(values)
+
+    def number(name: str) -> sp.Expr:
+        return sp.Float(name[1:]) if name.startswith("=") else cells.get(name, sp.Symbol(name, real=True))
+
+    for name, *names in series:
+        if name == "lin":
+            result, constant, terms = names
+            found[result] = sp.Add(number(constant) if constant else 0, *(number(c) * found[r] for c, r in terms))
+            continue
+        o = OPERATIONS[name]
+        results, arguments = names[: len(o.results)], names[len(o.results) :]
+        known = {a[0]: found[x] for a, x in zip(o.arguments, arguments, strict=False)}
+        known |= {a: number(x) for a, x in zip(o.numbers, arguments[len(o.arguments) :], strict=True)}
+        found |= {x: start.subs(known) for x, start in zip(results, o.start, strict=True)}
+    return found

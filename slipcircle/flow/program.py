@@ -1,0 +1,299 @@
+"""A scene's flow program, joined of the fragments in `generated.flow` that its effects and friction law call for.
+
+Joining is linking: names become indices, what is nothing (a frozen mass does not turn, a constant does not change)
+is left out with all that it is a factor of, equal operations are done once, and sums of sums become one.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+from generated.flow import CELLS, FRAGMENTS, QUANTITIES, STATES
+
+TABLE_CELLS = ("PIECE", "VALUE", "INC", "UPPER", "LOWER", "SCALE", "FACTOR")  # then Q1 to Q of the degree
+ZERO, ONE, MINUS = "=0.0", "=1.0", "=-1.0"
+
+
+@dataclass(frozen=True)
+class Table:
+    """A piecewise function as a program knows it: what of, the register of its argument (or, of time, of its
+    increment), the first of its cells, and the degree of its pieces.
+    """
+
+    name: str
+    kind: str
+    register: int
+    cells: int
+    degree: int
+
+
+@dataclass(frozen=True)
+class Program:
+    """Cells and registers by name, operations on cells and on series by their indices, and who plays which role.
+
+    ``constants`` are the values of cells that are the same in all lanes; ``states`` are (cell, register, register of
+    the rate).
+    """
+
+    cells: tuple[str, ...]
+    registers: tuple[str, ...]
+    scalar: tuple[tuple[Any, ...], ...]
+    series: tuple[tuple[Any, ...], ...]
+    states: tuple[tuple[int, int, int], ...]
+    tables: tuple[Table, ...]
+    roles: Mapping[str, int]
+    constants: Mapping[int, float]
+
+
+@dataclass
+class _Linker:
+    """Definitions by name, and what has become of them."""
+
+    cells: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    registers: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+    known: dict[str, str] = field(default_factory=dict)  # canonical cell by name
+    made: dict[str, str | None] = field(default_factory=dict)  # canonical register by name; None is nothing
+    scalar: dict[tuple[str, ...], str] = field(default_factory=dict)
+    series: dict[tuple[Any, ...], tuple[str, ...]] = field(default_factory=dict)
+
+    def cell(self, name: str) -> str:
+        """The cell that a name stands for, computed if need be."""
+        if name.startswith("="):
+            return name
+        if name not in self.known:
+            op, *arguments = self.cells[name]
+            self.known[name] = self.compute(op, *map(self.cell, arguments), name=name)
+        return self.known[name]
+
+    def compute(self, op: str, *a: str, name: str = "") -> str:
+        """An operation on cells, or what is known to come of it."""
+        match op, a:
+            case ("set", (x,)) | ("add", (x, "=0.0")) | ("add", ("=0.0", x)) | ("sub", (x, "=0.0")):
+                return x
+            case ("mul", (x, "=1.0")) | ("mul", ("=1.0", x)) | ("div", (x, "=1.0")):
+                return x
+            case ("mul", ("=0.0", _)) | ("mul", (_, "=0.0")) | ("div", ("=0.0", _)) | ("neg" | "abs", ("=0.0",)):
+                return ZERO
+            case ("sub", ("=0.0", x)) | ("mul", (x, "=-1.0")) | ("mul", ("=-1.0", x)):
+                return self.compute("neg", x, name=name)
+            case ("neg", ("=1.0",)):
+                return MINUS
+        return self.scalar.setdefault((op, *a), name or f"cell{len(self.scalar)}")
+
+    def register(self, name: str) -> str | None:
+        """The register that a name stands for; None where it is nothing."""
+        if name not in self.made:
+            op, *names = self.registers.get(name, ("nothing",))
+            self.made[name] = None if op == "nothing" else self.operate(name, op, names)
+        return self.made[name]
+
+    def operate(self, name: str, op: str, names: list[Any]) -> str | None:
+        """An operation on series, or what is known to come of it."""
+        if op == "lin":
+            _, constant, terms = names
+            return self.sum(name, self.cell(constant) if constant else ZERO, terms)
+        results, arguments = names[: RESULTS.get(op, 1)], names[RESULTS.get(op, 1) :]
+        numbers = [self.cell(arguments.pop())] if op == "pow" else []
+        found = [x if op == "ramp" else self.register(x) for x in arguments]
+        if any(x is None for x in found):
+            return None
+        key = (op, *found, *numbers)
+        made = self.series.setdefault(key, tuple(results))
+        return made[results.index(name)]
+
+    def sum(self, name: str, constant: str, terms: Iterable[tuple[str, str]]) -> str | None:
+        """A sum of cells times registers, each register once."""
+        factors: dict[str, str] = {}
+        for c, r in terms:
+            coefficient, register = self.cell(c), self.register(r)
+            if register is not None and coefficient != ZERO:
+                factors[register] = self.compute("add", factors.get(register, ZERO), coefficient)
+        if constant == ZERO and not factors:
+            return None
+        if constant == ZERO and [*factors.values()] == [ONE]:
+            return next(iter(factors))
+        return self.series.setdefault(("lin", constant, tuple(sorted((c, r) for r, c in factors.items()))), (name,))[0]
+
+    def flatten(self, kept: set[str]) -> None:
+        """Put sums that only sums are made of into these."""
+        while True:
+            sums = {d[0]: op[2] for op, d in self.series.items() if op[0] == "lin" and op[1] == ZERO}
+            factors = {r for op in self.series for r in op[1:] if op[0] != "lin"}
+            inner = {d: terms for d, terms in sums.items() if d not in factors | kept}
+            outer = next((op for op in self.series if op[0] == "lin" and any(r in inner for _, r in op[2])), None)
+            if outer is None:
+                break
+            terms: dict[str, str] = {}
+            for c, r in outer[2]:
+                for c2, r2 in inner.get(r, ((ONE, r),)):
+                    terms[r2] = self.compute("add", terms.get(r2, ZERO), self.compute("mul", c, c2))
+            key = ("lin", outer[1], tuple(sorted((c, r) for r, c in terms.items())))
+            self.series = {key if op == outer else op: d for op, d in self.series.items()}
+
+
+RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}
+
+
+def _powers(link: _Linker, argument: str, table: str, degree: int) -> None:
+    """The polynomial of a table's piece in a register, without its constant."""
+    powers = [argument]
+    for i in range(2, degree + 1):
+        powers.append(f"{argument}^{i}")
+        link.registers[powers[-1]] = (
+            ("sqr", powers[-1], powers[i // 2 - 1]) if i % 2 == 0 else ("mul", powers[-1], powers[-2], argument)
+        )
+    terms = tuple((f"{table}.Q{i}", power) for i, power in enumerate(powers, 1))
+    link.registers[f"table({argument})"] = ("lin", f"table({argument})", "", terms)
+
+
+def _load(link: _Linker, name: str, sums: dict[str, list[Any]], renamed: Mapping[str, str]) -> None:
+    """Take a fragment's definitions, under other names where these are given; "*" is a prefix of its inputs."""
+    fragment = FRAGMENTS[name]
+    names = {x: f"{renamed.get('*', '')}{x}" for x in fragment.inputs} | dict(renamed)
+
+    def new(x: Any) -> Any:
+        return names.get(x, x) if isinstance(x, str) else tuple(map(new, x))
+
+    for op, result, *arguments in new(fragment.scalar):
+        link.cells[result] = (op, *arguments)
+    for op in new(fragment.series):
+        for result in op[1 : 1 + RESULTS.get(op[0], 1)]:
+            link.registers[result] = op
+    for quantity, added in fragment.adds.items():
+        sums.setdefault(names.get(quantity, quantity), []).append(new(added))
+
+
+@lru_cache(maxsize=256)
+def join(
+    effects: tuple[str, ...],
+    laws: tuple[tuple[str, int], ...],
+    constant: tuple[str, ...] = (),
+    moving: tuple[tuple[str, int], ...] = (),
+    asked: tuple[str, ...] = (),
+) -> Program:
+    """The program of a scene.
+
+    Parameters
+    ----------
+    effects : tuple of str
+        Names, as in `generated.effects.EFFECTS`.
+    laws : tuple of (str, int)
+        The friction law, as in `generated.effects.LAWS`, and the law of speed that multiplies it, if any; each with
+        the degree of its table's pieces, 0 where it has none.
+    constant : tuple of str
+        Symbols of optional parameters that are given as numbers; those that are not given are left out.
+    moving : tuple of (str, int)
+        Symbols of parameters that are tables of time, with the degree of their pieces.
+    asked : tuple of str
+        What else to compute: ``mu``.
+
+    Returns
+    -------
+    Program
+    """
+    link, sums, tables = _Linker(), {}, []  # type: ignore[var-annotated]
+    _load(link, "gravity", sums, {})
+    for name in effects:
+        _load(link, name, sums, {})
+    given = [x for f in (*effects, "gravity") for x in FRAGMENTS[f].inputs]
+    for slot, (name, degree) in enumerate(laws):
+        table = ("friction", "rate")[slot]
+        renamed = {"VALUE": f"{table}.VALUE", "PIECE": f"{table}.PIECE", "*": ("", "rate.")[slot]}
+        if len(laws) > 1:
+            renamed |= {"mu": ("slip_mu", "rate_mu")[slot]}
+        _load(link, name, sums, renamed)
+        given += [renamed["*"] + x for x in FRAGMENTS[name].inputs]
+        if degree:
+            found = [r for _, _, terms in sums[renamed.get("mu", "mu")] for _, r in terms]
+            argument = found[0].removeprefix("table(").removesuffix(")")
+            if argument == "time":
+                link.registers[found[0]] = ("ramp", found[0], table)
+                tables.append((table, "time", found[0], degree))
+            else:
+                _powers(link, argument, table, degree)
+                tables.append((table, "slip" if argument == "x" else "speed", argument, degree))
+    if len(laws) > 1:
+        _load(link, "product", sums, {})
+    _load(link, "balance", sums, {})
+    for symbol, degree in moving:
+        link.registers[f"d{symbol}"] = ("ramp", f"d{symbol}", symbol)
+        link.cells[symbol] = ("set", f"{symbol}.VALUE")
+        tables.append((symbol, "time", f"d{symbol}", degree))
+    for symbol in {x for name in effects for x in FRAGMENTS[name].optional} - {*constant, *(x for x, _ in moving)}:
+        link.cells[symbol] = ("set", ZERO)
+    given = ["level", "polar", *(x for x in given if x not in link.cells)]
+    return _link(link, sums, effects, given, tables, asked)
+
+
+def _link(
+    link: _Linker,
+    sums: dict[str, list[Any]],
+    chosen: Iterable[str],
+    given: Iterable[str],
+    tables: list[tuple[str, str, str, int]],
+    asked: tuple[str, ...],
+) -> Program:
+    """Names to indices: from what is wanted back to what it takes."""
+    for quantity in (*QUANTITIES, "mu", *(("slip_mu", "rate_mu") if "slip_mu" in sums else ())):
+        for part, which in (("_0", 0), ("_size", 1)):
+            total = ZERO
+            for i, added in enumerate(sums.get(quantity, ())):
+                link.cells[f"{quantity}{part}{i}"] = ("add", total, added[which])
+                total = f"{quantity}{part}{i}"
+            link.cells[f"{quantity}{part}"] = ("set", total)
+        terms = tuple(term for added in sums.get(quantity, ()) for term in added[2])
+        link.registers[f"d{quantity}"] = ("lin", f"d{quantity}", "", terms)
+    rates = {"x": "omega", "omega": "net"} | {s: r for name in chosen for s, r in FRAGMENTS[name].states}
+    further = [s for s in rates if s not in STATES]
+    table_cells = {f"{t}.{c}": None for t, _, _, d in tables for c in (*TABLE_CELLS, *(f"Q{i + 1}" for i in range(d)))}
+    fixed = dict.fromkeys((*CELLS, *rates, *(s[1:] for s in further), *given, *table_cells))
+    link.known |= {x: x for x in fixed}
+    link.made |= {x: x for x in rates}
+    wanted = {role: link.register(role) for role in ("net", "normal", "upright", *asked)}
+    still = {made[0] for op, made in link.series.items() if op[0] == "lin" and not op[2]}  # as where the phase began
+    wanted = {role: None if r in still and role != "net" else r for role, r in wanted.items()}
+    kept = [link.register(x) for x in (*rates.values(), *(a for _, _, a, _ in tables))]
+    link.flatten({r for r in (*wanted.values(), *kept) if r})
+    outputs = {role: link.cell(role) for role in ("drive", "drive_scale", "normal_0")}
+    # What nothing needs is left out, from the last operation back.
+    need = {r for r in (*wanted.values(), *kept) if r} | set(rates)
+    series = []
+    for op, made in reversed(link.series.items()):
+        if need & set(made):
+            series.append((op, made))
+            need |= {r for _, r in op[2]} if op[0] == "lin" else set(op[1:])
+    series.reverse()
+    used = {c for op, _ in series for c in ((op[1], *(c for c, _ in op[2])) if op[0] == "lin" else op[1:])}
+    used |= set(outputs.values())
+    scalar = []
+    for op, name in reversed(link.scalar.items()):
+        if name in used:
+            scalar.append((op[0], name, *op[1:]))
+            used |= set(op[1:])
+    scalar += [x for s in reversed(further) for x in (("sub", s, s, s), ("add", s[1:], s[1:], s))]
+    scalar.reverse()
+    registers = [*rates, *(x for _, made in series for x in made)]
+    numbers = sorted({x for op in scalar for x in op[1:] if x.startswith("=")} | {x for x in used if x.startswith("=")})
+    cells = [*dict.fromkeys((*fixed, *(op[1] for op in scalar), *numbers))]
+    c, r = ({x: i for i, x in enumerate(names)} for names in (cells, registers))
+    places = {name: i for i, (name, *_) in enumerate(tables)}
+
+    def indexed(op: tuple[Any, ...], made: tuple[str, ...]) -> tuple[Any, ...]:
+        kind, *names = op
+        at = [r[x] for x in made]
+        if kind == "lin":
+            return (kind, *at, -1 if names[0] == ZERO else c[names[0]], tuple((c[a], r[b]) for a, b in names[1]))
+        return (kind, *at, *((places[names[0]],) if kind == "ramp" else (r[x] if x in r else c[x] for x in names)))
+
+    roles = {x: r[x] for x in STATES} | {role: r[name] if name else -1 for role, name in wanted.items()}
+    return Program(
+        cells=tuple(cells),
+        registers=tuple(registers),
+        scalar=tuple((op, *(c[x] for x in names)) for op, *names in scalar),
+        series=tuple(indexed(op, made) for op, made in series),
+        states=tuple((c[s], r[s], r[str(link.made[rate])]) for s, rate in rates.items()),
+        tables=tuple(Table(t, kind, r[str(link.made[a])], c[f"{t}.PIECE"], d) for t, kind, a, d in tables),
+        roles=roles | {f"cell_{role}": c[name] for role, name in outputs.items()},
+        constants={c[x]: float(x[1:]) for x in numbers},
+    )
