@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9efdeabf77658ccc548f9869216ecb1976760c7a9dd94987716727f3c91c61e7
+# sha256 of the text below: 83c3c30a04894e0f08e4aae849bf3ccfdefd28f26204b48ed599bd9753b4af67
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 A fragment is joined with others to a scene's program by name: ``d...`` is a series, the increment since the phase
@@ -13,7 +13,8 @@ class Fragment(NamedTuple):
     """Operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``states`` are series with those of their rates.
+    of (number, series). ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the
+    series of its argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -23,10 +24,11 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
+    table: tuple[str, str, int] | None = None
 
 
 # Cells that every program has, first and in this order.
-CELLS = {
+MEANINGS = {
     'TIME': 't* at the start of the next step',
     'ROTATION': 'rotation where the phase began, signed',
     'SLIP': 'slip over the radius where the phase began',
@@ -54,9 +56,13 @@ CELLS = {
     'FIRST_STOP': 't* of the first standstill',
     'CLOSE': 'least margin of a decision at rest, over its terms',
     'LIFT_TIME': 't* of the first lift-off',
+    'PASSED': 'what the phase began by passing',
+    'REST_SINCE': 't* of the standstill that it rests from',
+    'x': 'rotation since the phase began, in the direction of travel',
+    'omega': 'its rate, omega*',
 }
+CELLS = tuple(MEANINGS)
 
-STATES = ('x', 'omega')
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')
 
 FRAGMENTS: dict[str, Fragment] = {
@@ -84,6 +90,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'pressing': ('gravity.pressing', 'gravity.pressing_size', (('gravity.10', 'sin(x)'), ('gravity.11', 'vers(x)'))),
         },
         states=(),
+        table=None,
     ),
     'rotation': Fragment(
         words=(),
@@ -116,6 +123,7 @@ FRAGMENTS: dict[str, Fragment] = {
         ),
         adds={},
         states=(),
+        table=None,
     ),
     'centripetal': Fragment(
         words=(),
@@ -132,6 +140,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'pressing': ('centripetal.pressing', 'centripetal.pressing_size', (('polar', 'omega*omega'),)),
         },
         states=(),
+        table=None,
     ),
     'pore_pressure': Fragment(
         words=(),
@@ -158,6 +167,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'lifting': ('pore_pressure.lifting', 'pore_pressure.lifting_size', (('level', 'dpore_pressure'), ('press_0', 'dpore_ratio'), ('pore_pressure.2', 'dpore_ratio*sin(x)'), ('pore_pressure.3', 'dpore_ratio*vers(x)'), ('pore_pressure.4', 'sin(x)'), ('pore_pressure.5', 'vers(x)'))),
         },
         states=(),
+        table=None,
     ),
     'cohesion': Fragment(
         words=(),
@@ -172,6 +182,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'resisting': ('cohesion.resisting', 'cohesion.resisting_size', ()),
         },
         states=(),
+        table=None,
     ),
     'drag': Fragment(
         words=(),
@@ -188,6 +199,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'resisting': ('drag.resisting', 'drag.resisting_size', (('drag', 'omega*omega'),)),
         },
         states=(),
+        table=None,
     ),
     'viscosity': Fragment(
         words=(),
@@ -202,6 +214,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'resisting': ('viscosity.resisting', 'viscosity.resisting_size', (('viscosity', 'omega'),)),
         },
         states=(),
+        table=None,
     ),
     'shaking': Fragment(
         words=(),
@@ -249,64 +262,70 @@ FRAGMENTS: dict[str, Fragment] = {
             'pressing': ('shaking.pressing', 'shaking.pressing_size', (('shaking.10', 'dk_h'), ('shaking.11', 'dk_h*sin(x)'), ('shaking.12', 'dk_h*vers(x)'), ('shaking.13', 'dk_v'), ('press_slope_0', 'dk_v*sin(x)'), ('press_0', 'dk_v*vers(x)'), ('shaking.14', 'sin(x)'), ('shaking.15', 'vers(x)'))),
         },
         states=(),
+        table=None,
     ),
     'thermal_pressurisation': Fragment(
         words=(),
         inputs=('kappa',),
         optional=(),
         scalar=(
-            ('mul', 'thermal_pressurisation.lifting', 'excess', 'level'),
+            ('neg', 'excess_less', 'excess'),
+            ('neg', 'excess_0', 'excess_less'),
+            ('mul', 'thermal_pressurisation.lifting', 'excess_0', 'level'),
             ('abs', 'thermal_pressurisation.lifting_size', 'thermal_pressurisation.lifting'),
-            ('div', 'thermal_pressurisation.2', 'kappa', 'level'),
+            ('div', 'thermal_pressurisation.4', 'kappa', 'level'),
         ),
         series=(
+            ('lin', 'dexcess', 'excess_less', (('=1.0', 'excess'),)),
             ('mul', 'friction*omega', 'friction', 'omega'),
-            ('lin', 'thermal_pressurisation.sum1', '', (('thermal_pressurisation.2', 'friction*omega'),)),
+            ('lin', 'thermal_pressurisation.sum1', '', (('thermal_pressurisation.4', 'friction*omega'),)),
         ),
         adds={
             'lifting': ('thermal_pressurisation.lifting', 'thermal_pressurisation.lifting_size', (('level', 'dexcess'),)),
         },
-        states=(('dexcess', 'thermal_pressurisation.sum1'),),
+        states=(('excess', 'thermal_pressurisation.sum1'),),
+        table=None,
     ),
     'constant': Fragment(
         words=(),
-        inputs=('coefficient',),
+        inputs=('constant.coefficient',),
         optional=(),
         scalar=(
-            ('abs', 'constant.mu_size', 'coefficient'),
-            ('set', 'constant.mu', 'coefficient'),
+            ('abs', 'constant.mu_size', 'constant.coefficient'),
+            ('set', 'constant.mu', 'constant.coefficient'),
         ),
         series=(),
         adds={
             'mu': ('constant.mu', 'constant.mu_size', ()),
         },
         states=(),
+        table=None,
     ),
     'exponential': Fragment(
         words=(),
-        inputs=('peak', 'residual', 'length'),
+        inputs=('exponential.peak', 'exponential.residual', 'exponential.length'),
         optional=(),
         scalar=(
-            ('div', 'exponential.t5', '=1.0', 'length'),
+            ('div', 'exponential.t5', '=1.0', 'exponential.length'),
             ('neg', 'exponential.0', 'exponential.t5'),
-            ('div', 'exponential.t8', 'SLIP', 'length'),
+            ('div', 'exponential.t8', 'SLIP', 'exponential.length'),
             ('neg', 'exponential.t9', 'exponential.t8'),
             ('exp', 'exponential.t10', 'exponential.t9'),
-            ('sub', 'exponential.t11', 'peak', 'residual'),
+            ('sub', 'exponential.t11', 'exponential.peak', 'exponential.residual'),
             ('abs', 'exponential.t12', 'exponential.t11'),
             ('mul', 'exponential.t13', '=1.0000000000009095', 'exponential.t10'),
             ('mul', 'exponential.t14', 'exponential.t13', 'exponential.t12'),
-            ('abs', 'exponential.t15', 'residual'),
+            ('abs', 'exponential.t15', 'exponential.residual'),
             ('mul', 'exponential.t16', '=1.0000000000009095', 'exponential.t15'),
             ('add', 'exponential.t17', 'exponential.t14', 'exponential.t16'),
-            ('abs', 'exponential.t18', 'peak'),
+            ('abs', 'exponential.t18', 'exponential.peak'),
             ('expm1', 'exponential.t19', 'exponential.t9'),
             ('mul', 'exponential.t20', 'exponential.t11', 'exponential.t19'),
             ('abs', 'exponential.t21', 'exponential.t20'),
             ('add', 'exponential.t22', 'exponential.t18', 'exponential.t21'),
             ('mul', 'exponential.3', 'exponential.t11', 'exponential.t10'),
-            ('add', 'exponential.t24', 'residual', 'exponential.3'),
-            ('add', 'exponential.t25', 'peak', 'exponential.t20'),
+            ('add', 'exponential.t24', 'exponential.residual', 'exponential.3'),
+            ('add', 'exponential.t25', 'exponential.peak', 'exponential.t20'),
             ('less', 'exponential.t26', 'exponential.t17', 'exponential.t22'),
             ('select', 'exponential.mu', 'exponential.t26', 'exponential.t24', 'exponential.t25'),
             ('mul', 'exponential.t28', 'exponential.t10', 'exponential.t12'),
@@ -322,44 +341,46 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('exponential.mu', 'exponential.mu_size', (('exponential.3', 'exponential.exp2_less_1'),)),
         },
         states=(),
+        table=None,
     ),
     'linear': Fragment(
         words=(),
         inputs=(),
         optional=(),
         scalar=(
-            ('abs', 'linear.mu_size', 'VALUE'),
-            ('set', 'linear.mu', 'VALUE'),
+            ('abs', 'linear.mu_size', 'linear.VALUE'),
+            ('set', 'linear.mu', 'linear.VALUE'),
         ),
         series=(),
         adds={
-            'mu': ('linear.mu', 'linear.mu_size', (('=1.0', 'table(x)'),)),
+            'mu': ('linear.mu', 'linear.mu_size', (('linear.Q1', 'x'),)),
         },
         states=(),
+        table=('slip', 'x', 1),
     ),
     'hyperbolic': Fragment(
         words=(),
-        inputs=('peak', 'residual', 'length'),
+        inputs=('hyperbolic.peak', 'hyperbolic.residual', 'hyperbolic.length'),
         optional=(),
         scalar=(
-            ('div', 'hyperbolic.t5', 'SLIP', 'length'),
+            ('div', 'hyperbolic.t5', 'SLIP', 'hyperbolic.length'),
             ('add', 'hyperbolic.t6', '=1.0', 'hyperbolic.t5'),
-            ('mul', 'hyperbolic.t7', 'length', 'hyperbolic.t6'),
+            ('mul', 'hyperbolic.t7', 'hyperbolic.length', 'hyperbolic.t6'),
             ('div', 'hyperbolic.0', '=1.0', 'hyperbolic.t7'),
-            ('abs', 'hyperbolic.t10', 'residual'),
+            ('abs', 'hyperbolic.t10', 'hyperbolic.residual'),
             ('mul', 'hyperbolic.t11', '=1.0000000000009095', 'hyperbolic.t10'),
-            ('sub', 'hyperbolic.t12', 'peak', 'residual'),
+            ('sub', 'hyperbolic.t12', 'hyperbolic.peak', 'hyperbolic.residual'),
             ('div', 'hyperbolic.3', 'hyperbolic.t12', 'hyperbolic.t6'),
             ('abs', 'hyperbolic.t14', 'hyperbolic.3'),
             ('mul', 'hyperbolic.t15', '=1.0000000000009095', 'hyperbolic.t14'),
             ('add', 'hyperbolic.t16', 'hyperbolic.t11', 'hyperbolic.t15'),
-            ('abs', 'hyperbolic.t17', 'peak'),
+            ('abs', 'hyperbolic.t17', 'hyperbolic.peak'),
             ('div', 'hyperbolic.t18', 'hyperbolic.t12', 'hyperbolic.t7'),
             ('mul', 'hyperbolic.t19', 'hyperbolic.t18', 'SLIP'),
             ('abs', 'hyperbolic.t20', 'hyperbolic.t19'),
             ('add', 'hyperbolic.t21', 'hyperbolic.t17', 'hyperbolic.t20'),
-            ('add', 'hyperbolic.t22', 'residual', 'hyperbolic.3'),
-            ('sub', 'hyperbolic.t23', 'peak', 'hyperbolic.t19'),
+            ('add', 'hyperbolic.t22', 'hyperbolic.residual', 'hyperbolic.3'),
+            ('sub', 'hyperbolic.t23', 'hyperbolic.peak', 'hyperbolic.t19'),
             ('less', 'hyperbolic.t24', 'hyperbolic.t16', 'hyperbolic.t21'),
             ('select', 'hyperbolic.mu', 'hyperbolic.t24', 'hyperbolic.t22', 'hyperbolic.t23'),
             ('add', 'hyperbolic.t26', 'hyperbolic.t10', 'hyperbolic.t14'),
@@ -373,30 +394,35 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('hyperbolic.mu', 'hyperbolic.mu_size', (('hyperbolic.3', 'hyperbolic.rec2_less_1'),)),
         },
         states=(),
+        table=None,
     ),
     'tabulated': Fragment(
         words=(),
         inputs=(),
         optional=(),
         scalar=(
-            ('abs', 'tabulated.mu_size', 'VALUE'),
-            ('set', 'tabulated.mu', 'VALUE'),
+            ('abs', 'tabulated.mu_size', 'tabulated.VALUE'),
+            ('set', 'tabulated.mu', 'tabulated.VALUE'),
         ),
-        series=(),
+        series=(
+            ('sqr', 'x*x', 'x'),
+            ('mul', 'x*x*x', 'x*x', 'x'),
+        ),
         adds={
-            'mu': ('tabulated.mu', 'tabulated.mu_size', (('=1.0', 'table(x)'),)),
+            'mu': ('tabulated.mu', 'tabulated.mu_size', (('tabulated.Q1', 'x'), ('tabulated.Q2', 'x*x'), ('tabulated.Q3', 'x*x*x'))),
         },
         states=(),
+        table=('slip', 'x', 3),
     ),
     'rate_weakening': Fragment(
         words=(),
-        inputs=('peak', 'residual', 'velocity'),
+        inputs=('rate_weakening.peak', 'rate_weakening.residual', 'rate_weakening.velocity'),
         optional=(),
         scalar=(
-            ('div', 'rate_weakening.0', '=1.0', 'velocity'),
-            ('abs', 'rate_weakening.mu_size', 'peak'),
-            ('sub', 'rate_weakening.3', 'peak', 'residual'),
-            ('set', 'rate_weakening.mu', 'peak'),
+            ('div', 'rate_weakening.0', '=1.0', 'rate_weakening.velocity'),
+            ('abs', 'rate_weakening.mu_size', 'rate_weakening.peak'),
+            ('sub', 'rate_weakening.3', 'rate_weakening.peak', 'rate_weakening.residual'),
+            ('set', 'rate_weakening.mu', 'rate_weakening.peak'),
         ),
         series=(
             ('lin', 'rate_weakening.sum1', '', (('rate_weakening.0', 'omega'),)),
@@ -406,43 +432,70 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('rate_weakening.mu', 'rate_weakening.mu_size', (('rate_weakening.3', 'rate_weakening.rec2_less_1'),)),
         },
         states=(),
+        table=None,
     ),
     'rate_tabulated': Fragment(
         words=(),
         inputs=(),
         optional=(),
         scalar=(
-            ('less', 'rate_tabulated.t7', '=0.0', 'PIECE'),
+            ('less', 'rate_tabulated.t7', '=0.0', 'rate_tabulated.PIECE'),
             ('select', 'beyond', 'rate_tabulated.t7', '=1.0', '=0.0'),
             ('less', 'rate_tabulated.t9', '=0.0', 'beyond'),
             ('select', 'start_speed', 'rate_tabulated.t9', 'omega', '=1.0'),
             ('neg', 'rate_tabulated.2', 'beyond'),
             ('div', 'rate_tabulated.3', 'beyond', 'start_speed'),
-            ('abs', 'rate_tabulated.mu_size', 'VALUE'),
-            ('set', 'rate_tabulated.mu', 'VALUE'),
+            ('abs', 'rate_tabulated.mu_size', 'rate_tabulated.VALUE'),
+            ('set', 'rate_tabulated.mu', 'rate_tabulated.VALUE'),
         ),
         series=(
             ('lin', 'relative_speed', 'rate_tabulated.2', (('rate_tabulated.3', 'omega'),)),
-            ('log', 'argument', 'relative_speed'),
+            ('log', 'log_speed', 'relative_speed'),
+            ('sqr', 'log_speed*log_speed', 'log_speed'),
+            ('mul', 'log_speed*log_speed*log_speed', 'log_speed*log_speed', 'log_speed'),
         ),
         adds={
-            'mu': ('rate_tabulated.mu', 'rate_tabulated.mu_size', (('=1.0', 'table(argument)'),)),
+            'mu': ('rate_tabulated.mu', 'rate_tabulated.mu_size', (('rate_tabulated.Q1', 'log_speed'), ('rate_tabulated.Q2', 'log_speed*log_speed'), ('rate_tabulated.Q3', 'log_speed*log_speed*log_speed'))),
         },
         states=(),
+        table=('speed', 'log_speed', 3),
     ),
     'prescribed': Fragment(
         words=(),
         inputs=(),
         optional=(),
         scalar=(
-            ('abs', 'prescribed.mu_size', 'VALUE'),
-            ('set', 'prescribed.mu', 'VALUE'),
+            ('abs', 'prescribed.mu_size', 'prescribed.VALUE'),
+            ('set', 'prescribed.mu', 'prescribed.VALUE'),
         ),
         series=(),
         adds={
-            'mu': ('prescribed.mu', 'prescribed.mu_size', (('=1.0', 'table(time)'),)),
+            'mu': ('prescribed.mu', 'prescribed.mu_size', (('=1.0', 'dprescribed'),)),
         },
         states=(),
+        table=('time', 'dprescribed', 0),
+    ),
+    'callable': Fragment(
+        words=(),
+        inputs=(),
+        optional=(),
+        scalar=(
+            ('abs', 'callable.mu_size', 'callable.VALUE'),
+            ('set', 'callable.mu', 'callable.VALUE'),
+        ),
+        series=(
+            ('sqr', 'x*x', 'x'),
+            ('mul', 'x*x*x', 'x*x', 'x'),
+            ('mul', 'x*x*x*x', 'x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x', 'x*x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x*x', 'x*x*x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x*x*x', 'x*x*x*x*x*x', 'x'),
+        ),
+        adds={
+            'mu': ('callable.mu', 'callable.mu_size', (('callable.Q1', 'x'), ('callable.Q2', 'x*x'), ('callable.Q3', 'x*x*x'), ('callable.Q4', 'x*x*x*x'), ('callable.Q5', 'x*x*x*x*x'), ('callable.Q6', 'x*x*x*x*x*x'), ('callable.Q7', 'x*x*x*x*x*x*x'))),
+        },
+        states=(),
+        table=('slip', 'x', 7),
     ),
     'product': Fragment(
         words=(),
@@ -459,6 +512,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('product.mu', 'product.mu_size', (('slip_mu_0', 'drate_mu'), ('=1.0', 'drate_mu*dslip_mu'), ('rate_mu_0', 'dslip_mu'))),
         },
         states=(),
+        table=None,
     ),
     'balance': Fragment(
         words=(),
@@ -504,5 +558,6 @@ FRAGMENTS: dict[str, Fragment] = {
         ),
         adds={},
         states=(),
+        table=None,
     ),
 }

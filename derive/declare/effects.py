@@ -85,7 +85,8 @@ class Law:
 
     ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names; ``drop``, of a law of slip, is its fall from
     `SLIP` to `SLIP` + `MORE`, without cancellation, proved equal to it. ``scale`` names the length over which it
-    changes, ``kinks`` the slips at which it is not smooth. A law without formula (a table) is computed by the runtime.
+    changes, ``kinks`` the slips at which it is not smooth. A law without formula (a table) is computed by the runtime,
+    in pieces that are polynomials of this ``degree`` in the slip or in the logarithm of the speed.
     """
 
     name: str
@@ -97,6 +98,7 @@ class Law:
     drop: sp.Expr | None = None
     scale: str = ""
     kinks: tuple[str, ...] = ()
+    degree: int = 0
 
 
 _INFINITY = float("inf")
@@ -117,20 +119,20 @@ _EXP, _HYPERBOLA = sp.exp(-SLIP / _L), 1 / (1 + SLIP / _L)
 
 LAWS = (
     Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)", "angle_deg"),), (),
-        "friction does not change"),
+        "friction does not change", sp.Symbol("coefficient", real=True)),
     Law("exponential", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * _EXP,
         (_P - _R) * _EXP * -Expm1(-MORE / _L), "length"),
     Law("linear", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "falls from peak to residual over the length, then stays", _P + (_R - _P) * sp.Min(SLIP / _L, 1),
-        (_P - _R) * (sp.Min((SLIP + MORE) / _L, 1) - sp.Min(SLIP / _L, 1)), "length", ("length",)),
+        (_P - _R) * (sp.Min((SLIP + MORE) / _L, 1) - sp.Min(SLIP / _L, 1)), "length", ("length",), 1),
     Law("hyperbolic", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "residual + (peak - residual)/(1 + slip/length)", _R + (_P - _R) * _HYPERBOLA,
         (_P - _R) * _HYPERBOLA * (MORE / _L) / (1 + (SLIP + MORE) / _L), "length"),
     Law("tabulated", "Fig. 4-1", (
         Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m", kind="list"),
         _friction("coefficient", "friction coefficients at these slips", "angle_deg", kind="list")),
-        ("slip",), "monotone cubic interpolation in a table, its last value beyond"),
+        ("slip",), "monotone cubic interpolation in a table, its last value beyond", degree=3),
     Law("rate_weakening", "1.14", (
         _friction("peak", "friction coefficient at rest"),
         _friction("residual", "friction coefficient at great speed"),
@@ -140,7 +142,8 @@ LAWS = (
     Law("rate_tabulated", "1.14", (
         Parameter("speed", "m/s", 0.0, _INFINITY, "speeds of the table, increasing", "speed_m_s", kind="list"),
         _friction("coefficient", "friction coefficients at these speeds", "angle_deg", kind="list")),
-        ("speed",), "monotone cubic interpolation in the logarithm of the speed, the end values beyond"),
+        ("speed",), "monotone cubic interpolation in the logarithm of the speed, the end values beyond",
+        degree=3),
     Law("prescribed", "1.14", (
         Parameter("time", "s", _BELOW_0, _INFINITY, "times of the table, increasing", "time_s", kind="list"),
         _friction("coefficient", "friction coefficients at these times", "angle_deg", kind="list")),

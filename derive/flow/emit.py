@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from derive.flow.fragments import CELLS, QUANTITIES, STATES, fragments
+from derive.flow.fragments import CELLS, QUANTITIES, fragments
 from derive.flow.lowering import Fragment
 
 _HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
@@ -18,7 +18,8 @@ class Fragment(NamedTuple):
     """Operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``states`` are series with those of their rates.
+    of (number, series). ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the
+    series of its argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -28,6 +29,7 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
+    table: tuple[str, str, int] | None = None
 
 
 '''
@@ -35,9 +37,9 @@ class Fragment(NamedTuple):
 
 def module() -> str:
     """The module's text."""
-    text = [_HEAD, "# Cells that every program has, first and in this order.\nCELLS = {\n"]
+    text = [_HEAD, "# Cells that every program has, first and in this order.\nMEANINGS = {\n"]
     text += [f"    {name!r}: {words!r},\n" for name, words in CELLS.items()]
-    text += ["}\n\n", f"STATES = {STATES!r}\nQUANTITIES = {QUANTITIES!r}\n\n"]
+    text += ["}\nCELLS = tuple(MEANINGS)\n\n", f"QUANTITIES = {QUANTITIES!r}\n\n"]
     text += ["FRAGMENTS: dict[str, Fragment] = {\n", *(_fragment(f) for f in fragments()), "}\n"]
     return "".join(text)
 
@@ -56,5 +58,5 @@ def _fragment(f: Fragment) -> str:
         + _lines("scalar", f.scalar)
         + _lines("series", f.series)
         + (f"        adds={{\n{adds}        }},\n" if adds else "        adds={},\n")
-        + f"        states={f.states!r},\n    ),\n"
+        + f"        states={f.states!r},\n        table={f.table!r},\n    ),\n"
     )

@@ -29,8 +29,9 @@ CELLS = {
     "REACH_ROTATION": "that rotation", "END_ROTATION": "rotation at the end", "END_OMEGA": "omega* then, signed",
     "END_RATE": "d omega*/dt* then, signed", "FIRST_STOP": "t* of the first standstill",
     "CLOSE": "least margin of a decision at rest, over its terms", "LIFT_TIME": "t* of the first lift-off",
+    "PASSED": "what the phase began by passing", "REST_SINCE": "t* of the standstill that it rests from",
+    "x": "rotation since the phase began, in the direction of travel", "omega": "its rate, omega*",
 }  # fmt: skip
-STATES = ("x", "omega")  # rotation since the phase began and angular velocity, in the direction of travel
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
 
 DIRECTION, ROTATION, BEGAN, GRIP = (cell(x) for x in ("DIRECTION", "ROTATION", "SLIP", "grip"))
@@ -81,7 +82,7 @@ def moving(effect: Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Incre
             if p.symbol is not None:
                 sign = signs.get(p.symbol, ONE)
                 found[p.symbol] = (sign * p.symbol, series(f"d{p.symbol}", sign) if p.kind == "series" else {})
-        found |= {x: (x, series(f"d{x}")) for x in effect.given}
+        found |= {x: (cell(f"{x}_0"), series(f"d{x}")) for x in effect.given}
     return found
 
 
@@ -94,31 +95,43 @@ def of_effect(effect: Effect) -> Fragment:
     }  # fmt: skip
     symbols = [p for p in effect.parameters if p.symbol is not None]
     inputs, optional = [str(p.symbol) for p in symbols], [str(p.symbol) for p in symbols if p.optional]
+    for x in effect.given:
+        low.cells |= {f"{x}_less": -x, f"{x}_0": -cell(f"{x}_less")}  # the state's own cell moves on along the phase
+        low.put("lin", f"d{x}", f"{x}_less", (("=1.0", str(x)),))
     low.moving = {**low.moving, **_TOTALS}
     rate = sp.expand(effect.growth * OMEGA).subs(EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
-    return low.fragment((), adds, inputs, optional, {f"d{x}": rate for x in effect.given})
+    return low.fragment((), adds, inputs, optional, {str(x): rate for x in effect.given})
 
 
 # Of the rate of a state, in full: no base to subtract.
 _TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 
 
+# A Python function of slip, which the runtime turns into pieces.
+CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of slip", degree=7)
+
+
 def of_law(law: Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
-    low, value = Lowering(law.name, moving()), cell("VALUE")
+    low = Lowering(law.name, moving())
     if law.coefficient is not None and not law.kinks:
-        return low.fragment((), {"mu": law.coefficient}, [p.name for p in law.parameters])
-    if not law.depends_on:
-        return low.fragment((), {"mu": cell("coefficient")}, ["coefficient"])
+        own = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
+        return low.fragment((), {"mu": law.coefficient.xreplace(own)}, map(str, own.values()))
+    value = cell(f"{law.name}.VALUE")
+    if law.depends_on == ("time",):
+        low.moving = {value: (value, series(f"d{law.name}"))}
+        return low.fragment((), {"mu": value}, table=("time", f"d{law.name}", 0))
+    argument = "x"
     if law.depends_on == ("speed",):
         # The logarithm of the speed over that where the phase began. The first piece, below the table, is constant.
-        beyond, start = cell("beyond"), cell("start_speed")
-        low.cells |= {"beyond": Select(0, cell("PIECE"), 1, 0), "start_speed": Select(0, beyond, cell("omega"), 1)}
+        argument, beyond, start = "log_speed", cell("beyond"), cell("start_speed")
+        low.cells["beyond"] = Select(0, cell(f"{law.name}.PIECE"), 1, 0)
+        low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
         low.put("lin", "relative_speed", low.cell(-beyond), ((low.cell(beyond / start), "omega"),))
-        low.put("log", "argument", "relative_speed")
-    argument = {"slip": "x", "speed": "argument", "time": "time"}[law.depends_on[0]]
-    low.moving = {value: (value, series(f"table({argument})"))}
-    return low.fragment((), {"mu": value})
+        low.put("log", argument, "relative_speed")
+    powers = {(argument,) * k: cell(f"{law.name}.Q{k}") for k in range(1, law.degree + 1)}
+    low.moving = {value: (value, powers)}
+    return low.fragment((), {"mu": value}, table=(law.depends_on[0], argument, law.degree))
 
 
 def gravity() -> Fragment:
@@ -184,6 +197,6 @@ def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -
     """All fragments, of these effects and laws."""
     yield gravity()
     yield from (rotation(e) if e.turns else of_effect(e) for e in effects)
-    yield from (of_law(law) for law in laws)
+    yield from (of_law(law) for law in (*laws, CALLABLE))
     yield product()
     yield balance()

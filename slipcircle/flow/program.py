@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from generated.flow import CELLS, FRAGMENTS, QUANTITIES, STATES
+from generated.flow import CELLS, FRAGMENTS, QUANTITIES
 
 TABLE_CELLS = ("PIECE", "VALUE", "INC", "UPPER", "LOWER", "SCALE", "FACTOR")  # then Q1 to Q of the degree
 ZERO, ONE, MINUS = "=0.0", "=1.0", "=-1.0"
@@ -43,7 +43,7 @@ class Program:
     states: tuple[tuple[int, int, int], ...]
     tables: tuple[Table, ...]
     roles: Mapping[str, int]
-    constants: Mapping[int, float]
+    constants: Mapping[str, float]
 
 
 @dataclass
@@ -132,44 +132,30 @@ class _Linker:
             self.series = {key if op == outer else op: d for op, d in self.series.items()}
 
 
+# Cells that the walk reads, by role: what drives and the size of its terms, what presses, and the weight's components.
+OUTPUTS = {"cell_drive": "drive", "cell_drive_scale": "drive_scale", "cell_normal0": "normal_0", "cell_f0": "fall_0",
+           "cell_p0": "press_0", "cell_ps0": "press_slope_0"}  # fmt: skip
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}
 
 
-def _powers(link: _Linker, argument: str, table: str, degree: int) -> None:
-    """The polynomial of a table's piece in a register, without its constant."""
-    powers = [argument]
-    for i in range(2, degree + 1):
-        powers.append(f"{argument}^{i}")
-        link.registers[powers[-1]] = (
-            ("sqr", powers[-1], powers[i // 2 - 1]) if i % 2 == 0 else ("mul", powers[-1], powers[-2], argument)
-        )
-    terms = tuple((f"{table}.Q{i}", power) for i, power in enumerate(powers, 1))
-    link.registers[f"table({argument})"] = ("lin", f"table({argument})", "", terms)
-
-
-def _load(link: _Linker, name: str, sums: dict[str, list[Any]], renamed: Mapping[str, str]) -> None:
-    """Take a fragment's definitions, under other names where these are given; "*" is a prefix of its inputs."""
+def _load(link: _Linker, name: str, sums: dict[str, list[Any]], friction: str = "mu") -> None:
+    """Take a fragment's definitions; the quantity of a law may be one of two friction coefficients."""
     fragment = FRAGMENTS[name]
-    names = {x: f"{renamed.get('*', '')}{x}" for x in fragment.inputs} | dict(renamed)
-
-    def new(x: Any) -> Any:
-        return names.get(x, x) if isinstance(x, str) else tuple(map(new, x))
-
-    for op, result, *arguments in new(fragment.scalar):
+    for op, result, *arguments in fragment.scalar:
         link.cells[result] = (op, *arguments)
-    for op in new(fragment.series):
-        for result in op[1 : 1 + RESULTS.get(op[0], 1)]:
+    for op in fragment.series:
+        for result in op[1 : 1 + RESULTS.get(str(op[0]), 1)]:
             link.registers[result] = op
     for quantity, added in fragment.adds.items():
-        sums.setdefault(names.get(quantity, quantity), []).append(new(added))
+        sums.setdefault(friction if quantity == "mu" else quantity, []).append(added)
 
 
 @lru_cache(maxsize=256)
 def join(
     effects: tuple[str, ...],
-    laws: tuple[tuple[str, int], ...],
-    constant: tuple[str, ...] = (),
-    moving: tuple[tuple[str, int], ...] = (),
+    laws: tuple[str, ...],
+    moving: tuple[str, ...] = (),
+    absent: tuple[str, ...] = (),
     asked: tuple[str, ...] = (),
 ) -> Program:
     """The program of a scene.
@@ -178,13 +164,12 @@ def join(
     ----------
     effects : tuple of str
         Names, as in `generated.effects.EFFECTS`.
-    laws : tuple of (str, int)
-        The friction law, as in `generated.effects.LAWS`, and the law of speed that multiplies it, if any; each with
-        the degree of its table's pieces, 0 where it has none.
-    constant : tuple of str
-        Symbols of optional parameters that are given as numbers; those that are not given are left out.
-    moving : tuple of (str, int)
-        Symbols of parameters that are tables of time, with the degree of their pieces.
+    laws : tuple of str
+        The friction law, as in `generated.effects.LAWS` or "callable", and the law of speed that multiplies it, if any.
+    moving : tuple of str
+        Symbols of parameters that are functions of time.
+    absent : tuple of str
+        Symbols of optional parameters that are not given, and left out.
     asked : tuple of str
         What else to compute: ``mu``.
 
@@ -192,38 +177,26 @@ def join(
     -------
     Program
     """
-    link, sums, tables = _Linker(), {}, []  # type: ignore[var-annotated]
-    _load(link, "gravity", sums, {})
-    for name in effects:
-        _load(link, name, sums, {})
-    given = [x for f in (*effects, "gravity") for x in FRAGMENTS[f].inputs]
-    for slot, (name, degree) in enumerate(laws):
-        table = ("friction", "rate")[slot]
-        renamed = {"VALUE": f"{table}.VALUE", "PIECE": f"{table}.PIECE", "*": ("", "rate.")[slot]}
-        if len(laws) > 1:
-            renamed |= {"mu": ("slip_mu", "rate_mu")[slot]}
-        _load(link, name, sums, renamed)
-        given += [renamed["*"] + x for x in FRAGMENTS[name].inputs]
-        if degree:
-            found = [r for _, _, terms in sums[renamed.get("mu", "mu")] for _, r in terms]
-            argument = found[0].removeprefix("table(").removesuffix(")")
-            if argument == "time":
-                link.registers[found[0]] = ("ramp", found[0], table)
-                tables.append((table, "time", found[0], degree))
-            else:
-                _powers(link, argument, table, degree)
-                tables.append((table, "slip" if argument == "x" else "speed", argument, degree))
+    link, sums, tables = _Linker(), dict[str, list[Any]](), list[tuple[str, str, str, int]]()
+    for name in ("gravity", *effects):
+        _load(link, name, sums)
+    for slot, name in enumerate(laws):
+        _load(link, name, sums, "mu" if len(laws) == 1 else ("slip_mu", "rate_mu")[slot])
+        if table := FRAGMENTS[name].table:
+            tables.append((name, *table))
     if len(laws) > 1:
-        _load(link, "product", sums, {})
-    _load(link, "balance", sums, {})
-    for symbol, degree in moving:
-        link.registers[f"d{symbol}"] = ("ramp", f"d{symbol}", symbol)
+        _load(link, "product", sums)
+    _load(link, "balance", sums)
+    for symbol in moving:
         link.cells[symbol] = ("set", f"{symbol}.VALUE")
-        tables.append((symbol, "time", f"d{symbol}", degree))
-    for symbol in {x for name in effects for x in FRAGMENTS[name].optional} - {*constant, *(x for x, _ in moving)}:
-        link.cells[symbol] = ("set", ZERO)
-    given = ["level", "polar", *(x for x in given if x not in link.cells)]
-    return _link(link, sums, effects, given, tables, asked)
+        tables.append((symbol, "time", f"d{symbol}", 0))
+    for name, kind, register, _ in tables:
+        if kind == "time":
+            link.registers[register] = ("ramp", register, name)
+    link.cells |= dict.fromkeys(absent, ("set", ZERO))
+    chosen = ("gravity", *effects, *laws)
+    given = ["level", "polar", *(x for name in chosen for x in FRAGMENTS[name].inputs if x not in link.cells)]
+    return _link(link, sums, chosen, given, tables, asked)
 
 
 def _link(
@@ -245,9 +218,9 @@ def _link(
         terms = tuple(term for added in sums.get(quantity, ()) for term in added[2])
         link.registers[f"d{quantity}"] = ("lin", f"d{quantity}", "", terms)
     rates = {"x": "omega", "omega": "net"} | {s: r for name in chosen for s, r in FRAGMENTS[name].states}
-    further = [s for s in rates if s not in STATES]
+    further = [s for s in rates if s not in ("x", "omega")]
     table_cells = {f"{t}.{c}": None for t, _, _, d in tables for c in (*TABLE_CELLS, *(f"Q{i + 1}" for i in range(d)))}
-    fixed = dict.fromkeys((*CELLS, *rates, *(s[1:] for s in further), *given, *table_cells))
+    fixed = dict.fromkeys((*CELLS, *further, *given, *table_cells))
     link.known |= {x: x for x in fixed}
     link.made |= {x: x for x in rates}
     wanted = {role: link.register(role) for role in ("net", "normal", "upright", *asked)}
@@ -255,7 +228,7 @@ def _link(
     wanted = {role: None if r in still and role != "net" else r for role, r in wanted.items()}
     kept = [link.register(x) for x in (*rates.values(), *(a for _, _, a, _ in tables))]
     link.flatten({r for r in (*wanted.values(), *kept) if r})
-    outputs = {role: link.cell(role) for role in ("drive", "drive_scale", "normal_0")}
+    outputs = {role: link.cell(role) for role in OUTPUTS.values()}
     # What nothing needs is left out, from the last operation back.
     need = {r for r in (*wanted.values(), *kept) if r} | set(rates)
     series = []
@@ -271,7 +244,6 @@ def _link(
         if name in used:
             scalar.append((op[0], name, *op[1:]))
             used |= set(op[1:])
-    scalar += [x for s in reversed(further) for x in (("sub", s, s, s), ("add", s[1:], s[1:], s))]
     scalar.reverse()
     registers = [*rates, *(x for _, made in series for x in made)]
     numbers = sorted({x for op in scalar for x in op[1:] if x.startswith("=")} | {x for x in used if x.startswith("=")})
@@ -286,7 +258,7 @@ def _link(
             return (kind, *at, -1 if names[0] == ZERO else c[names[0]], tuple((c[a], r[b]) for a, b in names[1]))
         return (kind, *at, *((places[names[0]],) if kind == "ramp" else (r[x] if x in r else c[x] for x in names)))
 
-    roles = {x: r[x] for x in STATES} | {role: r[name] if name else -1 for role, name in wanted.items()}
+    roles = {x: r[x] for x in ("x", "omega")} | {role: r[name] if name else -1 for role, name in wanted.items()}
     return Program(
         cells=tuple(cells),
         registers=tuple(registers),
@@ -294,6 +266,6 @@ def _link(
         series=tuple(indexed(op, made) for op, made in series),
         states=tuple((c[s], r[s], r[str(link.made[rate])]) for s, rate in rates.items()),
         tables=tuple(Table(t, kind, r[str(link.made[a])], c[f"{t}.PIECE"], d) for t, kind, a, d in tables),
-        roles=roles | {f"cell_{role}": c[name] for role, name in outputs.items()},
-        constants={c[x]: float(x[1:]) for x in numbers},
+        roles=roles | {role: c[outputs[name]] for role, name in OUTPUTS.items()},
+        constants={x: float(x[1:]) for x in numbers},
     )
