@@ -16,6 +16,7 @@ from derive.check import certificates, certify
 from derive.check.rounding import Record
 from derive.code import emit, emit_c, functions
 from derive.flow import emit as flow
+from derive.flow import series
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -43,6 +44,7 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "motion.py": emit.module(MOTION, motion),
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
+        "series.py": series.numpy_text(),
         "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs()),
         "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
         "tiers.py": tiers_module(proved, digest_of(c_source)),

@@ -79,3 +79,15 @@ def first(series: Iterable[Sequence[Any]], values: Mapping[str, sp.Expr], cells:
         known |= {a: number(x) for a, x in zip(o.numbers, arguments[len(o.arguments) :], strict=True)}
         found |= {x: start.subs(known) for x, start in zip(results, o.start, strict=True)}
     return found
+
+
+# Operations on cells: how many arguments (a, b, e), in C over vectors of lanes, and in NumPy.
+SCALARS = {
+    "add": (2, "a + b", "np.add"), "sub": (2, "a - b", "np.subtract"), "mul": (2, "a * b", "np.multiply"),
+    "div": (2, "a / b", "np.divide"), "neg": (1, "-a", "np.negative"),
+    **{x: (1, f"IN(map)({x}, a)", f"np.{x}") for x in ("sin", "cos", "tan", "exp", "expm1", "log", "log1p", "sqrt")},
+    "abs": (1, "IN(choose)(a < 0.0, -a, a)", "np.abs"), "min": (2, "IN(choose)(a < b, a, b)", "np.minimum"),
+    "max": (2, "IN(choose)(a < b, b, a)", "np.maximum"),
+    "less": (2, "IN(choose)(a < b, (V){0} + 1.0, (V){0})", "_less"),
+    "select": (3, "IN(choose)(a > 0.0, b, e)", "_select"),
+}  # fmt: skip

@@ -1,0 +1,175 @@
+# Written by `python -m derive` with SymPy 1.14.0; do not edit.
+# sha256 of the text below: 6e6b5410d6d123d0dd7cafa5e4965ce200e62ec08b9ad6dd5b6d504356b6c55c
+"""The operations of flow programs, in NumPy: on numbers where a phase begins, and on the series along it."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+# Codes of the operations on series and on cells, as the compiled walk knows them.
+SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
+SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9, 'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
+
+
+def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
+    """Do the operations on cells, (cells, lanes), in place."""
+    for name, d, *arguments in operations:
+        _SCALARS[name](*(c[i] for i in arguments), out=c[d])
+
+
+def series_ops(operations: Sequence[tuple[Any, ...]], r: Floats, c: Floats, n: int) -> None:
+    """Fill coefficient n of all registers, (registers, orders, lanes), from those below and from the states' and tables' own."""
+    for name, *names in operations:
+        if name == "lin":
+            d, constant, terms = names
+            total = r[d, n]
+            if terms:
+                (cell, register), *rest = terms
+                np.multiply(c[cell], r[register, n], out=total)
+                for cell, register in rest:
+                    total += c[cell] * r[register, n]
+            else:
+                total[...] = 0.0
+            if n == 0 and constant >= 0:
+                total += c[constant]
+        elif name != "ramp":
+            _SERIES[name](r, c, n, *names)
+
+
+def _less(a: Floats, b: Floats, out: Floats) -> None:
+    out[...] = a < b
+
+
+def _select(a: Floats, b: Floats, e: Floats, out: Floats) -> None:
+    out[...] = np.where(a > 0.0, b, e)
+
+
+def _over(a: Floats, b: Floats, n: int, first: int, last: int) -> Any:
+    """The sum of a[k] b[n - k] from k = first to last."""
+    return np.einsum("kl,kl->l", a[first : last + 1], b[n - last : n - first + 1][::-1])
+
+
+def _mul(r: Floats, c: Floats, n: int, d_: int, a_: int, b_: int) -> None:
+    """d = a*b."""
+    d, a, b = r[d_], r[a_], r[b_]
+    if n == 0:
+        d[0] = a[0] * b[0]
+    else:
+        sum0 = _over(a, b, n, 0, n)
+        d[n] = sum0
+
+
+def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
+    """d = a**2."""
+    d, a = r[d_], r[a_]
+    if n == 0:
+        d[0] = a[0] * a[0]
+    else:
+        sum0 = 2.0 * _over(a, a, n, 0, (n - 1) // 2) + (a[n // 2] ** 2 if n % 2 == 0 else 0.0)
+        d[n] = sum0
+
+
+def _tim(r: Floats, c: Floats, n: int, q_: int, a_: int) -> None:
+    """q = t*Derivative(a, t)."""
+    q, a = r[q_], r[a_]
+    if n == 0:
+        q[0] = 0.0
+    else:
+        q[n] = a[n] * n
+
+
+def _turn(r: Floats, c: Floats, n: int, s_: int, v_: int, q_: int, x_: int) -> None:
+    """s = sin(x), v = 1 - cos(x)."""
+    s, v, q, x = r[s_], r[v_], r[q_], r[x_]
+    if n == 0:
+        f0 = np.sin(x[0])
+        f1 = np.sin(0.5 * x[0])
+        s[0] = f0
+        v[0] = 2.0 * f1 * f1
+    else:
+        sum0 = _over(q, s, n, 1, n)
+        sum1 = _over(q, v, n, 1, n)
+        s[n] = (q[n] - sum1) * (1.0 / n)
+        v[n] = sum0 * (1.0 / n)
+
+
+def _exp(r: Floats, c: Floats, n: int, e_: int, m_: int, q_: int, z_: int) -> None:
+    """e = exp(z), m = exp(z) - 1."""
+    e, m, q, z = r[e_], r[m_], r[q_], r[z_]
+    if n == 0:
+        f0 = np.expm1(z[0])
+        f1 = np.exp(z[0])
+        e[0] = f1
+        m[0] = f0
+    else:
+        sum0 = _over(q, e, n, 1, n)
+        e[n] = sum0 * (1.0 / n)
+        m[n] = e[n]
+
+
+def _rec(r: Floats, c: Floats, n: int, h_: int, m_: int, z_: int) -> None:
+    """h = 1/(z + 1), m = -1 + 1/(z + 1)."""
+    h, m, z = r[h_], r[m_], r[z_]
+    if n == 0:
+        h[0] = 1.0 / (1.0 + z[0])
+        m[0] = -z[0] / (1.0 + z[0])
+    else:
+        sum0 = _over(z, h, n, 1, n)
+        h[n] = -sum0 * h[0]
+        m[n] = h[n]
+
+
+def _log(r: Floats, c: Floats, n: int, l_: int, z_: int) -> None:
+    """l = log(z + 1)."""
+    l, z = r[l_], r[z_]
+    if n == 0:
+        f0 = np.log1p(z[0])
+        l[0] = f0
+    else:
+        k = np.arange(n + 1.0)[:, None]
+        sum0 = _over(k * l[: n + 1], z, n, 1, n - 1)
+        l[n] = (z[n] - sum0 * (1.0 / n)) / (1.0 + z[0])
+
+
+def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -> None:
+    """p = (z + 1)**power, m = (z + 1)**power - 1."""
+    p, m, z = r[p_], r[m_], r[z_]
+    power = c[power_]
+    if n == 0:
+        f0 = np.log1p(z[0])
+        f1 = np.expm1(f0 * power)
+        p[0] = (1.0 + f1)
+        m[0] = f1
+    else:
+        k = np.arange(n + 1.0)[:, None]
+        sum0 = _over((k + k * power - n) * z[: n + 1], p, n, 1, n)
+        p[n] = sum0 / (1.0 + z[0]) * (1.0 / n)
+        m[n] = p[n]
+
+
+
+_SERIES = {"mul": _mul, "sqr": _sqr, "tim": _tim, "turn": _turn, "exp": _exp, "rec": _rec, "log": _log, "pow": _pow}
+_SCALARS: dict[str, Any] = {
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "div": np.divide,
+    "neg": np.negative,
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+    "exp": np.exp,
+    "expm1": np.expm1,
+    "log": np.log,
+    "log1p": np.log1p,
+    "sqrt": np.sqrt,
+    "abs": np.abs,
+    "min": np.minimum,
+    "max": np.maximum,
+    "less": _less,
+    "select": _select,
+}
