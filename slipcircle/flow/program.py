@@ -4,7 +4,7 @@ Joining is linking: names become indices, what is nothing (a frozen mass does no
 is left out with all that it is a factor of, equal operations are done once, and sums of sums become one.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -28,7 +28,7 @@ class Table:
     degree: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Program:
     """Cells and registers by name, operations on cells and on series by their indices, and who plays which role.
 
@@ -52,6 +52,7 @@ class _Linker:
 
     cells: dict[str, tuple[str, ...]] = field(default_factory=dict)
     registers: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+    kept: set[str] = field(default_factory=set)  # registers that more than sums are made of
     known: dict[str, str] = field(default_factory=dict)  # canonical cell by name
     made: dict[str, str | None] = field(default_factory=dict)  # canonical register by name; None is nothing
     scalar: dict[tuple[str, ...], str] = field(default_factory=dict)
@@ -81,60 +82,63 @@ class _Linker:
                 return MINUS
         return self.scalar.setdefault((op, *a), name or f"cell{len(self.scalar)}")
 
-    def register(self, name: str) -> str | None:
-        """The register that a name stands for; None where it is nothing."""
+    def nothing(self, name: str) -> bool:
+        """Whether a register is nothing: undefined, or a product with or a sum of nothing."""
         if name not in self.made:
-            op, *names = self.registers.get(name, ("nothing",))
-            self.made[name] = None if op == "nothing" else self.operate(name, op, names)
+            op, *names = self.registers.get(name, ("sum", "", "", ()))
+            if op in ("sum", "lin"):
+                absent = not names[1] and all(self.cell(c) == ZERO or self.nothing(r) for c, r in names[2])
+            else:
+                absent = op != "ramp" and any(map(self.nothing, self.arguments(op, names)))
+            if not absent:
+                return False
+            self.made[name] = None
+        return self.made[name] is None
+
+    @staticmethod
+    def arguments(op: str, names: list[Any]) -> list[str]:
+        """The registers among the names of an operation that are no results."""
+        return list(names[RESULTS.get(op, 1) : -1 if op == "pow" else None])
+
+    def register(self, name: str) -> str | None:
+        """The register that a name stands for, made if need be; None where it is nothing."""
+        if not self.nothing(name) and name not in self.made:
+            op, *names = self.registers[name]
+            if op == "lin":
+                self.made[name] = self.sum(name, self.cell(names[1]) if names[1] else ZERO, names[2])
+            else:
+                results, arguments = names[: RESULTS.get(op, 1)], [*map(self.register, self.arguments(op, names))]
+                numbers = [self.cell(names[-1])] if op == "pow" else names[1:] if op == "ramp" else []
+                made = self.series.setdefault((op, *(numbers if op == "ramp" else [*arguments, *numbers])), tuple(results))
+                self.made[name] = made[results.index(name)]
         return self.made[name]
 
-    def operate(self, name: str, op: str, names: list[Any]) -> str | None:
-        """An operation on series, or what is known to come of it."""
-        if op == "lin":
-            _, constant, terms = names
-            return self.sum(name, self.cell(constant) if constant else ZERO, terms)
-        results, arguments = names[: RESULTS.get(op, 1)], names[RESULTS.get(op, 1) :]
-        numbers = [self.cell(arguments.pop())] if op == "pow" else []
-        found = [x if op == "ramp" else self.register(x) for x in arguments]
-        if any(x is None for x in found):
-            return None
-        key = (op, *found, *numbers)
-        made = self.series.setdefault(key, tuple(results))
-        return made[results.index(name)]
+    def terms(self, terms: Iterable[tuple[str, str]], factor: str = ONE) -> Iterator[tuple[str, str]]:
+        """A sum's cells and registers, those of sums that only sums are made of in their place."""
+        for c, r in terms:
+            cell = self.compute("mul", factor, self.cell(c))
+            if cell != ZERO and not self.nothing(r):
+                op, *names = self.registers.get(r, ("state",))
+                if op == "lin" and not names[1] and r not in self.kept:
+                    yield from self.terms(names[2], cell)
+                else:
+                    yield cell, str(self.register(r))
 
-    def sum(self, name: str, constant: str, terms: Iterable[tuple[str, str]]) -> str | None:
+    def sum(self, name: str, constant: str, terms: Iterable[tuple[str, str]]) -> str:
         """A sum of cells times registers, each register once."""
         factors: dict[str, str] = {}
-        for c, r in terms:
-            coefficient, register = self.cell(c), self.register(r)
-            if register is not None and coefficient != ZERO:
-                factors[register] = self.compute("add", factors.get(register, ZERO), coefficient)
-        if constant == ZERO and not factors:
-            return None
+        for cell, register in self.terms(terms):
+            factors[register] = self.compute("add", factors.get(register, ZERO), cell)
         if constant == ZERO and [*factors.values()] == [ONE]:
             return next(iter(factors))
         return self.series.setdefault(("lin", constant, tuple(sorted((c, r) for r, c in factors.items()))), (name,))[0]
 
-    def flatten(self, kept: set[str]) -> None:
-        """Put sums that only sums are made of into these."""
-        while True:
-            sums = {d[0]: op[2] for op, d in self.series.items() if op[0] == "lin" and op[1] == ZERO}
-            factors = {r for op in self.series for r in op[1:] if op[0] != "lin"}
-            inner = {d: terms for d, terms in sums.items() if d not in factors | kept}
-            outer = next((op for op in self.series if op[0] == "lin" and any(r in inner for _, r in op[2])), None)
-            if outer is None:
-                break
-            terms: dict[str, str] = {}
-            for c, r in outer[2]:
-                for c2, r2 in inner.get(r, ((ONE, r),)):
-                    terms[r2] = self.compute("add", terms.get(r2, ZERO), self.compute("mul", c, c2))
-            key = ("lin", outer[1], tuple(sorted((c, r) for r, c in terms.items())))
-            self.series = {key if op == outer else op: d for op, d in self.series.items()}
-
 
 # Cells that the walk reads, by role: what drives and the size of its terms, what presses, and the weight's components.
 OUTPUTS = {"cell_drive": "drive", "cell_drive_scale": "drive_scale", "cell_normal0": "normal_0", "cell_f0": "fall_0",
-           "cell_p0": "press_0", "cell_ps0": "press_slope_0"}  # fmt: skip
+           "cell_p0": "press_0", "cell_ps0": "press_slope_0", "cell_driving": "driving_0",
+           "cell_resisting": "resisting_0", "cell_mu": "mu_0"}  # fmt: skip
+ROLES = ("net", "normal", "upright")  # registers that the walk reads
 RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}
 
 
@@ -223,11 +227,15 @@ def _link(
     fixed = dict.fromkeys((*CELLS, *further, *given, *table_cells))
     link.known |= {x: x for x in fixed}
     link.made |= {x: x for x in rates}
-    wanted = {role: link.register(role) for role in ("net", "normal", "upright", *asked)}
-    still = {made[0] for op, made in link.series.items() if op[0] == "lin" and not op[2]}  # as where the phase began
-    wanted = {role: None if r in still and role != "net" else r for role, r in wanted.items()}
-    kept = [link.register(x) for x in (*rates.values(), *(a for _, _, a, _ in tables))]
-    link.flatten({r for r in (*wanted.values(), *kept) if r})
+    roots = [*rates.values(), *(a for _, _, a, _ in tables), *ROLES, *asked]
+    link.kept.update(roots)
+    for name, (op, *names) in link.registers.items():
+        if op != "lin" and not link.nothing(name):
+            link.kept.update(link.arguments(op, names))
+    made = {x: link.register(x) for x in roots}
+    still = {d[0] for op, d in link.series.items() if op[0] == "lin" and not op[2]}  # as where the phase began
+    wanted = {role: None if made[role] in still and role != "net" else made[role] for role in (*ROLES, *asked)}
+    kept = [made[x] for x in roots if x not in wanted]
     outputs = {role: link.cell(role) for role in OUTPUTS.values()}
     # What nothing needs is left out, from the last operation back.
     need = {r for r in (*wanted.values(), *kept) if r} | set(rates)

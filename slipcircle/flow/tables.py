@@ -1,0 +1,155 @@
+"""Functions in pieces, as the flow walks them: friction laws by table, records, pulses, and functions given in Python."""
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Floats = NDArray[np.float64]
+
+
+class Data(NamedTuple):
+    """A function in pieces: piece k begins at ``breaks[k]``, with ``coefficients[k]`` in powers of what is beyond it.
+
+    The first piece holds before its break too, the last one for ever. ``jumps`` are what a function of time leaps by on
+    entering a piece. A ``sine`` has amplitude, rate and phase for coefficients. Of an ``open`` table, that of a Python
+    function, the last piece is not known yet.
+    """
+
+    breaks: Floats
+    coefficients: Floats  # (pieces, terms), or (pieces, terms, lanes)
+    jumps: Floats
+    sine: bool = False
+    open: bool = False
+
+    def lanes(self, which: Any) -> "Data":
+        """For some of the lanes."""
+        return self._replace(coefficients=self.coefficients[..., which]) if self.coefficients.ndim == 3 else self
+
+    def polynomial(self, piece: NDArray[np.intp]) -> Floats:
+        """Coefficients of each lane's piece, (terms, lanes)."""
+        if self.coefficients.ndim == 3:
+            return np.asarray(self.coefficients[piece, :, np.arange(piece.size)].T)
+        return np.asarray(self.coefficients[piece].T)
+
+
+def ramp(peak: ArrayLike, residual: ArrayLike) -> Data:
+    """From one value to another over a unit, then exactly the other: the linear law, over its length."""
+    peak, residual = np.broadcast_arrays(*map(np.asarray, (peak, residual)))
+    pieces = np.array([[peak, residual - peak], [residual, 0.0 * residual]], dtype=np.float64)
+    return Data(np.array([0.0, 1.0]), pieces, np.zeros(2))
+
+
+def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
+    """Straight lines between samples, and what holds before the first and after the last."""
+    slope = np.diff(values) / np.diff(places)
+    breaks = np.concatenate([[places[0] - 1.0], places])
+    heights = np.concatenate([[before], values[:-1], [after]])
+    slopes = np.concatenate([[0.0], slope, [0.0]])
+    jumps = np.zeros_like(heights)
+    jumps[1], jumps[-1] = values[0] - before, after - values[-1]
+    return Data(breaks, np.stack([heights, slopes], axis=1), jumps)
+
+
+def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
+    """A sine from its start to its end, and nothing before and after."""
+    coefficients = np.array([[0.0, 0.0, 0.0], [amplitude, rate, 0.0], [0.0, 0.0, 0.0]])
+    return Data(np.array([start - 1.0, start, start + duration]), coefficients, np.zeros(3), sine=True)
+
+
+def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data:
+    """Monotone cubic interpolation (Fritsch and Carlson 1980), the last value beyond, smoothly.
+
+    Slopes inside are weighted harmonic means (Fritsch and Butland 1984); the first is the parabola's through three
+    points, limited, or 0.
+    """
+    step, secant = np.diff(places), np.diff(values) / np.diff(places)
+    slope = np.zeros_like(values)
+    if places.size > 2:
+        first, second = 2 * step[1:] + step[:-1], step[1:] + 2 * step[:-1]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            mean = (first + second) / (first / secant[:-1] + second / secant[1:])
+        slope[1:-1] = np.where(secant[:-1] * secant[1:] > 0.0, mean, 0.0)
+    if not smooth_start:
+        slope[0] = secant[0] if places.size == 2 else _first_slope(step[0], step[1], secant[0], secant[1])
+    bend, twist = (3 * secant - 2 * slope[:-1] - slope[1:]) / step, (slope[:-1] + slope[1:] - 2 * secant) / step**2
+    pieces = np.stack([values[:-1], slope[:-1], bend, twist], axis=1)
+    return Data(places, np.vstack([pieces, [values[-1], 0.0, 0.0, 0.0]]), np.zeros(places.size))
+
+
+def _first_slope(near: float, next_: float, first: float, second: float) -> float:
+    """One-sided slope at the table's start that keeps the interpolation monotone."""
+    slope = ((2 * near + next_) * first - near * second) / (near + next_)
+    if slope * first <= 0.0:
+        return 0.0
+    return float(min(slope, 3 * first, key=abs) if first * second <= 0.0 else slope)
+
+
+def of_speed(speeds: Floats, values: Floats) -> Data:
+    """Monotone cubics in the logarithm of the speed, the end values beyond: pieces begin at speeds, the first at 0."""
+    found = monotone(np.log(speeds), values, smooth_start=True)
+    first = np.array([[values[0], 0.0, 0.0, 0.0]])
+    breaks = np.concatenate([[0.0], speeds])
+    return Data(breaks, np.vstack([first, found.coefficients]), np.zeros(breaks.size))
+
+
+# --- functions given in Python ---------------------------------------------------------------------------------------
+
+TERMS = 8  # of a piece
+_NODES = np.cos(np.pi * (np.arange(TERMS) + 0.5) / TERMS)
+_CHECK = np.cos(np.pi * np.arange(2 * TERMS + 1) / (2 * TERMS))
+CLOSE = 1e-13
+NARROWEST = 2.0**-40
+
+
+def sampled(function: Callable[[Any], Any], start: float, length: float, name: str) -> tuple[list[float], list[Floats]]:
+    """Pieces of a function from a place on, each right to 1e-13 of its greatest value, until they fill a length.
+
+    Raises
+    ------
+    ValueError
+        Where it gives no numbers, negative ones, another shape than that of its argument, or is not smooth enough to
+        be followed: says where.
+    """
+    breaks, pieces, left, width = list[float](), list[Floats](), start, length
+    while left < start + length:
+        width = min(width, start + length - left)
+        half = width / 2
+        asked = left + half * (1.0 + np.concatenate([_NODES, _CHECK]))
+        values = _values(function, asked, name)
+        cheb = np.polynomial.chebyshev.chebfit(_NODES, values[:TERMS], TERMS - 1)
+        far = np.abs(np.polynomial.chebyshev.chebval(_CHECK, cheb) - values[TERMS:]).max()
+        if far > CLOSE * np.abs(values).max():
+            width = half
+            if width < NARROWEST * max(start + length, length):
+                raise ValueError(
+                    f"{name}: the function changes too sharply near {left:.17g} to be followed; give a law by name or "
+                    "a table whose kinks are known"
+                )
+            continue
+        poly = np.polynomial.chebyshev.cheb2poly(cheb)
+        # From [-1, 1] to powers of what is beyond the left end.
+        local = np.polynomial.Polynomial(poly)(np.polynomial.Polynomial([-1.0, 1.0 / half])).coef
+        breaks.append(left)
+        pieces.append(np.pad(local, (0, TERMS - local.size)))
+        left += width
+        width *= 2
+    return breaks, pieces
+
+
+def _values(function: Callable[[Any], Any], asked: Floats, name: str) -> Floats:
+    """What a user's function gives, checked."""
+    try:
+        found = np.asarray(function(asked), dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name}: must take an array of numbers and return one; it says: {error}") from error
+    if found.ndim == 0:
+        found = np.full(asked.shape, float(found))
+    if found.shape != asked.shape:
+        raise ValueError(f"{name}: returns shape {found.shape} for an argument of shape {asked.shape}: must be alike")
+    bad = ~np.isfinite(found) | (found < 0.0)
+    if np.any(bad):
+        k = int(np.argmax(bad))
+        raise ValueError(f"{name}({float(asked[k]):.6g}) = {float(found[k])!r}: must be a number of at least 0")
+    return found
