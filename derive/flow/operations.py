@@ -10,6 +10,7 @@ from typing import Any
 
 import sympy as sp
 
+from derive.algebra.integrate import prove_zero
 from derive.algebra.stable import Expm1, Log1p
 
 n, k = sp.symbols("n k", integer=True)
@@ -61,7 +62,47 @@ OPERATIONS = {
 }  # fmt: skip
 
 
-def first(series: Iterable[Sequence[Any]], values: Mapping[str, sp.Expr], cells: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+def prove(order: int = 6) -> list[str]:
+    """Prove each operation's coefficients equal to those of SymPy's own series of what it means; the claims proved."""
+    claims = []
+    for o in OPERATIONS.values():
+        highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
+        coefficients = {x: sp.symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
+        if Z in o.arguments:  # 1 + z begins with a positive number
+            coefficients[Z] = (sp.Symbol("y", positive=True) - 1, *coefficients[Z][1:])
+        if Q in o.arguments:  # the other argument's times its order
+            coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
+        inner = {x: sum(c * _t**i for i, c in enumerate(cs)) for x, cs in coefficients.items()}
+        for x, means in zip(o.results, o.means, strict=True):
+            whole, found = means.subs(inner).doit(), []
+            for i in range(highest + 1):
+                found.append(whole.subs(_t, 0) / sp.factorial(i))
+                whole = sp.diff(whole, _t)
+            coefficients[x] = tuple(found)
+        claim = f"{o.name}: its first coefficients"
+        for x, start in zip(o.results, o.start, strict=True):
+            _vanishes(at(start, coefficients) - coefficients[x][0], claim)
+        for i in range(1, highest + 1):
+            claim = f"{o.name}: coefficient {i}"
+            for x, step in zip(o.results, o.step, strict=True):
+                _vanishes(at(step.subs(n, i).doit(), coefficients) - coefficients[x][i], claim)
+        claims.append(f"{o.name}: {highest + 1} coefficients")
+    return claims
+
+
+def at(e: sp.Expr, coefficients: Mapping[sp.IndexedBase, Sequence[Any]]) -> sp.Expr:
+    """An expression with the coefficients that it names."""
+    return e.xreplace({x: coefficients[x.base][int(x.indices[0])] for x in e.atoms(sp.Indexed)})
+
+
+def _vanishes(e: sp.Expr, claim: str) -> None:
+    e = sp.powsimp(sp.expand(sp.expand(e.rewrite(sp.exp)), power_exp=True))
+    prove_zero(sp.together(e), claim)
+
+
+def first(
+    series: Iterable[Sequence[Any]], values: Mapping[str, sp.Expr], cells: Mapping[str, sp.Expr]
+) -> dict[str, sp.Expr]:
     """Order 0 of every register that operations on series make, from that of the registers they start with."""
     found = dict(values)
 
