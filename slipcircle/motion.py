@@ -1,29 +1,40 @@
-"""The motion of a scene: phases of one direction each, solved by the planned method, and read off at any time."""
+"""The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time."""
 
 import math
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.balance import Balance
 from slipcircle.checks import INFINITY, mistakes, raise_all
-from slipcircle.friction import friction
-from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, STEPPING, Plan
+from slipcircle.flow import walk
+from slipcircle.flow.solve import Lanes
+from slipcircle.plan import Plan
 
 if TYPE_CHECKING:
-    from slipcircle.methods.frozen import Frozen
-    from slipcircle.methods.integrate import Integrated
-    from slipcircle.methods.phaseplane import Course
-    from slipcircle.methods.stepping import Stepped
     from slipcircle.sensitivity import Sensitivity
 
-    Followed: TypeAlias = Course | Frozen | Integrated  # one phase
-    Solved: TypeAlias = Followed | Stepped
-
 Floats = NDArray[np.float64]
+
+
+class Status(IntEnum):
+    """What became of a scene."""
+
+    RESTS = 0  #: it moved, and came to rest without turning back
+    STAYS = 1  #: it does not move
+    MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
+    TURNED = 3  #: it turned back at least once, and came to rest
+    UPRIGHT = 4  #: no answer: the chord stands upright and the mass would hang over
+    ENDLESS = 5  #: no answer: it never rests, or turns back too often
+    FAILED = 6  #: no answer: its numbers overflow
+    INVALID = 7  #: its numbers are no scene
+
+
+ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
 
 @dataclass(frozen=True)
@@ -52,7 +63,7 @@ class Energy:
     Attributes
     ----------
     kinetic_start, kinetic_end, work, dissipation
-        Kinetic energies, work of gravity and shaking, and what all resistance took, by a quadrature of its own.
+        Kinetic energies, work of gravity and shaking, and what all resistance took, integrated beside the motion.
     """
 
     kinetic_start: Any
@@ -66,35 +77,24 @@ class Energy:
         return self.work - (self.kinetic_end - self.kinetic_start) - self.dissipation
 
 
-class Start(NamedTuple):
-    """Where a phase begins: in the direction of travel, dimensionless; slip in m."""
-
-    rotation: float  # of the mass, in its own sense
-    direction: int
-    energy: float  # E = omega**2
-    slip: float
-    lifted: bool  # nothing presses on the slip surface
-    excess: float = 0.0  # pore pressure that heat has added, over sigma_ref
-
-
 class Phase(NamedTuple):
-    """A stretch of motion in one direction: where it begins and ends, dimensionless, and what solves it."""
+    """A stretch of motion in one direction, between two standstills: its times, s, where it begins, and which way."""
 
     start: float
     end: float
     rotation: float
     direction: int
-    solved: "Solved"
-    rests: bool = False  # at its end, at least for a moment
 
 
 class Motion:
-    """A solved scene.
+    """A solved scene; of a scene of arrays, every attribute is an array of its shape, NaN where the status says why.
 
     Attributes
     ----------
     plan : Plan
         How it was solved.
+    status : Status
+        What became of it.
     moves : bool
         Whether the mass moves at all.
     arrested : bool
@@ -103,6 +103,8 @@ class Motion:
         Time from the start to the end, s.
     run_out : float
         Displacement along the arc at the end, m.
+    reach : State
+        Where it is farthest from its start.
     peak, end : State
         At the greatest speed, and at the end.
     limit_friction : float
@@ -111,170 +113,142 @@ class Motion:
         k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
     factor_of_safety : float
         Limit of resistance over drive at the start; infinite without a drive.
-    lift_off : tuple of float
-        Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s; the first
-        of each rest.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
-    energy_error_estimate : float
-        Estimated error of the energy balance, relative to all energy.
     warnings : tuple of str
-        What a user should know; empty where all is well.
+        What a user should know of a single motion; empty where all is well.
     """
 
-    def __init__(self, plan: Plan, balance: Balance, phases: list[Phase], duration: float, arrested: bool) -> None:
-        self.plan, self.balance, self.phases = plan, balance, phases
-        self.moves = bool(phases) and duration > 0.0
-        self.arrested, self.duration, self._scale = arrested, duration, balance.time_scale
-        self.end = self._ended()
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
+        self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
 
-    def _ended(self) -> State:
-        if not self.phases:
-            return self._state(self.duration, 0.0, 0.0, 0.0)
-        last = self.phases[-1]
-        rests = self.arrested or last.rests
-        x, omega, rate = (last.solved.end, 0.0, 0.0) if rests else last.solved.state(last.end - last.start)
-        side = last.direction
-        return self._state(self.duration, last.rotation + side * x, side * omega, side * rate)
+    def __repr__(self) -> str:
+        if self.shape:
+            return f"<{math.prod(self.shape)} motions: {self.count()}>"
+        name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
+        ends = f"rests after {self.duration:.4g} s" if self.arrested else f"still moves after {self.duration:.4g} s"
+        how = f"{self.peak.velocity:.4g} m/s at most, {self.run_out:.4g} m, {ends}" if self.moves else "does not move"
+        return f"<Motion {name}{how}>"
 
     @property
-    def run_out(self) -> float:
-        return float(self.end.displacement)
+    def shape(self) -> tuple[int, ...]:
+        return self.plan.scene.shape
+
+    def _shaped(self, values: Any) -> Any:
+        """One number of each lane, as the scene has them: an array, or a number."""
+        values = np.asarray(values)
+        return values.reshape(self.shape) if self.shape else values[0].item()
+
+    def _of(self, cell: int) -> Floats:
+        return np.asarray(self._cells[cell])
+
+    # --- what became of it -------------------------------------------------------------------------------------------
 
     @cached_property
-    def peak(self) -> State:
-        best, speed = self.end, abs(float(self.end.angular_velocity)) * self._scale
-        for p in self.phases:
-            first = math.sqrt(p.solved.start.energy)
-            begins = [] if first <= speed else [(0.0, *p.solved.state(0.0))]
-            summit = p.solved.fastest()
-            for t, x, omega, rate in [*begins, summit] if summit else begins:
-                if abs(omega) > speed and p.start + t <= p.end:
-                    speed, side = abs(omega), p.direction
-                    time = min((p.start + t) * self._scale, self.duration)
-                    best = self._state(time, p.rotation + side * x, side * omega, side * rate)
-        # Read off again where that costs nothing, so that the state is that of its rounded time.
-        return self._at(best.time) if self.plan.method == CLOSED_IN_TIME else best
-
-    @cached_property
-    def _start(self) -> dict[str, float]:
-        """The position at the start, seen in the direction in which gravity pulls."""
-        return self.balance.position(0.0, -1 if self.balance.fall < 0.0 else 1)
-
-    @property
-    def limit_friction(self) -> float:
-        if float(self.balance.get("normal", **self._start)) <= 0.0:  # lifted: no friction holds it, or none is needed
-            return math.inf if self.balance.drive(self._start, 0.0) > 0.0 else -math.inf
-        return float(self.balance.get("limit_friction", **self._start))
-
-    @property
-    def factor_of_safety(self) -> float:
-        resistance = float(self.balance.get("resistance", **self._start, mu=self._friction, omega_2=0.0))
-        return resistance / self._start["fall"] if self._start["fall"] > 0.0 else math.inf
-
-    @property
-    def yield_coefficient(self) -> float:
-        """k_y: horizontal acceleration over g, down-slope, that the mass just stands at first; below 0 if it moves."""
-        at, mu = self._start, float(friction(self.plan.scene.friction).coefficient(0.0))
-        yields = -self.balance.drive(at, mu) / (at["fall_slope"] - mu * at["press_slope"])
-        if self.balance.get("normal", **at) + yields * at["press_slope"] < 0.0:  # tilted so far, water carries it
-            yields = -self.balance.drive(at, 0.0) / at["fall_slope"]
-        return float(yields) + 0.0
-
-    @property
-    def _friction(self) -> float:
-        """Friction at the start, 0 where nothing presses on the slip surface."""
-        if float(self.balance.get("normal", **self._start)) <= 0.0:
-            return 0.0
-        return float(friction(self.plan.scene.friction).coefficient(0.0))
-
-    @cached_property
-    def lift_off(self) -> tuple[float, ...]:
-        lifted, times = False, list[float]()
-        for p in self.phases:
-            inside = [p.start + float(t) for t in p.solved.lifts]
-            times += [p.start] if p.solved.start.lifted > lifted and not inside else inside
-            lifted = p.solved.start.lifted and not inside
-        return tuple(t * self._scale for t in sorted({*times, *self._lifts_at_rest()}))
-
-    def _lifts_at_rest(self) -> list[float]:
-        """When shaking or water first carries the mass while it rests, for each rest; dimensionless."""
-        from slipcircle.methods.rest import Rest, lift_at_rest
-
-        if self.plan.method == STEPPING and self.phases:  # which walks through the rests as well
-            return []
-        end_time, law = self.plan.scene.end_time, friction(self.plan.scene.friction)
-        end = math.inf if end_time is None else float(np.asarray(end_time)) / self._scale
-        rests = [(Rest(0.0, 0.0), 0.0)]
-        for p in self.phases:  # one that ends lifted has been reported
-            excess = float(p.solved.excess_when(np.array([p.end - p.start]))[0])
-            begin = p.end if p.rests and not p.solved.start.lifted else math.inf
-            rests.append((Rest(p.rotation + p.direction * p.solved.end, 0.0, excess), begin))
-        ends = [*(p.start for p in self.phases), end]
-        found = [lift_at_rest(self.balance, law, r, t, end) for (r, t), end in zip(rests, ends, strict=True) if t < end]
-        return [t for t in found if t is not None]
-
-    @cached_property
-    def _estimates(self) -> tuple[float, float]:
-        from slipcircle.uncertainty import estimate
-
-        return estimate(self)
-
-    @property
-    def error_estimate(self) -> float:
-        return self._estimates[0]
-
-    @property
-    def energy_error_estimate(self) -> float:
-        return self._estimates[1]
-
-    def sensitivity(self) -> "Sensitivity":
-        """Exact derivatives by the scene's parameters, under constant friction: see `slipcircle.sensitivity`.
-
-        Raises
-        ------
-        ValueError
-            If friction is not constant, or the scene exactly at its limit.
-        """
-        from slipcircle.sensitivity import sensitivity
-
-        return sensitivity(self)
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        return tuple(self._warnings())
-
-    def _warnings(self) -> list[str]:
-        times = self.lift_off
-        more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
-        said = times[:1] if more else times
-        found = [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
-        if self.error_estimate > self.plan.accuracy:
-            cause = "the friction is next to its limit" if len(self.phases) < 100 else "the mass turns back many times"
-            found.append(
-                f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
-                f"{self.plan.accuracy:.1e}; {cause}"
-            )
-        if self.energy_error_estimate > (self.plan.accuracy if self.plan.method == INTEGRATION else 1e-12):
-            found.append(
-                f"ill-conditioned: the energy balance holds to {self.energy_error_estimate:.1e} only, as the "
-                "resistance is a small difference where water and speed carry the mass"
-            )
+    def _states(self) -> NDArray[np.int8]:
+        """The status of each lane."""
+        status, moved = self._of(walk.STATUS), self._of(walk.PHASES) > 0.0
+        found = np.full(status.shape, Status.FAILED, np.int8)
+        found[status == walk.ARRESTED] = Status.RESTS
+        found[(status == walk.ARRESTED) & (self._of(walk.TURNS) > 0.0)] = Status.TURNED
+        found[(status == walk.ENDED) | (status == walk.STOPPED)] = Status.MOVING
+        found[((status == walk.ARRESTED) | (status == walk.ENDED)) & ~moved] = Status.STAYS
+        found[status == walk.UPRIGHT] = Status.UPRIGHT
+        found[status == walk.TOO_LONG] = Status.ENDLESS
+        found[self._lanes.invalid] = Status.INVALID
         return found
 
     @property
-    def _arc(self) -> Any:
-        return self.plan.scene.arc
+    def stopped_at(self) -> Any:
+        """Time at which the walk stopped, s, with an answer or without."""
+        return self._shaped(self._of(walk.TIME) * self._lanes.bound.time_scale)
+
+    @property
+    def turnings(self) -> Any:
+        """How often the mass has turned back."""
+        return self._shaped(self._of(walk.TURNS).astype(int))
+
+    @property
+    def _answered(self) -> Any:
+        return self._states <= Status.TURNED
+
+    @property
+    def status(self) -> Any:
+        return self._states.reshape(self.shape) if self.shape else Status(int(self._states[0]))
+
+    def count(self) -> dict[str, int]:
+        """How many lanes there are of each status."""
+        counts = np.bincount(self._states, minlength=len(Status))
+        return {s.name: int(counts[s]) for s in Status if counts[s]}
+
+    @property
+    def moves(self) -> Any:
+        return self._shaped(self._answered & (self._of(walk.PHASES) > 0.0))
+
+    @property
+    def arrested(self) -> Any:
+        return self._shaped(self._of(walk.STATUS) == walk.ARRESTED)
+
+    @cached_property
+    def _duration(self) -> Floats:
+        status, scale = self._of(walk.STATUS), self._lanes.bound.time_scale
+        ends = np.where(status == walk.ENDED, self._lanes.end_time, self._of(walk.REST_SINCE) * scale)
+        return np.where(self._answered, ends, np.nan)
+
+    @property
+    def duration(self) -> Any:
+        return self._shaped(self._duration)
+
+    @property
+    def run_out(self) -> Any:
+        return self.end.displacement
+
+    @cached_property
+    def end(self) -> State:
+        return self._state(self._duration, *(self._of(k) for k in (walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE)))
+
+    @cached_property
+    def peak(self) -> State:
+        rows = (walk.PEAK_ROTATION, walk.PEAK_OMEGA, walk.PEAK_RATE)
+        return self._state(self._of(walk.PEAK_TIME) * self._lanes.bound.time_scale, *map(self._of, rows))
+
+    @cached_property
+    def reach(self) -> State:
+        still = np.zeros_like(self._of(walk.REACH_TIME))
+        last = self._of(walk.REACH_ROTATION) == self._of(walk.END_ROTATION)
+        speed, rate = (np.where(last, self._of(k), still) for k in (walk.END_OMEGA, walk.END_RATE))
+        time = np.where(last, self._duration, self._of(walk.REACH_TIME) * self._lanes.bound.time_scale)
+        return self._state(time, self._of(walk.REACH_ROTATION), speed, rate)
+
+    @property
+    def lift_off(self) -> tuple[float, ...]:
+        """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
+        scale = float(np.ravel(self._lanes.bound.time_scale)[0])
+        return tuple(scale * t for kind, t, _, _ in self._log if kind == walk.LIFTS)
+
+    @cached_property
+    def phases(self) -> tuple[Phase, ...]:
+        """The stretches of a single motion between its standstills."""
+        scale, found = float(np.ravel(self._lanes.bound.time_scale)[0]), list[Phase]()
+        ends = [(t * scale) for kind, t, _, _ in self._log if kind == walk.STANDS]
+        for kind, t, rotation, direction in self._log:
+            if kind == walk.BEGINS:
+                end = ends[len(found)] if len(found) < len(ends) else float(self._duration[0])
+                found.append(Phase(t * scale, end, rotation, int(direction)))
+        return tuple(found)
+
+    # --- states ------------------------------------------------------------------------------------------------------
 
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
-        """A state from its dimensionless numbers, or arrays of them."""
-        balance, scale, radius = self.balance, self._scale, self.balance.radius
-        at = {"press": balance.press_at(rotation), "omega_2": omega * omega}
-        if balance.forcing:
-            at |= balance.given(time / scale) | {"press_slope": balance.press_slope_at(rotation)}
-        stress = balance.get("normal_stress", **at) * float(self._arc.reference_stress)
+        """A state of each lane from its numbers: s, and dimensionless."""
+        lanes = self._lanes
+        good = self._answered
+        rotation, omega, rate = (np.where(good, v + 0.0, np.nan) for v in (rotation, omega, rate))
+        scale, radius = lanes.bound.time_scale, lanes.radius
+        stress = lanes.stress(time / scale, rotation, omega)
         speed = omega / scale + 0.0  # no -0.0
-        return State(time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+        columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2 + 0.0, stress)
+        return State(*(self._shaped(np.broadcast_to(v, good.shape)) for v in columns))
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.
@@ -282,7 +256,7 @@ class Motion:
         Parameters
         ----------
         times : float or array_like
-            s.
+            s; the same for all lanes of an ensemble, whose states get the scene's shape followed by theirs.
 
         Raises
         ------
@@ -290,96 +264,119 @@ class Motion:
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
         time = self._times(times)
-        if time.ndim == 0:
-            return self._at(float(time))
-        return self._state(time, *self._followed(time / self._scale))
-
-    def _at(self, time: float) -> State:
-        """The state at one good time, by the same numbers as `end` and `peak`."""
-        if time >= self.duration:
-            return self.end if time == self.duration else replace(self.end, time=time)
-        t = time / self._scale
-        p = next((p for p in reversed(self.phases) if p.start <= t), None)
-        if p is None:
-            return self._state(time, 0.0, 0.0, 0.0)
-        rests = p.rests and t > p.end
-        x, omega, rate = (p.solved.end, 0.0, 0.0) if rests else p.solved.state(min(t, p.end) - p.start)
-        return self._state(time, p.rotation + p.direction * x, p.direction * omega, p.direction * rate)
+        rows = self._lanes.read(np.ravel(time))
+        shape = (*self.shape, *time.shape)
+        lanes = self._lanes
+        scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.bound.time_scale, lanes.radius))
+        rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
+        stress = lanes.stress_along(np.ravel(time), rows)
+        speed = omega / scale
+        columns = (rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+        found = [np.reshape(np.broadcast_to(v, rotation.shape), shape)[()] for v in columns]
+        return State(np.broadcast_to(time, shape)[()], *found)
 
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
-        late = time[time > self.duration]
-        if late.size and not self.arrested:
+        moving = ~(self._of(walk.STATUS) == walk.ARRESTED) & self._answered
+        last = float(np.min(self._duration[moving], initial=np.inf))
+        late = time[time > last]
+        if late.size:
             end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
             raise ValueError(
-                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {end}, {float(self.duration)!r} s, as "
-                "the mass does not rest there"
+                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {end}, {last!r} s, as the mass does not "
+                "rest there"
             )
         return time
 
-    def _lanes(self, t: Floats) -> list[tuple[Phase, NDArray[np.bool_], Floats]]:
-        """For each phase the lanes whose time has reached it, and their times since it began, up to its end."""
-        reached = [(p, t >= p.start) for p in self.phases]
-        return [(p, mask, np.minimum(t[mask], p.end) - p.start) for p, mask in reached if np.any(mask)]
-
-    def _followed(self, t: Floats) -> tuple[Floats, Floats, Floats]:
-        rotation, omega, rate = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)
-        with np.errstate(under="ignore"):
-            which = np.searchsorted([p.start for p in self.phases], t, side="right") - 1
-            for k in np.unique(which[which >= 0]):
-                phase, mask = self.phases[k], which == k
-                x, speed, change = phase.solved.when(np.minimum(t[mask], phase.end) - phase.start)
-                rotation[mask] = phase.rotation + phase.direction * x
-                moves = ~(phase.rests & (t[mask] > phase.end))  # or rests until the next phase
-                omega[mask], rate[mask] = phase.direction * speed * moves, phase.direction * change * moves
-        if self.arrested:
-            rest = t >= self.duration / self._scale
-            omega[rest], rate[rest] = 0.0, 0.0
-            if self.phases:
-                last = self.phases[-1]
-                rotation[rest] = last.rotation + last.direction * last.solved.end
-        return rotation, omega, rate
-
     def pore_pressure_at(self, times: ArrayLike) -> Any:
-        """The mean pore pressure on the slip surface, with what heat has added, Pa.
+        """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
+        time = self._times(times)
+        columns = self._lanes.outputs(np.ravel(time), ("pressing", "normal"))
+        return ((columns["pressing"] - columns["normal"]) * self._lanes.stress_unit).reshape(self.shape + time.shape)[()]
 
-        Parameters
-        ----------
-        times : float or array_like
-            s; as for `at`.
-        """
-        t = self._times(times) / self._scale
-        rotation, excess = self._followed(t)[0], np.zeros_like(t)
-        for phase, mask, local in self._lanes(t):
-            excess[mask] = phase.solved.excess_when(local)
-        at = self.balance.given(t) | {"press": self.balance.press_at(rotation), "excess": excess, "omega_2": 0.0}
-        at["press_slope"] = self.balance.press_slope_at(rotation)
-        get = self.balance.get
-        return (get("normal_stress", **at) - get("effective_stress", **at)) * float(self._arc.reference_stress)
+    def friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient that the law gives, 0 where nothing presses on the slip surface; as for `at`."""
+        time = self._times(times)
+        columns = self._lanes.outputs(np.ravel(time), ("mu", "normal"))
+        return np.where(columns["normal"] > 0.0, columns["mu"], 0.0).reshape(self.shape + time.shape)[()]
 
     def energy_at(self, times: ArrayLike) -> Energy:
-        """The energy balance from the start to any times.
-
-        Parameters
-        ----------
-        times : float or array_like
-            s; as for `at`.
-        """
-        t = self._times(times) / float(self._arc.time_scale)
-        work, lost = np.zeros_like(t), np.zeros_like(t)
-        with np.errstate(under="ignore"):
-            for phase, mask, local in self._lanes(t):
-                inside, place = np.unique(local, return_inverse=True)  # what is later than a phase asks for its end
-                work[mask] += phase.solved.worked(inside)[place]
-                lost[mask] += phase.solved.dissipated(inside)[place]
-        omega = self._followed(t)[1]
-        first = self.phases[0].solved.start.energy if self.phases else 0.0
-        arc, d = self._arc, self._arc.dimensionless
-        unit = float(arc.width) * float(arc.unit_weight) * float(arc.radius) ** 3 * float(d.moment_of_inertia)
-        return Energy(unit * first / 2, (unit * omega**2 / 2)[()], (unit * work)[()], (unit * lost)[()])
+        """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
+        time = self._times(times)
+        rows, first = self._lanes.energies(np.ravel(time))
+        unit = self._lanes.energy_unit
+        shape = (*self.shape, *time.shape)
+        kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
+        return Energy(self._shaped(np.broadcast_to(unit * first, self._duration.shape)), kinetic, work, lost)
 
     @cached_property
     def energy(self) -> Energy:
         """The energy balance from the start to the end."""
         return self.energy_at(self.duration)
+
+    # --- at the start ------------------------------------------------------------------------------------------------
+
+    @property
+    def limit_friction(self) -> Any:
+        return self._shaped(self._lanes.statics["limit_friction"])
+
+    @property
+    def factor_of_safety(self) -> Any:
+        return self._shaped(self._lanes.statics["factor_of_safety"])
+
+    @property
+    def yield_coefficient(self) -> Any:
+        return self._shaped(self._lanes.statics["yield_coefficient"])
+
+    @property
+    def friction(self) -> Any:
+        """The friction coefficient at the start."""
+        return self._shaped(self._lanes.statics["friction"])
+
+    # --- how well it is known ----------------------------------------------------------------------------------------
+
+    @cached_property
+    def _estimates(self) -> Floats:
+        from slipcircle.accuracy import estimate
+
+        return estimate(self)
+
+    @property
+    def error_estimate(self) -> Any:
+        return self._shaped(self._estimates)
+
+    @property
+    def energy_error_estimate(self) -> float:
+        """How far the energy balance is off at the end, relative to all energy."""
+        e = self.energy
+        most = np.maximum(np.maximum(np.abs(e.work), e.dissipation), np.maximum(e.kinetic_end, 1e-300))
+        return np.abs(e.residual) / most
+
+    def sensitivity(self) -> "Sensitivity":
+        """Exact derivatives by the scene's parameters: see `slipcircle.sensitivity`."""
+        from slipcircle.sensitivity import sensitivity
+
+        return sensitivity(self)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        found = list[str]()
+        times = self.lift_off
+        if times:
+            more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
+            said = times[:1] if more else times
+            found += [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
+        if self.error_estimate > self.plan.accuracy:
+            cause = "the friction is next to its limit" if len(self.phases) < 100 else "the mass turns back many times"
+            found.append(
+                f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
+                f"{self.plan.accuracy:.1e}; {cause}"
+            )
+        farthest = abs(float(self.reach.displacement))
+        if farthest > abs(self.run_out) * (1 + 1e-6):
+            found.append(
+                f"the mass swings back: it reaches {farthest:.4g} m after {self.reach.time:.4g} s, farther than its "
+                f"run-out of {abs(self.run_out):.4g} m at the end"
+            )
+        return tuple(found)

@@ -4,32 +4,19 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from generated.effects import COMBINATIONS, EFFECTS
-from slipcircle.checks import EPS, mistakes, raise_all
-from slipcircle.friction import friction, law_depends, law_name
+from generated.effects import EFFECTS
+from slipcircle.checks import mistakes, raise_all
+from slipcircle.friction import law_depends, law_name, law_names
 from slipcircle.scene import ACCURACY, Scene
 
 if TYPE_CHECKING:
+    from slipcircle.flow.program import Program
     from slipcircle.ladder import Rung
 
 DEFAULT_ACCURACY = 1e-9
 CLOSED_IN_TIME = "closed form in time"
-CLOSED_IN_PHASE_PLANE = "closed form in the phase plane, time by quadrature"
-ENERGY_EQUATION = "quadrature of the linear energy equation"
-LINEAR_SYSTEM = "linear system of energy and pore pressure in the phase plane by collocation, time by quadrature"
-INTEGRATION = "integration in time by SciPy (DOP853, LSODA where stiff), events located"
-STEPPING = "exact steps along the record"
-# Evaluations of the specialised functions that a solution typically takes.
-EVALUATIONS = {
-    CLOSED_IN_TIME: 3,
-    CLOSED_IN_PHASE_PLANE: 150,
-    ENERGY_EQUATION: 850,
-    LINEAR_SYSTEM: 2500,
-    INTEGRATION: 3000,
-    STEPPING: 1000,
-}
+FLOW = "Taylor series in time, events as their roots"
+STEPS = 8  # that a motion typically takes
 
 
 @dataclass(frozen=True)
@@ -44,11 +31,11 @@ class Plan:
     law : str
         The friction law.
     method, why : str
-        What is done, in words, and what asks for it; "" where nothing depends on time or speed but by its square.
-    functions : tuple of str
-        The specialised functions, in `generated.balance` and `generated.motion`.
+        What is done, in words, and what asks for it.
+    fragments : tuple of str
+        The parts of `generated.flow` that the scene's program is joined of.
     operations : str
-        What one evaluation of the specialised functions takes.
+        On series, by kind, of one step.
     cost : int
         Floating-point operations that a solution typically takes.
     accuracy : float
@@ -61,27 +48,10 @@ class Plan:
     law: str
     method: str
     why: str
-    functions: tuple[str, ...]
+    fragments: tuple[str, ...]
     operations: str
     cost: int
     accuracy: float
-
-    @property
-    def tolerance(self) -> float:
-        """Relative tolerance of the steps of an integration that meets the accuracy."""
-        return max(self.accuracy * 1e-3, 3e-14)
-
-    @property
-    def error_estimate(self) -> float:
-        """Relative error to expect before solving: rounding, times how close the friction is to its limit; steps."""
-        from slipcircle.balance import bind
-
-        balance = bind(self.scene)
-        at = balance.position(0.0, -1 if balance.fall < 0.0 else 1)
-        limit, mu = balance.get("limit_friction", **at), float(friction(self.scene.friction).coefficient(0.0))
-        moving = float(np.asarray(self.scene.initial_velocity)) != 0.0
-        rounding = 32 * EPS * (1.0 if moving or limit == mu else 1.0 + (abs(limit) + mu) / abs(limit - mu))
-        return max(rounding, 100 * self.tolerance) if self.method == INTEGRATION else rounding
 
     def ladder(self) -> "list[Rung]":
         """The scene solved with its effects added one by one: see `slipcircle.ladder.ladder`."""
@@ -91,17 +61,13 @@ class Plan:
 
 
 def plan(scene: Scene, accuracy: float | None = None) -> Plan:
-    """Choose the cheapest method that is exact for the scene's combination of effects.
+    """Choose how to solve a scene: in closed form where the paper's holds, else by its flow program.
 
     Parameters
     ----------
     scene : Scene
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
-
-    Returns
-    -------
-    Plan
 
     Raises
     ------
@@ -112,50 +78,58 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
         raise_all("plan", mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}))
     called = scene.called
-    series = tuple(e for e, given in called.items() if any(map(callable, given.values())))
-    choice = _choice(tuple(called), law_name(scene.friction), law_depends(scene.friction), series)
-    return Plan(scene, **choice, accuracy=wanted)
+    moving = tuple(e for e, given in called.items() if any(map(callable, given.values())))
+    return Plan(scene, **_choice(tuple(called), scene_laws(scene), moving, wanted), accuracy=wanted)
+
+
+def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The names of a scene's laws, and what they depend on."""
+    return law_names(scene.friction), law_depends(scene.friction)
 
 
 @cache
-def _choice(called: tuple[str, ...], law: str, by: tuple[str, ...], series: tuple[str, ...]) -> dict[str, Any]:
+def _choice(called: tuple[str, ...], laws: Any, moving: tuple[str, ...], accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
-    effects = tuple(e for e in EFFECTS if e in called)
-    chosen = COMBINATIONS[effects]
-    turns, braked = any(EFFECTS[e].turns for e in effects), "brake" in chosen.functions
-    reasons = [f"{e} depends on the speed" for e in effects if "speed" in EFFECTS[e].depends_on]
-    reasons += [f"{e} depends on time" for e in effects if e in series]
-    reasons += [f"friction depends on {'the speed' if x == 'speed' else x}" for x in by if x != "slip"]
-    heats = "pressurisation" in chosen.functions
-    if law == "constant" and not turns and not heats and reasons == ["shaking depends on time"]:
-        method = STEPPING
-    elif reasons:
-        method = INTEGRATION
-    elif heats:
-        method = LINEAR_SYSTEM
-    elif law == "constant":
-        method = CLOSED_IN_PHASE_PLANE if turns else CLOSED_IN_TIME
-    else:
-        elementary = turns and law == "exponential" and not braked
-        method = CLOSED_IN_PHASE_PLANE if elementary else ENERGY_EQUATION
-    used = dict(chosen.functions)
-    if method != CLOSED_IN_PHASE_PLANE:
-        used = {what: name for what, name in used.items() if not what.startswith("energy")}
-    elif law == "constant":
-        used.pop("energy_softening", None)
-    else:
-        used.pop("energy", None)
-    names = [f"balance.{n}" for n in dict.fromkeys(used.values())]
-    if method == CLOSED_IN_TIME:
-        names.append(f"balance.frozen{'_braked' if braked else ''}_state")
-    left_out = tuple(e for e in EFFECTS if e not in effects)
+    from slipcircle.flow.bind import order
+    from slipcircle.flow.program import join
+
+    effects, (names, depends) = tuple(e for e in EFFECTS if e in called), laws
+    symbols = tuple(p.symbol for e in effects if e in moving for p in EFFECTS[e].parameters if p.kind == "series")
+    program = join(effects, names, symbols)
+    reasons = [f"{e} {'turns the mass' if EFFECTS[e].turns else f'depends on {x}'}" for e in effects
+               for x in EFFECTS[e].depends_on if x != "speed squared" and (x != "time" or e in moving)]  # fmt: skip
+    reasons += [f"{e} depends on time" for e in moving if "time" not in EFFECTS[e].depends_on]
+    reasons += [f"friction depends on {'the speed' if x == 'speed' else x}" for x in depends]
+    terms = order(accuracy)
     return {
         "effects": effects,
-        "left_out": left_out,
-        "law": law,
-        "method": method,
+        "left_out": tuple(e for e in EFFECTS if e not in effects),
+        "law": law_name_of(names),
+        "method": FLOW if reasons else CLOSED_IN_TIME,
         "why": "; ".join(reasons),
-        "functions": tuple(names),
-        "operations": chosen.operations,
-        "cost": chosen.count * EVALUATIONS[method],
+        "fragments": ("gravity", *effects, *names, "balance"),
+        "operations": _counted(program),
+        "cost": STEPS * flops(program, terms) if reasons else 50,
     }
+
+
+def law_name_of(names: tuple[str, ...]) -> str:
+    """Laws that multiply each other, in one."""
+    return " times ".join(names)
+
+
+def _counted(program: "Program") -> str:
+    kinds = [op[0] for op in program.series]
+    return ", ".join(f"{kinds.count(k)} {k}" for k in sorted(set(kinds)))
+
+
+def flops(program: "Program", order: int) -> int:
+    """Floating-point operations of one step: products take as many terms as their coefficient has factors."""
+    total = 0
+    for kind, *rest in program.series:
+        each = {"lin": 2 * len(rest[-1]) if kind == "lin" else 0, "sqr": order, "turn": 4 * order, "tim": 1, "ramp": 0}
+        total += (order + 1) * each.get(kind, 2 * order)
+    return total
+
+
+__all__ = ["CLOSED_IN_TIME", "DEFAULT_ACCURACY", "FLOW", "Plan", "flops", "law_name", "plan"]

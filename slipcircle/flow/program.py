@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
-from generated.flow import CELLS, FRAGMENTS, QUANTITIES
+from generated.flow import CELLS, FRAGMENTS, INPUTS, QUANTITIES
 
 TABLE_CELLS = ("PIECE", "VALUE", "INC", "UPPER", "LOWER", "SCALE", "FACTOR")  # then Q1 to Q of the degree
 ZERO, ONE, MINUS = "=0.0", "=1.0", "=-1.0"
@@ -32,11 +32,12 @@ class Table:
 class Program:
     """Cells and registers by name, operations on cells and on series by their indices, and who plays which role.
 
-    ``constants`` are the values of cells that are the same in all lanes; ``states`` are (cell, register, register of
-    the rate).
+    The first ``lasting`` cells hold a lane; beyond are ``constants``, by name, and what a prologue needs while it runs.
+    ``states`` are (cell, register, register of the rate).
     """
 
     cells: tuple[str, ...]
+    lasting: int
     registers: tuple[str, ...]
     scalar: tuple[tuple[Any, ...], ...]
     series: tuple[tuple[Any, ...], ...]
@@ -46,17 +47,20 @@ class Program:
     constants: Mapping[str, float]
 
 
+Operation = tuple[Any, ...]  # its name and its arguments
+
+
 @dataclass
 class _Linker:
     """Definitions by name, and what has become of them."""
 
     cells: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    registers: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+    registers: dict[str, Operation] = field(default_factory=dict)
     kept: set[str] = field(default_factory=set)  # registers that more than sums are made of
     known: dict[str, str] = field(default_factory=dict)  # canonical cell by name
     made: dict[str, str | None] = field(default_factory=dict)  # canonical register by name; None is nothing
-    scalar: dict[tuple[str, ...], str] = field(default_factory=dict)
-    series: dict[tuple[Any, ...], tuple[str, ...]] = field(default_factory=dict)
+    scalar: dict[Operation, str] = field(default_factory=dict)
+    series: dict[Operation, tuple[str, ...]] = field(default_factory=dict)
 
     def cell(self, name: str) -> str:
         """The cell that a name stands for, computed if need be."""
@@ -85,8 +89,8 @@ class _Linker:
     def nothing(self, name: str) -> bool:
         """Whether a register is nothing: undefined, or a product with or a sum of nothing."""
         if name not in self.made:
-            op, *names = self.registers.get(name, ("sum", "", "", ()))
-            if op in ("sum", "lin"):
+            op, *names = self.registers.get(name, ("lin", "", "", ()))
+            if op == "lin":
                 absent = not names[1] and all(self.cell(c) == ZERO or self.nothing(r) for c, r in names[2])
             else:
                 absent = op != "ramp" and any(map(self.nothing, self.arguments(op, names)))
@@ -107,10 +111,13 @@ class _Linker:
             if op == "lin":
                 self.made[name] = self.sum(name, self.cell(names[1]) if names[1] else ZERO, names[2])
             else:
-                results, arguments = names[: RESULTS.get(op, 1)], [*map(self.register, self.arguments(op, names))]
-                numbers = [self.cell(names[-1])] if op == "pow" else names[1:] if op == "ramp" else []
-                made = self.series.setdefault((op, *(numbers if op == "ramp" else [*arguments, *numbers])), tuple(results))
-                self.made[name] = made[results.index(name)]
+                results, rest = names[: RESULTS.get(op, 1)], names[RESULTS.get(op, 1) :]
+                if op != "ramp":
+                    rest = [
+                        *map(self.register, self.arguments(op, names)),
+                        *([self.cell(rest[-1])] if op == "pow" else []),
+                    ]
+                self.made[name] = self.series.setdefault((op, *rest), tuple(results))[results.index(name)]
         return self.made[name]
 
     def terms(self, terms: Iterable[tuple[str, str]], factor: str = ONE) -> Iterator[tuple[str, str]]:
@@ -145,11 +152,9 @@ RESULTS = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}
 def _load(link: _Linker, name: str, sums: dict[str, list[Any]], friction: str = "mu") -> None:
     """Take a fragment's definitions; the quantity of a law may be one of two friction coefficients."""
     fragment = FRAGMENTS[name]
-    for op, result, *arguments in fragment.scalar:
-        link.cells[result] = (op, *arguments)
-    for op in fragment.series:
-        for result in op[1 : 1 + RESULTS.get(str(op[0]), 1)]:
-            link.registers[result] = op
+    link.cells |= {result: (op, *arguments) for op, result, *arguments in fragment.scalar}
+    for op, *names in fragment.series:
+        link.registers |= {str(result): (op, *names) for result in names[: RESULTS.get(str(op), 1)]}
     for quantity, added in fragment.adds.items():
         sums.setdefault(friction if quantity == "mu" else quantity, []).append(added)
 
@@ -199,7 +204,7 @@ def join(
             link.registers[register] = ("ramp", register, name)
     link.cells |= dict.fromkeys(absent, ("set", ZERO))
     chosen = ("gravity", *effects, *laws)
-    given = ["level", "polar", *(x for name in chosen for x in FRAGMENTS[name].inputs if x not in link.cells)]
+    given = [*INPUTS, *(x for name in chosen for x in FRAGMENTS[name].inputs if x not in link.cells)]
     return _link(link, sums, chosen, given, tables, asked)
 
 
@@ -216,15 +221,14 @@ def _link(
         for part, which in (("_0", 0), ("_size", 1)):
             total = ZERO
             for i, added in enumerate(sums.get(quantity, ())):
-                link.cells[f"{quantity}{part}{i}"] = ("add", total, added[which])
-                total = f"{quantity}{part}{i}"
+                link.cells[f"{quantity}{part}.{i}"] = ("add", total, added[which])
+                total = f"{quantity}{part}.{i}"
             link.cells[f"{quantity}{part}"] = ("set", total)
         terms = tuple(term for added in sums.get(quantity, ()) for term in added[2])
         link.registers[f"d{quantity}"] = ("lin", f"d{quantity}", "", terms)
     rates = {"x": "omega", "omega": "net"} | {s: r for name in chosen for s, r in FRAGMENTS[name].states}
-    further = [s for s in rates if s not in ("x", "omega")]
-    table_cells = {f"{t}.{c}": None for t, _, _, d in tables for c in (*TABLE_CELLS, *(f"Q{i + 1}" for i in range(d)))}
-    fixed = dict.fromkeys((*CELLS, *further, *given, *table_cells))
+    table_cells = [f"{t}.{x}" for t, _, _, d in tables for x in (*TABLE_CELLS, *(f"Q{i + 1}" for i in range(d)))]
+    fixed = [*dict.fromkeys((*CELLS, *rates, *given, *table_cells))]
     link.known |= {x: x for x in fixed}
     link.made |= {x: x for x in rates}
     roots = [*rates.values(), *(a for _, _, a, _ in tables), *ROLES, *asked]
@@ -234,46 +238,61 @@ def _link(
             link.kept.update(link.arguments(op, names))
     made = {x: link.register(x) for x in roots}
     still = {d[0] for op, d in link.series.items() if op[0] == "lin" and not op[2]}  # as where the phase began
-    wanted = {role: None if made[role] in still and role != "net" else made[role] for role in (*ROLES, *asked)}
-    kept = [made[x] for x in roots if x not in wanted]
-    outputs = {role: link.cell(role) for role in OUTPUTS.values()}
-    # What nothing needs is left out, from the last operation back.
-    need = {r for r in (*wanted.values(), *kept) if r} | set(rates)
-    series = []
-    for op, made in reversed(link.series.items()):
-        if need & set(made):
-            series.append((op, made))
-            need |= {r for _, r in op[2]} if op[0] == "lin" else set(op[1:])
-    series.reverse()
-    used = {c for op, _ in series for c in ((op[1], *(c for c, _ in op[2])) if op[0] == "lin" else op[1:])}
-    used |= set(outputs.values())
-    scalar = []
-    for op, name in reversed(link.scalar.items()):
-        if name in used:
-            scalar.append((op[0], name, *op[1:]))
-            used |= set(op[1:])
-    scalar.reverse()
-    registers = [*rates, *(x for _, made in series for x in made)]
-    numbers = sorted({x for op in scalar for x in op[1:] if x.startswith("=")} | {x for x in used if x.startswith("=")})
-    cells = [*dict.fromkeys((*fixed, *(op[1] for op in scalar), *numbers))]
-    c, r = ({x: i for i, x in enumerate(names)} for names in (cells, registers))
-    places = {name: i for i, (name, *_) in enumerate(tables)}
+    made |= {x: None for x in (*ROLES[1:], *asked) if made[x] in still}
+    outputs = {role: link.cell(name) for role, name in OUTPUTS.items()}
+    series = _needed(link.series.items(), {x for x in made.values() if x} | {*rates})
+    lasting = {x for op, _ in series for x in ((op[1], *(c for c, _ in op[2])) if op[0] == "lin" else op[1:])}
+    lasting |= {*outputs.values()}
+    scalar = _needed(((op, (d,)) for op, d in link.scalar.items()), lasting)
+    held = [*fixed, *(d for _, (d,) in scalar if d in lasting)]
+    numbers = sorted({x for op, _ in scalar for x in op[1:] if x[0] == "="} | {x for x in lasting if x[0] == "="})
+    place = _scratch(scalar, [*held, *numbers])
+    cells = [*held, *numbers, *(f"scratch{i}" for i in range(max(place.values()) + 1 - len(held) - len(numbers)))]
+    registers = [*rates, *(x for _, results in series for x in results)]
+    at = {x: i for i, x in enumerate(registers)}
+    order = {name: i for i, (name, *_) in enumerate(tables)}
 
-    def indexed(op: tuple[Any, ...], made: tuple[str, ...]) -> tuple[Any, ...]:
+    def indexed(op: Operation, results: tuple[str, ...]) -> tuple[Any, ...]:
         kind, *names = op
-        at = [r[x] for x in made]
+        made = [at[x] for x in results]
         if kind == "lin":
-            return (kind, *at, -1 if names[0] == ZERO else c[names[0]], tuple((c[a], r[b]) for a, b in names[1]))
-        return (kind, *at, *((places[names[0]],) if kind == "ramp" else (r[x] if x in r else c[x] for x in names)))
+            terms = tuple((place[c], at[r]) for c, r in names[1])
+            return (kind, *made, -1 if names[0] == ZERO else place[names[0]], terms)
+        return (kind, *made, *(order[x] if kind == "ramp" else at[x] if x in at else place[x] for x in names))
 
-    roles = {x: r[x] for x in ("x", "omega")} | {role: r[name] if name else -1 for role, name in wanted.items()}
+    roles = {x: at[x] for x in ("x", "omega")} | {x: at.get(str(made[x]), -1) for x in (*ROLES, *asked)}
     return Program(
         cells=tuple(cells),
+        lasting=len(held),
         registers=tuple(registers),
-        scalar=tuple((op, *(c[x] for x in names)) for op, *names in scalar),
-        series=tuple(indexed(op, made) for op, made in series),
-        states=tuple((c[s], r[s], r[str(link.made[rate])]) for s, rate in rates.items()),
-        tables=tuple(Table(t, kind, r[str(link.made[a])], c[f"{t}.PIECE"], d) for t, kind, a, d in tables),
-        roles=roles | {role: c[outputs[name]] for role, name in OUTPUTS.items()},
+        scalar=tuple((op[0], place[d], *(place[x] for x in op[1:])) for op, (d,) in scalar),
+        series=tuple(indexed(op, results) for op, results in series),
+        states=tuple((place[s], at[s], at[str(made[rate])]) for s, rate in rates.items()),
+        tables=tuple(Table(t, kind, at[str(made[a])], place[f"{t}.PIECE"], d) for t, kind, a, d in tables),
+        roles=roles | {role: place[name] for role, name in outputs.items()},
         constants={x: float(x[1:]) for x in numbers},
     )
+
+
+def _needed(operations: Iterable[tuple[Operation, tuple[str, ...]]], wanted: set[str]) -> list[Any]:
+    """The operations that something needs, in order."""
+    found, need = [], set(wanted)
+    for op, results in reversed([*operations]):
+        if need & {*results}:
+            found.append((op, results))
+            need |= {r for _, r in op[2]} if op[0] == "lin" else {*op[1:]}
+    return found[::-1]
+
+
+def _scratch(operations: list[Any], cells: list[str]) -> dict[str, int]:
+    """Where each cell is: those that are listed in their place, the others share what is free."""
+    place = {x: i for i, x in enumerate(cells)}
+    last = {x: i for i, (op, _) in enumerate(operations) for x in op[1:]}
+    free: list[int] = []
+    more = len(cells)
+    for i, (op, (d,)) in enumerate(operations):
+        free += sorted({place[x] for x in op[1:] if last[x] == i and place[x] >= len(cells)}, reverse=True)
+        if d not in place:
+            place[d] = free.pop() if free else more
+            more = max(more, place[d] + 1)
+    return place

@@ -1,31 +1,41 @@
-"""Lanes from their bound numbers to their end: on the compiled walk where there is one, else on NumPy."""
+"""Lanes of scenes that share their effects and laws: bound, walked to their end, and asked for what they passed."""
 
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.flow import tables, walk
-from slipcircle.flow.bind import Bound
+from slipcircle.arc import Arc
+from slipcircle.flow import compiled, frozen, tables, walk
+from slipcircle.flow.bind import Bound, Grown, bind
 
 Floats = NDArray[np.float64]
 
 
-def walked(bound: Bound, samples: walk.Samples | None = None) -> Floats:
+def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = None,
+           log: walk.Log | None = None) -> Floats:  # fmt: skip
     """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
     cells, data = bound.cells.copy(), list(bound.tables)
+    if closed:
+        frozen.walk(bound.program, data, cells, samples, log)
     while True:
-        walk.walk(bound.program, data, cells, samples)
+        (compiled.run if compiled.module() else walk.walk)(bound.program, data, cells, samples, log)
         asking = cells[walk.STATUS] == walk.NEED
         if not np.any(asking):
             return cells
         for k, grown in bound.functions.items():
             data[k] = _longer(data[k], grown)
+        lanes = walk.Lanes(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
+        lanes.base()
+        cells[:, asking] = lanes.c
         cells[walk.STATUS, asking] = walk.MOVING
-        rebased(bound, data, cells, asking)
 
 
-def _longer(data: tables.Data, grown: Any) -> tables.Data:
+def _longer(data: tables.Data, grown: Grown) -> tables.Data:
     """A Python function's table, twice as long."""
     end = float(data.breaks[-1])
     breaks, pieces = tables.sampled(grown.function, end, end, grown.name)
@@ -37,8 +47,177 @@ def _longer(data: tables.Data, grown: Any) -> tables.Data:
     )
 
 
-def rebased(bound: Bound, data: list[tables.Data], cells: Floats, which: Any) -> None:
-    """The phase of lanes that waited for a longer table, based where it goes on."""
-    lanes = walk.Lanes(bound.program, data, cells[:, which], None, np.flatnonzero(which))
-    lanes.base()
-    cells[:, which] = lanes.c
+@dataclass(frozen=True)
+class Lanes:
+    """What lanes are made of: numbers, or arrays of one value a lane, and what they share.
+
+    Attributes
+    ----------
+    arc : Arc
+        May be unchecked: what is no arc is invalid.
+    called : mapping
+        Effects by name, each with its parameters.
+    friction : float, ndarray, mapping or callable
+    velocity, end_time : float or ndarray
+        m/s, and s or infinity.
+    accuracy : float
+    closed : bool
+        Whether the paper's closed form in time holds.
+    count : int
+        How many there are.
+    invalid : ndarray of bool
+        Which are no scenes.
+    """
+
+    arc: Arc
+    called: Mapping[str, Mapping[str, Any]]
+    friction: Any
+    velocity: Any
+    end_time: Any
+    accuracy: float
+    closed: bool
+    count: int
+    invalid: Any = False
+
+    @cached_property
+    def bound(self) -> Bound:
+        return self.bind()
+
+    def bind(self, asked: tuple[str, ...] = (), without: Sequence[str] = (), more: Mapping[str, Any] = {}) -> Bound:
+        """Bound numbers, with other outputs or effects than the scene's own."""
+        called = {e: p for e, p in self.called.items() if e not in without} | dict(more)
+        return bind(self.arc, called, self.friction, self.velocity, self.end_time, self.accuracy, self.count, asked)
+
+    @property
+    def radius(self) -> Any:
+        return np.asarray(self.arc.radius, dtype=np.float64)
+
+    @property
+    def stress_unit(self) -> Any:
+        """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
+        d = self.arc.dimensionless
+        return np.asarray(self.arc.reference_stress * d.static_normal_stress / self.arc.press())
+
+    @property
+    def energy_unit(self) -> Any:
+        """J for one of omega*^2/2."""
+        arc = self.arc
+        weight = np.multiply(arc.width, arc.unit_weight) * np.power(arc.radius, 3.0)
+        return weight * arc.dimensionless.moment_of_inertia
+
+    def solve(self, log: walk.Log | None = None) -> Floats:
+        """The cells of all lanes at their end."""
+        return walked(self.bound, self.closed, None, log)
+
+    def _sampled(self, bound: Bound, times: Floats, closed: bool) -> tuple[Floats, Floats]:
+        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes); and the last cells."""
+        order = np.argsort(times, kind="stable")
+        at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
+        rows = np.zeros((2 + len(bound.program.states), times.size, self.count))
+        found = np.full((2 + len(bound.program.states), times.size, self.count), np.nan)
+        cells = walked(bound, closed, walk.Samples(np.ascontiguousarray(at), rows))
+        found[:, order] = rows
+        return found, cells
+
+    def read(self, times: Floats) -> Floats:
+        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
+        return self._sampled(self.bound, times, self.closed)[0]
+
+    def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
+        """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
+        return self._probe(self._asking, time, rotation, omega, None, ("pressing",))["pressing"] * self.stress_unit
+
+    def stress_along(self, times: Floats, rows: Floats) -> Any:
+        """The same at times in s of states as `read` gives them, (lanes, times)."""
+        return self._along(times, rows, ("pressing",))["pressing"] * np.reshape(self.stress_unit, (-1, 1))
+
+    def outputs(self, times: Floats, names: tuple[str, ...]) -> dict[str, Floats]:
+        """Registers of the program at times in s, by name, (lanes, times)."""
+        return self._along(times, self.read(times), names)
+
+    @cached_property
+    def _asking(self) -> Bound:
+        return self.bind(("pressing", "mu"))
+
+    def _along(self, times: Floats, rows: Floats, names: tuple[str, ...]) -> dict[str, Floats]:
+        bound = self._asking
+        shape = rows.shape[1:]
+        each = np.repeat(np.arange(self.count)[None, :], shape[0], axis=0).ravel()
+        scale = np.broadcast_to(bound.time_scale, self.count)
+        time = (times[:, None] / scale).ravel()
+        found = self._probe(bound, time, rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), names, each)
+        return {n: v.reshape(shape).T for n, v in found.items()}
+
+    def _probe(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, names: tuple[str, ...],
+               each: Any = slice(None)) -> dict[str, Floats]:  # fmt: skip
+        """Registers of the program in given states: what a phase would begin with there."""
+        cells = bound.cells[:, each].copy()
+        side = np.where(omega < 0.0, -1.0, 1.0)
+        cells[walk.TIME], cells[walk.ROTATION], cells[walk.OMEGA] = time, rotation, np.abs(omega)
+        cells[walk.DIRECTION], cells[walk.LIFTED] = side, 0.0
+        if further is not None:
+            cells[walk.SLIP] = further[0]
+            for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
+                cells[cell] = value
+        which = np.arange(cells.shape[1])
+        parts = [t.lanes(each) if t.coefficients.ndim == 3 else t for t in bound.tables]
+        lanes = walk.Lanes(bound.program, parts, cells, None, which)
+        with np.errstate(all="ignore"):
+            lanes.find_pieces()
+            lanes.base()
+            r = lanes._series(0)[0]
+        return {n: r[bound.program.roles[n], 0] for n in names}
+
+    @cached_property
+    def statics(self) -> dict[str, Floats]:
+        """Limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
+
+        k_y is where the drive, linear in k_h, is zero; both are read off the program itself.
+        """
+        still = [e for e in self.called if e != "shaking"]
+        kept = {e: self.called[e] for e in still}
+        drives, normals = [], []
+        found: dict[str, Any] = {}
+        for k_h in (0.0, 1.0):
+            bound = bind(self.arc, kept | {"shaking": {"horizontal": k_h}}, self.friction, 0.0, math.inf,
+                         self.accuracy, self.count)  # fmt: skip
+            roles, c = bound.program.roles, bound.cells.copy()
+            down = np.where(c[[*bound.program.cells].index("fall")] < 0.0, -1.0, 1.0)
+            c[walk.DIRECTION] = down
+            c[[*bound.program.cells].index("k_h")] *= down
+            lanes = walk.Lanes(bound.program, bound.tables, c, None, np.arange(self.count))
+            with np.errstate(all="ignore"):
+                lanes.base()
+                if k_h == 0.0:
+                    driving, resisting, normal, mu = (
+                        c[roles[f"cell_{n}"]].copy() for n in ("driving", "resisting", "normal0", "mu")
+                    )
+                    pressed = normal > 0.0
+                    held = resisting + np.where(pressed, mu * normal, 0.0)
+                    free = np.where(driving > resisting, np.inf, -np.inf)
+                    found = {
+                        "limit_friction": np.where(pressed, bound.cells[walk.LIMIT], free),
+                        "factor_of_safety": np.where(driving > 0.0, held / driving, np.inf), "friction": mu,
+                    }  # fmt: skip
+                drives.append((c[roles["cell_driving"]] - c[roles["cell_resisting"]], c[roles["cell_drive"]]))
+                normals.append(c[roles["cell_normal0"]].copy())
+        with np.errstate(all="ignore"):
+            (free0, drive0), (free1, drive1) = drives
+            drive0 = np.where(normals[0] > 0.0, normals[0] * (found["limit_friction"] - found["friction"]), free0)
+            drive1 = free1 - found["friction"] * normals[1]
+            yields = -drive0 / (drive1 - (free0 - found["friction"] * normals[0]))
+            lifted = normals[0] + yields * (normals[1] - normals[0]) < 0.0
+            found["yield_coefficient"] = np.where(lifted, -free0 / (free1 - free0), yields) + 0.0
+        return found
+
+    def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
+        """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
+        bound = self.bind(("energy",))
+        rows, _ = self._sampled(bound, times, False)
+        names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
+        work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
+        return {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": lost}, bound.cells[walk.OMEGA] ** 2 / 2
+
+    def companions(self, cells: Any) -> "Lanes":
+        """Lanes of other numbers, for estimates."""
+        return replace(self, **cells)

@@ -21,12 +21,14 @@ EPS = 2.0**-52
 
 (TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT,
  LIMIT_LOW, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA,
- END_RATE, FIRST_STOP, CLOSE, LIFT_TIME, PASSED, REST_SINCE, X, OMEGA) = range(31)  # fmt: skip
-assert generated.CELLS[:31][-2:] == ("x", "omega")
+ END_RATE, FIRST_STOP, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA) = range(33)  # fmt: skip
+assert generated.CELLS[:33][-2:] == ("x", "omega")
 START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED = range(10)
 PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 = range(8)  # of a table's cells
 MOST_STEPS = 1e4
 NOTHING, LIFT, FASTER, SLOWER = range(4)  # what a phase has just passed
+BEGINS, STANDS, LIFTS, LANDS = 1, 2, 3, 4  # kinds of events in a log
+Log = list[tuple[int, float, float, float]]  # kind, time, rotation, direction
 
 
 class Samples(NamedTuple):
@@ -36,7 +38,8 @@ class Samples(NamedTuple):
     states: Floats  # rotation, angular velocity, its rate, slip, then the further states
 
 
-def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None) -> None:
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None,
+         log: Log | None = None) -> None:  # fmt: skip
     """Walk every lane until it rests, ends or fails; ``cells`` holds where it begins and, then, where it is.
 
     Parameters
@@ -48,11 +51,14 @@ def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Sampl
         (cells, lanes), changed in place. The status of each lane says how it ended.
     samples : Samples, optional
         What to read off on the way.
+    log : list, optional
+        Takes the events of the first lane: kind, time, rotation, direction.
     """
     live = np.flatnonzero(cells[STATUS] <= RESTING)
     with np.errstate(all="ignore"):
         while live.size:
-            lanes = Lanes(program, [t.lanes(live) for t in tables], np.ascontiguousarray(cells[:, live]), samples, live)
+            here = [t.lanes(live) for t in tables]
+            lanes = Lanes(program, here, np.ascontiguousarray(cells[:, live]), samples, live, log)
             rounds = 0
             while True:
                 lanes.round()
@@ -68,15 +74,16 @@ class Lanes:
     """Some lanes on their way: columns of cells that this class steps, each by itself."""
 
     def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None,
-                 which: NDArray[np.intp]) -> None:  # fmt: skip
+                 which: NDArray[np.intp], log: Log | None = None) -> None:  # fmt: skip
         self.program, self.tables, self.c, self.samples, self.which = program, tables, cells, samples, which
+        self.log = log
         self.timed = [k for k, t in enumerate(program.tables) if t.kind == "time"]
 
     def part(self, mask: Any) -> "Lanes":
         k = np.flatnonzero(mask)
         if k.size == self.c.shape[1]:
             return self
-        return Lanes(self.program, [t.lanes(k) for t in self.tables], self.c[:, k], self.samples, self.which[k])
+        return Lanes(self.program, [t.lanes(k) for t in self.tables], self.c[:, k], self.samples, self.which[k], self.log)
 
     def on(self, mask: Any, do: Any, *args: Any) -> Any:
         """Do something with some of the lanes, and take over what became of them."""
@@ -115,6 +122,14 @@ class Lanes:
             self._piece(slot, data)
         scalar_ops(self.program.scalar, c)
 
+    def find_pieces(self) -> None:
+        """The pieces in which the lanes' slips and speeds lie, wherever they came from."""
+        c = self.c
+        for slot, data in zip(self.program.tables, self.tables, strict=True):
+            if slot.kind != "time":
+                argument = c[SLIP if slot.kind == "slip" else OMEGA] * c[slot.cells + SCALE]
+                c[slot.cells + PIECE] = np.maximum(np.searchsorted(data.breaks, argument, side="right") - 1, 0)
+
     def begin(self) -> None:
         """A phase of motion begins, in the direction that is set; what presses decides whether it is lifted."""
         c = self.c
@@ -124,6 +139,9 @@ class Lanes:
             c[LIFTED] = self._series(0)[0][normal, 0] < 0.0
             self.on(c[LIFTED] > 0.0, Lanes.base)
         c[PHASES] += 1.0
+        c[TURNS] += c[LAST_WAY] * c[DIRECTION] < 0.0
+        c[LAST_WAY] = c[DIRECTION]
+        self._note(BEGINS)
         self._lift_time(c[LIFTED] > 0.0)
         self._fastest(c[OMEGA], c[TIME], c[ROTATION], self._series(0)[0][self.program.roles["net"], 0])
 
@@ -436,6 +454,7 @@ class Lanes:
         c[SLIP] += c[X]
         c[X] = c[OMEGA] = 0.0
         c[REST_SINCE] = c[TIME]
+        self._note(STANDS)
         c[FIRST_STOP] = np.where(np.isnan(c[FIRST_STOP]), c[TIME], c[FIRST_STOP])
         self._reach(np.ones(c.shape[1], dtype=bool))
         self.on(c[FIRST_ONLY] == 0.0, Lanes.decide)
@@ -598,8 +617,16 @@ class Lanes:
         k = np.flatnonzero(mask & (np.abs(rotation) > np.abs(c[REACH_ROTATION])))
         c[REACH_TIME, k], c[REACH_ROTATION, k] = c[TIME, k], rotation[k]
 
+    def _note(self, kind: int) -> None:
+        """Write an event of the first lane down."""
+        if self.log is not None and self.which[0] == 0:
+            c = self.c
+            self.log.append((kind, *(float(c[k, 0]) for k in (TIME, ROTATION, DIRECTION))))
+
     def _lift_time(self, mask: Any) -> None:
         c = self.c
+        if self.log is not None and self.which[0] == 0 and mask[0]:
+            self._note(LIFTS)
         first = mask & np.isnan(c[LIFT_TIME])
         c[LIFT_TIME, first] = c[TIME, first]
 

@@ -1,0 +1,85 @@
+"""The paper's closed form in time (3.20), (4.3): frozen geometry, constant friction, nothing of time or speed alone.
+
+Each phase has d(omega)/dt = a - b omega^2 with a the drive of its prologue and b what its program takes from omega^2.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import motion as formulas
+from slipcircle.flow import walk as w
+from slipcircle.flow.program import Program
+from slipcircle.flow.tables import Data
+
+Floats = NDArray[np.float64]
+
+
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Samples | None = None,
+         log: w.Log | None = None) -> None:  # fmt: skip
+    """As `slipcircle.flow.walk.walk`, for lanes that friction presses on throughout; others it leaves as they are."""
+    lanes = w.Lanes(program, tables, cells.copy(), samples, np.arange(cells.shape[1]), log)
+    with np.errstate(all="ignore"):
+        lanes.on(lanes.c[w.STATUS] == w.START, w.Lanes.start)
+        pressed = (lanes.c[program.roles["cell_normal0"]] > 0.0) & np.isfinite(lanes.c[w.OMEGA])
+        while np.any(moving := (lanes.c[w.STATUS] == w.MOVING) & pressed):
+            lanes.on(moving, _phase)
+    cells[:, pressed] = lanes.c[:, pressed]
+
+
+def _phase(lanes: w.Lanes) -> None:
+    """One phase, up to its standstill or its end."""
+    c, p = lanes.c, lanes.program
+    c[w.STEPS] += 1.0
+    a, b, omega = c[p.roles["cell_drive"]].copy(), _brake(lanes), c[w.OMEGA].copy()
+    braked = bool(np.any(b != 0.0))
+    prefix, of = ("frozen_centripetal", (a, b, omega)) if braked else ("frozen", (a, omega))
+    stop, gone = (np.asarray(getattr(formulas, f"{prefix}_arrest_{n}")(*of)) for n in ("time", "rotation"))
+    stop = np.where(a < 0.0, stop, np.inf)
+    left = c[w.END_TIME] - c[w.TIME]
+    stops = stop < left
+    until = np.where(stops, stop, left)
+    endless = np.isinf(until)
+    c[w.STATUS, endless] = w.TOO_LONG
+    until = np.where(endless, 0.0, until)
+
+    def state(t: Any, k: Any = slice(None)) -> tuple[Any, Any, Any]:
+        names = ("rotation", "angular_velocity", "angular_acceleration")
+        return tuple(getattr(formulas, f"{prefix}_{n}")(*(x[k] for x in of), t) for n in names)  # type: ignore[return-value]
+
+    x, speed, rate = state(until)
+    if lanes.samples is not None:
+        _read(lanes, until, stops, state)
+    c[w.X], c[w.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
+    c[w.TIME] = np.where(stops, c[w.TIME] + until, c[w.END_TIME])
+    lanes._fastest(c[w.OMEGA], c[w.TIME], c[w.ROTATION] + c[w.DIRECTION] * c[w.X], rate, ~stops & ~endless)
+    lanes.on(stops, w.Lanes.stand)
+    ends = ~stops & ~endless
+    for cell, value in ((w.END_ROTATION, c[w.ROTATION] + c[w.DIRECTION] * c[w.X]),
+                        (w.END_OMEGA, c[w.DIRECTION] * c[w.OMEGA]), (w.END_RATE, c[w.DIRECTION] * rate)):  # fmt: skip
+        c[cell] = np.where(ends, value, c[cell])
+    lanes._reach(ends)
+    c[w.STATUS, ends] = w.ENDED
+
+
+def _brake(lanes: w.Lanes) -> Floats:
+    """b: what a unit of omega^2 takes from the rate, by the program itself."""
+    part = w.Lanes(lanes.program, lanes.tables, lanes.c.copy(), None, lanes.which)
+    part.c[lanes.program.roles["cell_drive"]], part.c[w.OMEGA], part.c[w.X] = 0.0, 1.0, 0.0
+    return np.asarray(-part._series(0)[0][lanes.program.roles["net"], 0])
+
+
+def _read(lanes: w.Lanes, until: Floats, stops: Any, state: Any) -> None:
+    """States at sample times within the phase."""
+    c, s = lanes.c, lanes.samples
+    assert s is not None
+    for lane, column in enumerate(lanes.which):
+        begin, end = c[w.TIME, lane], c[w.TIME, lane] + until[lane] if stops[lane] else c[w.END_TIME, lane]
+        times = s.times[:, column]
+        first, last = np.searchsorted(times, begin), np.searchsorted(times, end, "left" if stops[lane] else "right")
+        x, omega, rate = state(times[first:last] - begin, lane)
+        side = c[w.DIRECTION, lane]
+        s.states[:4, first:last, column] = (c[w.ROTATION, lane] + side * x, side * omega, side * rate,
+                                            c[w.SLIP, lane] + x)  # fmt: skip
