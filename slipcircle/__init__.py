@@ -6,6 +6,7 @@ Units are SI, angles radians. `slipcircle schema --text` is the guide to effects
 and bounds. The numbers come from the package `generated`, which `python -m derive` writes.
 """
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 import generated
@@ -16,17 +17,23 @@ if getattr(generated, "__project__", None) != "slipcircle":
         "the one that slipcircle needs: remove it from sys.path, or put slipcircle's folder before it"
     )
 
-from slipcircle.arc import Arc, Dimensionless
-from slipcircle.motion import Energy, Motion, State
-from slipcircle.plan import Plan, plan
-from slipcircle.scene import Scene
-from slipcircle.solver import solve
+from slipcircle.motion.motion import Energy, Motion, State, Status
+from slipcircle.motion.plan import Plan, plan
+from slipcircle.motion.solver import solve
+from slipcircle.scene.arc import Arc, Dimensionless
+from slipcircle.scene.scene import Scene
 
 if TYPE_CHECKING:
-    from slipcircle.backanalysis import BackAnalysis, Unattainable, backanalyse
+    from slipcircle.files.scenefile import load
+    from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.studies.ensembles import Ensemble, ensemble
 
 __version__ = "0.1.0"
+# Asked for by name, since one motion needs nothing of them.
+_LATE = {
+    "BackAnalysis": "studies.backanalysis", "Ensemble": "studies.ensembles", "Unattainable": "studies.backanalysis",
+    "backanalyse": "studies.backanalysis", "ensemble": "studies.ensembles", "load": "files.scenefile",
+}  # fmt: skip
 __all__ = [
     "Arc",
     "BackAnalysis",
@@ -37,22 +44,22 @@ __all__ = [
     "Plan",
     "Scene",
     "State",
+    "Status",
     "Unattainable",
     "backanalyse",
     "ensemble",
+    "load",
     "plan",
     "solve",
 ]
 
 
 def __getattr__(name: str) -> Any:
-    """Ensembles and back-analysis, when they are asked for: one motion needs nothing of them."""
-    if name in ("Ensemble", "ensemble"):
-        from slipcircle.studies import ensembles
-
-        return getattr(ensembles, name)
-    if name in ("BackAnalysis", "Unattainable", "backanalyse"):
-        from slipcircle import backanalysis
-
-        return getattr(backanalysis, name)
+    """What is loaded when it is asked for."""
+    if name in _LATE:
+        return getattr(import_module(f"slipcircle.{_LATE[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

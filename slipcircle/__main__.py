@@ -16,9 +16,11 @@ from textwrap import wrap
 from typing import Any, TypeVar
 
 import slipcircle
-from slipcircle import Motion, Scene, plan, solve
-from slipcircle.inputs.scenefile import find, shipped
-from slipcircle.outputs import files, tables
+from slipcircle import Motion, Scene, solve
+from slipcircle.base import files
+from slipcircle.files.scenefile import find, shipped
+from slipcircle.outputs import tables
+from slipcircle.scene import plan
 
 T = TypeVar("T")
 OBSERVED = (("runout", "m", "run-out along the arc"), ("peak-velocity", "m-s", "greatest velocity"),
@@ -253,19 +255,19 @@ def _schema(options: argparse.Namespace) -> None:
 
         print(guide())
         return
-    from slipcircle.inputs.scenekeys import schema
+    from slipcircle.files.scenekeys import schema
 
     _print(schema())
 
 
 def _cost(options: argparse.Namespace) -> None:
-    from slipcircle.prices import cost, costtext
+    from slipcircle.cost import cost, costtext
 
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
         costtext.write_csv(found, options.csv)
     if options.plot:
-        from slipcircle.prices.costplot import plot
+        from slipcircle.cost.costplot import plot
 
         plot(found, options.plot)
     if options.json:
@@ -279,7 +281,7 @@ def _cost(options: argparse.Namespace) -> None:
 
 
 def _info(options: argparse.Namespace) -> None:
-    from slipcircle.info import facts
+    from slipcircle.outputs.info import facts
 
     found = facts()
     if options.json:

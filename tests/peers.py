@@ -27,8 +27,8 @@ import sympy as sp
 from numpy.typing import NDArray
 
 import generated
-from slipcircle.prices.cost import interleaved
-from slipcircle.prices.costtext import machine
+from slipcircle.cost.cost import interleaved
+from slipcircle.cost.costtext import machine
 
 Floats = NDArray[np.float64]
 SIZES = (10_000, 1_000_000)

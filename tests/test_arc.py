@@ -13,7 +13,7 @@ from flint import arb, ctx
 from mpmath import mpf
 
 from slipcircle import Arc
-from slipcircle.arc import GIVEN
+from slipcircle.scene.arc import GIVEN
 
 THIRD = 1 / mpf(3)
 VAIONT = {"radius": 1492.6, "theta_1": np.deg2rad(215.2), "theta_2": np.deg2rad(276.9), "unit_weight": 20e3}

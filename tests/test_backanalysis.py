@@ -12,7 +12,7 @@ from scipy.optimize import minimize
 
 from slipcircle import Scene, Unattainable, backanalyse, solve
 from slipcircle.__main__ import main
-from slipcircle.backanalysis import CLOSED, FITTED, ROOT
+from slipcircle.studies.backanalysis import CLOSED, FITTED, ROOT
 
 VAIONT = Scene.load("vaiont")
 WET = Scene.load("wet-slope")

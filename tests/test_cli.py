@@ -18,8 +18,8 @@ import generated
 import slipcircle
 from slipcircle import Motion, Scene, State, solve
 from slipcircle.__main__ import main
-from slipcircle.inputs.scenefile import find, shipped
-from slipcircle.prices import cost
+from slipcircle.files.scenefile import find, shipped
+from slipcircle.cost import cost
 
 ROOT = Path(__file__).parents[1]
 NAMES = ["vaiont-as-printed", "vaiont-frozen"]

@@ -19,9 +19,9 @@ from mpmath import mpf
 
 from generated import _compiled, kernels, printed
 from slipcircle.outputs import tables
-from slipcircle.prices import cost, costtext, reference, solvercost, ways
-from slipcircle.prices.cost import Row
-from slipcircle.prices.ways import Way
+from slipcircle.cost import cost, costtext, reference, solvercost, ways
+from slipcircle.cost.cost import Row
+from slipcircle.cost.ways import Way
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
@@ -89,7 +89,7 @@ def test_the_set_is_dense_at_both_ends(kind: str) -> None:
 
 
 def cost_axis(alpha: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    from slipcircle.prices.costplot import both_ends
+    from slipcircle.cost.costplot import both_ends
 
     return both_ends(alpha)
 
@@ -480,7 +480,7 @@ def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> No
 
 def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
     pytest.importorskip("matplotlib")
-    from slipcircle.prices.costplot import plot
+    from slipcircle.cost.costplot import plot
 
     plot([*tiered(), *judged(*RACE[:3])], str(tmp_path / "cost.svg"))
     drawn = (tmp_path / "cost.svg").read_text("utf-8")
@@ -491,7 +491,7 @@ def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
 
 def test_pictures_on_an_axis_of_ones_own(tiered: Callable[..., list[Row]]) -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    from slipcircle.prices.costplot import frontier, over_alpha
+    from slipcircle.cost.costplot import frontier, over_alpha
 
     pyplot.switch_backend("agg")
     rows = tiered()

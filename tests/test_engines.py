@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, ensemble, solve
-from slipcircle.inputs.series import Series
-from slipcircle.outputs.files import replacing, write
+from slipcircle.base.series import Series
+from slipcircle.base.files import replacing, write
 from slipcircle.studies import written
 from slipcircle.studies.engines import Progress, computed, engine, forecast, stored
 from slipcircle.studies.ensembles import Ensemble, grid

@@ -14,11 +14,11 @@ from scipy import stats
 
 from slipcircle import Scene, ensemble, solve
 from slipcircle.__main__ import main
-from slipcircle.arrays.block import Status
-from slipcircle.inputs.scenefile import read
-from slipcircle.inputs.scenekeys import schema
+from slipcircle.motion.motion import Status
+from slipcircle.files.scenefile import read
+from slipcircle.files.scenekeys import schema
 from slipcircle.studies import written
-from slipcircle.studies.distributions import DISTRIBUTIONS, Uncertain
+from slipcircle.base.distributions import DISTRIBUTIONS, Uncertain
 from slipcircle.studies.ensembles import Ensemble, grid
 from slipcircle.studies.estimates import histogram_quantile, indices, pooled, proportion, ranks, spread
 from slipcircle.studies.sampling import directions, latin, monte_carlo, sobol

@@ -103,7 +103,7 @@ def test_imports_go_one_way(package: str) -> None:
     ("package", "source", "names"),
     [
         ("derive", "def late():\n    from generated.arc import polar_moment", {"generated"}),
-        ("derive", "import numpy, slipcircle.scene as scene", {"slipcircle"}),
+        ("derive", "import numpy, slipcircle.scene.scene as scene", {"slipcircle"}),
         ("derive", "importlib.import_module('generated')", {"generated"}),
         ("derive", "import sympy\nfrom . import generated\nimport_module('.slipcircle', __name__)", set()),
         ("slipcircle", "if TYPE_CHECKING:\n    import derive.code.program", {"derive"}),

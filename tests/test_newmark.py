@@ -19,12 +19,12 @@ from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.balance import bind
-from slipcircle.friction import friction
-from slipcircle.inputs.series import Pulse, Series, Shaking
+from slipcircle.scene.friction import friction
+from slipcircle.base.series import Pulse, Series, Shaking
 from slipcircle.methods import riccati, stepping
 from slipcircle.methods.frozen import Frozen
 from slipcircle.methods.stepping import Stepped
-from slipcircle.motion import Start
+from slipcircle.motion.motion import Start
 
 Floats = NDArray[np.float64]
 GRAVITY = 9.81

@@ -14,8 +14,8 @@ from generated import balance
 from generated.effects import COMBINATIONS, EFFECTS
 from slipcircle import Scene, plan, solve
 from slipcircle.__main__ import main
-from slipcircle.inputs.series import Series
-from slipcircle.plan import (
+from slipcircle.base.series import Series
+from slipcircle.motion.plan import (
     CLOSED_IN_PHASE_PLANE,
     CLOSED_IN_TIME,
     ENERGY_EQUATION,

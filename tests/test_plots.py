@@ -17,7 +17,7 @@ from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
 from slipcircle import Arc, Motion, Scene, plan, solve
-from slipcircle.inputs.series import Pulse, Series
+from slipcircle.base.series import Pulse, Series
 from slipcircle.outputs import pictures, plots, plotstyle
 from slipcircle.outputs.report import report
 from slipcircle.outputs.trace import UNITS, csv, trace

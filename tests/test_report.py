@@ -18,9 +18,10 @@ import pytest
 
 from slipcircle import Motion, Scene, solve
 from slipcircle.__main__ import main
-from slipcircle.info import facts
-from slipcircle.inputs.scenefile import find
-from slipcircle.outputs import files, pictures
+from slipcircle.outputs.info import facts
+from slipcircle.files.scenefile import find
+from slipcircle.base import files
+from slipcircle.outputs import pictures
 from slipcircle.outputs.provenance import comments, inputs
 from slipcircle.outputs.report import RESULTS, report
 from slipcircle.outputs.tables import motion_record

@@ -8,7 +8,7 @@ import pytest
 
 from generated.effects import EFFECTS
 from slipcircle import Arc, Scene, plan
-from slipcircle.inputs.scenefile import shipped
+from slipcircle.files.scenefile import shipped
 
 ARC = Arc(800.0, 3.8, 5.0, 21e3)
 

@@ -16,9 +16,9 @@ import slipcircle
 from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
 from slipcircle import Arc, Scene, solve
 from slipcircle.__main__ import main
-from slipcircle.arc import QUANTITIES
-from slipcircle.inputs.scenefile import read, shipped
-from slipcircle.inputs.scenekeys import schema, tables_of
+from slipcircle.scene.arc import QUANTITIES
+from slipcircle.files.scenefile import read, shipped
+from slipcircle.files.scenekeys import schema, tables_of
 from slipcircle.outputs.guide import guide
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped

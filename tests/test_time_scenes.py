@@ -19,11 +19,11 @@ from scipy.integrate import solve_ivp
 
 from generated.effects import EFFECTS
 from slipcircle import Arc, Motion, Scene, plan, solve, solver
-from slipcircle.friction import friction as friction_law
-from slipcircle.inputs.records import read_pore_pressure
-from slipcircle.inputs.series import Pulse, Series
+from slipcircle.scene.friction import friction as friction_law
+from slipcircle.records.records import read_pore_pressure
+from slipcircle.base.series import Pulse, Series
 from slipcircle.methods import rest
-from slipcircle.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING
+from slipcircle.motion.plan import INTEGRATION, LINEAR_SYSTEM, STEPPING
 
 ROWS: list[dict[str, Any]] = json.loads(time_references.FILE.read_text("utf-8"))
 ARC: Any = Scene.load("vaiont").arc

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.arc import Arc
+from slipcircle.base.series import Pulse, Series
 from slipcircle.flow import tables, walk
 from slipcircle.flow.program import Program, join
-from slipcircle.inputs.series import Pulse, Series
+from slipcircle.scene.arc import Arc
 
 Floats = NDArray[np.float64]
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)

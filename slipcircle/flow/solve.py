@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.arc import Arc
 from slipcircle.flow import compiled, frozen, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
+from slipcircle.scene.arc import Arc
 
 Floats = NDArray[np.float64]
 
@@ -145,7 +145,9 @@ class Lanes:
         each = np.repeat(np.arange(self.count)[None, :], shape[0], axis=0).ravel()
         scale = np.broadcast_to(bound.time_scale, self.count)
         time = (times[:, None] / scale).ravel()
-        found = self._probe(bound, time, rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), names, each)
+        found = self._probe(
+            bound, time, rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), names, each
+        )
         return {n: v.reshape(shape).T for n, v in found.items()}
 
     def _probe(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, names: tuple[str, ...],

@@ -22,7 +22,8 @@ EPS = 2.0**-52
 (TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT,
  LIMIT_LOW, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA,
  END_RATE, FIRST_STOP, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA) = range(33)  # fmt: skip
-assert generated.CELLS[:33][-2:] == ("x", "omega")
+CELLS = generated.CELLS
+assert CELLS[:33][-2:] == ("x", "omega")
 START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED = range(10)
 PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 = range(8)  # of a table's cells
 MOST_STEPS = 1e4
@@ -83,7 +84,9 @@ class Lanes:
         k = np.flatnonzero(mask)
         if k.size == self.c.shape[1]:
             return self
-        return Lanes(self.program, [t.lanes(k) for t in self.tables], self.c[:, k], self.samples, self.which[k], self.log)
+        return Lanes(
+            self.program, [t.lanes(k) for t in self.tables], self.c[:, k], self.samples, self.which[k], self.log
+        )
 
     def on(self, mask: Any, do: Any, *args: Any) -> Any:
         """Do something with some of the lanes, and take over what became of them."""
@@ -165,8 +168,10 @@ class Lanes:
         """The drive less the resistance at rest, in one direction; minus infinity where it may not start that way."""
         c = self.c
         self._face(side)
-        net = c[self.program.roles["cell_drive"]]
-        scale = np.maximum(c[self.program.roles["cell_drive_scale"]], 1e-300)
+        roles = self.program.roles
+        net = c[roles["cell_drive"]]
+        terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
+        scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
         allowed = self._allowed(side)
         c[CLOSE] = np.where(allowed, np.minimum(c[CLOSE], np.abs(net) / scale), c[CLOSE])
         return np.where(allowed, net, -np.inf)

@@ -4,8 +4,8 @@ import textwrap
 from collections.abc import Iterator
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.inputs.scenekeys import Table, tables_of
-from slipcircle.studies.distributions import DISTRIBUTIONS
+from slipcircle.base.distributions import DISTRIBUTIONS
+from slipcircle.files.scenekeys import Table, tables_of
 
 WIDTH, INDENT = 100, 28
 HEAD = """\

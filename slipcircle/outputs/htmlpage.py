@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from slipcircle.info import facts
+from slipcircle.outputs.info import facts
 
 _STYLE = """
 body { font: 15px/1.5 sans-serif; color: #111; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }

@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
-from slipcircle.motion import Motion
+from slipcircle.motion.motion import Motion
 from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.plotstyle import missing, work
 

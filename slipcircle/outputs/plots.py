@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.ladder import Rung
-from slipcircle.motion import Motion
+from slipcircle.motion.motion import Motion
 from slipcircle.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -29,6 +28,7 @@ from slipcircle.outputs.plotstyle import (
 )
 from slipcircle.outputs.sectionplot import animate, section
 from slipcircle.outputs.trace import Floats, trace
+from slipcircle.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 

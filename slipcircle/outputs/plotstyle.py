@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.motion import Motion
+from slipcircle.motion.motion import Motion
 from slipcircle.outputs.trace import Floats
 
 # The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a

@@ -9,14 +9,14 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.friction import law_names
-from slipcircle.motion import Motion
+from slipcircle.motion.motion import Motion
+from slipcircle.motion.plan import Plan
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
 from slipcircle.outputs.plotstyle import ending, scaled, work
 from slipcircle.outputs.provenance import inputs
 from slipcircle.outputs.tables import motion_record
-from slipcircle.plan import Plan
+from slipcircle.scene.friction import law_names
 
 # Key results: what they are called, where the record of `run --json` has them, the unit shown and SI units in it.
 RESULTS: tuple[tuple[str, tuple[str, ...], str, float], ...] = (

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.motion import Motion
+from slipcircle.motion.motion import Motion
 from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, ending, legend, number
 from slipcircle.outputs.trace import Floats, trace
 

@@ -139,7 +139,7 @@ def tornado(
     -------
     matplotlib axis
     """
-    from slipcircle.studies.distributions import keys_of
+    from slipcircle.base.distributions import keys_of
 
     _known("tornado", "output", output, table.outputs)
     keys = keys_of()

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from slipcircle.arrays.block import Status
+from slipcircle.motion.motion import Status
+from slipcircle.motion.plan import plan
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
 from slipcircle.outputs.report import given
 from slipcircle.outputs.studyplots import NAMES
 from slipcircle.outputs.tables import words
-from slipcircle.plan import plan
 from slipcircle.studies import written
 from slipcircle.studies.estimates import Estimate
 from slipcircle.studies.study import BIN_ERROR, OUTPUTS

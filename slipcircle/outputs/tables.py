@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generated.effects import COMBINATIONS
-from slipcircle.friction import friction
-from slipcircle.ladder import Rung
-from slipcircle.motion import Motion
-from slipcircle.plan import Plan
+from slipcircle.motion.motion import Motion
+from slipcircle.motion.plan import Plan
+from slipcircle.scene.friction import friction
+from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
-    from slipcircle.backanalysis import BackAnalysis
     from slipcircle.sensitivity import Sensitivity
+    from slipcircle.studies.backanalysis import BackAnalysis
 
 
 def motion_record(motion: Motion) -> dict[str, Any]:
@@ -83,7 +83,7 @@ def motion_column(motion: Motion, alike: bool) -> list[tuple[str, str]]:
 
 def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
     """A back-analysis as JSON holds it: null for what is not known; matrices by fields in their order."""
-    from slipcircle.backanalysis import angle_deg
+    from slipcircle.studies.backanalysis import angle_deg
 
     return {
         "scene": found.motion.plan.scene.name,
@@ -111,7 +111,7 @@ def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
 
 def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     """A back-analysis as rows of a table, a column for each solution."""
-    from slipcircle.backanalysis import FITTED, UNITS, angle_deg
+    from slipcircle.studies.backanalysis import FITTED, UNITS, angle_deg
     from slipcircle.studies.fields import OBSERVED, outputs_of
 
     columns = []
@@ -180,7 +180,7 @@ def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:
 
 def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
     """Derivatives as rows of a table, per unit of the key that a scene file has for each parameter."""
-    from slipcircle.studies.distributions import keys_of
+    from slipcircle.base.distributions import keys_of
 
     rows = []
     for k, name in enumerate(found.parameters):

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.friction import friction
 from slipcircle.methods.rest import down_slope
-from slipcircle.motion import Motion
+from slipcircle.motion.motion import Motion
+from slipcircle.scene.friction import friction
 
 Floats = NDArray[np.float64]
 

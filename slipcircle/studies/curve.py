@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.checks import EPS
+from slipcircle.base.checks import EPS
 from slipcircle.methods.roots import highest, root
-from slipcircle.plan import INTEGRATION, plan
+from slipcircle.motion.plan import INTEGRATION, plan
 from slipcircle.studies.fields import OBSERVED, ROUGH, Field, attempt, outputs_of
 from slipcircle.studies.fit import refined
 

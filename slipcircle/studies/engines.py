@@ -24,7 +24,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from slipcircle.outputs.files import replacing, write
+from slipcircle.base.files import replacing, write
 from slipcircle.studies.study import Result, Study, run_block
 
 ENGINES = ("serial", "threads", "processes", "dask")

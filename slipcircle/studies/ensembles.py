@@ -12,12 +12,12 @@ from typing import IO, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.arrays.block import Status
 from slipcircle.arrays.motions import rest_of, values_of
-from slipcircle.inputs.series import Series
-from slipcircle.plan import INTEGRATION, plan
-from slipcircle.scene import Scene
-from slipcircle.studies.distributions import Uncertain, place
+from slipcircle.base.distributions import Uncertain, place
+from slipcircle.base.series import Series
+from slipcircle.motion.motion import Status
+from slipcircle.motion.plan import INTEGRATION, plan
+from slipcircle.scene.scene import Scene
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.estimates import (
     Estimate,
@@ -71,7 +71,7 @@ class Ensemble:
         With which the same numbers come again.
     confidence : float
     counts : ndarray
-        Lanes of each `slipcircle.arrays.block.Status`.
+        Lanes of each `slipcircle.motion.motion.Status`.
     sensitivity : mapping
         `Indices` of each output, and of whether the mass moves, where there is more than one input.
     convergence : list of Convergence

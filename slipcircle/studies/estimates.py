@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.studies.distributions import special
+from slipcircle.base.distributions import special
 from slipcircle.studies.study import BINS, edges
 
 Floats = NDArray[np.float64]

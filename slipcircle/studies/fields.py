@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
 from slipcircle.balance import bind
-from slipcircle.friction import law_name
-from slipcircle.motion import Motion
-from slipcircle.plan import CLOSED_IN_PHASE_PLANE, CLOSED_IN_TIME, INTEGRATION, plan
-from slipcircle.scene import Scene
+from slipcircle.motion.motion import Motion
+from slipcircle.motion.plan import CLOSED_IN_PHASE_PLANE, CLOSED_IN_TIME, INTEGRATION, plan
+from slipcircle.motion.solver import solve_one
+from slipcircle.scene.friction import law_name
+from slipcircle.scene.scene import Scene
 from slipcircle.sensitivity import OF_SCENE
-from slipcircle.solver import solve_one
 
 Floats = NDArray[np.float64]
 OBSERVED = {"runout": "run_out", "peak_velocity": "peak_velocity", "duration": "duration"}

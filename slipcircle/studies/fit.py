@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.checks import EPS
-from slipcircle.motion import Motion
-from slipcircle.plan import INTEGRATION, plan
-from slipcircle.scene import Scene
+from slipcircle.base.checks import EPS
+from slipcircle.motion.motion import Motion
+from slipcircle.motion.plan import INTEGRATION, plan
+from slipcircle.scene.scene import Scene
 from slipcircle.studies.fields import OBSERVED, ROUGH, Field, attempt, exact, outputs_of, slopes
 
 Floats = NDArray[np.float64]

@@ -11,9 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.arrays.block import Status
 from slipcircle.arrays.lanes import solve_block
-from slipcircle.studies.distributions import Uncertain
+from slipcircle.base.distributions import Uncertain
+from slipcircle.motion.motion import Status
 from slipcircle.studies.sampling import directions, latin, monte_carlo, sobol
 
 Floats = NDArray[np.float64]

@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle import Scene
-from slipcircle.arrays.block import Status
-from slipcircle.inputs.scenefile import find
-from slipcircle.outputs import files, pictures, studyplots, tables
+from slipcircle.base import files
+from slipcircle.base.distributions import DISTRIBUTIONS
+from slipcircle.files.scenefile import find
+from slipcircle.motion.motion import Status
+from slipcircle.outputs import pictures, studyplots, tables
 from slipcircle.studies import written
-from slipcircle.studies.distributions import DISTRIBUTIONS
 from slipcircle.studies.engines import ENGINES, engine
 from slipcircle.studies.ensembles import Ensemble, ensemble, grid
 from slipcircle.studies.estimates import Estimate

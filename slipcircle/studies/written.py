@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.arrays.block import Status
+from slipcircle.motion.motion import Status
 from slipcircle.studies.ensembles import Curve, Ensemble
 from slipcircle.studies.estimates import Estimate
 from slipcircle.studies.study import BIN_ERROR, OUTPUTS

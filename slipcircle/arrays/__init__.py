@@ -1,1 +1,0 @@
-"""Many scenes at once: their fields are arrays, a lane is one scene, and no lane knows of another."""

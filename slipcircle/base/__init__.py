@@ -1,0 +1,1 @@
+"""What everything else stands on: checks, whole files, functions of time, distributions."""

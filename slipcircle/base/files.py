@@ -1,0 +1,90 @@
+"""Files that a command writes: checked before the work begins, and never seen half written."""
+
+import os
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import IO
+
+from slipcircle.base.checks import raise_all
+
+
+def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) -> None:
+    """See that files can be written.
+
+    Parameters
+    ----------
+    command : str
+        Whose options they are.
+    outputs : mapping
+        Paths by the option that names them.
+    inputs : sequence of str
+        Paths that are read and must not be written over.
+
+    Raises
+    ------
+    ValueError
+        Lists every path that cannot be written, and why.
+    """
+    found, taken = [], {os.path.realpath(path): "the scene file" for path in inputs}
+    for option, name in outputs.items():
+        path = Path(os.path.realpath(name))
+        if _is_device(name):
+            continue
+        if path.is_dir() or not path.name or name.endswith(os.sep):
+            found.append(f"{option} {name}: is a folder; give a file's name")
+        elif not path.parent.is_dir():
+            found.append(f"{option} {name}: there is no folder {Path(name).parent}")
+        elif not os.access(path.parent, os.W_OK):
+            found.append(f"{option} {name}: may not be written")
+        elif str(path) in taken:
+            found.append(f"{option} {name}: would overwrite {taken[str(path)]}")
+        taken[str(path)] = option
+    raise_all(command, found)
+
+
+@contextmanager
+def replacing(name: str | os.PathLike[str]) -> Iterator[IO[bytes]]:
+    """A file to write that takes its name only when all of it is on the disk; on an error nothing changes.
+
+    A link stays one, and what is no file, such as /dev/stdout, is written to.
+    """
+    if _is_device(name):
+        with open(name, "wb") as device:
+            yield device
+        return
+    path = Path(os.path.realpath(name))
+    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=f".{path.name[:200]}.", delete=False) as file:
+        try:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+            file.close()
+            umask = os.umask(0)
+            os.umask(umask)
+            os.chmod(file.name, 0o666 & ~umask)  # as any other file
+            os.replace(file.name, path)
+        except BaseException:
+            os.unlink(file.name)
+            raise
+
+
+def write(name: str | os.PathLike[str], content: bytes) -> None:
+    """Write a file whole: a reader sees what was there before, or all of this.
+
+    Raises
+    ------
+    ValueError
+        If that fails.
+    """
+    try:
+        with replacing(name) as file:
+            file.write(content)
+    except OSError as error:
+        raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
+
+
+def _is_device(name: str | os.PathLike[str]) -> bool:
+    """Whether it is no file that could be replaced, such as a pipe or /dev/stdout."""
+    return os.path.exists(name) and not os.path.isfile(name) and not os.path.isdir(name)

@@ -1,0 +1,1 @@
+"""What each way to compute something costs, and its error."""

@@ -1,0 +1,303 @@
+"""What accuracy costs in time: each way to compute a function, its proved and its worst seen error, its time, here.
+
+Ratios within one run mean something; absolute times belong to the machine that the report names. All ways to compute
+one function are timed in turns, so that what disturbs the machine disturbs all alike.
+"""
+
+import time
+import tracemalloc
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from statistics import median
+from typing import Any, TextIO
+
+import numpy as np
+
+from slipcircle.cost import solvercost
+from slipcircle.cost.reference import Floats, Reference
+from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way, multiprecision
+
+SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that does not
+BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
+REPEATS = 9
+_TICK, _PASS, _PATIENCE = 5e-4, 0.1, 0.08  # seconds: shortest thing timed, longest single pass, all repeats of one
+_QUICK = 0.02  # seconds for scenes, after which ten times as many are not asked for
+FRONTIER, LOST = "frontier", "beaten: "
+NAMES = [*FUNCTIONS, *solvercost.SOLVERS]
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Errors of a way over its inputs."""
+
+    points: Floats
+    ulp: Floats  # signed
+    relative: Floats
+
+
+@dataclass(frozen=True)
+class Row:
+    """One way to compute one function.
+
+    Attributes
+    ----------
+    bound, bound_ulp
+        Proved bounds of the relative error and of the error in ulp of `kind`; None: sampled only.
+    error, ulp
+        The worst seen, on so many `points`; NaN for the floor, which computes nothing.
+    worst_input, worst_input_ulp
+        Where.
+    ns_1, ns_1e4, ns_1e6
+        Time of an element, ns, with N elements in a call: the median of several turns.
+    elements
+        How many elements the last of them was measured on; fewer than N for slow ways.
+    memory
+        Bytes allocated besides argument and result at the worst moment, for an element.
+    cheaper
+        How many times less time it takes than the next more accurate way on the frontier.
+    verdict
+        "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate.
+    """
+
+    function: str
+    way: str
+    error: float
+    worst_input: tuple[float, ...]
+    ns_1: float
+    ns_1e4: float | None = None
+    ns_1e6: float | None = None
+    elements: int = 1
+    memory: float | None = None
+    bound: float | None = None
+    bound_ulp: float | None = None
+    ulp: float | None = None
+    worst_input_ulp: tuple[float, ...] = ()
+    points: int = 1
+    kind: str = "float64"
+    ours: bool = False
+    cheaper: float | None = None
+    verdict: str = ""
+    profile: Profile | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def price(self) -> float:
+        """The time that verdicts compare, ns: in an array that stays in cache, or of one call."""
+        return self.ns_1 if self.ns_1e4 is None else self.ns_1e4
+
+
+def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
+    """Measure every way to compute the named functions.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Keys of `ways.FUNCTIONS` or `solvercost.SOLVERS`.
+    progress : text file, optional
+        Where to say what is being measured.
+
+    Raises
+    ------
+    ValueError
+        For an unknown function.
+    ImportError
+        Without mpmath and python-flint, which give the reference.
+    """
+    unknown = [n for n in names if n not in NAMES]
+    if unknown:
+        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join(NAMES)}")
+    multiprecision(30)
+    found = []
+    for name in names:
+        if progress:
+            print(f"measuring {name}", file=progress, flush=True)
+        if name in solvercost.SOLVERS:
+            one, many = _solvers(name, progress)
+            found += [*judged(one), *judged(many)]
+        else:
+            found += judged(_functions(name, FUNCTIONS[name]()))
+    return found
+
+
+def _functions(name: str, subject: Subject) -> list[Row]:
+    rows, arguments = [], subject.bulk(SIZES[-1])
+    for way, times in zip(subject.ways, _times(subject), strict=True):
+        elements = times[-1][1]
+        one = 1 if way.few else elements
+        row = Row(
+            name, way.name, float("nan"), (), times[0][0], times[1][0], times[2][0], elements,
+            _memory(_work(way, arguments, one), one), way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
+        )  # fmt: skip
+        rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
+    return rows
+
+
+def _solvers(name: str, progress: TextIO | None) -> tuple[list[Row], list[Row]]:
+    """Rows of one scene, and of ten thousand."""
+    ways, exact, (some, of_some) = solvercost.solutions(name, progress)
+    rows = []
+    for (way, works), seconds in zip(ways.items(), interleaved([w.one for w in ways.values()]), strict=True):
+        error = _apart(np.array(works.one()), np.array(exact))
+        row = Row(name, way, error, (), median(seconds) * 1e9, memory=_memory(works.one, 1))
+        rows.append(replace(row, ours=way.startswith("slipcircle")))
+    alone = {row.way: row for row in rows}
+    kept = {way: works.many for way, works in ways.items() if works.many is not None}
+    counts = [_scenes(many) for many in kept.values()]
+    jobs = [partial(many, solvercost.frictions(n)) for many, n in zip(kept.values(), counts, strict=True)]
+    found = []
+    for (way, many), job, count, seconds in zip(kept.items(), jobs, counts, interleaved(jobs), strict=True):
+        found.append(replace(
+            alone[way], function=f"{name}, {SIZES[1]} scenes", ns_1e4=median(seconds) / count * 1e9, elements=count,
+            error=_apart(many(some), of_some), points=some.size,
+            memory=_memory(job, count) if count == SIZES[1] else None,
+        ))  # fmt: skip
+    return rows, found
+
+
+def _apart(found: Floats, exact: Floats) -> float:
+    """The worst relative error; absolute where the exact value is 0."""
+    return float(np.max(np.abs(found - exact) / np.where(exact == 0.0, 1.0, np.abs(exact))))
+
+
+def _scenes(many: Callable[[Floats], Floats]) -> int:
+    """How many scenes a pass has time for: ten times as many, while that is quick, up to ten thousand."""
+    count = min(solvercost.FEWEST, SIZES[1])
+    many(solvercost.frictions(count))  # what is imported at first only shall not pass for long work
+    while count < SIZES[1] and _timed(partial(many, solvercost.frictions(count)), 1) < _QUICK:
+        count = min(10 * count, SIZES[1])
+    return count
+
+
+# --- errors --------------------------------------------------------------------------------------------------------
+
+
+def _seen(row: Row, way: Way, exact: Reference) -> Row:
+    """The row with the worst errors of its way."""
+    if way.few:
+        exact = exact.some(way.few)
+        ulp, relative = _exactly([way.function(*p) for p in exact.points.T.tolist()], exact)
+    else:
+        ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
+    at, at_ulp = int(np.argmax(relative)), int(np.argmax(np.abs(ulp)))
+    points = exact.points.T
+    return replace(
+        row, error=float(relative[at]), ulp=float(abs(ulp[at_ulp])), points=len(points),
+        worst_input=tuple(points[at].tolist()), worst_input_ulp=tuple(points[at_ulp].tolist()),
+        profile=Profile(exact.points[0], ulp, relative),
+    )  # fmt: skip
+
+
+def _exactly(results: Sequence[Any], exact: Reference) -> tuple[Floats, Floats]:
+    """Errors of numbers that may have more digits than a double."""
+    mp, ulp, relative = multiprecision(110), [], []
+    for result, ball, unit in zip(results, exact.values, exact.unit.tolist(), strict=True):
+        value = mp.mpf(ball.str(100, radius=False) if hasattr(ball, "rad") else ball)
+        error = mp.mpf(result) - value
+        ulp.append(float(error / unit) if error == error else float("inf"))
+        relative.append(float(abs(error) / max(abs(value), exact.smallest)) if error == error else float("inf"))
+    return np.array(ulp), np.array(relative)
+
+
+# --- times and memory ----------------------------------------------------------------------------------------------
+
+
+def _times(subject: Subject) -> list[list[tuple[float, int]]]:
+    """For each way and each of `SIZES`: ns an element, and on how many elements."""
+    found: list[list[tuple[float, int]]] = [[] for _ in subject.ways]
+    for size in SIZES:
+        arguments = subject.bulk(size)
+        counts = [_fitting(way, size, sofar) for way, sofar in zip(subject.ways, found, strict=True)]
+        works = [_work(w, arguments, n) for w, n in zip(subject.ways, counts, strict=True)]
+        for sofar, count, seconds in zip(found, counts, interleaved(works), strict=True):
+            sofar.append((median(seconds) / count * 1e9, count))
+    return found
+
+
+def _fitting(way: Way, size: int, sofar: list[tuple[float, int]]) -> int:
+    """How many elements a pass has time for."""
+    if way.few:
+        return min(size, way.few)
+    while sofar and size > SIZES[1] and size * sofar[-1][0] * 1e-9 > _PASS:
+        size //= 10
+    return size
+
+
+def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
+    """One pass over so many elements: a call on numbers, or on an array, or one call for each of a few."""
+    if way.few:
+        few = arguments.T[:count].tolist()
+        return lambda: [way.function(*p) for p in few]
+    if count == 1:
+        numbers = arguments[:, 0].tolist()
+        return partial(way.function, *(numbers if way.kind == "float64" else map(np.dtype(way.kind).type, numbers)))
+    rows = arguments[:, :count].astype(way.kind, copy=False)
+    return partial(way.into, *rows, np.empty_like(rows[0])) if way.into else partial(way.function, *rows)
+
+
+def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
+    """Seconds that each piece of work took, several times, all of them in turns."""
+    # glibc gives the heap's top back to the system, and faults every page again, until a large array came and went:
+    # NumPy's expressions take up to three times longer before. Most programs are past that, so this one shall be.
+    np.ones(4_000_000)
+    plans = []
+    for work in works:
+        work()
+        took = _timed(work, 1)
+        if took < _PATIENCE:  # what is slow at first only shall not pass for long work
+            took = min(took, _timed(work, 1), _timed(work, 1))
+        loops = max(1, int(_TICK / took))
+        plans.append((loops, min(REPEATS, max(3, int(_PATIENCE / (took * loops))))))
+    samples: list[list[float]] = [[] for _ in works]
+    for turn in range(REPEATS):
+        for work, (loops, repeats), sample in zip(works, plans, samples, strict=True):
+            if turn < repeats:
+                if loops > 1:  # short work finds the caches as the one before left them
+                    work()
+                sample.append(_timed(work, loops))
+    return samples
+
+
+def _timed(work: Callable[[], object], loops: int) -> float:
+    start = time.process_time()  # of the processor: what else it does in the meantime is not ours
+    for _ in range(loops):
+        work()
+    return max((time.process_time() - start) / loops, 1e-9)
+
+
+def _memory(work: Callable[[], object], elements: int) -> float:
+    """Bytes for an element that one pass holds at its worst moment, besides what it returns."""
+    tracemalloc.start()
+    try:
+        before = tracemalloc.get_traced_memory()[0]
+        result = work()
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    returned = result.nbytes if isinstance(result, np.ndarray) and result.size > 1 else 0
+    return max(0.0, (peak - before - returned) / elements)
+
+
+# --- verdicts ------------------------------------------------------------------------------------------------------
+
+
+def judged(rows: Sequence[Row]) -> list[Row]:
+    """Mark the frontier: a way that another beats in time by more than `BEATEN` at no larger error names the winner."""
+    found = []
+    for row in rows:
+        better = [r for r in rows if r.error <= row.error and r.price * BEATEN < row.price]
+        best = min(better, key=lambda r: r.price, default=None)
+        if row.error != row.error:
+            said = "floor"
+        elif row.error >= 1:
+            said = "no digit"
+        else:
+            said = LOST + best.way if best else FRONTIER
+        found.append(replace(row, verdict=said))
+    front = [r for r in found if r.verdict == FRONTIER]
+    return [replace(row, cheaper=_cheaper(row, front)) for row in found]
+
+
+def _cheaper(row: Row, front: Sequence[Row]) -> float | None:
+    """Times cheaper than the next more accurate way on the frontier."""
+    above = max((r for r in front if r.error < row.error), key=lambda r: r.error, default=None)
+    return above.price / row.price if above else None

@@ -1,0 +1,186 @@
+"""The price list in words: a table and a verdict for people, records and CSV for machines."""
+
+import csv
+import platform
+import textwrap
+from collections.abc import Sequence
+from dataclasses import fields
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import numpy as np
+
+from generated import _compiled
+from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, Row
+from slipcircle.cost.solvercost import NEW, NEW_NUMPY
+
+WIDTH = 100  # of tables and text, columns
+NOTES = (
+    "proved: bound over the whole domain, rounding included. seen: worst relative error; ulp: worst error in units of "
+    "the last place of the row's format; at: where.",
+    f"N=: processor time, ns an element or that of a scene, the median of up to {REPEATS} turns, into a given array "
+    "where the way can; ~ on fewer elements (of dblquad and mpmath also errors). What heyoka takes to compile is left "
+    "out.",
+    "B: bytes an element besides argument and result. saves: times cheaper than the next more "
+    "accurate on the frontier.",
+    f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
+    "no digit: an error of 1 or more somewhere; returning 0 is as accurate.",
+)
+UNDERFLOW = 2.0**-320  # below it results underflow, and another bound holds (`bound_underflow` of the certificates)
+COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "B", "saves", "verdict")
+
+
+def _ulp(row: Row) -> float:
+    """The worst error in ulp seen where the bound speaks of it."""
+    if row.profile is None:
+        return row.ulp or 0.0
+    return float(np.max(np.abs(row.profile.ulp[row.profile.points >= UNDERFLOW]), initial=0.0))
+
+
+def verdict(rows: Sequence[Row]) -> str:
+    """What the rows of one function say, wins and losses alike."""
+    rows = [r for r in rows if r.error == r.error]
+    ours, others = [r for r in rows if r.ours], [r for r in rows if not r.ours]
+    front = sorted((r for r in rows if r.verdict == FRONTIER), key=lambda r: r.error)
+    by = {r.way: r for r in rows}
+    broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
+    lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
+    lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {duration(r.price)})" for r in front) + ".")
+    if few := sorted({r.elements for r in rows if r.ns_1e4 and r.ns_1e6 is None and r.elements < SIZES[1]}):
+        counts = " or ".join(map(str, few))
+        lines.append(f"~: {counts} scenes were measured, as these ways solve scenes one by one.")
+    if not ours or not others:
+        return wrapped(lines)
+    lost = [
+        f"{r.way} to {winner.way} ({_times_as(r.price / winner.price)} slower)"
+        for r in ours
+        if (winner := by.get(r.verdict.removeprefix(LOST)))
+    ]
+    lines.append(f"Of ours, these lose: {'; '.join(lost)}." if lost else "None of ours is beaten.")
+    if {NEW, NEW_NUMPY} <= by.keys():
+        gain = by[NEW_NUMPY].price / by[NEW].price
+        lines.append(
+            f"With a new arc and every kernel in NumPy it takes {gain:.2f} times as long as with compiled ones."
+        )
+    best = min(ours, key=lambda r: r.error)
+    exact = [r for r in others if r.error < best.error]
+    if exact:
+        cheap = min(exact, key=lambda r: r.price)
+        lines.append(f"More accurate than {best.way}: {', '.join(r.way for r in exact)}; the cheapest of them takes "
+                     f"{_times_as(cheap.price / best.price)} as long.")  # fmt: skip
+    faster: dict[str, list[str]] = {}
+    for label, key in zip(COLUMNS[6:9], ("ns_1", "ns_1e4", "ns_1e6"), strict=True):
+        times = {r.way: float(getattr(r, key) or "nan") for r in rows}
+        mine, theirs = (min(some, key=lambda r: times[r.way]) for some in (ours, others))
+        if times[theirs.way] * BEATEN < times[mine.way]:
+            faster.setdefault(theirs.way, []).append(f"{_times_as(times[mine.way] / times[theirs.way])} at {label}")
+    lines += [
+        f"Faster than anything of ours: {way}, {', '.join(gains)}, with an error of {short(by[way].error)}."
+        for way, gains in faster.items()
+    ]
+    return wrapped(lines)
+
+
+def wrapped(lines: Sequence[str]) -> str:
+    """Lines, folded to the width of the tables."""
+    return "\n".join(textwrap.fill(line, WIDTH, subsequent_indent="  ") for line in lines)
+
+
+def short(x: float, digits: int = 2) -> str:
+    """A few digits, in as few characters as they take: 7.7e-17."""
+    mantissa, _, exponent = f"{x:.{digits - 1}e}".partition("e")
+    return f"{mantissa}e{int(exponent)}" if int(exponent or 0) else mantissa
+
+
+def duration(nanoseconds: float) -> str:
+    """A time with its unit."""
+    scale, unit = next((s, u) for s, u in ((1e6, "ms"), (1e3, "us"), (1.0, "ns")) if nanoseconds >= s or s == 1.0)
+    return f"{nanoseconds / scale:.3g} {unit}"
+
+
+def _number(x: float | None) -> str:
+    """Three digits; whole numbers as far as five characters hold them."""
+    if x is None:
+        return ""
+    return f"{x:.3g}" if x < 999.5 else f"{x:.0f}" if x < 99999.5 else short(x)
+
+
+def _ratio(x: float) -> str:
+    return f"{x:.2g}" if 0.01 <= x < 99.5 else f"{x:.0f}" if 99.5 <= x < 1e4 else short(x, 1)
+
+
+def _times_as(x: float) -> str:
+    return f"{_ratio(x)} times"
+
+
+def _at(values: Sequence[float]) -> str:
+    """An input: two digits of each number, one where the exponent takes three."""
+    return ", ".join(f"{x:.2g}" if x == 0 or 1e-4 < x < 100 else short(x, 1 if x < 1e-99 else 2) for x in values)
+
+
+def _proved(row: Row) -> str:
+    if row.error != row.error:
+        return ""
+    if row.bound_ulp is not None and row.bound_ulp < 1e3:
+        return f"{row.bound_ulp:.3g} ulp"
+    return "sampled only" if row.bound is None else f"{row.bound:.3g}"
+
+
+def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
+    """Head and rows of one function as text, without empty columns; whoever beats a row is named by number."""
+    place = {row.way: str(i) for i, row in enumerate(rows, 1)}
+    found = []
+    for row in rows:
+        solver, winner = row.ns_1e6 is None, place.get(row.verdict.removeprefix(LOST))
+        time, few = duration if solver else _number, "~" if row.elements < SIZES[1 if solver else -1] else ""
+        ulp = "" if row.ulp is None else "0" if row.ulp < 5e-4 else f"{row.ulp:.3f}" if row.ulp < 10 else None
+        found.append([
+            place[row.way], row.way, _proved(row), short(row.error) if row.error == row.error else "",
+            short(float(row.ulp or 0), 1) if ulp is None else ulp, _at(row.worst_input_ulp),
+            time(row.ns_1), (few if solver else "") + time(row.ns_1e4) if row.ns_1e4 else "",
+            few + time(row.ns_1e6) if row.ns_1e6 else "", _number(None if row.memory is None else round(row.memory)),
+            f"{_ratio(row.cheaper)}x" if row.cheaper else "", f"beaten {winner}" if winner else row.verdict,
+        ])  # fmt: skip
+    filled = [any(column) for column in zip(*found, strict=True)]
+
+    def kept(texts: Sequence[str]) -> list[str]:
+        return [text for text, wanted in zip(texts, filled, strict=True) if wanted]
+
+    return kept(COLUMNS), [kept(texts) for texts in found]
+
+
+def record(row: Row) -> dict[str, Any]:
+    """A row for JSON and CSV, in full precision; None for what is infinite, unknown, or was not measured."""
+    found = {f.name: getattr(row, f.name) for f in fields(row) if f.name != "profile"}
+    return {k: None if isinstance(v, float) and not np.isfinite(v) else v for k, v in found.items()}
+
+
+def write_csv(rows: Sequence[Row], path: str) -> None:
+    """All rows as a table for machines."""
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, [f.name for f in fields(Row) if f.name != "profile"])
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({k: " ".join(map(repr, v)) if isinstance(v, tuple) else v for k, v in record(row).items()})
+
+
+def machine() -> str:
+    """Processor and versions, to stand beside the times."""
+    processor, flags = platform.processor() or platform.machine(), ""
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            facts = {k.strip(): v.strip() for k, _, v in (line.partition(":") for line in file)}
+        processor = facts.get("model name", processor)
+        flags = ", ".join(f for f in ("avx512f", "avx2", "fma") if f in facts.get("flags", "").split())
+    except OSError:
+        pass
+    versions = [f"Python {platform.python_version()}"]
+    for name in ("numpy", "scipy", "mpmath"):
+        try:
+            versions.append(f"{name} {version(name)}")
+        except PackageNotFoundError:
+            versions.append(f"no {name}")
+    kernels = ", ".join(_compiled.LEVELS)
+    return (
+        f"{processor}{f' ({flags})' if flags else ''}, {platform.system()}, {', '.join(versions)}, kernels: {kernels}"
+    )

@@ -1,0 +1,256 @@
+"""Every way to compute a function that the price list compares: this package's tiers, the paper's forms, quadrature."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache, partial
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import _compiled, kernels, motion, printed, stable, tiers
+from slipcircle.cost import reference
+from slipcircle.cost.reference import QUOTIENTS, Floats, Reference
+
+GAUSS_POINTS = (4, 8, 16, 32, 64)
+MP_DIGITS = (30, 50)
+FLOOR = "np.copyto (floor)"
+_BLOCK = 2**16  # nodes of a Gauss-Legendre rule that are evaluated at once
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way to compute a function.
+
+    Attributes
+    ----------
+    name : str
+        As the table has it; a tier's is "tier, form".
+    function : callable
+        Arrays in, an array out; where `few` is set, one number in and out, of any type.
+    into : callable, optional
+        ``into(*arrays, out)``, which allocates no result.
+    kind : str
+        Format of its input and result, in which it is judged.
+    bound, bound_ulp : float, optional
+        Proved bounds of the relative error and of the error in ulp; without one the way is sampled only.
+    ours : bool
+        Whether this package offers it.
+    few : int
+        For slow ways: so many inputs are enough.
+    """
+
+    name: str
+    function: Callable[..., Any]
+    into: Callable[..., Any] | None = None
+    kind: str = "float64"
+    bound: float | None = None
+    bound_ulp: float | None = None
+    ours: bool = False
+    few: int = 0
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A function to be priced: the ways, their reference in a format, and what arguments to time them with."""
+
+    ways: list[Way]
+    reference: Callable[[str], Reference]
+    bulk: Callable[[int], Floats]  # one row per argument
+
+
+# --- this package --------------------------------------------------------------------------------------------------
+
+
+def variants(name: str) -> list[Way]:
+    """Each tier of a kernel as fused loops, plain loops and NumPy, with what is proved of it.
+
+    Of the levels that this processor can run, the fastest with fused operations and the fastest without count.
+    """
+    levels = {form: level for level, (form, _) in reversed(_compiled.LEVELS.items())}
+    found, texts = [], kernels.TEXTS[name]
+    for tier in texts:
+        for form, words in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")):
+            loops = _compiled.LEVELS[levels[form]][1] if form in levels else {}
+            if form != "numpy" and name not in loops.get("best" if tier == "float32" else tier, {}):
+                continue
+            bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
+            bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
+            call = _compiled.kernel(name, texts, levels[form])
+            # A cheaper tier is asked for by its own bound: the cheapest that meets it is itself.
+            cheaper = tier in ("1e-10", "1e-6")
+            if cheaper and bound is None:
+                continue
+            way = partial(call, where=True, accuracy=bound if cheaper else None)
+            kind = "float32" if tier == "float32" else "float64"
+            found.append(Way(f"{tier}, {words}", way, way, kind, bound, ulp, ours=True))
+    return found
+
+
+# --- the paper's forms, over any arithmetic m that has sin, cos, tan, log, atanh and pi ----------------------------
+
+
+def _cube(m: Any, x: Any) -> Any:
+    return m.cos(x) * m.cos(x) * m.cos(x)
+
+
+PRINTED: Mapping[str, Callable[[Any, Any], Any]] = {
+    # (2.19), (3.15), Appendix I in one line, (3.13) integrated, (3.14)
+    "polar_moment": lambda m, x: 2 * x / 3 - m.sin(2 * x) / 6 - m.log(m.tan(m.pi / 4 + x / 2)) * _cube(m, x) / 3,
+    "moment_of_inertia": lambda m, x: x / 2 - m.sin(2 * x) * (1 + 2 * m.cos(x) ** 2) / 12,
+    "radial_weight_amplitude": lambda m, x: m.sin(x) - m.cos(x) ** 2 * m.atanh(m.sin(x)),
+    "weight_moment_amplitude": lambda m, x: 2 * m.sin(x) / 3 - 2 * m.sin(x) * m.cos(x) ** 2 / 3,
+    "resistance_factor": lambda m, x: 2 * x * (1 - m.cos(x)),
+}
+_RINGS = {  # the integrand: power of r, and whether cos u turns it
+    "polar_moment": (2, False), "moment_of_inertia": (3, False),
+    "radial_weight_amplitude": (1, True), "weight_moment_amplitude": (2, True),
+}  # fmt: skip
+
+
+def closed(name: str, m: Any, x: Any) -> Any:
+    """The printed form of a kernel in an arithmetic; a quotient is one of two of them."""
+    if name in QUOTIENTS:
+        above, below = QUOTIENTS[name]
+        return PRINTED[above](m, x) / PRINTED[below](m, x)
+    return PRINTED[name](m, x)
+
+
+def _printed(name: str, x: Floats) -> Floats:
+    if name not in QUOTIENTS or hasattr(printed, name):
+        return np.asarray(getattr(printed, name)(x))
+    above, below = QUOTIENTS[name]
+    with np.errstate(all="ignore"):
+        return np.asarray(getattr(printed, above)(x) / getattr(printed, below)(x))
+
+
+def _long(name: str, x: Floats) -> NDArray[np.longdouble]:
+    m = SimpleNamespace(sin=np.sin, cos=np.cos, tan=np.tan, log=np.log, atanh=np.arctanh, pi=np.longdouble(_PI))
+    with np.errstate(all="ignore"):
+        return np.asarray(closed(name, m, np.asarray(x, np.longdouble)))
+
+
+_PI = "3.14159265358979323846264338327950288"
+
+
+# --- quadrature ----------------------------------------------------------------------------------------------------
+
+
+_rule = cache(np.polynomial.legendre.leggauss)
+
+
+def gauss_legendre(power: int, turned: bool, count: int, alpha: Any) -> Floats:
+    """The double integral of r**power (times cos u) by count Gauss-Legendre points in u; exact in r.
+
+    The depth of the chord is written as a product, so that the rule and not the cancellation is measured.
+    """
+    x, w = _rule(count)
+    half, found = np.atleast_1d(alpha), np.empty(np.size(alpha))
+    for start in range(0, half.size, _BLOCK // count):
+        a = half[start : start + _BLOCK // count, None]
+        u = a * (x + 1) / 2
+        depth = 2 * np.sin((a - u) / 2) * np.sin((a + u) / 2) / np.cos(u)
+        near, far = 1 - depth * (1 - 1 / np.sqrt(3)) / 2, 1 - depth * (1 + 1 / np.sqrt(3)) / 2
+        ring = depth / 2 * (near**power + far**power) * (np.cos(u) if turned else 1.0)
+        found[start : start + a.size] = a[:, 0] * np.einsum("ij,j->i", ring, w)  # one thread, like all others
+    return found
+
+
+def dblquad(power: int, turned: bool, alpha: float) -> float:
+    """The definition itself, by SciPy at its default tolerances."""
+    from warnings import catch_warnings, simplefilter
+
+    from scipy.integrate import dblquad as integrate
+
+    chord = np.cos(alpha)
+
+    def ring(r: float, u: float) -> float:
+        return float(r**power * (np.cos(u) if turned else 1.0))
+
+    with catch_warnings():
+        simplefilter("ignore")
+        return float(integrate(ring, -alpha, alpha, lambda u: chord / np.cos(u), 1.0)[0])
+
+
+def _digits(name: str, digits: int, alpha: float) -> Any:
+    """The printed form by mpmath, with the guard digits that the cancellation over thin arcs takes."""
+    mp = multiprecision(digits)
+    thin = max(0, -math.frexp(alpha)[1])
+    with mp.workdps(digits + 5 + int(0.91 * thin)):  # pi/4 + alpha/2 has to be right to alpha**3
+        return closed(name, mp, mp.mpf(alpha))
+
+
+@cache
+def multiprecision(digits: int) -> Any:
+    """Mpmath's numbers with so many digits, of a context of our own."""
+    try:
+        import mpmath
+    except ImportError as error:
+        raise ImportError("the reference needs mpmath: pip install 'slipcircle[derive]'") from error
+    mp = mpmath.mp.clone()
+    mp.dps = digits
+    return mp
+
+
+# --- subjects ------------------------------------------------------------------------------------------------------
+
+
+def _floor() -> Way:
+    return Way(FLOOR, np.copy, into=lambda x, out: np.copyto(out, x))
+
+
+def kernel(name: str) -> Subject:
+    """A moment, weight or quotient of the arc."""
+    found = [
+        *variants(name),
+        Way("half-angle, NumPy", getattr(stable, name)),
+        Way("printed, float64", partial(_printed, name)),
+    ]
+    if np.finfo(np.longdouble).nmant > 52:  # on some machines it is float64
+        found.append(Way("printed, longdouble", partial(_long, name)))
+    if name in _RINGS:
+        found += [Way(f"Gauss, {n} points", partial(gauss_legendre, *_RINGS[name], n)) for n in GAUSS_POINTS]
+        found.append(Way("SciPy dblquad", partial(dblquad, *_RINGS[name]), few=10))
+    found += [Way(f"mpmath, {n} digits", partial(_digits, name, n), few=40) for n in MP_DIGITS]
+    return Subject([*found, _floor()], partial(reference.kernel, name), partial(_angles, 1))
+
+
+def _angles(rows: int, count: int) -> Floats:
+    return np.random.default_rng(0).uniform(0.0, np.pi / 2, (rows, count))
+
+
+MOTION: Mapping[str, Callable[..., Any]] = {  # (3.20) corrected, and its integral
+    "angular_velocity": lambda m, a, b, t: m.sqrt(a / b) * m.tanh(m.sqrt(a * b) * t),
+    "rotation": lambda m, a, b, t: m.log(m.cosh(m.sqrt(a * b) * t)) / b,
+}
+
+
+def slide(name: str) -> Subject:
+    """A formula of the frozen slide from rest, over drive a, brake b and time t."""
+    points = np.array([[0.24, 0.19, 1e-8], [0.24, 0.19, 1e-4], [0.24, 0.19, 2.4], [0.24, 1e-12, 2.4],
+                       [0.24, 0.19, 100.0], [0.24, 0.19, 1e4], [1e-12, 0.19, 2.4]]).T  # fmt: skip
+    from_rest = getattr(motion, f"frozen_centripetal_{name}")
+
+    def exact(kind: str) -> Reference:
+        mp = multiprecision(90)
+        return reference.reference(points, [MOTION[name](mp, *map(mp.mpf, p)) for p in points.T.tolist()], kind)
+
+    def digits(count: int, *arguments: float) -> Any:
+        mp = multiprecision(count)
+        return MOTION[name](mp, *map(mp.mpf, arguments))
+
+    found = [
+        Way("stable, NumPy", lambda a, b, t: from_rest(a, b, 0.0, t), ours=True),
+        Way("printed, float64", getattr(printed, name)),
+        *(Way(f"mpmath, {n} digits", partial(digits, n), few=40) for n in MP_DIGITS),
+    ]
+    return Subject(found, exact, lambda count: np.random.default_rng(0).uniform(0.1, 2.0, (3, count)))
+
+
+KERNELS = (*PRINTED, *QUOTIENTS)
+FUNCTIONS: Mapping[str, Callable[[], Subject]] = {
+    **{name: partial(kernel, name) for name in KERNELS},
+    **{name: partial(slide, name) for name in MOTION},
+}

@@ -1,1 +1,0 @@
-"""Scenes as they come in: TOML files, their keys, records and pulses."""

@@ -1,1 +1,0 @@
-"""How one phase of one motion is solved: closed forms, panels in the phase plane, steps along a record, SciPy."""

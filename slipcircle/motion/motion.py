@@ -1,0 +1,374 @@
+"""The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.flow import walk
+from slipcircle.flow.solve import Lanes
+from slipcircle.motion.accuracy import estimate
+from slipcircle.motion.plan import Plan
+
+Floats = NDArray[np.float64]
+
+
+class Status(IntEnum):
+    """What became of a scene."""
+
+    RESTS = 0  #: it moved, and came to rest without turning back
+    STAYS = 1  #: it does not move
+    MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
+    TURNED = 3  #: it turned back at least once, and came to rest
+    UPRIGHT = 4  #: no answer: the chord stands upright and the mass would hang over
+    ENDLESS = 5  #: no answer: it never rests, or turns back too often
+    FAILED = 6  #: no answer: its numbers overflow
+    INVALID = 7  #: its numbers are no scene
+
+
+ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
+
+
+@dataclass(frozen=True)
+class State:
+    """The motion at one time, or at an array of times; counterclockwise and down-slope for a positive dip.
+
+    Attributes
+    ----------
+    time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
+        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, water included).
+    """
+
+    time: Any
+    rotation: Any
+    angular_velocity: Any
+    velocity: Any
+    displacement: Any
+    acceleration: Any
+    normal_stress: Any
+
+
+@dataclass(frozen=True)
+class Energy:
+    """The energy balance from the start to one time or several, J.
+
+    Attributes
+    ----------
+    kinetic_start, kinetic_end, work, dissipation
+        Kinetic energies, work of gravity and shaking, and what all resistance took, integrated beside the motion.
+    """
+
+    kinetic_start: Any
+    kinetic_end: Any
+    work: Any
+    dissipation: Any
+
+    @property
+    def residual(self) -> Any:
+        """Work of gravity - change of kinetic energy - dissipation."""
+        return self.work - (self.kinetic_end - self.kinetic_start) - self.dissipation
+
+
+class Phase(NamedTuple):
+    """A stretch of motion in one direction, between two standstills: its times, s, where it begins, and which way."""
+
+    start: float
+    end: float
+    rotation: float
+    direction: int
+
+
+class Motion:
+    """A solved scene; of a scene of arrays, every attribute is an array of its shape, NaN where the status says why.
+
+    Attributes
+    ----------
+    plan : Plan
+        How it was solved.
+    status : Status
+        What became of it.
+    moves : bool
+        Whether the mass moves at all.
+    arrested : bool
+        Whether it rests at the end.
+    duration : float
+        Time from the start to the end, s.
+    run_out : float
+        Displacement along the arc at the end, m.
+    reach : State
+        Where it is farthest from its start.
+    peak, end : State
+        At the greatest speed, and at the end.
+    limit_friction : float
+        Friction coefficient at limit equilibrium at the start, for the direction in which gravity pulls.
+    yield_coefficient : float
+        k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
+    factor_of_safety : float
+        Limit of resistance over drive at the start; infinite without a drive.
+    error_estimate : float
+        Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
+    warnings : tuple of str
+        What a user should know of a single motion; empty where all is well.
+    """
+
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
+        self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
+
+    def __repr__(self) -> str:
+        if self.shape:
+            return f"<{math.prod(self.shape)} motions: {self.count()}>"
+        name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
+        ends = f"rests after {self.duration:.4g} s" if self.arrested else f"still moves after {self.duration:.4g} s"
+        how = f"{self.peak.velocity:.4g} m/s at most, {self.run_out:.4g} m, {ends}" if self.moves else "does not move"
+        return f"<Motion {name}{how}>"
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return self.plan.scene.shape
+
+    def _shaped(self, values: Any) -> Any:
+        """One number of each lane, as the scene has them: an array, or a number."""
+        values = np.asarray(values)
+        return values.reshape(self.shape) if self.shape else values[0].item()
+
+    def _of(self, cell: int) -> Floats:
+        return np.asarray(self._cells[cell])
+
+    # --- what became of it -------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _states(self) -> NDArray[np.int8]:
+        """The status of each lane."""
+        status, moved = self._of(walk.STATUS), self._of(walk.PHASES) > 0.0
+        found = np.full(status.shape, Status.FAILED, np.int8)
+        found[status == walk.ARRESTED] = Status.RESTS
+        found[(status == walk.ARRESTED) & (self._of(walk.TURNS) > 0.0)] = Status.TURNED
+        found[(status == walk.ENDED) | (status == walk.STOPPED)] = Status.MOVING
+        found[((status == walk.ARRESTED) | (status == walk.ENDED)) & ~moved] = Status.STAYS
+        found[status == walk.UPRIGHT] = Status.UPRIGHT
+        found[status == walk.TOO_LONG] = Status.ENDLESS
+        found[self._lanes.invalid] = Status.INVALID
+        return found
+
+    @property
+    def stopped_at(self) -> Any:
+        """Time at which the walk stopped, s, with an answer or without."""
+        return self._shaped(self._of(walk.TIME) * self._lanes.bound.time_scale)
+
+    @property
+    def turnings(self) -> Any:
+        """How often the mass has turned back."""
+        return self._shaped(self._of(walk.TURNS).astype(int))
+
+    @property
+    def _answered(self) -> Any:
+        return self._states <= Status.TURNED
+
+    @property
+    def status(self) -> Any:
+        return self._states.reshape(self.shape) if self.shape else Status(int(self._states[0]))
+
+    def count(self) -> dict[str, int]:
+        """How many lanes there are of each status."""
+        counts = np.bincount(self._states, minlength=len(Status))
+        return {s.name: int(counts[s]) for s in Status if counts[s]}
+
+    @property
+    def moves(self) -> Any:
+        return self._shaped(self._answered & (self._of(walk.PHASES) > 0.0))
+
+    @property
+    def arrested(self) -> Any:
+        return self._shaped(self._of(walk.STATUS) == walk.ARRESTED)
+
+    @cached_property
+    def _duration(self) -> Floats:
+        status, scale = self._of(walk.STATUS), self._lanes.bound.time_scale
+        ends = np.where(status == walk.ENDED, self._lanes.end_time, self._of(walk.REST_SINCE) * scale)
+        return np.where(self._answered, ends, np.nan)
+
+    @property
+    def duration(self) -> Any:
+        return self._shaped(self._duration)
+
+    @property
+    def run_out(self) -> Any:
+        return self.end.displacement
+
+    @cached_property
+    def end(self) -> State:
+        return self._state(self._duration, *(self._of(k) for k in (walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE)))
+
+    @cached_property
+    def peak(self) -> State:
+        rows = (walk.PEAK_ROTATION, walk.PEAK_OMEGA, walk.PEAK_RATE)
+        return self._state(self._of(walk.PEAK_TIME) * self._lanes.bound.time_scale, *map(self._of, rows))
+
+    @cached_property
+    def reach(self) -> State:
+        still = np.zeros_like(self._of(walk.REACH_TIME))
+        last = self._of(walk.REACH_ROTATION) == self._of(walk.END_ROTATION)
+        speed, rate = (np.where(last, self._of(k), still) for k in (walk.END_OMEGA, walk.END_RATE))
+        time = np.where(last, self._duration, self._of(walk.REACH_TIME) * self._lanes.bound.time_scale)
+        return self._state(time, self._of(walk.REACH_ROTATION), speed, rate)
+
+    @property
+    def lift_off(self) -> tuple[float, ...]:
+        """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
+        scale = float(np.ravel(self._lanes.bound.time_scale)[0])
+        return tuple(scale * t for kind, t, _, _ in self._log if kind == walk.LIFTS)
+
+    @cached_property
+    def phases(self) -> tuple[Phase, ...]:
+        """The stretches of a single motion between its standstills."""
+        scale, found = float(np.ravel(self._lanes.bound.time_scale)[0]), list[Phase]()
+        ends = [(t * scale) for kind, t, _, _ in self._log if kind == walk.STANDS]
+        for kind, t, rotation, direction in self._log:
+            if kind == walk.BEGINS:
+                end = ends[len(found)] if len(found) < len(ends) else float(self._duration[0])
+                found.append(Phase(t * scale, end, rotation, int(direction)))
+        return tuple(found)
+
+    # --- states ------------------------------------------------------------------------------------------------------
+
+    def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
+        """A state of each lane from its numbers: s, and dimensionless."""
+        lanes = self._lanes
+        good = self._answered
+        rotation, omega, rate = (np.where(good, v + 0.0, np.nan) for v in (rotation, omega, rate))
+        scale, radius = lanes.bound.time_scale, lanes.radius
+        stress = lanes.stress(time / scale, rotation, omega)
+        speed = omega / scale + 0.0  # no -0.0
+        columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2 + 0.0, stress)
+        return State(*(self._shaped(np.broadcast_to(v, good.shape)) for v in columns))
+
+    def at(self, times: ArrayLike) -> State:
+        """The state at any times between the start and the end, and at rest after an arrest.
+
+        Parameters
+        ----------
+        times : float or array_like
+            s; the same for all lanes of an ensemble, whose states get the scene's shape followed by theirs.
+
+        Raises
+        ------
+        ValueError
+            For times before the start, not finite, or after the end of a motion that has not come to rest.
+        """
+        time = self._times(times)
+        rows = self._lanes.read(np.ravel(time))
+        shape = (*self.shape, *time.shape)
+        lanes = self._lanes
+        scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.bound.time_scale, lanes.radius))
+        rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
+        stress = lanes.stress_along(np.ravel(time), rows)
+        speed = omega / scale
+        columns = (rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+        found = [np.reshape(np.broadcast_to(v, rotation.shape), shape)[()] for v in columns]
+        return State(np.broadcast_to(time, shape)[()], *found)
+
+    def _times(self, times: ArrayLike) -> Floats:
+        raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
+        time = np.asarray(times, dtype=np.float64)
+        moving = ~(self._of(walk.STATUS) == walk.ARRESTED) & self._answered
+        last = float(np.min(self._duration[moving], initial=np.inf))
+        late = time[time > last]
+        if late.size:
+            end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
+            raise ValueError(
+                f"Motion.at: times = {float(late.flat[0])!r}: must be at most {end}, {last!r} s, as the mass does not "
+                "rest there"
+            )
+        return time
+
+    def pore_pressure_at(self, times: ArrayLike) -> Any:
+        """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
+        time = self._times(times)
+        columns = self._lanes.outputs(np.ravel(time), ("pressing", "normal"))
+        return ((columns["pressing"] - columns["normal"]) * self._lanes.stress_unit).reshape(self.shape + time.shape)[
+            ()
+        ]
+
+    def friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient that the law gives, 0 where nothing presses on the slip surface; as for `at`."""
+        time = self._times(times)
+        columns = self._lanes.outputs(np.ravel(time), ("mu", "normal"))
+        return np.where(columns["normal"] > 0.0, columns["mu"], 0.0).reshape(self.shape + time.shape)[()]
+
+    def energy_at(self, times: ArrayLike) -> Energy:
+        """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
+        time = self._times(times)
+        rows, first = self._lanes.energies(np.ravel(time))
+        unit = self._lanes.energy_unit
+        shape = (*self.shape, *time.shape)
+        kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
+        return Energy(self._shaped(np.broadcast_to(unit * first, self._duration.shape)), kinetic, work, lost)
+
+    @cached_property
+    def energy(self) -> Energy:
+        """The energy balance from the start to the end."""
+        return self.energy_at(self.duration)
+
+    # --- at the start ------------------------------------------------------------------------------------------------
+
+    @property
+    def limit_friction(self) -> Any:
+        return self._shaped(self._lanes.statics["limit_friction"])
+
+    @property
+    def factor_of_safety(self) -> Any:
+        return self._shaped(self._lanes.statics["factor_of_safety"])
+
+    @property
+    def yield_coefficient(self) -> Any:
+        return self._shaped(self._lanes.statics["yield_coefficient"])
+
+    @property
+    def friction(self) -> Any:
+        """The friction coefficient at the start."""
+        return self._shaped(self._lanes.statics["friction"])
+
+    # --- how well it is known ----------------------------------------------------------------------------------------
+
+    @cached_property
+    def _estimates(self) -> Floats:
+        return estimate(self._lanes, self._cells)
+
+    @property
+    def error_estimate(self) -> Any:
+        return self._shaped(self._estimates)
+
+    @property
+    def energy_error_estimate(self) -> float:
+        """How far the energy balance is off at the end, relative to all energy."""
+        e = self.energy
+        most = np.maximum(np.maximum(np.abs(e.work), e.dissipation), np.maximum(e.kinetic_end, 1e-300))
+        return np.abs(e.residual) / most
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        found = list[str]()
+        times = self.lift_off
+        if times:
+            more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
+            said = times[:1] if more else times
+            found += [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
+        if self.error_estimate > self.plan.accuracy:
+            cause = "the friction is next to its limit" if len(self.phases) < 100 else "the mass turns back many times"
+            found.append(
+                f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
+                f"{self.plan.accuracy:.1e}; {cause}"
+            )
+        farthest = abs(float(self.reach.displacement))
+        if farthest > abs(self.run_out) * (1 + 1e-6):
+            found.append(
+                f"the mass swings back: it reaches {farthest:.4g} m after {self.reach.time:.4g} s, farther than its "
+                f"run-out of {abs(self.run_out):.4g} m at the end"
+            )
+        return tuple(found)

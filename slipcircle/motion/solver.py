@@ -1,0 +1,125 @@
+"""From a scene to its motion, or to the motions of its lanes."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+import numpy as np
+
+from generated.effects import EFFECTS
+from slipcircle.flow.solve import Lanes
+from slipcircle.motion.motion import Motion, Status
+from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
+from slipcircle.scene.arc import QUANTITIES, Arc
+from slipcircle.scene.scene import Scene
+
+BLOCK = 16384  # lanes at once, so that what they need stays in the cache
+
+
+def solve(scene: Scene, accuracy: float | None = None) -> Motion:
+    """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
+
+    Parameters
+    ----------
+    scene : Scene
+    accuracy : float, optional
+        Relative error asked for; by default the scene's own, or 1e-9.
+
+    Returns
+    -------
+    Motion
+        Its attributes are arrays of the scene's broadcast shape where the scene has arrays.
+
+    Raises
+    ------
+    ValueError
+        If a single scene never rests and has no end time, turns over, or overflows; of an ensemble, such lanes say so
+        by their status.
+
+    Notes
+    -----
+    Friction opposes the motion and never drives it. At a standstill the mass stays if the drive is at most the
+    resistance, and turns back if not, or starts again when shaking, water or friction has changed enough. A mass that
+    nothing brings to rest (no friction, or none that presses on the slip surface, and no cohesion) is followed to its
+    first standstill.
+    """
+    chosen = plan(scene, accuracy)
+    lanes = lanes_of(chosen)
+    log: list[Any] = []
+    if lanes.count <= BLOCK:
+        cells = lanes.solve(None if scene.shape else log)
+    else:
+        cells = np.concatenate([part.solve() for part in parts(lanes, BLOCK)], axis=1)
+    motion = Motion(chosen, lanes, cells, log)
+    if not scene.shape:
+        _refuse(motion)
+    return motion
+
+
+def lanes_of(chosen: Plan) -> Lanes:
+    """The lanes of a scene, flat."""
+    scene = chosen.scene
+    count = math.prod(scene.shape)
+
+    def flat(value: Any) -> Any:
+        if not np.ndim(value):
+            return value
+        return np.ascontiguousarray(np.broadcast_to(np.asarray(value, np.float64), scene.shape).reshape(-1))
+
+    numbers = scene.numbers
+    arc = Arc.unchecked(**{n: flat(getattr(scene.arc, n)) for n in QUANTITIES}, given=scene.arc.given)
+    called = {
+        e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
+    }
+    law = scene.friction
+    if isinstance(law, Mapping):
+        law = {n: flat(v) if f"friction.{n}" in numbers else v for n, v in law.items()}
+    elif not callable(law):
+        law = flat(law)
+    end = np.inf if scene.end_time is None else flat(scene.end_time)
+    closed = chosen.method == CLOSED_IN_TIME
+    return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, closed, count)
+
+
+def parts(lanes: Lanes, size: int) -> list[Lanes]:
+    """Lanes in blocks."""
+
+    def cut(value: Any, which: slice) -> Any:
+        if isinstance(value, Mapping):
+            return {n: cut(v, which) for n, v in value.items()}
+        return value[which] if isinstance(value, np.ndarray) and value.shape == (lanes.count,) else value
+
+    found = []
+    for first in range(0, lanes.count, size):
+        which = slice(first, min(first + size, lanes.count))
+        given = {f.name: cut(getattr(lanes, f.name), which) for f in fields(Lanes)}
+        arc = Arc.unchecked(**{f.name: cut(getattr(lanes.arc, f.name), which) for f in fields(Arc)})
+        found.append(Lanes(**given | {"arc": arc, "count": which.stop - which.start}))
+    return found
+
+
+def _refuse(motion: Motion) -> None:
+    """A single scene without an answer."""
+    scene, status = motion.plan.scene, motion.status
+    asked = f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}"
+    turns = any(EFFECTS[e].turns for e in motion.plan.effects)
+    if status == Status.UPRIGHT:
+        time = motion.stopped_at
+        raise ValueError(
+            f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
+            "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
+        )
+    if status == Status.ENDLESS and not turns:
+        raise ValueError(
+            "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
+        )
+    if status == Status.ENDLESS:
+        times = motion.turnings
+        raise ValueError(
+            f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
+            "earlier end in s"
+        )
+    end = motion.end
+    if status == Status.FAILED or not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
+        raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")

@@ -1,0 +1,1 @@
+"""Records of shaking and of water, read from files."""

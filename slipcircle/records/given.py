@@ -1,0 +1,88 @@
+"""Effects as a scene is given them, made of what was given: functions of time from pulses, records and lists."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from slipcircle.base.series import Pulse, Series
+
+_PULSE = ("amplitude", "duration")
+_OF_PULSES = {"pulse", "amplitude", "vertical_amplitude", "start", "duration", "cycles"}
+_OF_WATER = ("units", "column", "step", "start", "gaps")
+_OF_RECORDS = {"record", "holds", "units", "column", "vertical_record", "vertical_column", "step", "scale", "gaps",
+               "start"}  # fmt: skip
+
+
+def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
+    """An effect's parameters, with functions of time in the place of what they are made of.
+
+    Raises
+    ------
+    ValueError
+        Names the parameter that is wrong.
+    """
+    try:
+        if name == "shaking":
+            return _shaking(given, gravity)
+        if name == "pore_pressure":
+            return _water(given)
+    except (ValueError, OSError) as error:
+        raise ValueError(f"effects.{name}: {error}") from error
+    return dict(given)
+
+
+def _water(given: Mapping[str, Any]) -> dict[str, Any]:
+    """A ratio and a pressure: numbers, or functions of time from a record or from lists with their times."""
+    rest = {k: v for k, v in given.items() if k not in ("record", "time", *_OF_WATER)}
+    if "record" in given:
+        from slipcircle.records.records import read_pore_pressure
+
+        found = read_pore_pressure(given["record"], **{k: given[k] for k in _OF_WATER if k in given})
+        other = next((k for k in ("time", *found) if k in given), None)
+        if other is not None:
+            raise ValueError(f"{other} and record exclude each other; leave one out")
+        return rest | found
+    strange = next((k for k in _OF_WATER if k in given), None)
+    if strange is not None:
+        raise ValueError(f"{strange} belongs to a record; leave it out, or give record")
+    if "time" not in given:  # without it a list is an ensemble
+        return rest
+    lists = {k: v for k, v in rest.items() if not callable(v) and np.ndim(v) == 1}
+    if np.ndim(given["time"]) != 1 or not lists:
+        raise ValueError("time and ratio or pressure: must be lists of numbers")
+    return rest | {k: Series(np.asarray(given["time"]), np.asarray(v)) for k, v in lists.items()}
+
+
+def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
+    """k_h(t) and k_v(t) from a pulse, a record, or as they are."""
+    ways = [w for w in ("horizontal", "pulse", "record") if w in given]
+    if len(ways) != 1:
+        raise ValueError(f"{' and '.join(ways)} exclude each other; leave one out")
+    way, two_way = ways[0], {k: bool(given[k]) for k in ("two_way",) if k in given}
+    fitting = {"horizontal": {"horizontal", "vertical"}, "pulse": _OF_PULSES, "record": _OF_RECORDS}[way]
+    strange = [k for k in given if k not in fitting and k != "two_way"]
+    if strange:
+        raise ValueError(f"{strange[0]} does not belong to a {way}; leave it out")
+    if way == "horizontal":
+        return dict(given)
+    if way == "pulse":
+        missing = [k for k in _PULSE if k not in given]
+        if missing:
+            raise ValueError(f"{missing[0]} is missing: a pulse needs it")
+        rest = (float(given.get("start", 0.0)), float(given["duration"]), float(given.get("cycles", 1.0)))
+        made: dict[str, Any] = {"horizontal": Pulse(given["pulse"], float(given["amplitude"]), *rest)}
+        if given.get("vertical_amplitude", 0.0) != 0.0:
+            made["vertical"] = Pulse(given["pulse"], float(given["vertical_amplitude"]), *rest)
+        return made | two_way
+    from slipcircle.records.records import read_record
+
+    if "holds" not in given:
+        raise ValueError('holds is missing: a record must say whether it holds "ground" or "driving" acceleration')
+    common = {k: given[k] for k in ("holds", "units", "step", "scale", "start", "gaps") if k in given}
+    common |= {"gravity": gravity}
+    made = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}
+    if "vertical_record" in given or "vertical_column" in given:
+        path = given.get("vertical_record", given["record"])
+        made["vertical"] = read_record(path, column=given.get("vertical_column"), **common)
+    return made | two_way

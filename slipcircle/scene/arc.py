@@ -1,0 +1,249 @@
+"""The failed section: a circular arc, its chord, and the mass between them."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from generated import kernels
+from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+
+ARC_BOUNDS: Mapping[str, Bounds] = {
+    "radius": (0.0, INFINITY, "a positive length in m"),
+    "theta_1": (-INFINITY, INFINITY, "a finite angle in rad"),
+    "theta_2": (-INFINITY, INFINITY, "a finite angle in rad"),
+    "unit_weight": (0.0, INFINITY, "a positive unit weight in N/m^3"),
+    "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
+    "width": (0.0, INFINITY, "a positive length in m"),
+}
+QUANTITIES = tuple(ARC_BOUNDS)
+
+
+@dataclass(frozen=True)
+class Dimensionless:
+    """The coefficients of the equation of motion (3.11), dimensionless, at the start.
+
+    Attributes
+    ----------
+    moment_of_inertia, radial_weight, weight_moment, resistance_factor, dynamic_coefficient
+        Theta* (3.12), J_r (2.23), J_theta (3.13), lambda (3.14), A (2.24).
+    static_normal_stress
+        J_r/lambda (2.22).
+    limit_friction
+        J_theta/J_r, the friction coefficient at limit equilibrium (3.21); negative where gravity turns the mass
+        clockwise.
+    radial_weight_per_inertia, polar_moment_per_inertia
+        J_r/Theta* and I_p*/Theta* = lambda A/Theta*.
+    """
+
+    moment_of_inertia: Any
+    radial_weight: Any
+    weight_moment: Any
+    resistance_factor: Any
+    dynamic_coefficient: Any
+    static_normal_stress: Any
+    limit_friction: Any
+    radial_weight_per_inertia: Any
+    polar_moment_per_inertia: Any
+
+
+# What `Arc(given=...)` holds; the other coefficients are their quotients.
+GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
+
+
+@dataclass(frozen=True)
+class Arc:
+    """A circular slip surface with the mass above it, closed by its chord.
+
+    Parameters
+    ----------
+    radius : float or array_like
+        R, m.
+    theta_1, theta_2 : float or array_like
+        Polar angles of the arc's ends about its centre, rad, counterclockwise from the horizontal (x axis);
+        3 pi/2 is straight below the centre.
+    unit_weight : float or array_like
+        N/m^3.
+    gravity : float or array_like, optional
+        m/s^2.
+    width : float or array_like, optional
+        Length perpendicular to the section, m.
+    given : mapping, optional
+        Dimensionless coefficients (``GIVEN``) to be taken as they are instead of computed, all of them: to repeat a
+        calculation from its printed table. They belong to the initial position.
+
+    Raises
+    ------
+    ValueError
+        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass that presses on nothing
+        (its weight has no component towards the arc). Lists every mistake.
+
+    Notes
+    -----
+    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape.
+    """
+
+    radius: ArrayLike
+    theta_1: ArrayLike
+    theta_2: ArrayLike
+    unit_weight: ArrayLike
+    gravity: ArrayLike = 9.81
+    width: ArrayLike = 1.0
+    given: Mapping[str, float] | None = None
+
+    def __post_init__(self) -> None:
+        values = {name: getattr(self, name) for name in ARC_BOUNDS}
+        found = mistakes(values, ARC_BOUNDS)
+        if not found:
+            found = shape_mistakes(values)
+        if not found:
+            found = self._geometry_mistakes()
+        if self.given is not None:
+            found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
+            found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
+            bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
+            if "weight_moment" in bounds:
+                bounds["weight_moment"] = (-INFINITY, INFINITY, "a finite number")
+            found += [f"given: {m}" for m in mistakes(self.given, bounds)]
+            found += [f"given.{n}: must be one number" for n in bounds if np.ndim(self.given[n])]
+            object.__setattr__(self, "given", dict(self.given))
+        raise_all("Arc", found)
+
+    @staticmethod
+    def unchecked(**values: Any) -> "Arc":
+        """An arc of values that were checked elsewhere, or will be."""
+        arc = object.__new__(Arc)
+        for f in fields(Arc):
+            object.__setattr__(arc, f.name, values.get(f.name, f.default))
+        return arc
+
+    def _geometry_mistakes(self) -> list[str]:
+        first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
+
+        def where(bad: Any) -> tuple[float, float]:
+            """Ends of the first arc that is bad, degrees."""
+            return float(np.degrees(first[bad].flat[0])), float(np.degrees(second[bad].flat[0]))
+
+        with np.errstate(invalid="ignore"):
+            weight = np.asarray(kernels.radial_weight(first, second))
+        if np.any(bad := second <= first):
+            one, two = where(bad)
+            return [f"theta_2 = {two:.10g} deg: must be above theta_1 = {one:.10g} deg; swap them?"]
+        if np.any(bad := np.isnan(weight)):
+            one, two = where(bad)
+            return [f"theta_2 - theta_1 = {two - one:.10g} deg: must be at most 180 deg"]
+        if np.any(bad := weight <= 0.0):
+            one, two = where(bad)
+            return [
+                f"theta_1 = {one:.10g} deg, theta_2 = {two:.10g} deg: it presses on nothing; "
+                "the middle of the arc must lie between 180 and 360 deg, below its centre"
+            ]
+        return []
+
+    @cached_property
+    def half_angle(self) -> Any:
+        """alpha, half the opening angle (1.1), rad."""
+        return np.subtract(self.theta_2, self.theta_1) / 2
+
+    @cached_property
+    def dip(self) -> Any:
+        """psi, the dip of the chord, rad."""
+        return 1.5 * np.pi - np.add(self.theta_1, self.theta_2) / 2
+
+    @cached_property
+    def time_scale(self) -> Any:
+        """t_c = sqrt(R/g) (3.9), s."""
+        return np.sqrt(np.divide(self.radius, self.gravity))
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        """Coefficients of the equation of motion, from the arc or as given."""
+        if self.given is not None:
+            g = self.given
+            return Dimensionless(
+                **g,
+                static_normal_stress=g["radial_weight"] / g["resistance_factor"],
+                limit_friction=g["weight_moment"] / g["radial_weight"],
+                radial_weight_per_inertia=g["radial_weight"] / g["moment_of_inertia"],
+                polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
+            )
+        alpha = self.half_angle
+        # Quotients come from reduced functions, so that thin arcs do not underflow.
+        dynamic = kernels.dynamic_coefficient(alpha)
+        per_inertia = self.press()
+        polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
+        return Dimensionless(
+            moment_of_inertia=kernels.moment_of_inertia(alpha),
+            radial_weight=kernels.radial_weight(self.theta_1, self.theta_2),
+            weight_moment=kernels.weight_moment(self.theta_1, self.theta_2),
+            resistance_factor=kernels.resistance_factor(alpha),
+            dynamic_coefficient=dynamic,
+            # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
+            static_normal_stress=per_inertia * dynamic / polar_per_inertia,
+            limit_friction=kernels.limit_friction(self.theta_1, self.theta_2),
+            radial_weight_per_inertia=per_inertia,
+            polar_moment_per_inertia=polar_per_inertia,
+        )
+
+    @cached_property
+    def amplitudes_per_inertia(self) -> tuple[Any, Any]:
+        """C_theta/Theta* and C_r/Theta*, of which the weights over Theta* are made at any dip."""
+        alpha, dip = self.half_angle, self.dip
+        if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
+            press = self.dimensionless.radial_weight_per_inertia
+            return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
+        return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
+
+    def press(self) -> Any:
+        """J_r/Theta* at the start."""
+        if self.given is not None:
+            return self.dimensionless.radial_weight_per_inertia
+        return self.amplitudes_per_inertia[1] * self._towards()
+
+    def _towards(self) -> Any:
+        """cos(psi) = -sin(theta_m), with the rounding error of theta_1 + theta_2 (TwoSum), which a steep dip shows."""
+        first, second = np.asarray(self.theta_1, dtype=np.float64), np.asarray(self.theta_2, dtype=np.float64)
+        total = first + second
+        part = total - first
+        lost = (first - (total - part)) + (second - part)
+        return -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
+
+    @cached_property
+    def polar_moment(self) -> Any:
+        """I_p, polar surface moment of inertia (2.16), m^3."""
+        d = self.dimensionless
+        return np.power(self.radius, 3.0) * (d.resistance_factor * d.dynamic_coefficient)
+
+    @cached_property
+    def moment_of_inertia(self) -> Any:
+        """Theta, mass moment of inertia about the centre (3.1), kg m^2."""
+        density = np.divide(self.unit_weight, self.gravity)
+        return np.multiply(self.width, density) * np.power(self.radius, 4.0) * self.dimensionless.moment_of_inertia
+
+    @cached_property
+    def weight_moment(self) -> Any:
+        """Moment of the weight about the centre (3.7), N m."""
+        return np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3.0) * self.dimensionless.weight_moment
+
+    @cached_property
+    def depth(self) -> Any:
+        """f, the largest depth of the mass below its chord (2.12), m."""
+        return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
+
+    @cached_property
+    def reference_stress(self) -> Any:
+        """sigma_ref (2.13), Pa."""
+        return np.multiply(self.unit_weight, self.depth)
+
+    @cached_property
+    def static_normal_stress(self) -> Any:
+        """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
+        return self.reference_stress * self.dimensionless.static_normal_stress
+
+    @cached_property
+    def limit_friction_angle(self) -> Any:
+        """Friction angle at limit equilibrium (3.21), rad."""
+        return np.arctan(self.dimensionless.limit_friction)

@@ -1,0 +1,209 @@
+"""A scene: the arc, its friction, the effects that it calls for, how it starts and when it ends."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from generated.effects import EFFECTS, LAWS, Parameter
+from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.records.given import resolved
+from slipcircle.scene.arc import ARC_BOUNDS, QUANTITIES, Arc
+from slipcircle.scene.friction import law_mistakes
+
+ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
+
+    Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
+    broadcast shape. Tables and given coefficients are no such fields.
+
+    Parameters
+    ----------
+    arc : Arc
+        The failed section.
+    friction : float or array_like, mapping, or callable
+        Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
+        ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}``, lengths in m; or a function of the
+        accumulated slip in m, which takes and returns arrays, also of slips beyond the run-out. Laws of speed and of
+        time go by name as well, and ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
+    effects : mapping or iterable of str, optional
+        Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any. What
+        changes with time is a `slipcircle.base.series.Series` or `Pulse`, or what such are made of: a pulse by
+        name, a record's file, or a list with its times.
+    initial_velocity : float or array_like, optional
+        Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
+    end_time : float or array_like, optional
+        s; by default until the mass rests.
+    accuracy : float, optional
+        Relative error that is asked for; the call's own wins.
+    name, note : str, optional
+        What the scene is, and where its numbers come from.
+    uncertain : mapping, optional
+        Numbers known by a distribution, which `ensemble` draws; `solve` takes the scene's own. Keys as in a scene file,
+        ``"friction.angle_deg"``, or SI names as in ``numbers``, ``"friction"``; values are frozen distributions of
+        scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake with its field, its value and what is allowed.
+    """
+
+    arc: Arc
+    friction: ArrayLike | Mapping[str, Any] | Callable[[Any], Any]
+    effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
+    initial_velocity: ArrayLike = 0.0
+    end_time: ArrayLike | None = None
+    accuracy: float | None = None
+    name: str = ""
+    note: str = ""
+    uncertain: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        effects, found = _named(self.effects)
+        object.__setattr__(self, "effects", effects)
+        bounds: dict[str, Bounds] = {
+            "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
+        }
+        if self.end_time is not None:
+            bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
+        if self.accuracy is not None:
+            bounds["accuracy"] = ACCURACY
+        found += [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
+        found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
+        found += law_mistakes(self.friction)
+        if (
+            isinstance(self.arc, Arc)
+            and self.arc.given is not None
+            and any(EFFECTS[e].turns for e in effects if e in EFFECTS)
+        ):
+            found.append(
+                "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
+            )
+        wrong = {name: _effect_mistakes(name, parameters) for name, parameters in effects.items()}
+        for name, said in wrong.items():
+            found += said
+            if not said and isinstance(self.arc, Arc):
+                gravity = np.unique(self.arc.gravity).tolist()
+                if "record" in effects[name] and (
+                    len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}
+                ):
+                    found.append("arc.gravity: must be one number with a record, which is read over gravity; give "
+                                 "effects.shaking.horizontal as a Series over gravity instead")  # fmt: skip
+                    continue
+                try:
+                    effects[name] = resolved(name, effects[name], max(gravity, default=9.81))
+                except ValueError as error:
+                    found.append(str(error))
+        found += [] if found else shape_mistakes(self.numbers)
+        if self.uncertain and not found:
+            from slipcircle.base.distributions import declared  # asks for SciPy
+
+            drawn, found = declared(self.uncertain, self.friction)
+            found += [
+                f"uncertain.{u.key}: the scene has no {n} to vary" for n, u in drawn.items() if n not in self.numbers
+            ]
+            object.__setattr__(self, "uncertain", drawn)
+        raise_all(f"Scene {self.name}".rstrip(), found)
+
+    @property
+    def called(self) -> Mapping[str, Mapping[str, Any]]:
+        """Effects by name, each with its parameters, however they were given."""
+        assert isinstance(self.effects, dict)
+        return self.effects
+
+    @cached_property
+    def numbers(self) -> Mapping[str, ArrayLike]:
+        """All fields that may be arrays, by name: the arc's, ``friction.peak``, ``pore_pressure.ratio``, ..."""
+        found: dict[str, Any] = {n: getattr(self.arc, n) for n in QUANTITIES}
+        law = self.friction
+        if isinstance(law, Mapping):
+            tables = any(p.kind == "list" for p in LAWS[law["law"]].parameters) if law.get("law") in LAWS else True
+            found |= {f"friction.{n}": value for n, value in law.items() if n not in ("law", "rate") and not tables}
+        elif not callable(law):
+            found["friction"] = law
+        found["initial_velocity"] = self.initial_velocity
+        if self.end_time is not None:
+            found["end_time"] = self.end_time
+        known = {e: {p.name for p in EFFECTS[e].parameters if p.kind in ("number", "series")} for e in self.called}
+        return found | {
+            f"{e}.{n}": value
+            for e, given in self.called.items()
+            for n, value in given.items()
+            if n in known[e] and not callable(value)
+        }
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
+        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
+
+
+def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
+    """Effects by name, each with its parameters, and a sentence for what is no such thing."""
+    if isinstance(effects, str) or not isinstance(effects, Iterable):
+        return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
+    given = effects if isinstance(effects, Mapping) else {e: {} for e in effects}
+    found = [
+        f"effects.{name} = {parameters!r}: must be a mapping of parameters, {{}} where there are none"
+        for name, parameters in given.items()
+        if not isinstance(parameters, Mapping)
+    ]
+    return {str(e): dict(parameters) for e, parameters in given.items() if isinstance(parameters, Mapping)}, found
+
+
+def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
+    if name not in EFFECTS:
+        return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
+    effect = EFFECTS[name]
+    wanted = {p.name: p for p in effect.parameters}
+    needed = [p for p in effect.parameters if not p.optional]
+    found = [f"effects.{name}: {p.name!r} is missing: {p.help} ({p.unit})" for p in needed if p.name not in parameters]
+    if effect.any_of and not any(n in parameters for n in effect.any_of):
+        found.append(f"effects.{name}: one of {', '.join(effect.any_of)} is missing")
+    found += [
+        f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}"
+        for n in parameters
+        if n not in wanted
+    ]
+    given = [(p, parameters[p.name]) for p in effect.parameters if p.name in parameters]
+    words = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
+    numbers = {p.name: v for p, v in given if p.kind in ("number", "list", "series") and p.key and not callable(v)}
+    bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in numbers}
+    return found + words + [f"effects.{name}.{m}" for m in mistakes(numbers, bounds)]
+
+
+def _odd(p: Parameter, value: Any) -> bool:
+    """Whether a value that is no number is not of its kind either."""
+    if p.kind == "series" and callable(value):
+        return not hasattr(value, "kinks")
+    if p.kind in ("number", "list", "series"):
+        return callable(value) or not p.key  # what a file cannot say is no number
+    if p.kind == "flag":
+        return not isinstance(value, bool)
+    if p.kind == "text":
+        return not isinstance(value, str | int | PathLike)
+    return value not in p.kind.split("|")
+
+
+def _allowed(p: Parameter) -> str:
+    kinds = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers",
+             "series": "a function of time, a Series or a Pulse"}  # fmt: skip
+    return kinds.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
+
+
+def bounds(names: Iterable[str]) -> dict[str, tuple[float, float]]:
+    """Open bounds of those of a scene's numbers that have any, the effects' as ``effect.parameter``."""
+    known = {n: (low, high) for n, (low, high, _) in ARC_BOUNDS.items()}
+    known |= {"friction": (-5e-324, INFINITY), "initial_velocity": (-INFINITY, INFINITY)}
+    known |= {f"friction.{p.name}": (p.lower, p.upper) for law in LAWS.values() for p in law.parameters}
+    known |= {f"{e}.{p.name}": (p.lower, p.upper) for e, effect in EFFECTS.items() for p in effect.parameters}
+    return {n: known[n] for n in names if n in known}
