@@ -1,20 +1,21 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 83c3c30a04894e0f08e4aae849bf3ccfdefd28f26204b48ed599bd9753b4af67
+# sha256 of the text below: 9d56d6adde8e6edea7429a3c65a6badc1d9be7066c6e5b737c501dd21a168c9e
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
-A fragment is joined with others to a scene's program by name: ``d...`` is a series, the increment since the phase
-began, ``..._0`` a number where it began, ``=1.0`` a constant.
+Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
+began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
 """
 
 from typing import NamedTuple
 
 
 class Fragment(NamedTuple):
-    """Operations on numbers where a phase begins, operations on series, and what they add.
+    """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the
-    series of its argument (of time, its own) and the degree of its pieces.
+    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
+    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
+    argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -38,19 +39,19 @@ MEANINGS = {
     'STEPS': 'steps taken',
     'PHASES': 'phases ended',
     'ORDER': 'of its series',
-    'FACTOR': 'step over radius of convergence',
+    'FACTOR': 'length of a step over the radius of convergence',
     'END_TIME': 't* at which it ends at the latest',
     'ONE_WAY': '1 where shaking may start it down-slope only',
     'FIRST_ONLY': '1 where the first standstill ends it',
     'LIMIT': 'limit friction at the start',
     'LIMIT_LOW': 'what rounding took from it',
     'PEAK_TIME': 't* of the greatest speed',
-    'PEAK_ROTATION': 'rotation then',
+    'PEAK_ROTATION': 'rotation then, signed',
     'PEAK_OMEGA': 'omega* then, signed',
     'PEAK_RATE': 'd omega*/dt* then, signed',
     'REACH_TIME': 't* of the greatest rotation from the start',
-    'REACH_ROTATION': 'that rotation',
-    'END_ROTATION': 'rotation at the end',
+    'REACH_ROTATION': 'that rotation, signed',
+    'END_ROTATION': 'rotation at the end, signed',
     'END_OMEGA': 'omega* then, signed',
     'END_RATE': 'd omega*/dt* then, signed',
     'FIRST_STOP': 't* of the first standstill',
@@ -58,17 +59,33 @@ MEANINGS = {
     'LIFT_TIME': 't* of the first lift-off',
     'PASSED': 'what the phase began by passing',
     'REST_SINCE': 't* of the standstill that it rests from',
+    'TURNS': 'phases that began against the one before',
+    'LAST_WAY': 'direction of the last phase',
     'x': 'rotation since the phase began, in the direction of travel',
     'omega': 'its rate, omega*',
 }
+
+# Numbers that every scene gives.
+INPUTS = {
+    'fall': 'J_theta/Theta*, what gravity drives with at the start',
+    'fall_slope': 'its derivative by psi',
+    'press': 'J_r/Theta*, what gravity presses with at the start',
+    'press_slope': 'its derivative by psi',
+    'level': 'lambda/Theta*',
+    'polar': 'I_p*/Theta*',
+}
+
 CELLS = tuple(MEANINGS)
 
+# What fragments add to.
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')
 
 FRAGMENTS: dict[str, Fragment] = {
     'gravity': Fragment(
-        words=(),
-        inputs=('fall', 'press', 'fall_slope', 'press_slope'),
+        words=(
+            '(3.11) driving = J_theta/Theta*, pressing = J_r/Theta*, in the direction of travel',
+        ),
+        inputs=(),
         optional=(),
         scalar=(
             ('mul', 'fall_0', 'DIRECTION', 'fall'),
@@ -93,7 +110,11 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'rotation': Fragment(
-        words=(),
+        words=(
+            '(1.2) the mass turns as it slides, and its weight acts in its new position',
+            'psi = psi_0 - phi',
+            "q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes",
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -126,7 +147,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'centripetal': Fragment(
-        words=(),
+        words=(
+            '(2.20) the mass presses harder on the slip surface the faster it turns',
+            'adds A omega^2 to sigma',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -143,7 +167,11 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'pore_pressure': Fragment(
-        words=(),
+        words=(
+            '(2.20) water pressure on the slip surface relieves friction',
+            'adds J_r pore_ratio/lambda + pore_pressure* to u',
+            'pore_pressure* = pressure/sigma_ref',
+        ),
         inputs=('pore_ratio', 'pore_pressure'),
         optional=('pore_ratio', 'pore_pressure'),
         scalar=(
@@ -170,7 +198,11 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'cohesion': Fragment(
-        words=(),
+        words=(
+            '(3.11) the slip surface has strength without normal stress',
+            'adds cohesion* lambda to resistance',
+            'cohesion* = cohesion/sigma_ref',
+        ),
         inputs=('cohesion',),
         optional=(),
         scalar=(
@@ -185,7 +217,11 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'drag': Fragment(
-        words=(),
+        words=(
+            '(3.11) turbulent resistance, which grows with the square of the speed',
+            'adds Theta drag* omega^2 to resistance',
+            'drag* = 2 alpha g/(Theta xi)',
+        ),
         inputs=('drag',),
         optional=(),
         scalar=(
@@ -202,7 +238,11 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'viscosity': Fragment(
-        words=(),
+        words=(
+            '(3.11) viscous resistance of a sheared layer, which grows with the speed',
+            'adds Theta omega viscosity* to resistance',
+            'viscosity* = 2 alpha viscosity/(Theta rho thickness sqrt(R g))',
+        ),
         inputs=('viscosity',),
         optional=(),
         scalar=(
@@ -217,7 +257,11 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'shaking': Fragment(
-        words=(),
+        words=(
+            '(3.11) ground motion tilts and scales gravity',
+            'adds -J_theta k_v + dJ_theta/dpsi k_h to J_theta',
+            'adds -J_r k_v + dJ_r/dpsi k_h to J_r',
+        ),
         inputs=('k_h', 'k_v'),
         optional=('k_h', 'k_v'),
         scalar=(
@@ -265,7 +309,12 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'thermal_pressurisation': Fragment(
-        words=(),
+        words=(
+            '(3.11) friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; one mean pressure and temperature, constant Lambda, and all work of friction is heat',
+            'adds excess to u',
+            "dexcess/dphi = kappa* mu sigma'",
+            'kappa* = R pressurisation/(heat_capacity thickness)',
+        ),
         inputs=('kappa',),
         optional=(),
         scalar=(
@@ -287,7 +336,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'constant': Fragment(
-        words=(),
+        words=(
+            '(1.14) friction does not change',
+            'mu = coefficient',
+        ),
         inputs=('constant.coefficient',),
         optional=(),
         scalar=(
@@ -302,7 +354,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'exponential': Fragment(
-        words=(),
+        words=(
+            '(Fig. 4-1) residual + (peak - residual) exp(-slip/length)',
+            'mu = residual + (peak - residual)*exp(-slip/length)',
+        ),
         inputs=('exponential.peak', 'exponential.residual', 'exponential.length'),
         optional=(),
         scalar=(
@@ -344,7 +399,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'linear': Fragment(
-        words=(),
+        words=(
+            '(Fig. 4-1) falls from peak to residual over the length, then stays',
+            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = x',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -359,7 +417,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=('slip', 'x', 1),
     ),
     'hyperbolic': Fragment(
-        words=(),
+        words=(
+            '(Fig. 4-1) residual + (peak - residual)/(1 + slip/length)',
+            'mu = residual + (peak - residual)/(1 + slip/length)',
+        ),
         inputs=('hyperbolic.peak', 'hyperbolic.residual', 'hyperbolic.length'),
         optional=(),
         scalar=(
@@ -397,7 +458,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'tabulated': Fragment(
-        words=(),
+        words=(
+            '(Fig. 4-1) monotone cubic interpolation in a table, its last value beyond',
+            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = x',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -415,7 +479,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=('slip', 'x', 3),
     ),
     'rate_weakening': Fragment(
-        words=(),
+        words=(
+            '(1.14) residual + (peak - residual)/(1 + speed/velocity)',
+            'mu = residual + (peak - residual)/(speed/velocity + 1)',
+        ),
         inputs=('rate_weakening.peak', 'rate_weakening.residual', 'rate_weakening.velocity'),
         optional=(),
         scalar=(
@@ -435,7 +502,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'rate_tabulated': Fragment(
-        words=(),
+        words=(
+            '(1.14) monotone cubic interpolation in the logarithm of the speed, the end values beyond',
+            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = log(omega/omega_0)',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -461,7 +531,9 @@ FRAGMENTS: dict[str, Fragment] = {
         table=('speed', 'log_speed', 3),
     ),
     'prescribed': Fragment(
-        words=(),
+        words=(
+            '(1.14) straight lines between the times of a table, the end values beyond',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -476,7 +548,10 @@ FRAGMENTS: dict[str, Fragment] = {
         table=('time', 'dprescribed', 0),
     ),
     'callable': Fragment(
-        words=(),
+        words=(
+            '(1.14) a function of the slip, in pieces',
+            'mu = VALUE + Q1 y + Q2 y^2 + ..., y = x',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -498,7 +573,9 @@ FRAGMENTS: dict[str, Fragment] = {
         table=('slip', 'x', 7),
     ),
     'product': Fragment(
-        words=(),
+        words=(
+            'mu = mu(slip) mu(speed)',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -515,7 +592,11 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
     'balance': Fragment(
-        words=(),
+        words=(
+            '(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted',
+            'normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed',
+            'drive = normal ((limit - mu) + limit_low) at the start; drive_scale is the rounding of its terms',
+        ),
         inputs=(),
         optional=(),
         scalar=(
@@ -552,9 +633,10 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'dmu*dnormal', 'dmu', 'dnormal'),
             ('lin', 'dfriction', '', (('balance.3', 'dmu'), ('grip', 'dmu*dnormal'), ('balance.4', 'dnormal'))),
             ('lin', 'friction', 'friction_0', (('=1.0', 'dfriction'),)),
+            ('lin', 'mu', 'mu_0', (('=1.0', 'dmu'),)),
+            ('lin', 'pressing', 'pressing_0', (('=1.0', 'dpressing'),)),
             ('lin', 'dnet', '', (('=1.0', 'ddriving'), ('=-1.0', 'dfriction'), ('=-1.0', 'dresisting'))),
             ('lin', 'net', 'drive', (('=1.0', 'dnet'),)),
-            ('lin', 'mu', 'mu_0', (('=1.0', 'dmu'),)),
         ),
         adds={},
         states=(),

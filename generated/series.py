@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6e6b5410d6d123d0dd7cafa5e4965ce200e62ec08b9ad6dd5b6d504356b6c55c
-"""The operations of flow programs, in NumPy: on numbers where a phase begins, and on the series along it."""
+# sha256 of the text below: cabbc45bc6a3dc34cf56d69fe54cdc145bb82e653bc04fcc2d8797940b15c69a
+"""The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -22,7 +22,7 @@ def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
 
 
 def series_ops(operations: Sequence[tuple[Any, ...]], r: Floats, c: Floats, n: int) -> None:
-    """Fill coefficient n of all registers, (registers, orders, lanes), from those below and from the states' and tables' own."""
+    """Fill coefficient n of all registers, (registers, orders, lanes); those of states and tables are there."""
     for name, *names in operations:
         if name == "lin":
             d, constant, terms = names
@@ -69,7 +69,8 @@ def _sqr(r: Floats, c: Floats, n: int, d_: int, a_: int) -> None:
     if n == 0:
         d[0] = a[0] * a[0]
     else:
-        sum0 = 2.0 * _over(a, a, n, 0, (n - 1) // 2) + (a[n // 2] ** 2 if n % 2 == 0 else 0.0)
+        sum0 = 2.0 * _over(a, a, n, 0, (n - 1) // 2)
+        sum0 += a[n // 2] ** 2 if n % 2 == 0 else 0.0
         d[n] = sum0
 
 

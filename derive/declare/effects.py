@@ -317,9 +317,9 @@ def terms(chosen: tuple[Effect, ...]) -> dict[str, sp.Expr]:
     normal = sp.collect(sp.expand(LEVEL * effective.coeff(OMEGA_2, 0)), PRESS)
     # The limit friction is one number, and the drive is made of it: normal (limit - mu), with normal limit in full.
     _prove(start.coeff(MU, 0) - normal * MU - start, "the drive, written with the limit friction")
-    tilt = sum(sp.diff(start, x) * slope for x, slope in _BY_PSI.items())
+    tilt = sum(sp.diff(start, x) * slope for x, slope in BY_PSI.items())
     tilt = sp.collect(sp.expand(tilt), (FALL_SLOPE, PRESS_SLOPE, FALL, PRESS), lambda e: sp.collect(e, MU))
-    still = dict.fromkeys(_BY_PSI, 0)
+    still = dict.fromkeys(BY_PSI, 0)
     constant = sp.factor(-start.subs(still))
     dynamic = sp.expand(effective * LEVEL - normal)
     static = stress.coeff(OMEGA_2, 0)
@@ -351,7 +351,7 @@ def _prove(zero: sp.Expr, claim: str) -> None:
 
 
 # The derivatives by psi of what turns with the mass.
-_BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS}
+BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS}
 
 
 def specialised() -> tuple[dict[str, Variant], dict[tuple[str, ...], dict[str, str]]]:

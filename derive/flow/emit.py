@@ -1,25 +1,27 @@
 """The text of `generated/flow.py`: fragments as data."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
-from derive.flow.fragments import CELLS, QUANTITIES, fragments
+from derive.declare.effects import EFFECTS, LAWS, Effect, Law
+from derive.flow.fragments import CELLS, INPUTS, QUANTITIES, fragments
 from derive.flow.lowering import Fragment
 
 _HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
-A fragment is joined with others to a scene's program by name: ``d...`` is a series, the increment since the phase
-began, ``..._0`` a number where it began, ``=1.0`` a constant.
+Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
+began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
 """
 
 from typing import NamedTuple
 
 
 class Fragment(NamedTuple):
-    """Operations on numbers where a phase begins, operations on series, and what they add.
+    """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the
-    series of its argument (of time, its own) and the degree of its pieces.
+    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
+    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
+    argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -35,28 +37,31 @@ class Fragment(NamedTuple):
 '''
 
 
-def module() -> str:
+def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
-    text = [_HEAD, "# Cells that every program has, first and in this order.\nMEANINGS = {\n"]
-    text += [f"    {name!r}: {words!r},\n" for name, words in CELLS.items()]
-    text += ["}\nCELLS = tuple(MEANINGS)\n\n", f"QUANTITIES = {QUANTITIES!r}\n\n"]
-    text += ["FRAGMENTS: dict[str, Fragment] = {\n", *(_fragment(f) for f in fragments()), "}\n"]
+    text = [_HEAD]
+    for comment, name, table in (
+        ("Cells that every program has, first and in this order.", "MEANINGS", CELLS),
+        ("Numbers that every scene gives.", "INPUTS", INPUTS),
+    ):
+        lines = "".join(f"    {x!r}: {words!r},\n" for x, words in table.items())
+        text.append(f"# {comment}\n{name} = {{\n{lines}}}\n\n")
+    text.append("CELLS = tuple(MEANINGS)\n\n")
+    text.append(f"# What fragments add to.\nQUANTITIES = {QUANTITIES!r}\n\n")
+    text += ["FRAGMENTS: dict[str, Fragment] = {\n", *(_fragment(f) for f in fragments(effects, laws)), "}\n"]
     return "".join(text)
 
 
-def _lines(name: str, rows: Iterable[object]) -> str:
-    rows = list(rows)
-    return f"        {name}=(\n{''.join(f'            {r!r},{chr(10)}' for r in rows)}        ),\n" if rows else f"        {name}=(),\n"
-
-
 def _fragment(f: Fragment) -> str:
-    adds = "".join(f"            {q!r}: {added!r},\n" for q, added in f.adds.items())
-    return (
-        f"    {f.name!r}: Fragment(\n"
-        + _lines("words", f.words)
-        + f"        inputs={f.inputs!r},\n        optional={f.optional!r},\n"
-        + _lines("scalar", f.scalar)
-        + _lines("series", f.series)
-        + (f"        adds={{\n{adds}        }},\n" if adds else "        adds={},\n")
-        + f"        states={f.states!r},\n        table={f.table!r},\n    ),\n"
-    )
+    lines = [f"    {f.name!r}: Fragment(\n"]
+    for name in ("words", "inputs", "optional", "scalar", "series", "adds", "states", "table"):
+        value = getattr(f, name)
+        if name in ("words", "scalar", "series") and value:
+            rows = "".join(f"            {x!r},\n" for x in value)
+            lines.append(f"        {name}=(\n{rows}        ),\n")
+        elif name == "adds" and value:
+            rows = "".join(f"            {x!r}: {added!r},\n" for x, added in value.items())
+            lines.append(f"        {name}={{\n{rows}        }},\n")
+        else:
+            lines.append(f"        {name}={value!r},\n")
+    return "".join(lines) + "    ),\n"

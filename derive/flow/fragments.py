@@ -1,4 +1,4 @@
-"""The declared effects and laws, and the balance itself, lowered to fragments that a scene's program is joined of."""
+"""The declared effects and laws, and the balance itself, lowered to the fragments that programs are joined of."""
 
 from collections.abc import Iterator, Sequence
 from itertools import chain, combinations
@@ -6,10 +6,29 @@ from itertools import chain, combinations
 import sympy as sp
 
 from derive.algebra.stable import Select
+from derive.declare import effects as declared
 from derive.declare.effects import (
-    _BY_PSI, A, EFFECTIVE, EFFECTS, FALL, FALL_SLOPE, J_R, J_THETA, LAMBDA, LAWS, LEVEL, MU, OMEGA, OMEGA_2,
-    POLAR, PRESS, PRESS_SLOPE, SLIP, SPEED, THETA, Effect, Law,
-)  # fmt: skip
+    BY_PSI,
+    EFFECTIVE,
+    EFFECTS,
+    FALL,
+    J_R,
+    J_THETA,
+    LAMBDA,
+    LAWS,
+    LEVEL,
+    MU,
+    OMEGA,
+    OMEGA_2,
+    POLAR,
+    PRESS,
+    PRESS_SLOPE,
+    SLIP,
+    SPEED,
+    THETA,
+    Effect,
+    Law,
+)
 from derive.flow.lowering import Fragment, Increment, Lowering, cell, series, total
 
 # Cells that every program has, first and in this order, with what they hold.
@@ -20,108 +39,152 @@ CELLS = {
     "DIRECTION": "of travel, 1 or -1; 0 at rest",
     "LIFTED": "1 where nothing presses on the slip surface, else 0",
     "STATUS": "what the lane is doing",
-    "STEPS": "steps taken", "PHASES": "phases ended", "ORDER": "of its series", "FACTOR": "step over radius of convergence",
+    "STEPS": "steps taken",
+    "PHASES": "phases ended",
+    "ORDER": "of its series",
+    "FACTOR": "length of a step over the radius of convergence",
     "END_TIME": "t* at which it ends at the latest",
-    "ONE_WAY": "1 where shaking may start it down-slope only", "FIRST_ONLY": "1 where the first standstill ends it",
-    "LIMIT": "limit friction at the start", "LIMIT_LOW": "what rounding took from it",
-    "PEAK_TIME": "t* of the greatest speed", "PEAK_ROTATION": "rotation then", "PEAK_OMEGA": "omega* then, signed",
-    "PEAK_RATE": "d omega*/dt* then, signed", "REACH_TIME": "t* of the greatest rotation from the start",
-    "REACH_ROTATION": "that rotation", "END_ROTATION": "rotation at the end", "END_OMEGA": "omega* then, signed",
-    "END_RATE": "d omega*/dt* then, signed", "FIRST_STOP": "t* of the first standstill",
-    "CLOSE": "least margin of a decision at rest, over its terms", "LIFT_TIME": "t* of the first lift-off",
-    "PASSED": "what the phase began by passing", "REST_SINCE": "t* of the standstill that it rests from",
-    "x": "rotation since the phase began, in the direction of travel", "omega": "its rate, omega*",
-}  # fmt: skip
+    "ONE_WAY": "1 where shaking may start it down-slope only",
+    "FIRST_ONLY": "1 where the first standstill ends it",
+    "LIMIT": "limit friction at the start",
+    "LIMIT_LOW": "what rounding took from it",
+    "PEAK_TIME": "t* of the greatest speed",
+    "PEAK_ROTATION": "rotation then, signed",
+    "PEAK_OMEGA": "omega* then, signed",
+    "PEAK_RATE": "d omega*/dt* then, signed",
+    "REACH_TIME": "t* of the greatest rotation from the start",
+    "REACH_ROTATION": "that rotation, signed",
+    "END_ROTATION": "rotation at the end, signed",
+    "END_OMEGA": "omega* then, signed",
+    "END_RATE": "d omega*/dt* then, signed",
+    "FIRST_STOP": "t* of the first standstill",
+    "CLOSE": "least margin of a decision at rest, over its terms",
+    "LIFT_TIME": "t* of the first lift-off",
+    "PASSED": "what the phase began by passing",
+    "REST_SINCE": "t* of the standstill that it rests from",
+    "TURNS": "phases that began against the one before",
+    "LAST_WAY": "direction of the last phase",
+    "x": "rotation since the phase began, in the direction of travel",
+    "omega": "its rate, omega*",
+}
+# What every scene gives, all over Theta*.
+INPUTS = {
+    "fall": "J_theta/Theta*, what gravity drives with at the start",
+    "fall_slope": "its derivative by psi",
+    "press": "J_r/Theta*, what gravity presses with at the start",
+    "press_slope": "its derivative by psi",
+    "level": "lambda/Theta*",
+    "polar": "I_p*/Theta*",
+}
+# What effects add to, over Theta*: the moments that drive and resist, lambda sigma* that presses, lambda u* that lifts.
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
 
 DIRECTION, ROTATION, BEGAN, GRIP = (cell(x) for x in ("DIRECTION", "ROTATION", "SLIP", "grip"))
-X, SPEED_NOW = series("x"), series("omega")
 ONE, ZERO = sp.Integer(1), sp.Integer(0)
-NORMAL, FRICTION = sp.symbols("normal friction", real=True)
-_LIMIT, _LIMIT_LOW, _TIME, _LIFTED = (cell(x) for x in ("LIMIT", "LIMIT_LOW", "TIME", "LIFTED"))
+NORMAL, FRICTION = cell("normal"), cell("friction")
+# In the rate of a state these count in full: there is no base to subtract.
+TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
+# A Python function of slip, which the runtime turns into pieces.
+CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=7)
 
 
-def _seen(q: sp.Symbol) -> sp.Symbol:
+def seen(q: sp.Symbol) -> sp.Symbol:
     """A component of the weight where the phase begins, as it is seen in the direction of travel."""
     return cell(f"{q}_0")
 
 
-def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
-    """The weight's components at the start of a phase and their increments; those of a frozen mass have none.
+def sign(q: sp.Symbol) -> sp.Expr:
+    """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
+    return DIRECTION if q in (FALL, PRESS_SLOPE) else ONE
 
-    q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: q - q vers x - q' sin x.
+
+def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
+    """The weight's components at the start of a phase and their increments; those of a frozen mass are nothing.
+
+    q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
     """
-    sine = {q: -slope.subs({y: _seen(y) for y in _BY_PSI}) for q, slope in _BY_PSI.items()}
-    return {q: (_seen(q), total((sine[q], series("sin(x)")), (-_seen(q), series("vers(x)")))) for q in _BY_PSI}
+    slopes = {q: slope.subs({y: seen(y) for y in BY_PSI}) for q, slope in BY_PSI.items()}
+    return {q: (seen(q), total((-slopes[q], series("sin(x)")), (-seen(q), series("vers(x)")))) for q in BY_PSI}
 
 
 def scaled(e: sp.Expr) -> sp.Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
-    over = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, A: POLAR / LEVEL, OMEGA_2: OMEGA**2}
-    return sp.expand(sp.expand(sp.expand(e).subs(over)) / THETA)
+    over = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, declared.A: POLAR / LEVEL}
+    return sp.expand(sp.expand(sp.expand(e).subs(over | {OMEGA_2: OMEGA**2})) / THETA)
+
+
+def quantities(effect: Effect) -> dict[str, sp.Expr]:
+    """What an effect adds to the quantities of the balance."""
+    return {
+        "driving": scaled(effect.fall),
+        "resisting": scaled(effect.resistance),
+        "pressing": scaled(effect.press + LAMBDA * effect.stress),
+        "lifting": scaled(LAMBDA * effect.pressure),
+    }
 
 
 def odd(effect: Effect) -> set[sp.Symbol]:
-    """The parameters that change sign when the arc is seen in a mirror, which only the drive does, and the slope of J_r."""
-    even = scaled(effect.press), scaled(LAMBDA * effect.stress), scaled(LAMBDA * effect.pressure), scaled(effect.resistance)
-    fall = scaled(effect.fall)
+    """The parameters that change sign in a mirror, in which the drive does and nothing else.
+
+    Raises
+    ------
+    ValueError
+        If the effect's terms are not the same in a mirror, whatever the signs of its parameters.
+    """
+    adds = quantities(effect)
     symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
     for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
         mirror = {x: -x for x in (FALL, PRESS_SLOPE, *chosen)}
-        if all(sp.expand(e.xreplace(mirror) - e) == 0 for e in even) and sp.expand(fall.xreplace(mirror) + fall) == 0:
+        if all(sp.expand(e.xreplace(mirror) - (-e if q == "driving" else e)) == 0 for q, e in adds.items()):
             return set(chosen)
-    raise ValueError(f"{effect.name}: no sign of its parameters makes its terms the same in a mirror")
+    raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
 
 
 def moving(effect: Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
     """What may change along a phase: base and increment by symbol."""
-    found = position() | {OMEGA: (ZERO, SPEED_NOW), SPEED: (ZERO, SPEED_NOW), SLIP: (BEGAN, X)}
+    speed = (ZERO, series("omega"))
+    found = position() | {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is not None:
         signs = dict.fromkeys(odd(effect), DIRECTION)
         for p in effect.parameters:
             if p.symbol is not None:
-                sign = signs.get(p.symbol, ONE)
-                found[p.symbol] = (sign * p.symbol, series(f"d{p.symbol}", sign) if p.kind == "series" else {})
+                s = signs.get(p.symbol, ONE)
+                found[p.symbol] = (s * p.symbol, series(f"d{p.symbol}", s) if p.kind == "series" else {})
         found |= {x: (cell(f"{x}_0"), series(f"d{x}")) for x in effect.given}
     return found
 
 
 def of_effect(effect: Effect) -> Fragment:
     """What an effect adds to the quantities of the balance, and the rates of its states."""
+    if effect.turns:
+        return rotation(effect)
     low = Lowering(effect.name, moving(effect))
-    adds = {
-        "driving": scaled(effect.fall), "resisting": scaled(effect.resistance),
-        "pressing": scaled(effect.press + LAMBDA * effect.stress), "lifting": scaled(LAMBDA * effect.pressure),
-    }  # fmt: skip
-    symbols = [p for p in effect.parameters if p.symbol is not None]
-    inputs, optional = [str(p.symbol) for p in symbols], [str(p.symbol) for p in symbols if p.optional]
     for x in effect.given:
         low.cells |= {f"{x}_less": -x, f"{x}_0": -cell(f"{x}_less")}  # the state's own cell moves on along the phase
         low.put("lin", f"d{x}", f"{x}_less", (("=1.0", str(x)),))
-    low.moving = {**low.moving, **_TOTALS}
+    low.moving = {**low.moving, **TOTALS}
     rate = sp.expand(effect.growth * OMEGA).subs(EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
-    return low.fragment((), adds, inputs, optional, {str(x): rate for x in effect.given})
-
-
-# Of the rate of a state, in full: no base to subtract.
-_TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
-
-
-# A Python function of slip, which the runtime turns into pieces.
-CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of slip", degree=7)
+    symbols = [p for p in effect.parameters if p.symbol is not None]
+    return low.fragment(
+        (f"({effect.equation}) {effect.help}", *declared.formulas(effect)),
+        quantities(effect),
+        inputs=[str(p.symbol) for p in symbols],
+        optional=[str(p.symbol) for p in symbols if p.optional],
+        states={str(x): rate for x in effect.given},
+    )
 
 
 def of_law(law: Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
-    low = Lowering(law.name, moving())
+    low, words = Lowering(law.name, moving()), [f"({law.equation}) {law.help}"]
     if law.coefficient is not None and not law.kinks:
         own = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
-        return low.fragment((), {"mu": law.coefficient.xreplace(own)}, map(str, own.values()))
-    value = cell(f"{law.name}.VALUE")
+        words.append(f"mu = {sp.sstr(law.coefficient)}")
+        return low.fragment(words, {"mu": law.coefficient.xreplace(own)}, [str(x) for x in own.values()])
+    value, argument = cell(f"{law.name}.VALUE"), "x"
     if law.depends_on == ("time",):
-        low.moving = {value: (value, series(f"d{law.name}"))}
-        return low.fragment((), {"mu": value}, table=("time", f"d{law.name}", 0))
-    argument = "x"
+        low.moving, argument = {value: (value, series(f"d{law.name}"))}, f"d{law.name}"
+        return low.fragment(words, {"mu": value}, table=("time", argument, 0))
     if law.depends_on == ("speed",):
         # The logarithm of the speed over that where the phase began. The first piece, below the table, is constant.
         argument, beyond, start = "log_speed", cell("beyond"), cell("start_speed")
@@ -131,72 +194,76 @@ def of_law(law: Law) -> Fragment:
         low.put("log", argument, "relative_speed")
     powers = {(argument,) * k: cell(f"{law.name}.Q{k}") for k in range(1, law.degree + 1)}
     low.moving = {value: (value, powers)}
-    return low.fragment((), {"mu": value}, table=(law.depends_on[0], argument, law.degree))
+    of = "x" if argument == "x" else "log(omega/omega_0)"
+    words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
+    return low.fragment(words, {"mu": value}, table=(law.depends_on[0], argument, law.degree))
 
 
 def gravity() -> Fragment:
-    """The weight, which drives and presses, of a frozen mass."""
+    """The weight, which drives and presses; of a frozen mass, where nothing else says how its components turn."""
     low = Lowering("gravity", {})
-    low.cells |= {str(_seen(q)): _sign(q) * q for q in _BY_PSI}
+    low.cells |= {str(seen(q)): sign(q) * q for q in BY_PSI}
     low.moving = position()
-    return low.fragment((), {"driving": FALL, "pressing": PRESS}, map(str, _BY_PSI))
+    words = ["(3.11) driving = J_theta/Theta*, pressing = J_r/Theta*, in the direction of travel"]
+    return low.fragment(words, {"driving": FALL, "pressing": PRESS})
 
 
 def rotation(effect: Effect) -> Fragment:
     """The turning of the weight: its components where the phase begins, and the series that they turn by."""
     low = Lowering(effect.name, {})
     low.cells |= {
-        str(_seen(q)): _sign(q) * (q * sp.cos(ROTATION) - slope * sp.sin(ROTATION)) for q, slope in _BY_PSI.items()
+        str(seen(q)): sign(q) * (q * sp.cos(ROTATION) - slope * sp.sin(ROTATION)) for q, slope in BY_PSI.items()
     }
-    low.turn(X, ONE, ONE)
-    low.put("lin", "upright", "press_0", low.sum(position()[PRESS][1]))
-    return low.fragment((), {})
-
-
-def _sign(q: sp.Symbol) -> sp.Expr:
-    """Of a component of the weight, seen in the direction of travel: J_theta and the slope of J_r are odd."""
-    return DIRECTION if q in (FALL, PRESS_SLOPE) else ONE
+    low.turn(series("x"), ONE, ONE)
+    low.put("lin", "upright", str(seen(PRESS)), low.sum(position()[PRESS][1]))
+    words = [f"({effect.equation}) {effect.help}", *declared.formulas(effect),
+             "q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes"]  # fmt: skip
+    return low.fragment(words, {})
 
 
 def product() -> Fragment:
     """A law of slip times a law of speed."""
     parts = {cell(f"{x}_mu"): (cell(f"{x}_mu_0"), series(f"d{x}_mu")) for x in ("slip", "rate")}
-    return Lowering("product", parts).fragment((), {"mu": sp.Mul(*parts)})
+    return Lowering("product", parts).fragment(["mu = mu(slip) mu(speed)"], {"mu": sp.Mul(*parts)})
 
 
 def balance() -> Fragment:
-    """The balance of momentum of its quantities, which the fragments' sums are: (3.11), all over Theta*."""
+    """The balance of momentum of its quantities, which are the sums of what the fragments add."""
     driving, resisting, pressing, lifting, mu = (cell(x) for x in (*QUANTITIES, "mu"))
-    low = Lowering("balance", {x: (cell(f"{x}_0"), series(f"d{x}")) for x in (driving, resisting, pressing, lifting, mu)})
-    low.cells["grip"] = 1 - _LIFTED
-    # All that presses; the part that a friction coefficient multiplies; what is left of the drive.
-    low.cells["normal_0"] = cell("pressing_0") - cell("lifting_0")
-    low.register(low.split(pressing - lifting)[1], "dnormal")
-    low.put("lin", "normal", "normal_0", (("=1.0", "dnormal"),))
-    low.moving = {**low.moving, NORMAL: (cell("normal_0"), series("dnormal"))}
-    low.cells["friction_0"], rubbed = low.split(GRIP * mu * NORMAL)
-    low.register(rubbed, "dfriction")
-    low.put("lin", "friction", "friction_0", (("=1.0", "dfriction"),))
-    low.moving = {**low.moving, FRICTION: (cell("friction_0"), series("dfriction"))}
-    base, increment = low.split(driving - resisting - FRICTION)
+    sums = {x: (cell(f"{x}_0"), series(f"d{x}")) for x in (driving, resisting, pressing, lifting, mu)}
+    low = Lowering("balance", sums)
+    low.cells["grip"] = 1 - cell("LIFTED")
+    for name, e in (("normal", pressing - lifting), ("friction", GRIP * mu * NORMAL)):
+        low.cells[f"{name}_0"], increment = low.split(e)
+        low.register(increment, f"d{name}")
+        low.put("lin", name, f"{name}_0", (("=1.0", f"d{name}"),))
+        low.moving = {**low.moving, cell(name): (cell(f"{name}_0"), series(f"d{name}"))}
+    low.put("lin", "mu", "mu_0", (("=1.0", "dmu"),))
+    low.put("lin", "pressing", "pressing_0", (("=1.0", "dpressing"),))
+    static, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
     low.put("lin", "net", "drive", (("=1.0", "dnet"),))
-    # At the start the limit friction is given, in two numbers, and what drives is made of it.
-    low.cells["gap"] = _LIMIT - cell("mu_0")
-    given = cell("normal_0") * (cell("gap") + _LIMIT_LOW)
-    first = Select(0, _TIME, 0, GRIP * Select(0, cell("driving_0") - cell("resisting_0"), 1, 0))
-    low.cells |= {"first": first, "drive": Select(0, cell("first"), given, base)}
-    sizes = [cell(f"{x}_size") for x in QUANTITIES]
-    whole = sizes[0] + sizes[1] + GRIP * cell("mu_0") * (sizes[2] + sizes[3])
+    # At the start the limit friction is given, in two numbers, and what drives is made of what is left of it.
+    low.cells["gap"] = cell("LIMIT") - cell("mu_0")
+    given = cell("normal_0") * (cell("gap") + cell("LIMIT_LOW"))
+    driven = Select(0, cell("driving_0") - cell("resisting_0"), 1, 0)
+    low.cells["first"] = Select(0, cell("TIME"), 0, GRIP * driven)
+    low.cells["drive"] = Select(0, cell("first"), given, static)
+    drives, resists, presses, lifts = (cell(f"{x}_size") for x in QUANTITIES)
+    whole = drives + resists + GRIP * cell("mu_0") * (presses + lifts)
     low.cells["drive_scale"] = sp.Rational(1, 2**52) * Select(0, cell("first"), abs(cell("drive")), whole)
-    low.put("lin", "mu", "mu_0", (("=1.0", "dmu"),))
-    return low.fragment((), {})
+    words = [
+        "(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted",
+        "normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed",
+        "drive = normal ((limit - mu) + limit_low) at the start; drive_scale is the rounding of its terms",
+    ]
+    return low.fragment(words, {})
 
 
 def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> Iterator[Fragment]:
     """All fragments, of these effects and laws."""
     yield gravity()
-    yield from (rotation(e) if e.turns else of_effect(e) for e in effects)
+    yield from (of_effect(e) for e in effects)
     yield from (of_law(law) for law in (*laws, CALLABLE))
     yield product()
     yield balance()

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from derive.algebra.stable import Expm1, Log1p, Select
+from derive.algebra.stable import Select
 from derive.code.program import program
 from derive.flow.operations import first
 
@@ -90,13 +90,14 @@ class Lowering:
         one = sp.Integer(1)
         if e in self.moving:
             return self.moving[e]
-        if not e.free_symbols & self.moving.keys():
-            return e, {}
+        inside = [x for x in e.free_symbols if x in self.moving]
+        if not any(self.moving[x][1] for x in inside):
+            return e.xreplace({x: self.moving[x][0] for x in inside}), {}
         if isinstance(e, sp.Add):
             parts = [self.split(x) for x in e.args]
             return sp.Add(*(b for b, _ in parts)), total(*((one, d) for _, d in parts))
         if isinstance(e, sp.Mul) or (isinstance(e, sp.Pow) and e.exp.is_Integer and e.exp > 0):
-            base, increment = one, {}
+            base, increment = one, total()
             for b, d in map(self.split, e.args if isinstance(e, sp.Mul) else [e.base] * int(e.exp)):
                 base, increment = base * b, total((base, d), (b, increment), (one, times(increment, d)))
             return base, increment
@@ -121,7 +122,9 @@ class Lowering:
             return power, self.apply("pow", relative, power, e.exp)
         raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
 
-    def apply(self, operation: str, increment: Increment, factor: sp.Expr, exponent: sp.Expr | None = None) -> Increment:
+    def apply(
+        self, operation: str, increment: Increment, factor: sp.Expr, exponent: sp.Expr | None = None
+    ) -> Increment:
         """A factor times the register that an operation on an increment gives."""
         z = self.register(increment)
         self.count += 1
@@ -211,8 +214,17 @@ class Lowering:
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())
-        return Fragment(self.name, tuple(words), tuple(inputs), tuple(optional), self.scalar(), tuple(self.series), added, rates,
-                        table)
+        return Fragment(
+            self.name,
+            tuple(words),
+            tuple(inputs),
+            tuple(optional),
+            self.scalar(),
+            tuple(self.series),
+            added,
+            rates,
+            table,
+        )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:
         """The prologue: operations on cells, by names; constants are named by their value, ``=2.0``."""

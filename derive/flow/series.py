@@ -27,16 +27,21 @@ class _Sum:
         """Whether its second half repeats the first."""
         return self.a.base == self.b.base and self.weight == 1
 
+    def factor(self, at: str, order: str) -> str:
+        """The weight as text, with a times sign, where there is one."""
+        known = {k: at, n: order} | {x: str(x) for x in self.weight.free_symbols - {k, n}}
+        return "" if self.weight == 1 else f"{_text(self.weight, known)} * "
+
 
 def _sums(o: Operation) -> dict[sp.Sum, _Sum]:
     """The sums of an operation's step."""
     found = {}
     for i, total in enumerate(sorted({x for e in o.step for x in e.atoms(sp.Sum)}, key=str)):
         ((_, first, last),) = total.limits
-        bases = {x: x.base if isinstance(x, sp.Pow) else x for x in sp.Mul.make_args(total.function) if x.has(sp.Indexed)
-                 and not x.is_Add}  # fmt: skip
-        a, b = sorted((*bases.values(), *bases.values())[:2], key=lambda x: x.indices != (k,))
-        found[total] = _Sum(f"sum{i}", sp.cancel(total.function / sp.Mul(*bases)), a, b, int(first), int(n - last))
+        parts = {x: x.base if isinstance(x, sp.Pow) else x for x in sp.Mul.make_args(total.function)}
+        series = {x: base for x, base in parts.items() if isinstance(base, sp.Indexed)}
+        a, b = sorted((*series.values(), *series.values())[:2], key=lambda x: x.indices != (k,))
+        found[total] = _Sum(f"sum{i}", sp.cancel(total.function / sp.Mul(*series)), a, b, int(first), int(n - last))
     return found
 
 
@@ -67,7 +72,9 @@ def _start(o: Operation, language: str, at: str) -> tuple[list[str], list[str]]:
     known: dict[sp.Expr, str] = {x: at.format(x.base) for e in o.start for x in e.atoms(sp.Indexed)}
     known |= {x: str(x) for x in o.numbers}
     lines = []
-    functions = sorted({f for e in o.start for f in e.atoms(sp.Function)}, key=lambda f: (len(f.atoms(sp.Function)), str(f)))
+    functions = sorted(
+        {f for e in o.start for f in e.atoms(sp.Function)}, key=lambda f: (len(f.atoms(sp.Function)), str(f))
+    )
     for i, f in enumerate(functions):
         name, argument = type(f).__name__.lower(), _text(f.args[0], known)
         call = f"IN(map)({name}, {argument})" if language == "C" else f"np.{name}({argument})"
@@ -98,7 +105,8 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
     case LIN: {{
         V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){{0}};
         const int32_t *const end = at + 4 + 2 * at[3];
-        for (const int32_t *term = at + 4; term < end; term += 2) sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
+        for (const int32_t *term = at + 4; term < end; term += 2)
+            sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
         r[(ptrdiff_t)at[1] * stride + n] = sum;
         return end;
     }}
@@ -123,9 +131,9 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c) {{
 
 def _c_loop(sums: list[_Sum]) -> list[str]:
     """Sums over the same k, two terms at a time so that they do not wait for each other."""
+
     def term(s: _Sum, at: str) -> str:
-        weight = "" if s.weight == 1 else f"{_text(s.weight, {k: f'(double)({at})', n: 'order'} | {x: str(x) for x in s.weight.free_symbols - {k, n}})} * "
-        return f"{weight}{s.a.base}[{at}] * {s.b.base}[n - {at}]".replace("- k + 1", "- k - 1")
+        return f"{s.factor(f'(double)({at})', 'order')}{s.a.base}[{at}] * {s.b.base}[n - {at.replace('+', '-')}]"
 
     s = sums[0]
     limit = "n - k" if s.symmetric else f"n{f' - {s.short}' if s.short else ''} + 1"  # k stays below it
@@ -175,7 +183,7 @@ def c_enums() -> str:
 
 # --- NumPy ---------------------------------------------------------------------------------------------------------
 
-_NUMPY = '''"""The operations of flow programs, in NumPy: on numbers where a phase begins, and on the series along it."""
+_NUMPY = '''"""The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -197,7 +205,7 @@ def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
 
 
 def series_ops(operations: Sequence[tuple[Any, ...]], r: Floats, c: Floats, n: int) -> None:
-    """Fill coefficient n of all registers, (registers, orders, lanes), from those below and from the states' and tables' own."""
+    """Fill coefficient n of all registers, (registers, orders, lanes); those of states and tables are there."""
     for name, *names in operations:
         if name == "lin":
             d, constant, terms = names
@@ -235,14 +243,15 @@ _SCALARS: dict[str, Any] = {{
 '''
 
 
-def _numpy_sum(s: _Sum) -> str:
-    last = f"n - {s.short}" if s.short else "n"
+def _numpy_sum(s: _Sum) -> list[str]:
+    a, b, last = s.a.base, s.b.base, f"n - {s.short}" if s.short else "n"
     if s.symmetric:
-        return f"{s.name} = 2.0 * _over({s.a.base}, {s.b.base}, n, {s.first}, (n - 1) // 2) + ({s.a.base}[n // 2] ** 2 if n % 2 == 0 else 0.0)"
-    weight = "" if s.weight == 1 else f"{_text(s.weight, {k: 'k', n: 'n'} | {x: str(x) for x in s.weight.free_symbols - {k, n}})} * "
-    if not weight:
-        return f"{s.name} = _over({s.a.base}, {s.b.base}, n, {s.first}, {last})"
-    return (f"k = np.arange(n + 1.0)[:, None]\n        {s.name} = _over({weight}{s.a.base}[: n + 1], {s.b.base}, n, {s.first}, {last})")  # fmt: skip
+        return [f"{s.name} = 2.0 * _over({a}, {a}, n, {s.first}, (n - 1) // 2)",
+                f"{s.name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0"]  # fmt: skip
+    if s.weight == 1:
+        return [f"{s.name} = _over({a}, {b}, n, {s.first}, {last})"]
+    return ["k = np.arange(n + 1.0)[:, None]",
+            f"{s.name} = _over({s.factor('k', 'n')}{a}[: n + 1], {b}, n, {s.first}, {last})"]  # fmt: skip
 
 
 def _numpy_function(o: Operation) -> str:
@@ -258,8 +267,11 @@ def _numpy_function(o: Operation) -> str:
     lines += ["    if n == 0:", *(f"        {x}" for x in functions)]
     lines += [f"        {x}[0] = {e or '0.0'}" for x, e in zip(o.results, start, strict=True)]
     step = _step(o, "{}[{}]")
-    lines += ["    else:", *(f"        {_numpy_sum(s)}" for s in _sums(o).values())]
-    lines += [f"        {x}[n] = {e.replace('by_n', '(1.0 / n)').replace('order', 'n')}" for x, e in zip(o.results, step, strict=True)]
+    lines += ["    else:", *(f"        {x}" for s in _sums(o).values() for x in _numpy_sum(s))]
+    lines += [
+        f"        {x}[n] = {e.replace('by_n', '(1.0 / n)').replace('order', 'n')}"
+        for x, e in zip(o.results, step, strict=True)
+    ]
     return "\n".join(lines) + "\n\n\n"
 
 
