@@ -48,7 +48,17 @@ def flat(program: Program) -> bytes:
         elif op != "ramp":  # its coefficients come with the table
             series += [SERIES.index(op), *names]
     tables = [(KINDS.index(t.kind), t.register, t.cells, t.degree) for t in program.tables]
-    sizes = (len(program.cells), len(program.registers), len(program.states), len(tables), len(numbers), len(series))
+    made = sorted({d for _, d, *_ in numbers}) or [len(program.cells)] * 2
+    sizes = (
+        len(program.cells),
+        made[0],
+        made[-1] + 1,
+        len(program.registers),
+        len(program.states),
+        len(tables),
+        len(numbers),
+        len(series),
+    )
     roles = [program.roles.get(name, -1) for name in ROLES]
     parts = [sizes, roles, *numbers, series, *program.states, *tables]
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()

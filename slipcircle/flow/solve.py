@@ -110,7 +110,7 @@ class Lanes:
         return walked(self.bound, self.closed, None, log)
 
     def _sampled(self, bound: Bound, times: Floats, closed: bool) -> tuple[Floats, Floats]:
-        """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes); and the last cells."""
+        """As `read`, of any bound lanes; and their last cells."""
         order = np.argsort(times, kind="stable")
         at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
         rows = np.zeros((2 + len(bound.program.states), times.size, self.count))

@@ -1,4 +1,4 @@
-"""Functions in pieces, as the flow walks them: friction laws by table, records, pulses, and functions given in Python."""
+"""Functions in pieces, as the flow walks them: laws by table, records, pulses, and functions given in Python."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple

@@ -6,7 +6,9 @@ from typing import Any
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import mistakes, raise_all
-from slipcircle.scene.friction import law_depends, law_name, law_names
+from slipcircle.flow.bind import order
+from slipcircle.flow.program import Program, join
+from slipcircle.scene.friction import law_depends, law_names
 from slipcircle.scene.scene import ACCURACY, Scene
 
 DEFAULT_ACCURACY = 1e-9
@@ -80,9 +82,6 @@ def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
 @cache
 def _choice(called: tuple[str, ...], laws: Any, moving: tuple[str, ...], accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
-    from slipcircle.flow.bind import order
-    from slipcircle.flow.program import join
-
     effects, (names, depends) = tuple(e for e in EFFECTS if e in called), laws
     symbols = tuple(p.symbol for e in effects if e in moving for p in EFFECTS[e].parameters if p.kind == "series")
     program = join(effects, names, symbols)
@@ -94,7 +93,7 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[str, ...], accurac
     return {
         "effects": effects,
         "left_out": tuple(e for e in EFFECTS if e not in effects),
-        "law": law_name_of(names),
+        "law": " times ".join(names),
         "method": FLOW if reasons else CLOSED_IN_TIME,
         "why": "; ".join(reasons),
         "fragments": ("gravity", *effects, *names, "balance"),
@@ -103,23 +102,15 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[str, ...], accurac
     }
 
 
-def law_name_of(names: tuple[str, ...]) -> str:
-    """Laws that multiply each other, in one."""
-    return " times ".join(names)
-
-
-def _counted(program: "Program") -> str:
+def _counted(program: Program) -> str:
     kinds = [op[0] for op in program.series]
     return ", ".join(f"{kinds.count(k)} {k}" for k in sorted(set(kinds)))
 
 
-def flops(program: "Program", order: int) -> int:
+def flops(program: Program, order: int) -> int:
     """Floating-point operations of one step: products take as many terms as their coefficient has factors."""
     total = 0
     for kind, *rest in program.series:
         each = {"lin": 2 * len(rest[-1]) if kind == "lin" else 0, "sqr": order, "turn": 4 * order, "tim": 1, "ramp": 0}
         total += (order + 1) * each.get(kind, 2 * order)
     return total
-
-
-__all__ = ["CLOSED_IN_TIME", "DEFAULT_ACCURACY", "FLOW", "Plan", "flops", "law_name", "plan"]
