@@ -170,7 +170,7 @@ class Motion:
     @property
     def factor_of_safety(self) -> float:
         resistance = float(self.balance.get("resistance", **self._start, mu=self._friction, omega_2=0.0))
-        return resistance / self._start["fall"] if self._start["fall"] > 0.0 else math.inf
+        return resistance / self._start["fall"] + 0.0 if self._start["fall"] > 0.0 else math.inf
 
     @property
     def yield_coefficient(self) -> float:

@@ -462,14 +462,15 @@ class Course(EndsAtLiftOff):
 
     def fastest(self) -> tuple[float, float, float, float]:
         """Time, x, omega and d(omega)/dt at the greatest speed."""
-        time, peak = self._times[1], self.peak
+        time, peak, last = self._times[1], self.peak, self.end
         if time > self.longest and not (
             self.closed and self.steady and self.constant >= 0.0
         ):  # E may have risen and fallen before
-            peak = self._peak(self.state(self.longest)[0])
+            last = self.state(self.longest)[0]
+            peak = self._peak(last)
             time = float(self.clock(np.array([self._variable(peak)]))[0])
         energy = max(self._scalar(peak), 0.0)
-        rate = 0.0 if 0.0 < peak < self.end else float(self.slope(peak, energy)) / 2
+        rate = 0.0 if 0.0 < peak < last else float(self.slope(peak, energy)) / 2
         return time, peak, math.sqrt(energy), rate
 
     def state(self, t: float) -> tuple[float, float, float]:

@@ -255,7 +255,8 @@ class Stepped(Walk):
             while first > 0 and r.side[first - 1] != 0.0:
                 first -= 1
             episode = np.arange(first, last + 1)
-            if float(np.maximum(r.a[0, episode], horner(list(r.a[:, episode]), r.length[episode])).max()) <= noise:
+            drive = np.maximum(r.a[0, episode], horner(list(r.a[:, episode]), r.length[episode]))
+            if r.omega[first] == 0.0 and float(drive.max()) <= noise:  # what was pushed moves in any case
                 return True
             after = np.arange(last + 2, len(r.start))
         else:
