@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.balance import Balance
-from slipcircle.checks import INFINITY, mistakes, raise_all
+from slipcircle.checks import EPS, INFINITY, mistakes, raise_all
 from slipcircle.friction import friction
 from slipcircle.plan import CLOSED_IN_TIME, INTEGRATION, STEPPING, Plan
 
@@ -144,12 +144,13 @@ class Motion:
     @cached_property
     def peak(self) -> State:
         best, speed = self.end, abs(float(self.end.angular_velocity)) * self._scale
+        last = self.duration / self._scale * (1.0 - 8 * EPS)  # what is not before it is the end itself
         for p in self.phases:
             first = math.sqrt(p.solved.start.energy)
             begins = [] if first <= speed else [(0.0, *p.solved.state(0.0))]
             summit = p.solved.fastest()
             for t, x, omega, rate in [*begins, summit] if summit else begins:
-                if abs(omega) > speed and p.start + t <= p.end:
+                if abs(omega) > speed and p.start + t <= min(p.end, last):
                     speed, side = abs(omega), p.direction
                     time = min((p.start + t) * self._scale, self.duration)
                     best = self._state(time, p.rotation + side * x, side * omega, side * rate)

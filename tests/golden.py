@@ -200,6 +200,22 @@ def solved(name: str) -> Motion:
     return found
 
 
+def changes(motion: Motion, samples: int = 4000, most: int | None = None) -> list[tuple[float, int, int]]:
+    """When the sense of motion changes before the end, and from what to what; 0 is rest. To the last bit."""
+    times = np.linspace(0.0, motion.duration, samples + 1)
+    sense = np.sign(motion.at(times).velocity).astype(int)
+    sense[-1] = sense[-2]
+    if sense[0] == 0 and motion.plan.scene.initial_velocity == 0.0:
+        sense[0] = sense[1]  # it starts at once, or later
+    found = []
+    for k in np.flatnonzero(sense[1:] != sense[:-1]).tolist()[:most]:
+        low, high = float(times[k]), float(times[k + 1])
+        while low < (middle := (low + high) / 2) < high:
+            low, high = (middle, high) if np.sign(motion.at(middle).velocity) == sense[k] else (low, middle)
+        found.append((high, int(sense[k]), int(sense[k + 1])))
+    return found
+
+
 # --- its numbers -----------------------------------------------------------------------------------------------------
 
 
