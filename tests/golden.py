@@ -113,7 +113,10 @@ def chosen() -> Iterator[tuple[str, Data]]:
     for kind in KINDS:
         shaking = {"pulse": kind, "amplitude": 0.35, "vertical_amplitude": 0.2, "duration": 1.0, "start": 0.2}
         for where, effects, end in (("frozen", {}, 8.0), ("turning", TURNING, None)):
-            yield f"{kind} pulse, {where}, stands before and after", scene(0.33, effects | {"shaking": shaking}, 0.0, end)
+            yield (
+                f"{kind} pulse, {where}, stands before and after",
+                scene(0.33, effects | {"shaking": shaking}, 0.0, end),
+            )
     for where, effects in (("frozen", {}), ("turning", TURNING)):
         shaken = scene(0.36, effects | {"shaking": quake}, 0.0, 7.0)
         yield f"rests in between, {where}", shaken
@@ -135,25 +138,33 @@ def chosen() -> Iterator[tuple[str, Data]]:
     yield "ends on its way back", scene(0.04, TURNING, 0.0, 16.0)
     yield "without friction", scene(0.0, TURNING)
     yield "without friction, cohesion stops it", scene(0.0, TURNING | {"cohesion": {"cohesion": 2e3}})
-    for words, mu, velocity, pressure in (("up", 0.2, -14.0, 1.1e5), ("up, no friction to speak of", 1e-9, -13.0, 1.08e5),
-                                          ("up and rests", 2.0, -13.0, 1.1e5)):  # fmt: skip
+    for words, mu, velocity, pressure in (
+        ("up", 0.2, -14.0, 1.1e5),
+        ("up, no friction to speak of", 1e-9, -13.0, 1.08e5),
+        ("up and rests", 2.0, -13.0, 1.1e5),
+    ):
         carried = scene(mu, {"rotation": {}, "pore_pressure": {"pressure": pressure}, "cohesion": {"cohesion": 4e3}},
                         velocity)  # fmt: skip
         yield f"lifts off and lands, pushed {words}", carried
         yield f"lifts off and lands, pushed {words}, mirrored", mirrored(carried)
     yield "lifted from the start", scene(0.2, wet | {"pore_pressure": {"pressure": 2.6e5}}, 0.0, 3.0)
-    yield "lifted from the start, mirrored", mirrored(
-        scene(0.2, wet | {"pore_pressure": {"pressure": 2.6e5}, "cohesion": {"cohesion": 1e3}}, 0.0, 3.0)
+    yield (
+        "lifted from the start, mirrored",
+        mirrored(scene(0.2, wet | {"pore_pressure": {"pressure": 2.6e5}, "cohesion": {"cohesion": 1e3}}, 0.0, 3.0)),
     )
     yield "lifted by shaking", scene(0.5, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": 0.2,
           "vertical_amplitude": 1.6, "duration": 0.8}})  # fmt: skip
     yield "lifted by shaking at rest", scene(0.9, TURNING | {"cohesion": {"cohesion": 2e5}, "shaking": {
-        "pulse": "rectangular", "amplitude": 0.05, "vertical_amplitude": 1.2, "duration": 0.5, "start": 0.5}})  # fmt: skip
+        "pulse": "rectangular", "amplitude": 0.05, "vertical_amplitude": 1.2, "duration": 0.5,
+        "start": 0.5}})  # fmt: skip
     yield "level ground", scene(0.3, TURNING | {"shaking": quake | {"amplitude": 0.5, "two_way": True}}, 0.0, 6.0,
                                 theta_1=math.radians(235.0), theta_2=math.radians(305.0))  # fmt: skip
     yield "next to its limit", scene(0.2487, TURNING)
     yield "steep", scene(0.8, TURNING, theta_1=math.radians(150.0), theta_2=math.radians(250.0))
-    yield "steep, pushed up", scene(0.3, {"rotation": {}}, -4.0, theta_1=math.radians(155.0), theta_2=math.radians(235.0))
+    yield (
+        "steep, pushed up",
+        scene(0.3, {"rotation": {}}, -4.0, theta_1=math.radians(155.0), theta_2=math.radians(235.0)),
+    )
     yield "thin", scene(0.2, TURNING, theta_1=math.radians(254.0), theta_2=math.radians(254.2))
     yield "half disc", scene(0.1, TURNING, theta_1=math.radians(165.0), theta_2=math.radians(344.9))
     yield "light gravity", scene(0.16, TURNING | {"drag": {"xi": 90.0}}, gravity=1.62)
@@ -187,7 +198,11 @@ def built(name: str, given: Data | None) -> Scene:
     shaking = effects.get("shaking", {})
     if "time" in shaking:
         time = shaking.pop("time")
-        shaking |= {k: Series(np.array(time), np.array(shaking[k]), held=False) for k in ("horizontal", "vertical") if k in shaking}
+        shaking |= {
+            k: Series(np.array(time), np.array(shaking[k]), held=False)
+            for k in ("horizontal", "vertical")
+            if k in shaking
+        }
     return Scene(Arc(**given["arc"]), given["friction"], effects, given["initial_velocity"], given["end_time"],
                  name=name)  # fmt: skip
 
@@ -260,10 +275,12 @@ def differences(name: str, motion: Motion, kept: Data) -> list[str]:
             "velocity": error * peak, "angular_velocity": error * peak / radius,
             "acceleration": 300 * error * gravity, "normal_stress": 300 * error * stress}  # fmt: skip
     loose = near | {"time": place, "rotation": place * peak / radius, "displacement": place * peak,
-                    "acceleration": 30 * math.sqrt(error) * gravity, "normal_stress": 30 * math.sqrt(error) * stress}  # fmt: skip
+                    "acceleration": 30 * math.sqrt(error) * gravity,
+                    "normal_stress": 30 * math.sqrt(error) * stress}  # fmt: skip
     energy = max(np.max(np.abs(v)) for v in kept["energy"].values())
     bounds: Data = {"duration": error * whole, "run_out": error * run_out, "lift_off": place,
-                    "pore_pressure": 300 * error * stress, "times": 0.0, "energy": dict.fromkeys(kept["energy"], 100 * error * energy)}  # fmt: skip
+                    "pore_pressure": 300 * error * stress, "times": 0.0,
+                    "energy": dict.fromkeys(kept["energy"], 100 * error * energy)}  # fmt: skip
     bounds |= {"peak": loose, "end": near, "at": near}
     faults = [
         f"{name}: {key} is {found[key]!r}, was {kept[key]!r}"
@@ -324,7 +341,7 @@ def row(name: str) -> tuple[str, Data | None, str]:
         at = times(motion)
         found = numbers(motion, at)
         wrong = {} if given is None else {k: v for k, v in misses(motion, given, at).items() if not v <= 1.0}
-    except Exception as error:  # noqa: BLE001 - the report names all that fail
+    except Exception as error:  # the report names all that fail
         return name, None, f"{type(error).__name__}: {error}"
     words = ", ".join(f"{k} {v:.3g} times the estimate {motion.error_estimate:.1e}" for k, v in wrong.items())
     return name, found, words

@@ -36,12 +36,14 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 
 # --- answers ---------------------------------------------------------------------------------------------------------
 
-COMMANDS = """run vaiont vaiont-softening wet-slope | run vaiont --json | run vaiont-shaken --json | run wet-slope --json
+COMMANDS = """run vaiont vaiont-softening wet-slope | run vaiont --json | run vaiont-shaken --json
+run wet-slope --json
 run newmark-pulse --csv {}/a.csv | run wet-slope vaiont-heated --csv {}/b.csv | run lifted.toml --json | run lifted.toml
 run vaiont --report {}/c.html | plan vaiont-shaken | plan vaiont --json | plan wet-slope | sensitivity wet-slope
 sensitivity vaiont --json | backanalyse vaiont --runout-m 500+-20 --json | backanalyse wet-slope --runout-m 6
 backanalyse vaiont --runout-m 700+-10 --peak-velocity-m-s 29+-1 --field friction --field initial_velocity=0:5
-sweep vaiont --grid friction.angle_deg=8:24:9 --json | sweep wet-slope --samples 300 --seed 4 --uncertain pore_pressure.ratio=uniform:0:0.4
+sweep vaiont --grid friction.angle_deg=8:24:9 --json
+sweep wet-slope --samples 300 --seed 4 --uncertain pore_pressure.ratio=uniform:0:0.4
 sweep vaiont --samples 128 --seed 1 --method sobol --uncertain friction.angle_deg=normal:12:1 --csv {}/d.csv
 sweep vaiont --samples 64 --seed 1 --method latin-hypercube --uncertain friction.angle_deg=uniform:8:12 --sensitivity 16
 sweep vaiont-softening --samples 64 --seed 2 --uncertain friction.length_m=lognormal:1:0.5 --json
@@ -106,7 +108,9 @@ def differ(one: Any, other: Any) -> bool:
             for a, b in lines
         )
     if isinstance(one, float) and isinstance(other, float):
-        return not (one == other or (one != one and other != other) or math.isclose(one, other, rel_tol=1e-8, abs_tol=1e-11))
+        return not (
+            one == other or (one != one and other != other) or math.isclose(one, other, rel_tol=1e-8, abs_tol=1e-11)
+        )
     return bool(one != other)
 
 
@@ -142,8 +146,8 @@ def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
                 yield node, "flag", lambda n=node, v=value: setattr(n, "value", not v)  # type: ignore[misc]
             case ast.Constant(value=int() | float() as value) if id(node) not in texts:
                 yield node, "constant", lambda n=node, v=value: setattr(n, "value", 2 * v if v > 2 else v + 1)  # type: ignore[misc]
-            case ast.UnaryOp(op=ast.USub() | ast.Not(), operand=operand):
-                yield node, "sign", lambda n=node, o=operand: replaced(tree, n, o)  # type: ignore[misc]
+            case ast.UnaryOp(op=ast.USub()):
+                yield node, "sign", lambda n=node: setattr(n, "op", ast.UAdd())  # type: ignore[misc]
             case ast.Call(args=[first, second, *rest]):
                 yield node, "arguments", lambda n=node, a=[second, first, *rest]: setattr(n, "args", a)  # type: ignore[misc]
             case ast.If(test=test) | ast.IfExp(test=test):
@@ -151,31 +155,29 @@ def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
         for body in (getattr(node, field, None) for field in ("body", "orelse")):
             for k, line in enumerate(body if isinstance(body, list) else []):
                 plain = isinstance(line, ast.Expr) and id(line.value) not in texts
-                if plain or isinstance(line, ast.AugAssign | ast.Raise) or (isinstance(line, ast.If) and not line.orelse):
+                if (
+                    plain
+                    or isinstance(line, ast.AugAssign | ast.Raise)
+                    or (isinstance(line, ast.If) and not line.orelse)
+                ):
                     yield line, "left out", lambda b=body, k=k: b.__setitem__(k, ast.Pass())  # type: ignore[misc]
 
 
-def replaced(tree: ast.AST, old: ast.AST, new: ast.AST) -> None:
-    for node in ast.walk(tree):
-        for field, value in ast.iter_fields(node):
-            if value is old:
-                setattr(node, field, new)
-            elif isinstance(value, list) and any(v is old for v in value):
-                setattr(node, field, [new if v is old else v for v in value])
-
-
-def faults(count: int, seed: int) -> list[Fault]:
-    """Random ones, every place as likely as any other."""
-    rng, found = random.Random(seed), []
-    files = sorted((ROOT / "slipcircle").rglob("*.py"))
-    sizes = [sum(1 for _ in changes(ast.parse(path.read_text("utf-8")))) for path in files]
-    for path in rng.choices(files, sizes, k=count):
-        tree = ast.parse(path.read_text("utf-8"))
-        node, words, plant = rng.choice(list(changes(tree)))
-        before = ast.unparse(node).partition("\n")[0][:70]
+def faults(count: int, seed: int, run: dict[str, list[int]]) -> list[Fault]:
+    """Random ones, every place that the answers pass as likely as any other."""
+    rng, places = random.Random(seed), []
+    for name, lines in run.items():
+        tree, passed = ast.parse((ROOT / name).read_text("utf-8")), set(lines)
+        for k, (node, _, _) in enumerate(changes(tree)):
+            if passed.intersection(range(node.lineno, node.end_lineno + 1)):  # type: ignore[attr-defined]
+                places.append((name, k))
+    found = []
+    for name, k in rng.sample(places, count):
+        tree = ast.parse((ROOT / name).read_text("utf-8"))
+        node, words, plant = list(changes(tree))[k]
+        before, line = ast.unparse(node).partition("\n")[0][:70], node.lineno  # type: ignore[attr-defined]
         plant()
-        source = ast.unparse(ast.fix_missing_locations(tree))
-        found.append(Fault(path.relative_to(ROOT), getattr(node, "lineno", 0), f"{words}: {before}", source))
+        found.append(Fault(Path(name), line, f"{words}: {before}", ast.unparse(ast.fix_missing_locations(tree))))
     return found
 
 
@@ -195,13 +197,32 @@ def run(folder: Path, limit: float, *argv: str) -> subprocess.CompletedProcess[s
     env = os.environ | {"PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"}
     try:
         return subprocess.run([sys.executable, *argv], cwd=folder, env=env, capture_output=True, text=True,
-                              timeout=limit if limit < math.inf else None, stdin=subprocess.DEVNULL, check=False)  # fmt: skip
+                              timeout=None if limit == math.inf else limit, stdin=subprocess.DEVNULL,
+                              check=False)  # fmt: skip
     except subprocess.TimeoutExpired:
         return None
 
 
-def probed(folder: Path, limit: float) -> dict[str, Any] | None:
-    done = run(folder, limit, "tests/mutants.py", "--answers")
+def passed(folder: Path) -> dict[str, list[int]]:
+    """The lines of the package that the answers run, by file."""
+    found: dict[str, set[int]] = {}
+    home = f"{folder}/slipcircle/"
+
+    def follow(frame: Any, event: str, _: Any) -> Any:
+        if not frame.f_code.co_filename.startswith(home):
+            return None
+        if event == "line":
+            found.setdefault(frame.f_code.co_filename[len(str(folder)) + 1 :], set()).add(frame.f_lineno)
+        return follow
+
+    sys.settrace(follow)
+    dict(answers())
+    sys.settrace(None)
+    return {name: sorted(lines) for name, lines in sorted(found.items())}
+
+
+def probed(folder: Path, limit: float, what: str = "--answers") -> dict[str, Any] | None:
+    done = run(folder, limit, "tests/mutants.py", what)
     return json.loads(done.stdout) if done and not done.returncode else None
 
 
@@ -235,10 +256,11 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--answers", action="store_true", help="print the answers of this tree, and do nothing else")
+    parser.add_argument("--lines", action="store_true", help="print the lines that they run, and do nothing else")
     options = parser.parse_args()
-    if options.answers:
+    if options.answers or options.lines:
         sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
-        print(json.dumps(dict(answers())))
+        print(json.dumps(passed(ROOT) if options.lines else dict(answers())))
         return 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.jobs) as pool:
         free: Queue[Path] = Queue()
@@ -258,13 +280,14 @@ def main() -> int:
             finally:
                 free.put(here)
 
-        chosen, verdicts = faults(options.count, options.seed), []
+        lines = probed(Path(folder) / "0", math.inf, "--lines") or {}
+        chosen, verdicts = faults(options.count, options.seed, lines), []
         for fault, verdict in zip(chosen, pool.map(work, chosen), strict=True):
             verdicts.append(verdict)
             print(f"{fault.path}:{fault.line}: {fault.words}: {verdict}", flush=True)
     caught = sum(v.startswith("caught") for v in verdicts)
     counted = sum(not v.startswith("no answer") for v in verdicts)
-    print(f"{counted} of {len(verdicts)} faults change an answer; {caught} of these are caught, {counted - caught} survive")
+    print(f"{counted} of {len(verdicts)} faults change an answer; {caught} are caught, {counted - caught} survive")
     return int(caught < 0.9 * counted)
 
 

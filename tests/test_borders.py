@@ -58,10 +58,11 @@ def test_an_effect_of_zero_is_no_effect(nothing: str, start: str) -> None:
 
 
 def test_a_law_that_does_not_change_is_constant_friction() -> None:
-    for law in ({"law": "exponential", "peak": 0.16, "residual": 0.16, "length": 1.0},
+    laws: tuple[dict[str, Any], ...] = ({"law": "exponential", "peak": 0.16, "residual": 0.16, "length": 1.0},
                 {"law": "tabulated", "slip": [0.0, 3.0], "coefficient": [0.16, 0.16]},
                 {"law": "prescribed", "time": [0.0, 3.0], "coefficient": [0.16, 0.16]},
-                {"law": "rate_weakening", "peak": 0.16, "residual": 0.16, "velocity": 1.0}):  # fmt: skip
+                {"law": "rate_weakening", "peak": 0.16, "residual": 0.16, "velocity": 1.0})  # fmt: skip
+    for law in laws:
         for velocity in (0.0, 2.0, -3.0):
             plain = motion(golden.scene(0.16, golden.TURNING, velocity))
             kept = golden.numbers(plain, golden.times(plain)) | {"sensitivity": None}
@@ -69,6 +70,7 @@ def test_a_law_that_does_not_change_is_constant_friction() -> None:
 
 
 # --- peaks cut short -------------------------------------------------------------------------------------------------
+
 
 @pytest.mark.parametrize(("velocity", "bump"), [(0.0, 0.36), (2.0, 0.6), (-2.0, 0.36)])
 def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) -> None:

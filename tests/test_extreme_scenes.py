@@ -45,7 +45,8 @@ def strengthening(number: int) -> golden.Data:
     second = first + rng.uniform(40.0, 70.0)
     m = references.moments(scene(first, second, 0.0)["arc"])
     limit = float(m["fall"] / m["press"] * m["dip"].tan())
-    friction = {"law": ("linear", "linear", "hyperbolic")[number % 3], "peak": limit * (1 - 10 ** rng.uniform(-2.5, -0.7)),
+    friction = {"law": ("linear", "linear", "hyperbolic")[number % 3],
+                "peak": limit * (1 - 10 ** rng.uniform(-2.5, -0.7)),
                 "residual": tan(rng.uniform(40.0, 60.0)), "length": float(10 ** rng.uniform(-2.5, -0.5))}  # fmt: skip
     return scene(first, second, friction, float(10 ** rng.uniform(-1.0, 0.3)))
 
@@ -55,9 +56,7 @@ SCENES: dict[str, golden.Data] = {
         229.0, 289.0, {"law": "linear", "peak": tan(10.4), "residual": tan(45.0), "length": 0.1}, 0.1
     ),
     "friction settles after a thousand millions": scene(240.0, 300.0, table((0.0, 1e9), (1e-9, 0.3)), 10.0),
-    "friction settles after a peak of as much": scene(
-        240.0, 300.0, table((0.0, 0.3), (1e-9, 1e9), (2e-9, 0.3)), 10.0
-    ),
+    "friction settles after a peak of as much": scene(240.0, 300.0, table((0.0, 0.3), (1e-9, 1e9), (2e-9, 0.3)), 10.0),
     "friction settles after a smooth fall": scene(
         240.0, 300.0, {"law": "linear", "peak": 1e8, "residual": 0.25, "length": 1e-9}, 8.0
     ),
@@ -158,10 +157,10 @@ def test_a_drag_that_takes_up_the_drive(name: str) -> None:
     try:
         motion = solve(golden.built(name, given))
         estimate = motion.error_estimate
-    except ValueError as error:
-        assert xi < 1e-2
-        assert "drag" in str(error)
-        return
+    except ValueError as refused:
+        if xi < 1e-2 and "drag" in str(refused):
+            return
+        raise
     with mpmath.workdps(60):
         p = Plane(given)
         fastest = root(lambda x: p.energy(x + mpf(10) ** -30) - p.energy(x), mpf(0), 80 / p.q)

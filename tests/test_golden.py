@@ -155,14 +155,14 @@ def test_energy_balances_and_adds_up(name: str) -> None:
     share = motion.energy_error_estimate + 1e-13
     assert np.all(np.abs(energy.residual) <= share * total)
     assert np.all(np.diff(energy.dissipation) >= -1e-12 * total)
-    inertia = float(arc.moment_of_inertia)  # type: ignore[arg-type]
+    inertia = float(arc.moment_of_inertia)
     np.testing.assert_allclose(energy.kinetic_end, inertia * motion.at(times).angular_velocity ** 2 / 2,
                                rtol=1e-12, atol=1e-13 * float(total))  # fmt: skip
     assert motion.energy.work == pytest.approx(float(motion.energy_at(motion.duration).work), rel=1e-12, abs=0.0)
     if motion.arrested:
         assert motion.energy.kinetic_end == 0.0
     if "shaking" not in motion.plan.effects and "rotation" not in motion.plan.effects:
-        moment = float(arc.weight_moment)  # type: ignore[arg-type]
+        moment = float(arc.weight_moment)
         assert motion.energy.work == pytest.approx(moment * motion.end.rotation, rel=1e-11, abs=1e-12 * float(total))
 
 

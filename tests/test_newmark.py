@@ -369,10 +369,8 @@ def test_every_term_against_an_integration_by_scipy(seed: int) -> None:
     vertical = series(time, rng.choice([0.2, 0.9]) * rng.normal(size=count)) if seed % 3 else series([0, 1], [0, 0])
     two_way, omega = bool(rng.integers(2)), float(rng.choice([0.0, 0.0, 0.2, -0.2]))
     shaking, density = Shaking(horizontal, vertical), 20e3 / GRAVITY
-    unit = math.sqrt(GRAVITY * float(arc.radius))
-    called: dict[str, Any] = effects | {
-        "shaking": {"horizontal": horizontal, "vertical": vertical, "two_way": two_way}
-    }
+    unit = math.sqrt(GRAVITY * float(np.asarray(arc.radius)))
+    called: dict[str, Any] = effects | {"shaking": {"horizontal": horizontal, "vertical": vertical, "two_way": two_way}}
     if "viscous" in more:
         eta = more["viscous"] * float(d.moment_of_inertia) * density * unit / (2 * float(arc.half_angle))
         called["viscosity"] = {"viscosity": eta, "thickness": 1.0}
@@ -412,8 +410,8 @@ def pressing(motion: Motion) -> list[float]:
 def test_viscosity_in_closed_form() -> None:
     """omega = (a/e) (1 - exp(-e t)) while it is pushed."""
     push = {"pulse": "rectangular", "amplitude": 0.4, "duration": 30.0}
-    unit = math.sqrt(GRAVITY * float(ARC.radius))
-    eta = 0.8 * float(ARC.dimensionless.moment_of_inertia) * float(ARC.unit_weight) / GRAVITY * unit
+    unit = math.sqrt(GRAVITY * float(np.asarray(ARC.radius)))
+    eta = 0.8 * float(ARC.dimensionless.moment_of_inertia) * float(np.asarray(ARC.unit_weight)) / GRAVITY * unit
     viscous = {"viscosity": eta / (2 * float(ARC.half_angle)), "thickness": 1.0}
     motion = solve(Scene(ARC, MU, {"shaking": push, "viscosity": viscous}, end_time=30.0))
     gamma, n = factor()
