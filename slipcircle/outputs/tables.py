@@ -20,7 +20,10 @@ if TYPE_CHECKING:
 
 
 def motion_record(motion: Motion) -> dict[str, Any]:
-    """A motion as JSON holds it: SI units, radians, full precision; null for a factor of safety without a drive."""
+    """A motion as JSON holds it: SI units, radians, full precision.
+
+    null for a factor of safety without a drive, and for a limit friction where nothing presses.
+    """
     scene, law = motion.plan.scene, friction(motion.plan.scene.friction)
     safety = motion.factor_of_safety
     return {
@@ -30,7 +33,7 @@ def motion_record(motion: Motion) -> dict[str, Any]:
         "left_out": list(motion.plan.left_out),
         "method": motion.plan.method,
         "friction": float(law.coefficient(0.0)) if law.constant else {"law": law.law} | dict(law.parameters),
-        "limit_friction": motion.limit_friction,
+        "limit_friction": motion.limit_friction if np.isfinite(motion.limit_friction) else None,
         "factor_of_safety": safety if np.isfinite(safety) else None,
         "yield_coefficient": motion.yield_coefficient,
         "dimensionless": {k: float(v) for k, v in asdict(scene.arc.dimensionless).items()},
