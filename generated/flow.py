@@ -1,12 +1,13 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: dcb7de425915a99e1c37cdf230c883fd90cd7fcddbe24761f11d6d7cd734cad4
+# sha256 of the text below: 6df48f590647a4abc8505d4654a6597e631142b0aff9d86db57ac08fc88f78ab
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
 began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 
 class Fragment(NamedTuple):
@@ -78,6 +79,12 @@ INPUTS = {
 }
 
 CELLS = tuple(MEANINGS)
+
+# Laws of slip in pieces: the parameter that is their scale, where they begin over it, and polynomials of what
+# is beyond, from the constant up.
+PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
+    'linear': ('length', (0.0, 1.0), lambda peak, residual, **_: ((peak, -peak + residual), (residual, 0.0))),
+}
 
 # What fragments add to.
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')
