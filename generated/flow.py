@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6df48f590647a4abc8505d4654a6597e631142b0aff9d86db57ac08fc88f78ab
+# sha256 of the text below: 175eef6ecc91c22acbc3de5bba9d3807007214f206fb6aef24ab3d97e6825e8b
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -638,7 +638,7 @@ FRAGMENTS: dict[str, Fragment] = {
         words=(
             '(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted',
             'normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed',
-            'drive = normal ((limit - mu) + limit_low) at the start; drive_scale is the rounding of its terms',
+            'drive = normal ((limit - mu) + limit_low) as at the start; drive_scale is the rounding of its terms',
         ),
         inputs=(),
         optional=(),

@@ -267,7 +267,8 @@ def balance() -> Fragment:
     static, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
     low.put("lin", "net", "drive", (("=1.0", "dnet"),))
-    # At the start the limit friction is given, in two numbers, and what drives is made of what is left of it.
+    # As long as nothing that it depends on has departed from the start, the limit friction is the number given there,
+    # in two parts, and what drives is made of what is left of it.
     low.cells["gap"] = cell("LIMIT") - cell("mu_0")
     given = cell("normal_0") * (cell("gap") + cell("LIMIT_LOW"))
     low.cells["limit_0"] = (cell("driving_0") - cell("resisting_0")) / cell("normal_0")  # only for its derivative
@@ -280,7 +281,7 @@ def balance() -> Fragment:
     words = [
         "(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted",
         "normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed",
-        "drive = normal ((limit - mu) + limit_low) at the start; drive_scale is the rounding of its terms",
+        "drive = normal ((limit - mu) + limit_low) as at the start; drive_scale is the rounding of its terms",
     ]
     return low.fragment(words, {})
 

@@ -50,6 +50,8 @@ def _phase(lanes: w.Lanes) -> None:
         return tuple(getattr(formulas, f"{prefix}_{n}")(*(x[k] for x in of), t) for n in names)  # type: ignore[return-value]
 
     x, speed, rate = state(until)
+    fastest = (c[w.PEAK_TIME] == c[w.TIME]) & (np.abs(c[w.PEAK_OMEGA]) == omega)  # at the start, by the same formula
+    c[w.PEAK_RATE] = np.where(fastest, c[w.DIRECTION] * state(np.zeros_like(until))[2], c[w.PEAK_RATE])
     if lanes.samples is not None:
         _read(lanes, until, stops, state)
     c[w.X], c[w.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)

@@ -138,9 +138,10 @@ class Lanes:
         c = self.c
         c[STATUS], c[PASSED], c[LIFTED] = MOVING, NOTHING, 0.0
         self.base()
-        if (normal := self.program.roles["normal"]) >= 0:
-            c[LIFTED] = self._series(0)[0][normal, 0] < 0.0
-            self.on(c[LIFTED] > 0.0, Lanes.base)
+        normal = self.program.roles["normal"]
+        presses = c[self.program.roles["cell_normal0"]] if normal < 0 else self._series(0)[0][normal, 0]
+        c[LIFTED] = presses < 0.0
+        self.on(c[LIFTED] > 0.0, Lanes.base)
         c[PHASES] += 1.0
         c[TURNS] += c[LAST_WAY] * c[DIRECTION] < 0.0
         c[LAST_WAY] = c[DIRECTION]
@@ -383,6 +384,8 @@ class Lanes:
             lifting = event == 1
             c[LIFTED, lifting] = 1.0 - c[LIFTED, lifting]
             self._lift_time(lifting & (c[LIFTED] > 0.0))
+            if lifting[0] and c[LIFTED, 0] == 0.0:
+                self._note(LANDS)
             kinks = event >= 1
             part, rates = self.part(kinks), rate[kinks]
             part.kink(event[kinks], rates)
@@ -632,7 +635,7 @@ class Lanes:
 
     def _lift_time(self, mask: Any) -> None:
         c = self.c
-        if self.log is not None and self.which[0] == 0 and mask[0]:
+        if mask[0]:
             self._note(LIFTS)
         first = mask & np.isnan(c[LIFT_TIME])
         c[LIFT_TIME, first] = c[TIME, first]
