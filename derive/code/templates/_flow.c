@@ -780,6 +780,7 @@ static void rests(Hand *h, unsigned k)
         return;
     }
     c[STATUS][k] = RESTING;
+    if (c[LIFTED][k] > 0.0) lifted_now(h, k);
     if (!allowed(h, k)) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
 }
 
@@ -790,6 +791,13 @@ static int never_rests(const Hand *h, unsigned k)
     const Roles *const role = h->w->role;
     const double p0 = c[role->p0][k], most = hypot(p0, c[role->ps0][k]);
     return c[FIRST_ONLY][k] == 1.0 || c[role->normal0][k] + (most - p0) <= 0.01 * most;
+}
+
+/* What presses now, where order 0 of the series is there. */
+INLINE double presses(const Hand *h, unsigned k)
+{
+    const Roles *const role = h->w->role;
+    return role->normal < 0 ? h->c[role->normal0][k] : REGISTER(role->normal)[0][k];
 }
 
 /* Base what waits for it anew, and decide what follows, until every lane is ready for a step. */
@@ -803,7 +811,7 @@ static void settle(Hand *h)
         for (unsigned k = 0; k < LANES; k++) {
             if (h->todo[k] == LEAP) { /* what presses has leapt: is it lifted? */
                 begin_series(h), operate(h, 0), operate_later(h, 1);
-                const int lifted = role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0;
+                const int lifted = presses(h, k) < 0.0;
                 if (lifted && c[LIFTED][k] == 0.0) lifted_now(h, k);
                 h->todo[k] = (c[LIFTED][k] > 0.0) == lifted ? READY : ANEW;
                 c[LIFTED][k] = lifted;
@@ -821,8 +829,7 @@ static void settle(Hand *h)
             const double net = REGISTER(role->net)[0][k];
             if (h->todo[k] == BEGIN || h->todo[k] == FACE || h->todo[k] == GO) {
                 const int of_velocity = h->todo[k] == BEGIN;
-                const int free = of_velocity ? role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0
-                                             : c[role->normal0][k] <= 0.0;
+                const int free = of_velocity ? presses(h, k) < 0.0 : c[role->normal0][k] <= 0.0;
                 if (free && c[LIFTED][k] == 0.0) {
                     c[LIFTED][k] = 1.0;
                     continue;
@@ -868,8 +875,8 @@ static void enters(Hand *h, unsigned k, double rate)
     h->todo[k] = ENTER;
 }
 
-/* A lane comes to its standstill. The way it came it does not go on: its drive is what has become negative. */
-static void stands(Hand *h, unsigned k, double rate)
+/* A lane comes to its standstill. It does not go on the way it came, whatever rounding says. */
+static void stands(Hand *h, unsigned k)
 {
     V *const c = h->c;
     base(h, k);
@@ -877,8 +884,8 @@ static void stands(Hand *h, unsigned k, double rate)
     c[REST_SINCE][k] = c[TIME][k];
     note(h, k, CAME_TO_REST);
     if (isnan(c[FIRST_STOP][k])) c[FIRST_STOP][k] = c[TIME][k];
-    h->faced[k] = rate < 0.0;
-    face(h, k, rate < 0.0 ? -c[DIRECTION][k] : c[DIRECTION][k]);
+    h->faced[k] = 1;
+    face(h, k, -c[DIRECTION][k]);
     h->todo[k] = FACE;
 }
 
@@ -1039,7 +1046,7 @@ static void step(Hand *h, unsigned which)
             if (!(at_limit >> k & 1)) continue;
             if (c[TIME][k] >= c[END_TIME][k]) ends(h, k, rate[k], ENDED);
             else if (pass_breaks(h, k)) h->todo[k] = LEAP;
-        } else if (event[k] == STANDS) stands(h, k, rate[k]);
+        } else if (event[k] == STANDS) stands(h, k);
         else if (event[k] == LIFTS) {
             c[LIFTED][k] = 1.0 - c[LIFTED][k];
             if (c[LIFTED][k] > 0.0) lifted_now(h, k);
