@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 5d458d369c3b54fc6053e74d66c821747e80fcebc59f8d71312337772d38a758
+# sha256 of the text below: b3ab9730df6e6e46c3d232c549c4b3cb4330d609fae580cbab4cae2844a34d56
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -80,7 +80,7 @@ INPUTS = {
     'polar': 'I_p*/Theta*',
 }
 
-# Laws of slip in pieces: the parameter that is their scale, where they begin over it, their polynomials beyond.
+# Laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond.
 PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
     'linear': ('length', (0.0, 1.0), lambda peak, residual, **_: ((peak, -peak + residual), (residual, 0.0))),
 }

@@ -56,7 +56,7 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
     blocks = (
         ("cells that every program has, first and in this order", "MEANINGS", {x: repr(y) for x, y in CELLS.items()}),
         ("numbers that every scene gives", "INPUTS", {x: repr(y) for x, y in INPUTS.items()}),
-        ("laws of slip in pieces: the parameter that is their scale, where they begin over it, their polynomials beyond",
+        ("laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
          "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]", kinked),
         ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", of_cell),
         ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", of_register),
