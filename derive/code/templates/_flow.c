@@ -336,7 +336,45 @@ INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
-@OPERATIONS@
+/* What is added at each k from the first to below another, by turns into parts j = 0 and 1 that do not wait for each
+ * other. */
+#define OVER(first, below, add) do { int k = first; \
+    while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
+    if (k < (below)) { const int j = 0; add; } } while (0)
+
+/* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
+ * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
+ * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
+ * Register i begins at r + i * stride; by_n is 1 / n. */
+static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
+                                                                        int n, double by_n) {
+    switch (at[0]) {
+    case LIN: {
+        V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){0};
+        const int32_t *const end = at + 4 + 2 * at[3];
+        for (const int32_t *term = at + 4; term < end; term += 2)
+            sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
+        r[(ptrdiff_t)at[1] * stride + n] = sum;
+        return end;
+    }
+    case RAMP:
+        return at + 3;
+@SERIES@
+    default:
+        __builtin_unreachable();
+    }
+}
+
+/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, result and arguments. */
+static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
+    while (at < end) {
+        const V a = c[at[2]];
+        V *const d = c + at[1];
+        switch (at[0]) {
+@CELL_OPERATIONS@
+        }
+    }
+}
 /* --- polynomials in the time of a step: coefficients p[0] to p[n] --- */
 
 INLINE V value(const V *p, int n, V t)
