@@ -34,6 +34,7 @@ def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = No
         cells[:, asking] = lanes.c
         cells[walk.STATUS, asking] = walk.MOVING
     long = (cells[walk.STATUS] == walk.TOO_LONG) & (cells[walk.STEPS] > walk.MOST_STEPS)
+    long &= np.isfinite(cells[walk.END_TIME])  # creep without an end has none
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells

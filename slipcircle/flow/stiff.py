@@ -15,8 +15,6 @@ from slipcircle.flow.tables import Data
 
 Floats = NDArray[np.float64]
 TOLERANCE = 1e-12
-CREEPS = 1e-13  # of its greatest speed, below which a mass that only creeps is taken to rest
-ENDLESS = 1e12  # t* after which a lane without end is given up
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Samples | None = None,
@@ -65,7 +63,6 @@ class _Implicit(w.Lanes):
             return of
 
         sign = -1.0 if c[w.LIFTED, 0] > 0.0 else 1.0
-        slow = CREEPS * abs(c[w.PEAK_OMEGA, 0])
         found = [event(lambda t, y: y[1])]
         kinds = [0]
         for name in names:
@@ -81,11 +78,10 @@ class _Implicit(w.Lanes):
                 kinds += [2 + 2 * k, 3 + 2 * k]
         top = event(lambda t, y: at(t, y)[p.roles["net"]])
         top.terminal = False
-        until = min(limit, ENDLESS)
         y0 = kept[states, 0]
         size = np.maximum(np.abs(y0), [1e-12, 1e-12 * max(y0[1], abs(c[w.PEAK_OMEGA, 0]), 1e-9)] + [1e-12] * len(y0[2:]))
-        wanted = self._wanted(begin, until)
-        done = solve_ivp(rates, (begin, until), y0, "LSODA", rtol=TOLERANCE, atol=TOLERANCE * size,
+        wanted = self._wanted(begin, limit)
+        done = solve_ivp(rates, (begin, limit), y0, "LSODA", rtol=TOLERANCE, atol=TOLERANCE * size,
                          events=[*found, top], dense_output=bool(len(wanted)))  # fmt: skip
         for t, y in zip(done.t_events[-1], done.y_events[-1], strict=True):
             c[:] = kept
@@ -97,12 +93,11 @@ class _Implicit(w.Lanes):
         if len(wanted) and done.sol is not None:
             self._write(wanted[wanted <= end], done.sol, kept)
         c[w.PASSED, 0] = w.NOTHING
-        creeps = not hit and done.status == 0 and np.isinf(limit) and y[1] <= slow
-        if done.status < 0 or (not hit and np.isinf(limit) and not creeps):
+        if done.status < 0:
             c[w.STATUS, 0] = w.TOO_LONG
             return
-        c[w.TIME, 0] = limit if not hit and np.isfinite(limit) else end
-        self.settle(np.array([hit[0] if hit else 0 if creeps else -1]), np.array([rate]), np.array([not hit]))
+        c[w.TIME, 0] = end if hit else limit
+        self.settle(np.array([hit[0] if hit else -1]), np.array([rate]), np.array([not hit]))
 
     def _wanted(self, begin: float, end: float) -> Floats:
         """Sample times in a stretch."""
