@@ -210,7 +210,8 @@ class Lanes:
                 normals.append(c[roles["cell_normal0"]].copy())
         with np.errstate(all="ignore"):
             (free0, drive0), (free1, drive1) = drives
-            drive0 = np.where(normals[0] > 0.0, normals[0] * (found["limit_friction"] - found["friction"]), free0)
+            exact = normals[0] * (found["limit_friction"] - found["friction"])
+            drive0 = np.where(normals[0] > 0.0, exact, free0 - found["friction"] * normals[0])
             drive1 = free1 - found["friction"] * normals[1]
             yields = -drive0 / (drive1 - (free0 - found["friction"] * normals[0]))
             lifted = normals[0] + yields * (normals[1] - normals[0]) < 0.0

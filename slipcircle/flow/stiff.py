@@ -79,7 +79,9 @@ class _Implicit(w.Lanes):
         top = event(lambda t, y: at(t, y)[p.roles["net"]])
         top.terminal = False
         y0 = kept[states, 0]
-        size = np.maximum(np.abs(y0), [1e-12, 1e-12 * max(y0[1], abs(c[w.PEAK_OMEGA, 0]), 1e-9)] + [1e-12] * len(y0[2:]))
+        size = np.maximum(
+            np.abs(y0), [1e-12, 1e-12 * max(y0[1], abs(c[w.PEAK_OMEGA, 0]), 1e-9)] + [1e-12] * len(y0[2:])
+        )
         wanted = self._wanted(begin, limit)
         done = solve_ivp(rates, (begin, limit), y0, "LSODA", rtol=TOLERANCE, atol=TOLERANCE * size,
                          events=[*found, top], dense_output=bool(len(wanted)))  # fmt: skip
