@@ -6,6 +6,8 @@ import time
 from collections.abc import Callable
 from typing import TypeVar
 
+from derive.check.proof import ProofError
+
 T = TypeVar("T")
 
 
@@ -36,23 +38,24 @@ def derive_all() -> dict[str, str]:
         If a step of the derivation does not hold.
     """
     from derive.algebra import dynamics, integrate, phase, sensitivity, stable
+    from derive.approximate import shapes
     from derive.check import measure
     from derive.code import functions, write
     from derive.declare import effects
     from derive.declare.quantities import MOMENTS
     from derive.judge.appendices import APPENDICES, simplify
 
-    derivations = []
     for moment in MOMENTS:
         told = "operations {0.operations[0]} -> {0.operations[1]}"
         derivation = timed(moment.name, "integrate", told, integrate.derive, moment)
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
-        derivations.append(derivation)
-    kernels = {f.program.name: f for f in functions.kernels(derivations)}
-    for name, closed in functions.closed_amplitudes(derivations).items():
-        timed(name, "stable form", "proved equal to the closed form", stable.prove_kernel, name, closed)
+    for kernel in shapes.kernels():
+        timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
+    kernels, closed = {f.program.name: f for f in functions.kernels()}, integrate.closed_forms()
+    for name, form in closed.items():
+        timed(name, "stable form", "proved equal to the closed form", stable.prove_kernel, name, form)
         takes = f"{sum(kernels[name].program.operations().values())} float operations"
-        timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
+        timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], form)
     for appendix in APPENDICES:
         told = "operations {0.operations_before} -> {0.operations_after}, integrates {0.integrand}"
         timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
@@ -63,10 +66,9 @@ def derive_all() -> dict[str, str]:
     for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
                         ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
         timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
-    closed = functions.closed_amplitudes(derivations)
     timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(closed)))
     proved = timed("kernels", "certify", "", write.proofs)
-    return timed("generated", "emit", "", write.files, derivations, proved)
+    return timed("generated", "emit", "", write.files, proved)
 
 
 def binary() -> str:
@@ -117,7 +119,11 @@ def main(argv: list[str] | None = None) -> int:
     from derive.code import write
 
     start = time.perf_counter()
-    texts = derive_all()
+    try:
+        texts = derive_all()
+    except ProofError as fault:
+        say(f"{fault}; nothing is written")
+        return 1
     if options.check:
         diff = write.difference(texts)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")

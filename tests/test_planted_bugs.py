@@ -14,7 +14,8 @@ import test_kernels
 import test_motion_formulas
 
 from derive.algebra import dynamics, integrate, stable
-from derive.algebra.integrate import PSI, Derivation, ProofError
+from derive.algebra.integrate import PSI, Derivation
+from derive.check.proof import ProofError
 from derive.code import functions, write
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS

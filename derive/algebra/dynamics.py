@@ -10,7 +10,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
+from derive.algebra.prove import prove_zero
 from derive.algebra.stable import Horner, Log1p, Select, Stable, even_series, unfold
 from derive.declare.symbols import a, b, omega_0, t
 

@@ -10,7 +10,7 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.dynamics import Cardinal, solution
-from derive.algebra.integrate import prove_zero
+from derive.algebra.prove import prove_zero
 from derive.algebra.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, ExpDefect, ExpRatio, X
 from derive.algebra.stable import REDUCED, Horner, Log1p, Select, SincSlope, SineDefect, Stable, prove_equal, unfold
 from derive.code.program import Program, program
@@ -435,7 +435,7 @@ def prove_arc_growth(closed: dict[str, sp.Expr]) -> list[str]:
     for name, form in closed.items():
         claim = f"{name}: slope of the reduced function"
         slope, wanted = alpha**3 * sp.diff(REDUCED[name], alpha), sp.diff(form, alpha) - 3 * form / alpha
-        if name == RESISTANCE[0]:  # a product of half angles
+        if name == RESISTANCE.name:  # a product of half angles
             prove_zero((unfold(slope) - wanted).subs(alpha, 2 * alpha), claim)
         else:
             prove_equal(slope, wanted, claim)

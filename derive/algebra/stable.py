@@ -12,7 +12,7 @@ import mpmath
 import sympy as sp
 from sympy.polys.ring_series import rs_atanh, rs_sin
 
-from derive.algebra.integrate import prove_zero, refute
+from derive.algebra.prove import prove_zero, refute
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import alpha
 
@@ -287,4 +287,4 @@ def prove_kernel(name: str, closed: sp.Expr) -> None:
         prove_equal(SLOPES[name], sp.diff(closed, alpha), f"{name}: stable slope equals the closed form's")
 
 
-BASE_NAMES = tuple(m.amplitude[0] if m.amplitude else m.name for m in MOMENTS) + (RESISTANCE[0],)
+BASE_NAMES = tuple(m.amplitude[0] if m.amplitude else m.name for m in MOMENTS) + (RESISTANCE.name,)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from derive.approximate.approximants import Variant
+from derive.approximate.programs import Variant
 from derive.code.emit import identifier
 from derive.code.program import Op, Program, without_dead
 

@@ -10,8 +10,7 @@ from pathlib import Path
 import sympy
 
 from derive.algebra import sensitivity
-from derive.algebra.integrate import Derivation
-from derive.approximate.approximants import variants
+from derive.approximate.programs import variants
 from derive.check import certificates, certify
 from derive.check.rounding import Record
 from derive.code import emit, emit_c, functions
@@ -28,9 +27,9 @@ SENSITIVITY = "Derivatives of the closed forms, of the balance and of the arc: w
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
-def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]:
+def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
-    kernels, motion = functions.kernels(derivations, proved), functions.motion()
+    kernels, motion = functions.kernels(proved), functions.motion()
     c_source = emit_c.source(variants())
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),

@@ -15,7 +15,7 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from derive.algebra.integrate import PSI, derive
+from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.phase import BRAKE, CONSTANT, DECAY, DRIVE, DROP, PRESS, PRESS_RISE, START, TILT, X
 from derive.check import measure
 from derive.code import functions
@@ -152,9 +152,9 @@ class Forms:
 
 def _forms() -> dict[str, Forms]:
     derivations = [derive(m) for m in MOMENTS]
-    ours = {f.program.name: f.program for f in (*functions.kernels(derivations), *functions.motion())}
+    ours = {f.program.name: f.program for f in (*functions.kernels(), *functions.motion())}
     printed = {p.name: p for p, _ in functions.printed()}
-    closed = functions.closed_amplitudes(derivations)
+    closed = closed_forms()
     found = {name: Forms(ours[name], printed[name], form) for name, form in closed.items()}
     for q in QUOTIENTS:
         ratio = closed[q.numerator] / closed[q.denominator]

@@ -6,23 +6,29 @@ rounding, so that the small correction needs no care. Every piece is computed fo
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from functools import cache
 
-from derive.approximate.fit import (
+import sympy as sp
+
+from derive.approximate.shapes import (
     HALF_PI,
-    LIMIT,
+    Far,
+    Kernel,
+    Piecewise,
+    Ratio,
+    Shape,
     cheap_fit,
-    inertia_fit,
+    end,
+    far_fit,
+    kernels,
+    limit,
     logarithm_fit,
     near_fit,
-    polar_fit,
-    radial_fit,
-    weight_even_fit,
-    weight_fit,
+    recorded,
 )
 from derive.code.program import Kind, Op, Program, without_dead
-from derive.declare.quantities import QUOTIENTS
 
 
 @dataclass(frozen=True)
@@ -30,6 +36,7 @@ class Variant:
     """A kernel at one tier of accuracy and in one form: fused (multiply-adds), plain, or numpy (with its logarithm)."""
 
     kernel: str
+    definition: tuple[str, ...]
     tier: str
     form: str
     program: Program
@@ -113,21 +120,20 @@ class Code:
 # --- pieces --------------------------------------------------------------------------------------------------------
 
 
-def excess(code: Code, u: int, name: str, seam: float, degree: int) -> int:
+def excess(code: Code, u: int, closed: sp.Expr, seam: float, count: int) -> int:
     """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
-    return code.mul(code.horner(u, near_fit(name, seam, degree, Fraction(1))), u)
+    return code.mul(code.horner(u, near_fit(closed, seam, count, Fraction(1))), u)
 
 
-def to_limit(code: Code, name: str, w: int) -> int:
+def to_limit(code: Code, closed: sp.Expr, w: int) -> int:
     """w times 1 or 2/3, rounded once."""
-    return w if LIMIT[name] == 1 else code.put("div", w, code.const(float(1 / LIMIT[name])))
+    return w if limit(closed) == 1 else code.put("div", w, code.const(float(1 / limit(closed))))
 
 
-def near_sum(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[Pair, int, int]:
+def near_sum(code: Code, u: int, closed: sp.Expr, seam: float, count: int) -> tuple[Pair, int, int]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
-    c = near_fit(name, seam, degree, LIMIT[name])
-    c0 = float(LIMIT[name])
-    c0_low = float(LIMIT[name] - Fraction(c0))
+    c, exact = near_fit(closed, seam, count, limit(closed)), limit(closed)
+    c0, c0_low = float(exact), float(exact - Fraction(float(exact)))
     p2 = code.fma(u, code.halves(u, c[2:]), code.const(c[1]))
     p1 = code.fma(p2, u, code.const(c[0]))
     w = code.fma(p1, u, code.const(c0))
@@ -140,22 +146,22 @@ def near_sum(code: Code, u: int, name: str, seam: float, degree: int) -> tuple[P
     return Pair(w, low), slope, p1
 
 
-def near(code: Code, x: int, name: str, seam: float, degree: int) -> Pair:
+def near(code: Code, x: int, closed: sp.Expr, seam: float, count: int) -> Pair:
     """F = x h + x h_low, h = u W."""
     u = code.mul(x, x)
     du = code.fma(x, x, code.neg(u))
-    w, slope, _ = near_sum(code, u, name, seam, degree)
+    w, slope, _ = near_sum(code, u, closed, seam, count)
     h = code.mul(u, w.high)
     return Pair(h, code.fma(u, w.low, code.fma(du, slope, code.fma(u, w.high, code.neg(h)))))
 
 
-def near_value(code: Code, x: int, name: str, seam: float, degree: int) -> int:
+def near_value(code: Code, x: int, closed: sp.Expr, seam: float, count: int) -> int:
     """F; rounded, or underflowing, once at the end: a product with a power of x comes last."""
     if code.fused:
-        h = near(code, x, name, seam, degree)
+        h = near(code, x, closed, seam, count)
         return code.fma(x, h.high, code.mul(x, h.low))
     u = code.mul(x, x)
-    return code.mul(to_limit(code, name, code.fma(u, excess(code, u, name, seam, degree), u)), x)
+    return code.mul(to_limit(code, closed, code.fma(u, excess(code, u, closed, seam, count), u)), x)
 
 
 def logarithm(code: Code, b: int) -> int:
@@ -176,167 +182,99 @@ def logarithm(code: Code, b: int) -> int:
     return code.fma(q, bent, head)
 
 
-def polar_far(code: Code, x: int, seam: float, degree: int) -> Pair:
-    """(alpha + line) + (constant + b**3 (R + Q ln b)), R and Q in b**2."""
-    line, constant, r, q = polar_fit(seam, degree)
+def far(code: Code, x: int, closed: sp.Expr, shape: Far, seam: float) -> Pair:
+    """The piece near pi/2 as `FarFit` has it: the line, and what is added to it."""
+    fit, about = far_fit(closed, shape, seam), end(closed)
+    assert about is not None
     b = code.sub(code.const(HALF_PI), x)
     w = code.mul(b, b)
-    core = code.fma(code.horner(w, q), logarithm(code, b), code.horner(w, r))
-    return Pair(code.add(x, code.const(line)), code.fma(code.mul(b, w), core, code.const(constant)))
+    core = code.horner(w, fit.r)
+    if fit.q:
+        q = code.horner(w, fit.q)
+        for _ in range(fit.shift):
+            q = code.mul(q, w)
+        core = code.fma(q, logarithm(code, b if shape.scale == 1 else code.mul(code.const(shape.scale), b)), core)
+    front = {1: b, 2: w}.get(fit.power) or (code.mul(b, w) if fit.power == 3 else code.mul(w, w))
+    ahead = code.const(fit.constant) if fit.constant else None
+    if fit.tilt:
+        assert ahead is not None
+        ahead = code.fma(b, code.const(fit.tilt), ahead)
+    rest = code.mul(front, core) if ahead is None else code.fma(front, core, ahead)
+    if not about.odd and (shape.bend or shape.slope):
+        rest = code.fma(b, code.fma(b, code.const(-shape.bend), code.const(shape.slope)), rest)
+    if not shape.slope:
+        return Pair(code.const(shape.line), rest)
+    line = x if shape.slope == 1 else code.mul(code.const(shape.slope), x)
+    return Pair(code.add(line, code.const(shape.line)), rest)
 
-
-def radial_far(code: Code, x: int, seam: float, degree: int) -> Pair:
-    """(1 - b) + (b (1 - bend b) + b**2 (R + Q ln 2 b)), R and Q in b**2."""
-    bend, r, q = radial_fit(seam, degree)
-    one, b = code.const(1.0), code.sub(code.const(HALF_PI), x)
-    w = code.mul(b, b)
-    core = code.fma(code.horner(w, q), logarithm(code, code.mul(code.const(2.0), b)), code.horner(w, r))
-    return Pair(code.sub(one, b), code.fma(b, code.fma(b, code.const(-bend), one), code.mul(w, core)))
-
-
-def inertia_far(code: Code, x: int, seam: float, degree: int) -> Pair:
-    """(alpha/2 + line) + (constant + b E(b**2))."""
-    line, constant, e = inertia_fit(seam, degree)
-    b = code.sub(code.const(HALF_PI), x)
-    odd = code.fma(b, code.horner(code.mul(b, b), e), code.const(constant))
-    return Pair(code.add(code.mul(code.const(0.5), x), code.const(line)), odd)
-
-
-def weight_far(code: Code, x: int, seam: float, degree: int) -> Pair:
-    """(alpha/2 + line) + (constant + tilt b + b (1/2 - b) + b**4 E(b**2)); plain simply c0 + b**2 E(b**2)."""
-    b = code.sub(code.const(HALF_PI), x)
-    w = code.mul(b, b)
-    if not code.fused:
-        c0, *others = weight_even_fit(seam, degree + 2)
-        return Pair(code.const(c0), code.mul(w, code.horner(w, others)))
-    line, constant, tilt, e = weight_fit(seam, degree)
-    bend = code.fma(code.mul(w, w), code.horner(w, e), code.fma(b, code.const(tilt), code.const(constant)))
-    bend = code.fma(b, code.sub(code.const(0.5), b), bend)
-    return Pair(code.add(code.mul(code.const(0.5), x), code.const(line)), bend)
-
-
-FAR = {
-    "polar_moment": polar_far,
-    "moment_of_inertia": inertia_far,
-    "radial_weight_amplitude": radial_far,
-    "weight_moment_amplitude": weight_far,
-}
 
 # --- best tier -----------------------------------------------------------------------------------------------------
 
-# Seam, coefficients near, degree far. Where a seam lies, its doubles are so far apart that F grows by more than both
-# pieces' errors from one to the next.
-SHAPES = {
-    "polar_moment": (0.93, 12, 5),
-    "moment_of_inertia": (1.0, 11, 9),
-    "radial_weight_amplitude": (1.02, 15, 5),
-    "weight_moment_amplitude": (1.14, 10, 6),
-    "resistance_factor": (HALF_PI, 8, 0),
-}
 
-
-def best(name: str, form: str) -> Program:
+def best(name: str, closed: sp.Expr, shape: Piecewise, form: str) -> Program:
     """A base quantity, to the last place or nearly so."""
     code = Code(form)
     x = code.put("input", value="alpha")
-    seam, degree, far_degree = SHAPES[name]
-    value = near_value(code, x, name, seam, degree)
-    if far_degree:
-        far = FAR[name](code, x, seam, far_degree)
-        value = code.below(x, seam, value, code.add(far.high, far.low))
+    value = near_value(code, x, closed, shape.seam, shape.count)
+    if shape.far:
+        beyond = far(code, x, closed, shape.far, shape.seam)
+        value = code.below(x, shape.seam, value, code.add(beyond.high, beyond.low))
     return code.program(name, value)
 
 
-# Seam of both parts; numerator's and denominator's coefficients near and degrees far.
-QUOTIENT_SHAPES = {
-    "dynamic_coefficient": (0.93, (12, 5), (8, 0)),
-    "weight_moment_per_inertia": (1.0, (10, 6), (11, 9)),
-    "radial_weight_per_inertia": (1.03, (16, 5), (12, 9)),
-    "polar_moment_per_inertia": (1.0, (14, 5), (11, 9)),
-    "weight_moment_per_radial_weight": (1.03, (10, 6), (16, 5)),
-}
-
-
-def quotient(name: str, form: str) -> Program:
-    """F1/F2, near from W1/W2: one division, and fused its rounding and its parts' taken back."""
-    (parts,) = [(q.numerator, q.denominator) for q in QUOTIENTS if q.name == name]
-    seam, *degrees = QUOTIENT_SHAPES[name]
-    code = Code(form)
+def quotient(kernel: Kernel, parts: Sequence[Piecewise], form: str) -> Program:
+    """F1/F2, near from W1/W2: one division, and fused its rounding and its parts' taken back. Both have one seam."""
+    code, (first, second), seam = Code(form), kernel.closed, min(p.seam for p in parts)
     x = code.put("input", value="alpha")
+    both = list(zip(kernel.closed, parts, strict=True))
     if not code.fused:
-        top, bottom = (plain_part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
-        if LIMIT[parts[0]] != LIMIT[parts[1]]:
-            top = code.below(x, seam, to_limit(code, parts[0], top), top)
-        return code.program(name, code.put("div", top, bottom))
-    over, under = (part(code, x, f, seam, *d) for f, d in zip(parts, degrees, strict=True))
+        top, bottom = (plain_part(code, x, closed, part, seam) for closed, part in both)
+        if limit(first) != limit(second):
+            top = code.below(x, seam, to_limit(code, first, top), top)
+            bottom = code.below(x, seam, to_limit(code, second, bottom), bottom)
+        return code.program(kernel.name, code.put("div", top, bottom))
+    over, under = (fused_part(code, x, closed, part, seam) for closed, part in both)
     inverse = code.put("div", code.const(1.0), under.high)
     q = code.mul(over.high, inverse)
     missed = code.add(code.fma(code.neg(q), under.high, over.high), over.low)
-    return code.program(name, code.fma(code.fma(code.neg(q), under.low, missed), inverse, q))
+    return code.program(kernel.name, code.fma(code.fma(code.neg(q), under.low, missed), inverse, q))
 
 
-def part(code: Code, x: int, name: str, seam: float, degree: int, far_degree: int) -> Pair:
+def fused_part(code: Code, x: int, closed: sp.Expr, part: Piecewise, seam: float) -> Pair:
     """W below the seam, F above it; what is lost in `low`."""
-    end = seam if far_degree else HALF_PI
     u = code.mul(x, x)
-    w, _, p1 = near_sum(code, u, name, end, degree)
+    w, _, p1 = near_sum(code, u, closed, part.seam, part.count)
     w = Pair(w.high, code.fma(code.fma(x, x, code.neg(u)), p1, w.low))
-    if far_degree:
-        far = FAR[name](code, x, seam, far_degree)
-        total = code.add(far.high, far.low)
-        lost = code.sub(far.low, code.sub(total, far.high))
+    if part.far:
+        beyond = far(code, x, closed, part.far, seam)
+        total = code.add(beyond.high, beyond.low)
+        lost = code.sub(beyond.low, code.sub(total, beyond.high))
     else:
-        h = near(code, x, name, end, degree)
+        h = near(code, x, closed, part.seam, part.count)
         total = code.mul(x, h.high)
         lost = code.fma(x, h.low, code.fma(x, h.high, code.neg(total)))
     return Pair(code.below(x, seam, w.high, total), code.below(x, seam, w.low, lost))
 
 
-def plain_part(code: Code, x: int, name: str, seam: float, degree: int, far_degree: int) -> int:
+def plain_part(code: Code, x: int, closed: sp.Expr, part: Piecewise, seam: float) -> int:
     """W below the seam, but for its limit, F above it."""
-    w = code.add(code.const(1.0), excess(code, code.mul(x, x), name, seam if far_degree else HALF_PI, degree))
-    if not far_degree:
-        return code.below(x, seam, w, near_value(code, x, name, HALF_PI, degree))
-    far = FAR[name](code, x, seam, far_degree)
-    return code.below(x, seam, w, code.add(far.high, far.low))
+    w = code.add(code.const(1.0), excess(code, code.mul(x, x), closed, part.seam, part.count))
+    if not part.far:
+        return code.below(x, seam, w, near_value(code, x, closed, part.seam, part.count))
+    beyond = far(code, x, closed, part.far, seam)
+    return code.below(x, seam, w, code.add(beyond.high, beyond.low))
 
 
 # --- cheaper tiers -------------------------------------------------------------------------------------------------
 
-# Degrees of numerator and denominator of F/alpha**3: a polynomial in alpha**2, or a rational in pi**2/4 - alpha**2.
-DEGREES = {
-    "1e-10": {
-        "polar_moment": (7, 7),
-        "moment_of_inertia": (9, 0),
-        "radial_weight_amplitude": (10, 10),
-        "weight_moment_amplitude": (8, 0),
-        "resistance_factor": (5, 0),
-    },
-    "1e-6": {
-        "polar_moment": (8, 0),
-        "moment_of_inertia": (6, 0),
-        "radial_weight_amplitude": (4, 5),
-        "weight_moment_amplitude": (5, 0),
-        "resistance_factor": (3, 0),
-    },
-    "float32": {
-        "polar_moment": (7, 6),
-        "moment_of_inertia": (8, 0),
-        "radial_weight_amplitude": (9, 9),
-        "weight_moment_amplitude": (7, 0),
-        "resistance_factor": (5, 0),
-    },
-}
 
-
-def cheap(name: str, tier: str, form: str) -> Program:
+def cheap(name: str, closed: sp.Expr, degrees: Sequence[int], form: str) -> Program:
     """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
-    above, below = DEGREES[tier][name]
-    over, under = cheap_fit(name, above, below)
+    over, under, _ = cheap_fit(closed, *degrees)
     code = Code(form)
     x = code.put("input", value="alpha")
     u = code.mul(x, x)
-    if not below:
+    if len(under) == 1:
         return code.program(name, code.mul(code.mul(code.horner(u, over), u), x))
     w = code.sub(code.const(HALF_PI * HALF_PI), u)
     ratio = code.put("div", code.mul(code.horner(w, over), u), code.horner(w, under))
@@ -346,15 +284,53 @@ def cheap(name: str, tier: str, form: str) -> Program:
 # --- all of them ---------------------------------------------------------------------------------------------------
 
 
-def variants() -> tuple[Variant, ...]:
-    """Every kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
+def of_best(kernel: Kernel, shape: Shape | Ratio, bases: Sequence[Shape], form: str) -> Program:
+    """The best tier of a kernel in one form; ``bases`` are the shapes of a quotient's two parts."""
+    if isinstance(shape, Shape):
+        return best(kernel.name, kernel.closed[0], shape.best, form)
+    return quotient(kernel, pieces(shape, bases), form)
+
+
+def pieces(ratio: Ratio, bases: Sequence[Shape]) -> list[Piecewise]:
+    """The parts of a quotient: the baselines of its two base quantities, seam and degrees of its own."""
     found = []
-    for names, make in ((SHAPES, best), (QUOTIENT_SHAPES, quotient)):
-        for name in names:
-            made = {form: make(name, form) for form in ("fused", "plain", "numpy")}
-            if made["numpy"] == made["plain"]:
-                del made["numpy"]
-            found += [Variant(name, "best", form, p) for form, p in made.items()]
-    for tier, kernels in DEGREES.items():
-        found += [Variant(name, tier, form, cheap(name, tier, form)) for name in kernels for form in ("fused", "plain")]
+    for (count, degree), base in zip(ratio.parts, bases, strict=True):
+        beyond = replace(base.best.far, degree=degree) if base.best.far else None
+        found.append(Piecewise(ratio.seam if beyond else HALF_PI, count, beyond))
+    return found
+
+
+@cache
+def of(kernel: Kernel, shape: Shape | Ratio, bases: tuple[Shape, ...] = ()) -> tuple[Variant, ...]:
+    """A kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
+
+    def variant(tier: str, form: str, program: Program) -> Variant:
+        return Variant(kernel.name, kernel.definition, tier, form, program)
+
+    made = {form: of_best(kernel, shape, bases, form) for form in ("fused", "plain", "numpy")}
+    if made["numpy"] == made["plain"]:
+        del made["numpy"]
+    found = [variant("best", form, program) for form, program in made.items()]
+    if isinstance(shape, Shape):
+        for tier, *degrees in shape.cheap:
+            found += [variant(tier, form, cheap(kernel.name, kernel.closed[0], degrees, form))
+                      for form in ("fused", "plain")]  # fmt: skip
+    return tuple(found)
+
+
+def variants() -> tuple[Variant, ...]:
+    """Every kernel in every tier and form, from the recorded shapes.
+
+    Raises
+    ------
+    LookupError
+        If a definition has no record: `derive.approximate.search` finds one.
+    """
+    found: list[Variant] = []
+    for kernel in kernels():
+        shape = recorded(kernel.definition)
+        bases = tuple(recorded((part,)) for part in kernel.definition) if isinstance(shape, Ratio) else ()
+        if shape is None or not all(isinstance(base, Shape) for base in bases):
+            raise LookupError(f"{kernel.name}: no shape is recorded for {' / '.join(kernel.definition)}")
+        found += of(kernel, shape, bases)  # type: ignore[arg-type]
     return tuple(found)
