@@ -35,7 +35,7 @@ def derive_all() -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive.algebra import dynamics, integrate, phase, sensitivity, stable
+    from derive.algebra import dynamics, integrate, phase, rules, sensitivity
     from derive.check import measure
     from derive.code import functions, write
     from derive.declare import effects
@@ -50,7 +50,11 @@ def derive_all() -> dict[str, str]:
         derivations.append(derivation)
     kernels = {f.program.name: f for f in functions.kernels(derivations)}
     for name, closed in functions.closed_amplitudes(derivations).items():
-        timed(name, "stable form", "proved equal to the closed form", stable.prove_kernel, name, closed)
+        form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
+        for step in form.steps:
+            say(
+                f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {step.operations[0]} -> {step.operations[1]}"
+            )
         takes = f"{sum(kernels[name].program.operations().values())} float operations"
         timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
     for appendix in APPENDICES:

@@ -31,6 +31,7 @@ PRINTED = "The paper's own forms, as printed, for comparison only: they cancel a
 def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels, motion = functions.kernels(derivations, proved), functions.motion()
+    closed = functions.closed_amplitudes(derivations)
     c_source = emit_c.source(variants())
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
@@ -41,8 +42,8 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "motion.py": emit.module(MOTION, motion),
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
-        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs()),
-        "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
+        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs(closed)),
+        "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",

@@ -1,6 +1,6 @@
 """The quantities of the method, declared once as data; every stage walks these lists.
 
-A new moment is one more `Moment` here, and its stable form in `derive.algebra.stable`.
+A new moment is one more `Moment` here.
 """
 
 from dataclasses import dataclass
