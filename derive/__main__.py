@@ -52,9 +52,8 @@ def derive_all() -> dict[str, str]:
     for name, closed in functions.closed_amplitudes(derivations).items():
         form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
         for step in form.steps:
-            say(
-                f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {step.operations[0]} -> {step.operations[1]}"
-            )
+            counts = " -> ".join(map(str, step.operations))
+            say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
         takes = f"{sum(kernels[name].program.operations().values())} float operations"
         timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
     for appendix in APPENDICES:
