@@ -4,7 +4,7 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 
 ``quantities``, ``symbols``   what is derived, declared once as data
 ``integrate``                 definition -> closed form, each step proved
-``stable``                    closed form -> form without cancellation, linked by proof
+``rules``, ``remainders``     closed form -> form without cancellation, by named rules, each step proved
 ``fit``, ``approximants``     stable form -> minimax polynomials and rationals for each tier of accuracy
 ``dynamics``, ``phase``       balance laws -> equation of motion -> its solutions in time and in the phase plane, proved
 ``effects``                   what a scene may ask for, declared once as data, and the balance of each combination
@@ -44,10 +44,6 @@ speed also in RADIUS, DENSITY and the effect's other parameters. At the end of
 A moment of the mass: its weight in the double integral. At the end of ``MOMENTS`` in ``derive/declare/quantities.py``::
 
     Moment("area", "S*", "1.10", r, "area of the moving mass"),
-
-and its form without cancellation, over alpha**3. At the end of ``_reduced_forms`` in ``derive/algebra/stable.py``::
-
-    "area": 4 * SineDefect(2 * alpha),
 
 It is then a function of `generated`, sampled only. A certificate takes its shape in ``approximants`` and ``fit``, and
 its closed form in ``truth``.

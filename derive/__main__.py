@@ -37,7 +37,7 @@ def derive_all() -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive.algebra import dynamics, integrate, phase, sensitivity, stable
+    from derive.algebra import dynamics, integrate, phase, rules, sensitivity
     from derive.approximate import shapes
     from derive.check import measure
     from derive.code import functions, write
@@ -51,11 +51,14 @@ def derive_all() -> dict[str, str]:
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
     for kernel in shapes.kernels():
         timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
-    kernels, closed = {f.program.name: f for f in functions.kernels()}, integrate.closed_forms()
-    for name, form in closed.items():
-        timed(name, "stable form", "proved equal to the closed form", stable.prove_kernel, name, form)
+    kernels = {f.program.name: f for f in functions.kernels()}
+    for name, closed in integrate.closed_forms().items():
+        form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
+        for step in form.steps:
+            counts = " -> ".join(map(str, step.operations))
+            say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
         takes = f"{sum(kernels[name].program.operations().values())} float operations"
-        timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], form)
+        timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
     for appendix in APPENDICES:
         told = "operations {0.operations_before} -> {0.operations_after}, integrates {0.integrand}"
         timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
@@ -66,7 +69,7 @@ def derive_all() -> dict[str, str]:
     for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
                         ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
         timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
-    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(closed)))
+    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(integrate.closed_forms())))
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)
 

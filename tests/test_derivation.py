@@ -7,8 +7,9 @@ import pytest
 import sympy as sp
 from mpmath import mpf
 
-from derive.algebra import dynamics, stable
+from derive.algebra import dynamics
 from derive.algebra.integrate import PSI, Derivation, compare, derive, quadrature
+from derive.algebra.remainders import unfold
 from derive.code import functions
 from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
 from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1
@@ -58,17 +59,12 @@ def test_the_chord_is_the_paper_s() -> None:
     assert sp.diff(CHORD * sp.cos(theta - theta_1 - alpha), theta) == 0
 
 
-@pytest.mark.parametrize("name", stable.BASE_NAMES)
-def test_stable_form_is_proved(name: str) -> None:
-    stable.prove_kernel(name, closed_forms()[name])
-
-
 @pytest.mark.parametrize("quotient", QUOTIENTS, ids=lambda q: q.name)
 @pytest.mark.parametrize("half", ["0.001", "0.8", "1.5697"])
 def test_stable_quotient_equals_the_ratio_of_closed_forms(quotient: object, half: str) -> None:
     name, numerator, denominator = (getattr(quotient, x) for x in ("name", "numerator", "denominator"))
     with mpmath.workdps(80):
-        ours = sp.lambdify(alpha, stable.unfold(stable.QUOTIENT_FORMS[name]), "mpmath")(mpf(half))
+        ours = sp.lambdify(alpha, unfold(functions.stable_forms(closed_forms())[name]), "mpmath")(mpf(half))
         ratio = closed_forms()[numerator] / closed_forms()[denominator]
         assert abs(ours / sp.lambdify(alpha, ratio, "mpmath")(mpf(half)) - 1) < mpf(10) ** -DIGITS
 

@@ -6,12 +6,11 @@ S0(z) = sinh(sqrt z)/sqrt z, an entire function, at z = a b t**2, and decaying e
 """
 
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 import sympy as sp
 
 from derive.algebra.prove import prove_zero
-from derive.algebra.stable import Horner, Log1p, Select, Stable, even_series, unfold
+from derive.algebra.remainders import Log1p, Remainder, Select, sinhc, unfold
 from derive.declare.symbols import a, b, omega_0, t
 
 # Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
@@ -121,46 +120,6 @@ def solution() -> dict[str, sp.Expr]:
     return ways
 
 
-class Cardinal(Stable):
-    """sinh(sqrt z)/sqrt z, for -pi**2 <= z <= 1; sin(sqrt -z)/sqrt -z where z < 0."""
-
-    def definition(self) -> sp.Expr:
-        root = sp.sqrt(self.args[0])
-        return sp.sinh(root) / root
-
-    def lower(self) -> sp.Expr:
-        # The series of sin x/x with alternating signs undone: sum z**k/(2k + 1)!
-        terms = even_series("sin", 1, Fraction(10))
-        return Horner.of((c * (-1) ** n for n, c in enumerate(terms)), self.args[0])
-
-
-class Log1pRatio(Stable):
-    """log(1 + x)/x, 1 at x = 0."""
-
-    def definition(self) -> sp.Expr:
-        return sp.log(1 + self.args[0]) / self.args[0]
-
-    def lower(self) -> sp.Expr:
-        return _filled_at_zero(Log1p, self.args[0])
-
-
-class ArctanRatio(Stable):
-    """arctan(x)/x, 1 at x = 0."""
-
-    def definition(self) -> sp.Expr:
-        return sp.atan(self.args[0]) / self.args[0]
-
-    def lower(self) -> sp.Expr:
-        return _filled_at_zero(sp.atan, self.args[0])
-
-
-def _filled_at_zero(function: type[sp.Function], x: sp.Expr) -> sp.Expr:
-    """function(x)/x, whose limit 1 is exact to the last bit for |x| < 2**-60."""
-    size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
-    away = Select(size, tiny, one, x)
-    return Select(size, tiny, one, function(away) / away)
-
-
 @dataclass(frozen=True)
 class MotionForm:
     """A stable formula of the motion: inputs, intermediate values in order, result, and the equation it comes from."""
@@ -196,8 +155,8 @@ _COMMON = {
     _Q: _E**2,
     _P: _K + b * omega_0,
     _M: _K - b * omega_0,
-    _C: 1 + 2 * _NEAR * (Cardinal(_NEAR / 4) / 2) ** 2,
-    _S: _FAR * Cardinal(_NEAR),
+    _C: 1 + 2 * _NEAR * (sinhc(_NEAR / 4) / 2) ** 2,
+    _S: _FAR * sinhc(_NEAR),
     _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, sp.Integer(1))), _C + b * omega_0 * _S),
 }
 
@@ -213,12 +172,12 @@ def _guarded(y: sp.Symbol) -> sp.Expr:
 
 # y = 1 + b G where z <= 1, so that phi = log1p(b G)/b loses nothing as t -> 0 or b -> 0.
 _ROTATION = {
-    _G: 2 * a * (_FAR / 2 * Cardinal(_NEAR / 4)) ** 2 + omega_0 * _FAR * Cardinal(_NEAR),
+    _G: 2 * a * (_FAR / 2 * sinhc(_NEAR / 4)) ** 2 + omega_0 * _FAR * sinhc(_NEAR),
     _PHI_Y: _piece(_Y, 1 + b * _G),
 }
 _ROTATION_RESULT = _piece(
     (_K * _piece(t, sp.Integer(0)) + sp.log(_PHI_Y)) / _piece(b, sp.Integer(1)),
-    _G * Log1pRatio(_piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
+    _G * Remainder(Log1p, 1, _piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
 )
 # 1/y, multiplied by twice: its square leaves the range of numbers long before the acceleration does.
 _DECAY = {_D: _piece(_E, sp.Integer(1)) / _guarded(_Y)}
@@ -246,10 +205,10 @@ FORMS = (
                _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2), "3.16",
                "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_arrest_time", _CENTRIPETAL, {},
-               omega_0 / _BRAKE * ArctanRatio(omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))), "3.20",
+               omega_0 / _BRAKE * Remainder(sp.atan, 1, omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))), "3.20",
                "Time at which a braked motion stands still."),
     MotionForm("frozen_centripetal_arrest_rotation", _CENTRIPETAL, {},
-               omega_0 * (omega_0 / _BRAKE / 2) * Log1pRatio(omega_0 * (omega_0 / _BRAKE) * b), "4.3",
+               omega_0 * (omega_0 / _BRAKE / 2) * Remainder(Log1p, 1, omega_0 * (omega_0 / _BRAKE) * b), "4.3",
                "Rotation at which a braked motion stands still."),
 )  # fmt: skip
 

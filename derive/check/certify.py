@@ -214,17 +214,18 @@ def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: fl
             yield from fine_patches(definition, tape, part, max(part.lower, lower), min(part.upper, upper))
 
 
-def patches(record: Record) -> Iterator[Patch]:
-    """The domain: one window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then all pieces on all segments."""
+def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[Patch]:
+    """The domain, or a part: one window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then pieces on segments."""
     definition = record["definition"]
-    near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
-    yield near.window(SMALL, UNDERFLOW) if near.degree else near
-    for a, b, tape in pieces(record, SMALL, TOP):
+    if lower < SMALL:
+        near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
+        yield near.window(SMALL, UNDERFLOW) if near.degree else near
+    for a, b, tape in pieces(record, max(lower, SMALL), upper):
         for segment in SEGMENTS:
             for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):
-                lower, upper = max(a, segment.lower, start), min(b, segment.upper, end)
-                if lower < upper or lower == upper in (a, b):
-                    yield from fine_patches(definition, tape, segment, lower, upper)
+                left, right = max(a, segment.lower, start), min(b, segment.upper, end)
+                if left < right or left == right in (a, b):
+                    yield from fine_patches(definition, tape, segment, left, right)
 
 
 # --- the proof -----------------------------------------------------------------------------------------------------
@@ -387,8 +388,14 @@ class Worst:
 
 def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]:
     """Find bounds that can be proved: the worst box is halved, again and again. With them the patches' worst boxes."""
+    found, worst = halve(record, list(patches(record)), halvings)
+    whole = max(found.values())
+    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
+
+
+def halve(record: Record, every: list[Patch], halvings: int) -> tuple[dict[str, float], list[Worst]]:
+    """What can be proved on these patches, by claim, and their worst boxes."""
     found = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
-    every = list(patches(record))
     worst = []
     for claim in found:
         heap = [
@@ -397,7 +404,7 @@ def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]
             if claimed(part) == claim
         ]
         heapq.heapify(heap)
-        for _ in range(halvings):
+        for _ in range(halvings if heap else 0):
             _, number, lower, upper = heap[0]
             middle = (lower + upper) / 2
             if not lower < middle < upper:
@@ -406,12 +413,11 @@ def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]
             entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
             heapq.heapreplace(heap, entries[0])
             heapq.heappush(heap, entries[1])
-        found[claim] = -heap[0][0]
+        found[claim] = -heap[0][0] if heap else 0.0
         of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
         for _, number, lower, upper in heapq.nsmallest(16, of_patch.values()):
             worst.append(Worst(lower, upper, every[number].top > 0))
-    whole = max(found.values())
-    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
+    return found, worst
 
 
 def digest(record: Record) -> str:

@@ -9,7 +9,8 @@ import sympy as sp
 from derive.algebra import dynamics
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.phase import CONSTANT, ENERGIES, WATER
-from derive.algebra.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
+from derive.algebra.remainders import RoundingError
+from derive.algebra.rules import stable
 from derive.approximate.programs import variants
 from derive.check.rounding import Record
 from derive.code.emit import Function
@@ -36,13 +37,14 @@ def kernels(proved: Iterable[Record] = ()) -> list[Function]:
     for r in proved:
         bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
     closed, found = closed_forms(), []
+    forms = stable_forms(closed)
     for x in (*MOMENTS, RESISTANCE):
         name, symbol = x.kernel
         formula = f"{symbol} = {closed[name]}"
-        found.append(_of_alpha(name, f"{symbol}: {x.help}", formula, x.equation, bounds.get(name)))
+        found.append(_of_alpha(name, f"{symbol}: {x.help}", formula, x.equation, bounds.get(name), forms[name]))
     for q in QUOTIENTS:
         formula = f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
-        found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name)))
+        found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name), forms[q.name]))
     return found + [_weight(derive(m)) for m in MOMENTS if m.amplitude] + [_limit_friction()]
 
 
@@ -52,11 +54,11 @@ def _tiers(name: str) -> dict[str, Program]:
 
 
 def _of_alpha(
-    name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None
+    name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None, form: sp.Expr
 ) -> Function:
     """A kernel of alpha: in its fitted tiers, or in its stable form where nothing is fitted (yet)."""
     tiers = _tiers(name)
-    whole = tiers.get("best") or program(name, ("alpha",), alpha**3 * REDUCED[name], let=_CLIP)
+    whole = tiers.get("best") or program(name, ("alpha",), form, let=_CLIP)
     return Function(whole, f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
                     f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds),
                     tiers)  # fmt: skip
@@ -79,10 +81,17 @@ def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
     )
 
 
-def stable_forms() -> list[tuple[Program, str]]:
-    """Forms without cancellation, which the fits replace: each kernel's is proved equal to its closed form."""
-    forms = {name: alpha**3 * form for name, form in REDUCED.items()} | QUOTIENT_FORMS
-    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms.items()]
+def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+    """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
+    forms = {name: stable(form) for name, form in closed.items()}
+    ratios = {q.name: forms[q.numerator].reduced / forms[q.denominator].reduced for q in QUOTIENTS}
+    return {name: form.form for name, form in forms.items()} | ratios
+
+
+def stable_programs(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+    """Their programs."""
+    words = "the stable form"
+    return [(program(name, ("alpha",), form, let=_CLIP), words) for name, form in stable_forms(closed).items()]
 
 
 _ARC = (
@@ -124,7 +133,7 @@ def _weight(d: Derivation) -> Function:
     assert d.moment.amplitude
     name, symbol = d.moment.amplitude
     sign, direction = d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m).as_coeff_Mul()
-    amplitude = _KERNEL + _DELTA * SLOPES[name]
+    amplitude = _KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form
     let = _ENDS | {_KERNEL: _tiers(name)["best"]}
     return Function(
         program(d.moment.name, ("theta_1", "theta_2"), sign * amplitude * _turned(type(direction)), let=let),

@@ -12,7 +12,7 @@ from typing import Literal
 import mpmath
 import sympy as sp
 
-from derive.algebra.stable import Horner, RoundingError, Select, Stable
+from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
 
 Kind = Literal["input", "const", "add", "sub", "mul", "div", "neg", "min", "max", "less", "select", "fma", "call"]
 
@@ -96,8 +96,8 @@ class _Builder:
             return self.const(e)
         if isinstance(e, RoundingError):
             return self._rounding_error(*(self.add(x) for x in e.args))
-        if isinstance(e, Stable):
-            return self.add(e.lower())
+        if isinstance(e, Primitive):
+            return self.put_call(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
         if isinstance(e, sp.Add):
@@ -117,8 +117,6 @@ class _Builder:
             return result
         if type(e) in CALLS:
             return self.put_call(CALLS[type(e)], self.add(e.args[0]))
-        if getattr(type(e), "call", None):  # a primitive that NumPy and C have under this name
-            return self.put_call(type(e).call, self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
     def _sum(self, e: sp.Add) -> int:

@@ -10,6 +10,7 @@ from pathlib import Path
 import sympy
 
 from derive.algebra import sensitivity
+from derive.algebra.integrate import closed_forms
 from derive.approximate.programs import variants
 from derive.check import certificates, certify
 from derive.check.rounding import Record
@@ -29,7 +30,7 @@ PRINTED = "The paper's own forms, as printed, for comparison only: they cancel a
 
 def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
-    kernels, motion = functions.kernels(proved), functions.motion()
+    kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
     c_source = emit_c.source(variants())
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
@@ -40,8 +41,8 @@ def files(proved: list[Record]) -> dict[str, str]:
         "motion.py": emit.module(MOTION, motion),
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
-        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs()),
-        "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
+        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs(closed)),
+        "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
