@@ -6,7 +6,7 @@ rounding, so that the small correction needs no care. Every piece is computed fo
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache
 
@@ -16,8 +16,7 @@ from derive.approximate.shapes import (
     HALF_PI,
     Far,
     Kernel,
-    Piecewise,
-    Ratio,
+    Pieces,
     Shape,
     cheap_fit,
     end,
@@ -26,7 +25,7 @@ from derive.approximate.shapes import (
     limit,
     logarithm_fit,
     near_fit,
-    recorded,
+    records,
 )
 from derive.code.program import Kind, Op, Program, without_dead
 
@@ -211,36 +210,45 @@ def far(code: Code, x: int, closed: sp.Expr, shape: Far, seam: float) -> Pair:
 # --- best tier -----------------------------------------------------------------------------------------------------
 
 
-def best(name: str, closed: sp.Expr, shape: Piecewise, form: str) -> Program:
-    """A base quantity, to the last place or nearly so."""
+def best(kernel: Kernel, parts: Sequence[Pieces], form: str) -> Program:
+    """The best tier: a base quantity, or a quotient whose parts have one seam, to the last place or nearly so."""
     code = Code(form)
     x = code.put("input", value="alpha")
+    make = whole if len(parts) == 1 else fused_quotient if code.fused else plain_quotient
+    return code.program(kernel.name, make(code, x, kernel.closed, parts))
+
+
+def whole(code: Code, x: int, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> int:
+    """F near 0, and beyond the seam."""
+    (closed,), (shape,) = forms, parts
     value = near_value(code, x, closed, shape.seam, shape.count)
-    if shape.far:
-        beyond = far(code, x, closed, shape.far, shape.seam)
-        value = code.below(x, shape.seam, value, code.add(beyond.high, beyond.low))
-    return code.program(name, value)
+    if shape.far is None:
+        return value
+    beyond = far(code, x, closed, shape.far, shape.seam)
+    return code.below(x, shape.seam, value, code.add(beyond.high, beyond.low))
 
 
-def quotient(kernel: Kernel, parts: Sequence[Piecewise], form: str) -> Program:
-    """F1/F2, near from W1/W2: one division, and fused its rounding and its parts' taken back. Both have one seam."""
-    code, (first, second), seam = Code(form), kernel.closed, min(p.seam for p in parts)
-    x = code.put("input", value="alpha")
-    both = list(zip(kernel.closed, parts, strict=True))
-    if not code.fused:
-        top, bottom = (plain_part(code, x, closed, part, seam) for closed, part in both)
-        if limit(first) != limit(second):
-            top = code.below(x, seam, to_limit(code, first, top), top)
-            bottom = code.below(x, seam, to_limit(code, second, bottom), bottom)
-        return code.program(kernel.name, code.put("div", top, bottom))
-    over, under = (fused_part(code, x, closed, part, seam) for closed, part in both)
+def fused_quotient(code: Code, x: int, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> int:
+    """F1/F2, near from W1/W2: one division, its rounding and its parts' taken back."""
+    seam = min(part.seam for part in parts)
+    over, under = (fused_part(code, x, closed, part, seam) for closed, part in zip(forms, parts, strict=True))
     inverse = code.put("div", code.const(1.0), under.high)
     q = code.mul(over.high, inverse)
     missed = code.add(code.fma(code.neg(q), under.high, over.high), over.low)
-    return code.program(kernel.name, code.fma(code.fma(code.neg(q), under.low, missed), inverse, q))
+    return code.fma(code.fma(code.neg(q), under.low, missed), inverse, q)
 
 
-def fused_part(code: Code, x: int, closed: sp.Expr, part: Piecewise, seam: float) -> Pair:
+def plain_quotient(code: Code, x: int, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> int:
+    """F1/F2, near from W1/W2 over their limits."""
+    seam, found = min(part.seam for part in parts), []
+    for closed, part in zip(forms, parts, strict=True):
+        value = plain_part(code, x, closed, part, seam)
+        same = limit(forms[0]) == limit(forms[1])
+        found.append(value if same else code.below(x, seam, to_limit(code, closed, value), value))
+    return code.put("div", *found)
+
+
+def fused_part(code: Code, x: int, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
     """W below the seam, F above it; what is lost in `low`."""
     u = code.mul(x, x)
     w, _, p1 = near_sum(code, u, closed, part.seam, part.count)
@@ -256,7 +264,7 @@ def fused_part(code: Code, x: int, closed: sp.Expr, part: Piecewise, seam: float
     return Pair(code.below(x, seam, w.high, total), code.below(x, seam, w.low, lost))
 
 
-def plain_part(code: Code, x: int, closed: sp.Expr, part: Piecewise, seam: float) -> int:
+def plain_part(code: Code, x: int, closed: sp.Expr, part: Pieces, seam: float) -> int:
     """W below the seam, but for its limit, F above it."""
     w = code.add(code.const(1.0), excess(code, code.mul(x, x), closed, part.seam, part.count))
     if not part.far:
@@ -268,69 +276,38 @@ def plain_part(code: Code, x: int, closed: sp.Expr, part: Piecewise, seam: float
 # --- cheaper tiers -------------------------------------------------------------------------------------------------
 
 
-def cheap(name: str, closed: sp.Expr, degrees: Sequence[int], form: str) -> Program:
+def cheap(kernel: Kernel, degrees: Sequence[int], form: str) -> Program:
     """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
-    over, under, _ = cheap_fit(closed, *degrees)
+    over, under, _ = cheap_fit(*kernel.closed, *degrees)
     code = Code(form)
     x = code.put("input", value="alpha")
     u = code.mul(x, x)
     if len(under) == 1:
-        return code.program(name, code.mul(code.mul(code.horner(u, over), u), x))
+        return code.program(kernel.name, code.mul(code.mul(code.horner(u, over), u), x))
     w = code.sub(code.const(HALF_PI * HALF_PI), u)
     ratio = code.put("div", code.mul(code.horner(w, over), u), code.horner(w, under))
-    return code.program(name, code.mul(ratio, x))
+    return code.program(kernel.name, code.mul(ratio, x))
 
 
 # --- all of them ---------------------------------------------------------------------------------------------------
 
 
-def of_best(kernel: Kernel, shape: Shape | Ratio, bases: Sequence[Shape], form: str) -> Program:
-    """The best tier of a kernel in one form; ``bases`` are the shapes of a quotient's two parts."""
-    if isinstance(shape, Shape):
-        return best(kernel.name, kernel.closed[0], shape.best, form)
-    return quotient(kernel, pieces(shape, bases), form)
-
-
-def pieces(ratio: Ratio, bases: Sequence[Shape]) -> list[Piecewise]:
-    """The parts of a quotient: the baselines of its two base quantities, seam and degrees of its own."""
-    found = []
-    for (count, degree), base in zip(ratio.parts, bases, strict=True):
-        beyond = replace(base.best.far, degree=degree) if base.best.far else None
-        found.append(Piecewise(ratio.seam if beyond else HALF_PI, count, beyond))
-    return found
-
-
 @cache
-def of(kernel: Kernel, shape: Shape | Ratio, bases: tuple[Shape, ...] = ()) -> tuple[Variant, ...]:
+def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
     """A kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
 
     def variant(tier: str, form: str, program: Program) -> Variant:
         return Variant(kernel.name, kernel.definition, tier, form, program)
 
-    made = {form: of_best(kernel, shape, bases, form) for form in ("fused", "plain", "numpy")}
+    made = {form: best(kernel, shape.best, form) for form in ("fused", "plain", "numpy")}
     if made["numpy"] == made["plain"]:
         del made["numpy"]
     found = [variant("best", form, program) for form, program in made.items()]
-    if isinstance(shape, Shape):
-        for tier, *degrees in shape.cheap:
-            found += [variant(tier, form, cheap(kernel.name, kernel.closed[0], degrees, form))
-                      for form in ("fused", "plain")]  # fmt: skip
+    for tier, *degrees in shape.cheap:
+        found += [variant(tier, form, cheap(kernel, degrees, form)) for form in ("fused", "plain")]
     return tuple(found)
 
 
 def variants() -> tuple[Variant, ...]:
-    """Every kernel in every tier and form, from the recorded shapes.
-
-    Raises
-    ------
-    LookupError
-        If a definition has no record: `derive.approximate.search` finds one.
-    """
-    found: list[Variant] = []
-    for kernel in kernels():
-        shape = recorded(kernel.definition)
-        bases = tuple(recorded((part,)) for part in kernel.definition) if isinstance(shape, Ratio) else ()
-        if shape is None or not all(isinstance(base, Shape) for base in bases):
-            raise LookupError(f"{kernel.name}: no shape is recorded for {' / '.join(kernel.definition)}")
-        found += of(kernel, shape, bases)  # type: ignore[arg-type]
-    return tuple(found)
+    """Every kernel in every tier and form, from the recorded shapes."""
+    return tuple(v for kernel in kernels() for v in of(kernel, records()[kernel.definition]))

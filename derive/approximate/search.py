@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 
+import numpy as np
 import sympy as sp
 from flint import arb
 
@@ -20,8 +21,7 @@ from derive.approximate.shapes import (
     HALF_PI,
     Far,
     Kernel,
-    Piecewise,
-    Ratio,
+    Pieces,
     Shape,
     cheap_fit,
     end,
@@ -30,8 +30,9 @@ from derive.approximate.shapes import (
     limit,
     near_samples,
     powers,
+    records,
 )
-from derive.check import certificates, certify
+from derive.check import certificates, certify, exact
 from derive.check.certify import TIERS
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
@@ -94,7 +95,7 @@ def _values(closed: sp.Expr, seam: float) -> tuple[tuple[float, float, float], .
 def rises(closed: sp.Expr, seam: float) -> bool:
     """Whether F grows at the seam by more than both pieces' errors from one double to the next."""
     step, f = math.ulp(math.nextafter(seam, 0.0)), float(at(closed, arb(seam)))
-    return float(at(sp.diff(closed, alpha), arb(seam))) * step > 2 * certify.ulp(f, 53)
+    return float(at(sp.diff(closed, alpha), arb(seam))) * step > 1.4 * certify.ulp(f, 53)
 
 
 def baseline(closed: sp.Expr, seam: float) -> Far:
@@ -123,25 +124,48 @@ def baseline(closed: sp.Expr, seam: float) -> Far:
     return Far(slope, line, bend, 1.0, 0)
 
 
-def neighbours(closed: sp.Expr, shape: Piecewise) -> Iterator[Piecewise]:
-    """Shapes a step away: degrees, baseline, seam."""
-    about, far = end(closed), shape.far
-    assert about is not None and far is not None
+Best = tuple[Pieces, ...]
+
+
+def started(kernel: Kernel, seam: float) -> Best:
+    """Pieces for a seam, of what an estimate prefers."""
+    found = []
+    for closed in kernel.closed:
+        if end(closed) is None:
+            found.append(Pieces(HALF_PI, count_near(closed, HALF_PI)))
+        else:
+            far = with_degree(closed, baseline(closed, seam), seam)
+            found.append(Pieces(seam, count_near(closed, seam), far))
+    return tuple(found)
+
+
+def falls(variant: Variant, seam: float) -> bool:
+    """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
+    near = 1000 if variant.form == "fused" else 1
+    alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
+    return len(variant.definition) == 1 and bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
+
+
+def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
+    """Shapes a step away: the seam, and of each part degrees and baseline."""
     for more in (-1, 1):
-        yield replace(shape, count=shape.count + more)
-        yield replace(shape, far=replace(far, degree=far.degree + more))
-        for step in (4, 1):
-            yield replace(shape, far=replace(far, line=far.line + more * step / 128))
-        if not about.odd:
-            yield replace(shape, far=replace(far, bend=far.bend + more / 8))
-        if rises(closed, seam := round(shape.seam + more / 100, 2)):
-            yield replace(shape, seam=seam)
-    if about.log:
-        yield replace(shape, far=replace(far, scale=3 - far.scale))
+        yield tuple(replace(p, seam=round(p.seam + more / 100, 2)) if p.far else p for p in shape)
+    for k, (closed, part) in enumerate(zip(kernel.closed, shape, strict=True)):
+        moves = [replace(part, count=part.count + more) for more in (-1, 1)]
+        if far := part.far:
+            about, changed = end(closed), []
+            assert about is not None
+            changed += [replace(far, degree=far.degree + more) for more in (-1, 1)]
+            changed += [replace(far, line=far.line + more / 128) for more in (-4, -1, 1, 4)]
+            changed += [] if about.odd else [replace(far, bend=far.bend + more / 8) for more in (-1, 1)]
+            changed += [replace(far, scale=3 - far.scale)] if about.log else []
+            moves += [replace(part, far=beyond) for beyond in changed]
+        for move in moves:
+            yield (*shape[:k], move, *shape[k + 1 :])
 
 
-def best(kernel: Kernel) -> Piecewise:
-    """The two pieces of a base quantity, or the one: least bound and fewest operations.
+def best(kernel: Kernel) -> Best:
+    """The pieces with the least bound and the fewest operations.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
 
@@ -150,35 +174,36 @@ def best(kernel: Kernel) -> Piecewise:
     ProofError
         If none keeps what the tier promises.
     """
-    (closed,) = kernel.closed
-    if end(closed) is None:
-        return Piecewise(HALF_PI, count_near(closed, HALF_PI))
-    judged: dict[Piecewise, float] = {}
+    judged: dict[Best, float] = {}
 
-    def judge(shape: Piecewise) -> None:
-        if shape not in judged and len(judged) < JUDGED:
-            program = programs.best(kernel.name, closed, shape, "fused")
-            fused = bound(Variant(kernel.name, kernel.definition, "best", "fused", program))
-            judged[shape] = fused + OPERATION * sum(program.operations().values())
+    def variant(shape: Best, form: str) -> Variant:
+        return Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel, shape, form))
 
-    for seam in SEAMS:
-        if rises(closed, seam):
-            far = with_degree(closed, baseline(closed, seam), seam)
-            judge(Piecewise(seam, count_near(closed, seam), far))
-    done: set[Piecewise] = set()
-    while left := [s for s in sorted(judged, key=lambda s: (judged[s], str(s)))[:2] if s not in done]:
+    def judge(shape: Best) -> None:
+        seams = [part.seam for part in shape if part.far]
+        rising = len(shape) > 1 or not seams or rises(kernel.closed[0], seams[0])
+        if rising and shape not in judged and len(judged) < JUDGED:
+            fused = variant(shape, "fused")
+            judged[shape] = bound(fused) + OPERATION * sum(fused.program.operations().values())
+
+    def ranked() -> list[Best]:
+        return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
+
+    for seam in SEAMS if any(end(closed) for closed in kernel.closed) else SEAMS[:1]:
+        judge(started(kernel, seam))
+    done: set[Best] = set()
+    while left := [shape for shape in ranked()[:2] if shape not in done]:
         done.add(left[0])
-        for shape in neighbours(closed, left[0]):
+        for shape in neighbours(kernel, left[0]):
             judge(shape)
-    for shape in sorted(judged, key=lambda s: (judged[s], str(s))):
-        made = [Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel.name, closed, shape, form))
-                for form in ("fused", "plain")]  # fmt: skip
-        if kept(made):
+    for shape in ranked():
+        made = [variant(shape, "fused"), variant(shape, "plain")]
+        if kept(made) and not any(falls(v, shape[0].seam) for v in made):
             return shape
-    raise ProofError(f"{kernel.name}: tier best", f"no better score than {min(judged.values()):.3g}", "its goal")
+    raise ProofError(f"{kernel.name}: tier best", f"no bound below {min(judged.values()):.3g}", "its goal")
 
 
-# --- one piece, one quotient ---------------------------------------------------------------------------------------
+# --- the other tiers -----------------------------------------------------------------------------------------------
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
@@ -194,34 +219,27 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
     target = (goal - 0.5) * 2.0**-24 if goal > 0.5 else goal
     tried = [(above, 0) for above in range(2, 25)]
     tried += [(above, total - above) for total in range(6, 25) for above in ((total + 1) // 2, total // 2)]
-    tried = list(dict.fromkeys(tried))
-    for above, below in sorted(tried, key=lambda x: (x[0] + x[1] + (DIVISION if x[1] else 0), x[1])):
+    for above, below in sorted(set(tried), key=lambda x: (x[0] + x[1] + (DIVISION if x[1] else 0), -x[1])):
         try:
             if cheap_fit(closed, above, below)[2] > target:
                 continue
         except ZeroDivisionError:  # the levelled system has no solution
             continue
-        made = [Variant(kernel.name, kernel.definition, tier, form,
-                        programs.cheap(kernel.name, closed, (above, below), form)) for form in ("fused", "plain")]  # fmt: skip
+        made = [Variant(kernel.name, kernel.definition, tier, form, programs.cheap(kernel, (above, below), form))
+                for form in ("fused", "plain")]  # fmt: skip
         if kept(made):
             return tier, above, below
     raise ProofError(f"{kernel.name}: tier {tier}", "no degrees that keep it", f"{goal:g}")
 
 
-# --- all -----------------------------------------------------------------------------------------------------------
+def search(kernel: Kernel) -> Shape:
+    """Find the shape of a kernel, and record it for this run: a quotient has the best tier alone.
 
-
-def search(kernel: Kernel, bases: Sequence[Shape] = ()) -> Shape | Ratio:
-    """The shape of a base quantity, or of a quotient whose two parts have these shapes."""
-    if len(kernel.closed) == 1:
-        return Shape(best(kernel), tuple(degrees(kernel, tier) for tier in TIERS if tier != "best"))
-    found = []
-    for seam in sorted({base.best.seam for base in bases if base.best.far} | {1.0, 1.04}):
-        parts = []
-        for closed, base in zip(kernel.closed, bases, strict=True):
-            far = with_degree(closed, base.best.far, seam) if base.best.far else None
-            parts.append((count_near(closed, seam if far else HALF_PI), far.degree if far else 0))
-        ratio = Ratio(seam, tuple(parts))
-        made = [v for v in programs.of(kernel, ratio, tuple(bases)) if v.tier == "best"]
-        found.append((round(bound(made[0]), 2), sum(made[0].program.operations().values()), seam, ratio))
-    return min(found)[-1]
+    Raises
+    ------
+    ProofError
+        If none keeps what the tiers promise.
+    """
+    cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"] if len(kernel.closed) == 1 else []
+    records()[kernel.definition] = Shape(best(kernel), tuple(cheap))
+    return records()[kernel.definition]

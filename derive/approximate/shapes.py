@@ -5,7 +5,7 @@ b = pi/2 - alpha, where artanh(sin(alpha)) = -ln(tan(b/2)): F is a function of b
 even, plus such a one times ln(b). A straight line that is computed without rounding is taken off it, and what is left
 is b**power (R(b**2) + b**(2 shift) Q(b**2) ln(b)). Of a form that is neither (lambda), one polynomial serves for all.
 
-Seams, baselines and degrees are found by `derive.approximate.search` and recorded in ``shapes.json`` by definition.
+Seams, baselines and degrees are found by `derive.approximate.search` and recorded in ``records`` by definition.
 """
 
 import json
@@ -23,11 +23,11 @@ from derive.approximate.minimax import GUARD, Samples, evaluate, exact, grid, ho
 from derive.approximate.minimax import value as at
 from derive.check import truth
 from derive.check.proof import ProofError
-from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
+from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha
 
 HALF_PI = truth.TOP
-RECORDS = Path(__file__).resolve().parent / "shapes.json"
+RECORDS = Path(__file__).resolve().parent / "records" / "shapes.json"
 
 
 # --- what is fitted ------------------------------------------------------------------------------------------------
@@ -45,7 +45,7 @@ class Kernel:
 def kernels() -> list[Kernel]:
     """All that are certified: the base quantities and their quotients."""
     closed = closed_forms()
-    definitions = {x.kernel[0]: x.definition for x in (*MOMENTS, RESISTANCE) if x is RESISTANCE or x.certified}
+    definitions = {x.kernel[0]: x.definition for x in (*MOMENTS, RESISTANCE) if not isinstance(x, Moment) or x.certified}
     found = [Kernel(name, (closed[name],), definition) for name, definition in definitions.items()]
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
@@ -144,8 +144,8 @@ class Far:
 
 
 @dataclass(frozen=True)
-class Piecewise:
-    """Best tier: the seam, coefficients near 0, and what serves beyond it."""
+class Pieces:
+    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it."""
 
     seam: float
     count: int
@@ -154,35 +154,26 @@ class Piecewise:
 
 @dataclass(frozen=True)
 class Shape:
-    """A base quantity: two pieces for the best tier; for each other tier numerator's and denominator's degrees."""
+    """The pieces of a base quantity or of a quotient's two parts; for each other tier the degrees over and under."""
 
-    best: Piecewise
+    best: tuple[Pieces, ...]
     cheap: tuple[tuple[str, int, int], ...]
 
 
-@dataclass(frozen=True)
-class Ratio:
-    """A quotient: the seam of both parts, and of each the coefficients near 0 and the degree beyond (0: one piece)."""
-
-    seam: float
-    parts: tuple[tuple[int, int], ...]
-
-
-def recorded(definition: tuple[str, ...]) -> Shape | Ratio | None:
-    """The shape that was found for a definition before."""
-    known = json.loads(RECORDS.read_text(encoding="utf-8")).get(" / ".join(definition))
-    if known is None:
-        return None
-    if len(definition) > 1:
-        return Ratio(known["seam"], tuple(map(tuple, known["parts"])))
-    best = known["best"]
-    far = Far(**best["far"]) if best["far"] else None
-    return Shape(Piecewise(best["seam"], best["count"], far), tuple(map(tuple, known["cheap"])))
+@cache
+def records() -> dict[tuple[str, ...], Shape]:
+    """The shapes that were found before, by definition; what is found in this run joins them."""
+    found = {}
+    for key, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
+        best = [Pieces(p["seam"], p["count"], Far(**p["far"]) if p["far"] else None) for p in known["best"]]
+        found[tuple(key.split(" / "))] = Shape(tuple(best), tuple(map(tuple, known["cheap"])))
+    return found
 
 
-def text(shapes: dict[tuple[str, ...], Shape | Ratio]) -> str:
-    """The file of records: one definition a line."""
-    lines = [f"{json.dumps(' / '.join(d))}: {json.dumps(asdict(shape))}" for d, shape in sorted(shapes.items())]
+def text() -> str:
+    """The file of records: one definition a line, none that nothing declares."""
+    wanted = sorted({kernel.definition for kernel in kernels()})
+    lines = [f"{json.dumps(' / '.join(d))}: {json.dumps(asdict(records()[d]))}" for d in wanted]
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
@@ -237,9 +228,9 @@ def cheap_fit(closed: sp.Expr, above: int, below: int) -> tuple[tuple[float, ...
 
 @dataclass(frozen=True)
 class FarFit:
-    """F = (slope alpha + line) + (constant + tilt b [+ b (slope - bend b)] + b**power (R + b**(2 shift) Q ln(scale b))).
+    """F = (slope alpha + line) + (constant + tilt b + b (slope - bend b) + b**power (R + b**(2 shift) Q ln(scale b))).
 
-    R and Q in b**2, of b = fl(pi/2) - alpha as it is computed: pi/2 - fl(pi/2) is folded in, the tilt among it.
+    The product with slope and bend is there where F is even in b. R and Q in b**2, of b = fl(pi/2) - alpha as it is computed: pi/2 - fl(pi/2) is folded in, the tilt among it.
     """
 
     constant: float
@@ -278,8 +269,8 @@ def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float,
             return (at(closed, exact(HALF_PI) - b) - horner(known, b)) / b**power
 
         points = grid(arb(0), exact(HALF_PI - seam) ** 2, (2 if shape.log else 1) * far.degree + 2, 2)
-        weight = lambda w: w.sqrt() ** power / at(closed, exact(HALF_PI) - w.sqrt())  # noqa: E731
-        return sample(rest, weight, points), constant, tilt
+        samples = sample(rest, lambda w: w.sqrt() ** power / at(closed, exact(HALF_PI) - w.sqrt()), points)
+        return samples, constant, tilt
 
 
 def far_minimax(closed: sp.Expr, far: Far, samples: Samples) -> tuple[list[arb], list[arb], float, list[arb]]:

@@ -52,7 +52,7 @@ ASSUMPTIONS = {"log": f"np.log within {LOG_ULPS} ulp"}
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier of accuracy: the unit of its bounds, what it promises, and what up to pi/4 where it promises more there."""
+    """A tier of accuracy: the unit of its bounds and what they promise, on the whole domain and up to pi/4."""
 
     unit: str
     fused: float
@@ -215,7 +215,7 @@ def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: fl
 
 
 def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[Patch]:
-    """The domain, or a part: one window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then pieces on segments."""
+    """The domain, or a part: a window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then pieces on segments."""
     definition = record["definition"]
     if lower < SMALL:
         near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)

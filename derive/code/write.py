@@ -3,11 +3,12 @@
 import difflib
 import hashlib
 import os
+import re
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-import sympy
+import sympy as sp
 
 from derive.algebra import sensitivity
 from derive.algebra.integrate import closed_forms
@@ -15,6 +16,8 @@ from derive.approximate.programs import variants
 from derive.check import certificates, certify
 from derive.check.rounding import Record
 from derive.code import emit, emit_c, functions
+from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
+from derive.declare.symbols import r, theta
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -34,6 +37,7 @@ def files(proved: list[Record]) -> dict[str, str]:
     c_source = emit_c.source(variants())
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
+        "definitions.py": definitions_module(closed),
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "balance.py": emit.plain_module(BALANCE, functions.balance()[0]),
         "effects.py": functions.effects_module(),
@@ -53,7 +57,7 @@ def files(proved: list[Record]) -> dict[str, str]:
 
 def header(name: str, text: str) -> str:
     """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
-    written = f"Written by `{MEND}` with SymPy {sympy.__version__}; do not edit."
+    written = f"Written by `{MEND}` with SymPy {sp.__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
     return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n" if name.endswith(".py") else ""
@@ -90,6 +94,26 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
         "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
         "# What is not here is sampled only.\n"
         f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"
+    )
+
+
+def definitions_module(closed: Mapping[str, sp.Expr]) -> str:
+    """What each function of alpha is, for whoever compares it with other ways to compute it."""
+    forms, integrands = [], []
+    for x in (*MOMENTS, RESISTANCE):
+        name = x.kernel[0]
+        text = re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(closed[name]).replace("alpha", "x"))
+        forms.append(f"    {name!r}: lambda m, x: {text},\n")
+        if isinstance(x, Moment) and x.certified:
+            integrands.append(f"    {name!r}: ({sp.degree(x.weight, r)}, {x.weight.has(theta)}),\n")
+    quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
+    return (
+        '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'
+        "from collections.abc import Callable\nfrom typing import Any\n\n"
+        "# Over any arithmetic m that has sin, cos and atanh.\n"
+        f"CLOSED: dict[str, Callable[[Any, Any], Any]] = {{\n{''.join(forms)}}}\n\n"
+        "# The power of r, and whether cos(u) turns it, u from -alpha to alpha and r from cos(alpha)/cos(u) to 1.\n"
+        f"INTEGRANDS = {{\n{''.join(integrands)}}}\n\nQUOTIENTS = {{\n{''.join(quotients)}}}\n"
     )
 
 
