@@ -23,13 +23,11 @@ which measures the hard cases.
 To add something, declare it, then run ``python -m derive``: it proves the declaration, writes `generated`, and from
 there it is in plans, scene files and `slipcircle schema`. The tests follow what stands here to the letter.
 
-A friction law. ``coefficient`` is its formula and ``drop`` its fall from one slip to a greater one, without
-cancellation; a law of speed has no drop. At the end of ``LAWS`` in ``derive/declare/effects.py``::
+A friction law, ``coefficient`` its formula; its fall from one slip to a greater one, without cancellation, follows.
+At the end of ``LAWS`` in ``derive/declare/effects.py``::
 
     Law("inverse_square", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "residual + (peak - residual)/(1 + slip/length)^2", _R + (_P - _R) * _HYPERBOLA**2,
-        (_P - _R) * _HYPERBOLA**2 * (MORE / _L) * (2 * (1 + SLIP / _L) + MORE / _L) / (1 + (SLIP + MORE) / _L) ** 2,
-        "length"),
+        "residual + (peak - residual)/(1 + slip/length)^2", _R + (_P - _R) / (1 + SLIP / _L) ** 2, "length"),
 
 An effect: what it adds to the balance of momentum (the fields of `effects.Effect`), and its parameters. What makes a
 parameter dimensionless is a formula in VALUE, ALPHA, GRAVITY, REFERENCE and THETA, where the effect depends on time or

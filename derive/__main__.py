@@ -46,7 +46,6 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     from derive.approximate import search, shapes
     from derive.check import measure
     from derive.code import functions, write
-    from derive.declare import effects
     from derive.declare.quantities import MOMENTS
     from derive.judge.appendices import APPENDICES, simplify
 
@@ -71,7 +70,6 @@ def derive_all(anew: bool = False) -> dict[str, str]:
         timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
-    timed("friction laws", "solve", "{0} claims proved", lambda: len(effects.prove_laws()))
     timed("phase plane", "solve", "{0} claims proved", lambda: len(phase.prove_energies()))
     for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
                         ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip

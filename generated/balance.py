@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 00b3e45cddeda2ef0df98155a602c4270e14246381f10bb3ecf47cf49ccb6948
+# sha256 of the text below: 054bf0818e082baf139d85c97f4b9d7b97e04a398b17f9ca22e06f12f7f6a8e3
 """The balance of momentum and the energy in the phase plane, specialised to the effects that are present."""
 
 from typing import Any
@@ -349,14 +349,15 @@ def drop_exponential(slip: Any, more: Any, peak: Any, residual: Any, length: Any
 
 
 def drop_hyperbolic(slip: Any, more: Any, peak: Any, residual: Any, length: Any) -> Any:
-    """Its fall over `more` slip, from `slip`. Operations: 3 mul, 3 add, 1 sub, 3 div."""
-    v15 = (peak - residual) / (length * (1.0 + slip / length) * (1.0 + (more + slip) / length)) * more
-    return v15
+    """Its fall over `more` slip, from `slip`. Operations: 3 mul, 3 add, 1 sub, 1 div."""
+    v12 = (peak - residual) / ((length + slip) * (length + more + slip)) * length * more
+    return v12
 
 
 def drop_linear(slip: Any, more: Any, peak: Any, residual: Any, length: Any) -> Any:
     """Its fall over `more` slip, from `slip`. Operations: 1 mul, 1 add, 2 sub, 2 div, 2 min."""
-    v13 = (peak - residual) * (np.minimum(1.0, (more + slip) / length) - np.minimum(1.0, slip / length))
+    v8 = slip / length
+    v13 = (peak - residual) * (np.minimum(1.0, more / length + v8) - np.minimum(1.0, v8))
     return v13
 
 

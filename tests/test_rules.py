@@ -8,9 +8,9 @@ from mpmath import mpf
 
 from derive.algebra import rules
 from derive.algebra.integrate import derive
-from derive.check.proof import ProofError
-from derive.algebra.remainders import Log1p, Remainder, sinhc, unfold
+from derive.algebra.remainders import Expm1, Log1p, Remainder, sinhc, unfold
 from derive.check import measure
+from derive.check.proof import ProofError
 from derive.code.program import program
 from derive.declare.quantities import Moment
 from derive.declare.symbols import alpha, r, t, theta
@@ -68,6 +68,21 @@ def test_a_wrong_rule_is_not_proved(rule: int, monkeypatch: pytest.MonkeyPatch) 
 def test_what_the_rules_do_not_know_is_refused() -> None:
     with pytest.raises(ProofError, match="heads"):
         rules.stable(alpha - sp.sin(alpha) - alpha**3 / 6)
+
+
+def test_a_fall_is_a_product() -> None:
+    """The larger of two exponentials, or a common denominator, is pulled out: no difference of like numbers is left."""
+    slip, more, length = sp.symbols("slip more length", positive=True)
+    assert rules.fall(sp.exp(-slip / length), slip, more) == -sp.exp(-slip / length) * Expm1(-more / length)
+    found = rules.fall(1 / (1 + slip / length) ** 2, slip, more)
+    assert not any(term.could_extract_minus_sign() for total in found.atoms(sp.Add) for term in total.args)
+
+
+def test_a_wrong_fall_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = sp.factor
+    monkeypatch.setattr(sp, "factor", lambda e: right(e) * (1 + alpha / 10**6))
+    with pytest.raises(ProofError, match="fall of exp"):
+        rules.fall(sp.exp(-t), t, alpha)
 
 
 REMAINDERS = [

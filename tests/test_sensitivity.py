@@ -21,7 +21,6 @@ from mpmath import mpf
 import slipcircle
 from derive.algebra import integrate
 from derive.algebra import sensitivity as derived
-from derive.code import functions
 from generated import sensitivity as slopes
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.__main__ import main

@@ -13,7 +13,7 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.prove import prove_zero, refute
-from derive.algebra.remainders import HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
+from derive.algebra.remainders import Expm1, HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
@@ -180,6 +180,24 @@ def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
                     product *= Horner.of(coefficients, TAU**2) ** (sign * n)
         found.append((product * (1 + c) ** ends).subs(TAU, HalfTan(alpha)))
     return sp.Add(*found)
+
+
+def fall(function: sp.Expr, x: sp.Symbol, more: sp.Symbol) -> sp.Expr:
+    """function(x) - function(x + more) without cancellation, proved: a factor, the decaying exponentials kept whole.
+
+    Each exponential that decays is one symbol while the difference is factored, so that the larger is pulled out of
+    the difference of two; what is left of it is an Expm1.
+    """
+    difference = function - function.subs(x, x + more)
+    difference = difference.replace(sp.exp, lambda e: sp.expand_power_exp(sp.exp(sp.expand(e))))
+    kept = {e: sp.Dummy(positive=True) for e in sorted(difference.atoms(sp.exp), key=sp.default_sort_key)}
+    back = {symbol: e for e, symbol in kept.items()}
+    result = sp.factor(difference.subs(kept))
+    for symbol, e in back.items():
+        result = result.subs({symbol - 1: Expm1(e.exp), 1 - symbol: -Expm1(e.exp)})
+    result = result.subs(back)
+    prove_zero(sp.expand_power_exp(sp.expand(unfold(result) - difference)), f"the fall of {function}")
+    return result
 
 
 def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:

@@ -10,12 +10,25 @@ from derive.algebra import dynamics
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.phase import CONSTANT, ENERGIES, WATER
 from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import stable
+from derive.algebra.rules import fall, stable
 from derive.approximate.programs import variants
 from derive.check.rounding import Record
 from derive.code.emit import Function
 from derive.code.program import Program, operations, program
-from derive.declare.effects import EFFECTS, LAWS, ORDER, PRESS, VALUE, Effect, Law, Parameter, formulas, specialised
+from derive.declare.effects import (
+    EFFECTS,
+    LAWS,
+    MORE,
+    ORDER,
+    PRESS,
+    SLIP,
+    VALUE,
+    Effect,
+    Law,
+    Parameter,
+    formulas,
+    specialised,
+)
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 from derive.judge.appendices import APPENDICES, parse
@@ -225,8 +238,9 @@ def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str
         if law.coefficient is not None:
             order = ("slip", "more", "speed", *(p.name for p in law.parameters))
             found.append(_specialised(f"friction_{law.name}", law.coefficient, f"friction: {law.help}", order))
-        if law.drop is not None:
-            found.append(_specialised(f"drop_{law.name}", law.drop, "its fall over `more` slip, from `slip`", order))
+            if "slip" in law.depends_on:
+                drop = fall(law.coefficient, SLIP, MORE)
+                found.append(_specialised(f"drop_{law.name}", drop, "its fall over `more` slip, from `slip`", order))
     known = {v.name for v in variants.values()}
     for chosen, served in table.items():
         if "rotation" not in chosen or {"damping", "fall", "pressurisation"} & set(served):

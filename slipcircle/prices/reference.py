@@ -11,9 +11,8 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
-
 from generated.definitions import CLOSED, QUOTIENTS
+from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
