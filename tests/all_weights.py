@@ -1,9 +1,9 @@
-"""Every weight that a moment may have, declared in a copy of the project and nowhere else: what follows from that alone.
+"""Every weight that a moment may have, declared in a copy of the project: what follows from that alone.
 
     python tests/all_weights.py [WEIGHT ...] [--keep FOLDER]
 
-adds for each weight (r, r*sin(theta), r*cos(theta), ... r**5*cos(theta); default: all 15) one `Moment` to the copy's list,
-runs ``python -m derive`` there, and prints the closed form, the proved bound of each tier, and the worst error beside
+adds for each weight (r, r*sin(theta), r*cos(theta), ... r**5*cos(theta); default: all 15) one `Moment` to the copy, runs
+``python -m derive`` there, and prints the closed form, the proved bound of each tier, and the worst error beside
 quadrature of the double integral, as this machine runs it. The exit status is 1 if more is seen than proved, or if the
 best tier is above 1 ulp.
 """
@@ -32,7 +32,8 @@ from flint import ctx
 from generated import _compiled, definitions, kernels, tiers
 rng = np.random.default_rng(7)
 half = np.pi / 2
-alpha = np.concatenate([rng.uniform(0, half, 150), 10 ** rng.uniform(-100, -1, 40), half - 10 ** rng.uniform(-15, 0, 40)])
+parts = rng.uniform(0, half, 150), 10 ** rng.uniform(-100, -1, 40), half - 10 ** rng.uniform(-15, 0, 40)
+alpha = np.concatenate(parts)
 found = {}
 for name in sys.argv[1:]:
     exact = [oracle.kernel(name, x) for x in alpha.tolist()]
@@ -107,10 +108,11 @@ def follow(root: Path, weights: Sequence[str]) -> dict[str, dict[str, tuple[floa
 
 def faults(found: dict[str, dict[str, tuple[float, float]]]) -> list[str]:
     """More seen than proved; a best tier above 1 ulp, fused."""
-    wrong = [f"{name}, {tier}: {seen:.3g} is more than {proved:.3g}"
-             for name, tiers in found.items() for tier, (seen, proved) in tiers.items() if not seen <= proved]  # fmt: skip
-    return wrong + [f"{name}: best tier {tiers['best, fused'][1]} ulp" for name, tiers in found.items()
-                    if tiers.get("best, fused", (0, 0))[1] > 1]  # fmt: skip
+    wrong = []
+    for name, tiers in found.items():
+        wrong += [f"{name}, {tier}: {s:.3g} is more than {p:.3g}" for tier, (s, p) in tiers.items() if not s <= p]
+        wrong += [f"{name}: {p} ulp" for tier, (_, p) in tiers.items() if tier == "best, fused" and p > 1]
+    return wrong
 
 
 def main() -> int:

@@ -1,7 +1,7 @@
 """Independent references: quadrature of the raw definitions in ball arithmetic, and the equation of motion in mpmath.
 
-Nothing here knows more than the declared weights: no closed form, no stable form, no line of generated text. Arguments are floats, taken as the exact
-numbers that they are.
+Nothing here knows more than the declared weights: no closed form, no stable form, no line of generated text. Arguments
+are floats, taken as the exact numbers that they are.
 """
 
 from collections.abc import Callable

@@ -33,7 +33,6 @@ def nearest(x: arb) -> float:
     return float(Fraction(int(man)) * Fraction(2) ** int(exp))
 
 
-
 def evaluate(expression: sp.Expr, x: Any) -> Any:
     """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine.
 

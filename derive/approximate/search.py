@@ -141,9 +141,11 @@ def started(kernel: Kernel, seam: float) -> Best:
 
 def falls(variant: Variant, seam: float) -> bool:
     """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
+    if len(variant.definition) > 1:
+        return False
     near = 1000 if variant.form == "fused" else 1
     alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
-    return len(variant.definition) == 1 and bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
+    return bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:

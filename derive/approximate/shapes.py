@@ -13,17 +13,28 @@ from dataclasses import asdict, dataclass
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 import sympy as sp
 from flint import arb, ctx, fmpq_series
 
 from derive.algebra.integrate import closed_forms
-from derive.approximate.minimax import GUARD, Samples, evaluate, exact, grid, horner, minimax, nearest, rounded, sample
+from derive.approximate.minimax import (
+    GUARD,
+    Function,
+    Samples,
+    evaluate,
+    exact,
+    grid,
+    horner,
+    minimax,
+    nearest,
+    rounded,
+    sample,
+)
 from derive.approximate.minimax import value as at
 from derive.check import truth
 from derive.check.proof import ProofError
-from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
+from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import alpha
 
 HALF_PI = truth.TOP
@@ -45,7 +56,7 @@ class Kernel:
 def kernels() -> list[Kernel]:
     """All that are certified: the base quantities and their quotients."""
     closed = closed_forms()
-    definitions = {x.kernel[0]: x.definition for x in (*MOMENTS, RESISTANCE) if not isinstance(x, Moment) or x.certified}
+    definitions = {m.kernel[0]: m.definition for m in MOMENTS if m.certified} | {RESISTANCE.name: RESISTANCE.definition}
     found = [Kernel(name, (closed[name],), definition) for name, definition in definitions.items()]
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
@@ -180,7 +191,7 @@ def text() -> str:
 # --- fits ----------------------------------------------------------------------------------------------------------
 
 
-def scaled(closed: sp.Expr, wanted: Fraction) -> Any:
+def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
     """F/alpha**3 as a function of alpha**2, times what makes `wanted` its limit at 0."""
     factor = exact(wanted / limit(closed))
     return lambda u: factor * at(closed, u.sqrt()) / (u * u.sqrt())
@@ -214,7 +225,7 @@ def cheap_samples(closed: sp.Expr, above: int, below: int) -> Samples:
     function = scaled(closed, limit(closed))
     with ctx.workprec(GUARD):
         largest = (arb.pi() / 2) ** 2
-        place = (lambda w: largest - w) if below else (lambda u: u)
+        place: Function = (lambda w: largest - w) if below else (lambda u: u)
         points = grid(arb(0), largest, above + below, 2)
         return sample(lambda z: function(place(z)), lambda z: 1 / function(place(z)), points)
 
@@ -230,7 +241,8 @@ def cheap_fit(closed: sp.Expr, above: int, below: int) -> tuple[tuple[float, ...
 class FarFit:
     """F = (slope alpha + line) + (constant + tilt b + b (slope - bend b) + b**power (R + b**(2 shift) Q ln(scale b))).
 
-    The product with slope and bend is there where F is even in b. R and Q in b**2, of b = fl(pi/2) - alpha as it is computed: pi/2 - fl(pi/2) is folded in, the tilt among it.
+    The product with slope and bend is there where F is even in b. R and Q in b**2, of b = fl(pi/2) - alpha as it is
+    computed: pi/2 - fl(pi/2) is folded in, the tilt among it.
     """
 
     constant: float

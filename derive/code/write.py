@@ -81,10 +81,10 @@ def proofs() -> list[Record]:
 def tiers_module(records: Iterable[Record], digest: str) -> str:
     """What the run time must know of the proofs, and of which C source they speak."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
-    for r in records:
-        bound, ulp = r["bound"], ULP.get(r["tier"])
-        forms = kernels.setdefault(r["kernel"], {}).setdefault(r["tier"], {})
-        forms[r["form"]] = (bound * ulp, bound) if ulp else (bound, None)
+    for record in records:
+        bound, ulp = record["bound"], ULP.get(record["tier"])
+        forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
+        forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
     for kernel, tiers in kernels.items():
         lines += [f"    {kernel!r}: {{\n", *(f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()), "    },\n"]

@@ -48,14 +48,13 @@ class Moment:
         """
         power = sp.degree(self.weight, r) if self.weight.is_polynomial(r) else sp.Integer(0)
         turn = self.weight / r**power
-        straight, turned = turn == 1, turn in (sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(theta))
-        if not (1 <= power <= HIGHEST and (straight or turned)):
-            raise ProofError(f"{self.name}: weight that can be certified", self.weight,
-                             f"r**n, +-r**n*sin(theta) or +-r**n*cos(theta), n = 1 to {HIGHEST}; a factor belongs to "
-                             "what uses the moment, and certified=False asks for a function that is sampled only")  # fmt: skip
+        turned = turn in (sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(theta))
+        if not (1 <= power <= HIGHEST and (turn == 1 or turned)):
+            wanted = f"r**n, +-r**n*sin(theta) or +-r**n*cos(theta), n = 1 to {HIGHEST}, or certified=False"
+            raise ProofError(f"{self.name}: weight that can be certified", self.weight, wanted)
         if turned != (self.amplitude is not None):
-            raise ProofError(f"{self.name}: amplitude of the weight {self.weight}", self.amplitude,
-                             "a name and a symbol" if turned else "none: the weight does not turn")  # fmt: skip
+            wanted = "a name and a symbol" if turned else "none, as the weight does not turn"
+            raise ProofError(f"{self.name}: amplitude of the weight {self.weight}", self.amplitude, wanted)
         return (f"r^{power}{' cos u' if turned else ''}",)
 
 

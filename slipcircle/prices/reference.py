@@ -11,8 +11,9 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from generated.definitions import CLOSED, QUOTIENTS
 from numpy.typing import NDArray
+
+from generated.definitions import CLOSED, QUOTIENTS
 
 Floats = NDArray[np.float64]
 

@@ -8,10 +8,10 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from generated.definitions import CLOSED, INTEGRANDS, QUOTIENTS
 from numpy.typing import NDArray
 
 from generated import _compiled, kernels, motion, printed, stable, tiers
+from generated.definitions import CLOSED, INTEGRANDS, QUOTIENTS
 from slipcircle.prices import reference
 from slipcircle.prices.reference import Floats, Reference
 
