@@ -2,8 +2,8 @@
 
     python tests/all_weights.py [WEIGHT ...] [--keep FOLDER]
 
-adds for each weight (r, r*sin(theta), r*cos(theta), ... r**5*cos(theta); default: all 15) one `Moment` to the copy, runs
-``python -m derive`` there, and prints the closed form, the proved bound of each tier, and the worst error beside
+adds for each weight (r, r*sin(theta), r*cos(theta), ... r**5*cos(theta); default: all 15) one `Moment` to the copy,
+runs ``python -m derive`` there, and prints the closed form, the proved bound of each tier, and the worst error beside
 quadrature of the double integral, as this machine runs it. The exit status is 1 if more is seen than proved, or if the
 best tier is above 1 ulp.
 """
