@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 
 from derive.approximate.programs import variants
 from derive.approximate.shapes import kernels as kernels_of_alpha
-from derive.check import certify, exact, truth
-from derive.check.certify import QUARTER, SMALL, TIERS, UNDERFLOW
-from derive.check.rounding import Record
+from derive.check import exact, truth
+from derive.check.certify import QUARTER, SMALL, UNDERFLOW
+from derive.check.records import TIERS, Record, read
 from derive.check.truth import SEGMENTS, TOP
 from generated import _compiled, kernels
 
@@ -41,7 +41,7 @@ INTERPRETED = 10  # the exact interpreter, which serves where there is no binary
 @cache
 def records() -> tuple[Record, ...]:
     """All certificates."""
-    return tuple(r for path in sorted(certify.FOLDER.glob("*.json")) for r in certify.read(path))
+    return tuple(read())
 
 
 # --- inputs ----------------------------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import HALF_PI, kernels, records
 from derive.check import exact
-from derive.check.certify import TIERS
+from derive.check.records import TIERS
 from derive.code import emit
 from derive.code.program import Op
 

@@ -16,13 +16,14 @@ import oracle
 import pytest
 from flint import arb, ctx
 
+from derive.approximate import certificates
 from derive.approximate.programs import Variant, variants
-from derive.check import certificates, certify, exact, proof, rounding, truth
+from derive.check import certify, exact, proof, records, rounding, truth
 from derive.check.proof import ProofError
-from derive.check.rounding import Record
+from derive.check.records import Record, digest, read
 from derive.check.truth import SEGMENTS, TOP
 
-RECORDS = [record for path in sorted(certify.FOLDER.glob("*.json")) for record in certify.read(path)]
+RECORDS = read()
 DEFINITIONS = {r["kernel"]: tuple(r["definition"]) for r in RECORDS}
 BASES = [kernel for kernel, definition in DEFINITIONS.items() if len(definition) == 1]
 ANGLES = (1e-3, 0.01, 0.2, 0.25, 0.6, 1.0, 1.4, 1.57, TOP - 2.0**-40, TOP - 2.0**-52, TOP)
@@ -278,7 +279,7 @@ def test_only_a_logarithm_is_assumed() -> None:
 
 def sealed(record: Record) -> Record:
     """With the digest of what it says now, so that no other check can lean on it."""
-    return record | {"sha256": certify.digest(record)}
+    return record | {"sha256": digest(record)}
 
 
 def refused(record: Record) -> str:
@@ -391,7 +392,7 @@ def test_what_is_no_program_is_refused() -> None:
 # --- independence --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("module", [certify, rounding, truth, proof])
+@pytest.mark.parametrize("module", [certify, rounding, truth, proof, records])
 def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
     for node in ast.walk(ast.parse(Path(module.__file__).read_text("utf-8"))):
         if isinstance(node, ast.ImportFrom):
@@ -402,5 +403,12 @@ def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
             names = {a.name for a in node.names}
         else:
             continue
-        own = {"derive.check.certify", "derive.check.rounding", "derive.check.truth", "derive.check.proof", "flint"}
+        own = {
+            "derive.check.certify",
+            "derive.check.rounding",
+            "derive.check.truth",
+            "derive.check.proof",
+            "derive.check.records",
+            "flint",
+        }
         assert {n for n in names if n.partition(".")[0] not in sys.stdlib_module_names} <= own

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +12,11 @@ import sympy as sp
 
 from derive import __main__ as command
 from derive.algebra import integrate, rules
-from derive.approximate import programs, shapes
+from derive.approximate import certificates, programs, shapes
 from derive.approximate.shapes import Kernel
-from derive.check import certificates, certify, truth
+from derive.check import certify, truth
 from derive.check.proof import ProofError
+from derive.check.records import TIERS, read
 from derive.code import write
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
@@ -40,8 +42,8 @@ def test_a_definition_that_is_not_the_checker_s(monkeypatch: pytest.MonkeyPatch)
     right = kernel("polar_moment")
     assert shapes.agree(right) == truth.TERMS + 5
     for wrong in (right.closed[0] * (1 + sp.Rational(1, 10**30)), right.closed[0] + alpha**35 / 10**40):
-        fires(lambda wrong=wrong: shapes.agree(replace(right, closed=(wrong,))), right.name, "the checker's definition")
-    fires(lambda: shapes.agree(replace(right, definition=("r^3",))), right.name, "the checker's definition")
+        fires(partial(shapes.agree, replace(right, closed=(wrong,))), right.name, "the checker's definition")
+    fires(partial(shapes.agree, replace(right, definition=("r^3",))), right.name, "the checker's definition")
     exactly = truth.exactly
     monkeypatch.setattr(truth, "exactly", lambda statement, *x: exactly(statement, *x) * 3)
     truth.at_zero.cache_clear()
@@ -58,7 +60,7 @@ def test_a_stable_form_that_is_not_its_closed_form() -> None:
           "radial_weight_amplitude", "stable form")  # fmt: skip
 
 
-@pytest.mark.parametrize("tier", certify.TIERS)
+@pytest.mark.parametrize("tier", TIERS)
 def test_a_bound_above_its_tier_s_goal(tier: str) -> None:
     """What spoils lambda by a thousandth of alpha**2 is proved 2.5e-3, and refused where 1e-6 is promised."""
     right = kernel("resistance_factor")
@@ -68,7 +70,7 @@ def test_a_bound_above_its_tier_s_goal(tier: str) -> None:
 
 
 def test_the_checker_knows_the_goals_too() -> None:
-    record = next(r for r in certify.read(certify.FOLDER / "resistance_factor.json") if r["tier"] == "1e-6")
+    record = next(r for r in read() if (r["kernel"], r["tier"]) == ("resistance_factor", "1e-6"))
     fires(lambda: certify.prove(record | {"bound": 2e-6}), "resistance_factor", "goal of tier 1e-6 fused")
 
 

@@ -12,11 +12,12 @@ import seen
 from flint import arb, ctx
 from seen import BASES, DEFINITIONS, KERNELS, LAST_SINGLE, Inputs, Numbers, Reference, Run, Seen
 
+from derive.approximate import certificates
 from derive.approximate.programs import variants
 from derive.approximate.shapes import kernels as kernels_of_alpha
 from derive.approximate.shapes import limit as limit_at_0
 from derive.approximate.shapes import near_fit, records
-from derive.check import certificates, exact, truth
+from derive.check import exact, truth
 from derive.check.truth import TOP
 from derive.code.program import Op, Program
 from generated import _compiled, kernels

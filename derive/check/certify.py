@@ -12,28 +12,24 @@ within their bounds (mean value theorem, so that nothing of higher order is drop
 an operation that computes the rounding error of another one *is* that n_i, so compensation counts.
 """
 
-import hashlib
 import heapq
-import json
 import math
 import time
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from pathlib import Path
 
 from flint import arb
 
 from derive.check import rounding, truth
 from derive.check.proof import ProofError
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest, read, rejected
 from derive.check.rounding import (
     DOWN,
-    LOG_ULPS,
     ROUNDING_BITS,
     TINY,
     UP,
-    Record,
     Tape,
     Unbounded,
     Undecided,
@@ -41,53 +37,10 @@ from derive.check.rounding import (
 )
 from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
 
-FOLDER = Path(__file__).resolve().parent.parent.parent / "generated" / "certificates"
-
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
 UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds
 VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
-ASSUMPTIONS = {"log": f"np.log within {LOG_ULPS} ulp"}
-
-
-@dataclass(frozen=True)
-class Tier:
-    """A tier of accuracy: the unit of its bounds and what they promise, on the whole domain and up to pi/4."""
-
-    unit: str
-    fused: float
-    other: float  # plain, and in NumPy
-    quotient: float  # fused
-    quarter: float  # fused, and no quotient
-
-    def goals(self, record: Record) -> dict[str, float]:
-        """The largest bounds that a certificate may have."""
-        if record["form"] != "fused":
-            return {"bound": self.other}
-        if len(record["definition"]) > 1:
-            return {"bound": self.quotient}
-        return {"bound": self.fused, "bound_to_quarter_pi": self.quarter}
-
-
-TIERS = {
-    "best": Tier("ulp", 1.0, 5.0, 1.25, 0.65),
-    "1e-10": Tier("relative", 1e-10, 1e-10, 1e-10, 1e-10),
-    "1e-6": Tier("relative", 1e-6, 1e-6, 1e-6, 1e-6),
-    "float32": Tier("ulp of float32", 0.505, 0.505, 0.505, 0.505),
-}
-
-
-def rejected(check: str, record: Record, found: object, wanted: object) -> ProofError:
-    """The refusal of a certificate by one of the checks."""
-    words = " ".join(str(record[key]) for key in ("tier", "form"))
-    return ProofError(f"{record['kernel']}: {check} of tier {words}", found, wanted, check)
-
-
-def check_goals(record: Record) -> None:
-    """Raise `ProofError` where a bound is above what its tier promises."""
-    for claim, goal in TIERS[record["tier"]].goals(record).items():
-        if not record[claim] <= goal:
-            raise rejected("goal", record, f"{claim} {record[claim]:.4g}", f"at most {goal:g}")
 
 
 # --- the parts of the domain ---------------------------------------------------------------------------------------
@@ -420,24 +373,7 @@ def halve(record: Record, every: list[Patch], halvings: int) -> tuple[dict[str, 
     return found, worst
 
 
-def digest(record: Record) -> str:
-    """sha256 of what is certified: kernel, definition, tier, form, operations and output."""
-    certified = [record[key] for key in ("kernel", "definition", "tier", "form", "operations", "output")]
-    return hashlib.sha256(json.dumps(certified, separators=(",", ":")).encode()).hexdigest()
-
-
-def assumptions(record: Record) -> list[str]:
-    """What the proof takes for granted, from the calls that the program makes."""
-    called = {value for kind, _, value in record["operations"] if kind == "call"}
-    return [words for call, words in ASSUMPTIONS.items() if call in called]
-
-
-# --- files and command line ----------------------------------------------------------------------------------------
-
-
-def read(path: Path) -> list[Record]:
-    """The records of one certificate file."""
-    return list(json.loads(path.read_text(encoding="utf-8"))["certificates"])
+# --- command line --------------------------------------------------------------------------------------------------
 
 
 def judge(record: Record) -> tuple[Record, Bounds | ProofError, float]:
@@ -450,9 +386,9 @@ def judge(record: Record) -> tuple[Record, Bounds | ProofError, float]:
     return record, result, time.perf_counter() - start
 
 
-def prove_all(folder: Path = FOLDER, processes: int = 2) -> bool:
-    """Prove every certificate of a folder and print a table; true if none is rejected."""
-    records = [record for path in sorted(folder.glob("*.json")) for record in read(path)]
+def prove_all(processes: int = 2) -> bool:
+    """Prove every certificate and print a table; true if none is rejected."""
+    records = read()
     start, accepted = time.perf_counter(), bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
     with ProcessPoolExecutor(processes) as pool:

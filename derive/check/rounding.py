@@ -14,14 +14,12 @@ from typing import Any, NamedTuple
 from flint import arb, arb_series, fmpq
 
 from derive.check import truth
+from derive.check.records import LOG_ULPS, Record
 from derive.check.truth import ball, working
-
-Record = dict[str, Any]
 
 ROUNDING_BITS = 80  # precision of the balls
 UP, DOWN = 1 + 2.0**-40, 1 - 2.0**-40  # more than all roundings of the float arithmetic done on bounds
 TINY = 2.0**-1074
-LOG_ULPS = 4  # what np.log is assumed to keep
 PRODUCTS = ("mul", "div", "fma", "error", "sqrt", "log")  # what may underflow; sums are exact there
 
 

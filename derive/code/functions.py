@@ -12,7 +12,7 @@ from derive.algebra.phase import CONSTANT, ENERGIES, WATER
 from derive.algebra.remainders import RoundingError
 from derive.algebra.rules import fall, stable
 from derive.approximate.programs import variants
-from derive.check.rounding import Record
+from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, operations, program
 from derive.declare.effects import (

@@ -12,9 +12,9 @@ import sympy as sp
 
 from derive.algebra import sensitivity
 from derive.algebra.integrate import closed_forms
+from derive.approximate import certificates
 from derive.approximate.programs import variants
-from derive.check import certificates, certify
-from derive.check.rounding import Record
+from derive.check.records import Record, read
 from derive.code import emit, emit_c, functions
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
 from derive.declare.symbols import r, theta
@@ -74,8 +74,7 @@ ULP = {"best": 2.0**-52, "float32": 2.0**-23}
 
 def proofs() -> list[Record]:
     """The record of every variant: one that is there holds as long as its operations do (`prove` proves it again)."""
-    there = [record for path in sorted((FOLDER / "certificates").glob("*.json")) for record in certify.read(path)]
-    return certificates.records(variants(), there)
+    return certificates.records(variants(), read())
 
 
 def tiers_module(records: Iterable[Record], digest: str) -> str:

@@ -14,9 +14,9 @@ from flint import arb, ctx
 
 from derive.approximate.programs import Variant
 from derive.check import certify, exact, truth
-from derive.check.certify import TIERS, Worst
+from derive.check.certify import Worst
 from derive.check.exact import Floats
-from derive.check.rounding import Record
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 
 
 def plain(variant: Variant) -> Record:
@@ -29,7 +29,7 @@ def plain(variant: Variant) -> Record:
         "kernel": variant.kernel, "definition": list(variant.definition), "tier": variant.tier, "form": variant.form,
         "output": variant.program.outputs[0], "operations": operations,
     }  # fmt: skip
-    return record | {"assumptions": certify.assumptions(record), "sha256": certify.digest(record)}
+    return record | {"assumptions": assumptions(record), "sha256": digest(record)}
 
 
 def round_up(x: float) -> float:
@@ -50,7 +50,7 @@ def certified(variant: Variant) -> Record:
     record["bound"] = round_up(bounds.whole)
     record["bound_to_quarter_pi"] = round_up(bounds.quarter)
     record["bound_underflow"] = round_up(certify.below_underflow(record, record["bound"]))
-    certify.check_goals(record)
+    check_goals(record)
     if variant.form != "numpy":  # whose logarithm is not the same everywhere
         alpha, error = worst(variant, boxes)
         record["witness"] = {"alpha": alpha.hex(), "error": round_up(error)}
