@@ -55,8 +55,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
     for kernel in shapes.kernels():
         timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
-        if anew or kernel.definition not in shapes.records():
-            timed(kernel.name, "search", "{0}", search.search, kernel)
+    timed("kernels", "search", "shapes found anew: {0}", search.complete, anew)
     kernels = {f.program.name: f for f in functions.kernels()}
     for name, closed in integrate.closed_forms().items():
         form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)

@@ -32,7 +32,7 @@ WHOLE = {"theta_1": 4, "theta_2": 5, "alpha": 1, "a": -1, "t": 0}
 
 
 @cache
-def derived() -> dict[str, str]:
+def derived(*_: bool) -> dict[str, str]:
     """What `python -m derive` would write."""
     return derive_all()
 
