@@ -15,8 +15,8 @@ from flint import arb, ctx
 from derive.approximate.approximants import Variant
 from derive.check import certify, exact, truth
 from derive.check.certify import UNITS, Worst
-from derive.check.exact import Floats
 from derive.check.rounding import Record
+from derive.code.arithmetic import Floats
 
 
 def plain(variant: Variant) -> Record:

@@ -32,7 +32,7 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels, motion = functions.kernels(derivations, proved), functions.motion()
     closed = functions.closed_amplitudes(derivations)
-    c_source = emit_c.source(variants())
+    c_source = emit_c.source(variants(), functions.comments(kernels, proved))
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
@@ -49,6 +49,7 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "py.typed": "",
     }  # fmt: skip
     texts |= certificates.files(proved)
+    texts = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
