@@ -15,8 +15,8 @@ from flint import arb, ctx
 from derive.approximate.programs import Variant
 from derive.check import certify, exact, truth
 from derive.check.certify import Worst
-from derive.check.exact import Floats
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
+from derive.code.arithmetic import Floats
 
 
 def plain(variant: Variant) -> Record:

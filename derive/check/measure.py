@@ -16,8 +16,8 @@ SAMPLES = (1e-300, 1e-100, 1e-8, 1e-4, 1e-2, 0.1, 0.3, 0.5385, 0.7, 0.7610127, 0
 
 def run(program: Program, *args: np.ndarray) -> np.ndarray:
     """Execute the text emitted for a program."""
-    space: dict[str, object] = {"np": np, "Array": np.ndarray}
-    exec(emit.body(program), space)
+    space: dict[str, object] = {"np": np, "Array": np.ndarray, "horner": emit.HELPERS["horner"]}
+    exec(emit.PythonText().body(program), space)
     with np.errstate(under="ignore"):
         return space[f"_{program.name}"](*args)  # type: ignore[operator]
 

@@ -94,6 +94,20 @@ def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
     )
 
 
+def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tuple[str, str, str], str]:
+    """What stands above each compiled program: formula, interval, proved bound and certificate."""
+    known = {f.program.name: f for f in kernels}
+    found = {}
+    for r in proved:
+        f, tier = known[r["kernel"]], r["tier"]
+        unit = "relative" if tier[0] == "1" else "ulp"
+        found[r["kernel"], tier, r["form"]] = (
+            f"{f.formula.rstrip('.')}, 0 <= alpha <= pi/2, {tier}, {r['form']}: "
+            f"proved within {r['bound']:.3g} {unit} (certificates/{r['kernel']}.json)"
+        )
+    return found
+
+
 def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
     """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
     forms = {name: stable(form) for name, form in closed.items()}

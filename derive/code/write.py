@@ -34,7 +34,7 @@ PRINTED = "The paper's own forms, as printed, for comparison only: they cancel a
 def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
-    c_source = emit_c.source(variants())
+    c_source = emit_c.source(variants(), functions.comments(kernels, proved))
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "definitions.py": definitions_module(closed),
@@ -52,6 +52,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "py.typed": "",
     }  # fmt: skip
     texts |= certificates.files(proved)
+    texts = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
