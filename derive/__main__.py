@@ -107,7 +107,7 @@ def main(argv: list[str] | None = None) -> int:
     command("prove", "prove the error bounds of the kernels again, from their certificates alone")
     options = parser.parse_args(argv)
     if options.command == "prove":
-        from derive.check.certify import prove_all
+        from derive.check.table import prove_all
 
         return 0 if prove_all() else 1
     if options.command == "verify":

@@ -14,22 +14,21 @@ an operation that computes the rounding error of another one *is* that n_i, so c
 
 import heapq
 import math
-import time
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import Any
 
-from flint import arb
+from flint import arb, arb_series
 
 from derive.check import rounding, truth
-from derive.check.proof import ProofError
-from derive.check.records import TIERS, Record, assumptions, check_goals, digest, read, rejected
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest, rejected
 from derive.check.rounding import (
     DOWN,
     ROUNDING_BITS,
     TINY,
     UP,
+    VALUE,
     Tape,
     Unbounded,
     Undecided,
@@ -75,6 +74,19 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
         else:
             found.append((a, b, tape))
     return found
+
+
+def ideal(tape: Tape, centre: arb) -> list[arb]:
+    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
+    done: list[Any] = []
+    for node in tape:
+        if node.kind == "x":
+            done.append(arb_series([centre, 1]))
+        elif node.kind in VALUE:
+            done.append(VALUE[node.kind](*(done[a] for a in node.args)))
+        else:  # a constant, or an error, which there is none of
+            done.append(arb_series([arb(node.value if node.kind == "const" else 0)]))
+    return truth.coefficients(done[-1])
 
 
 @dataclass(frozen=True)
@@ -139,7 +151,7 @@ def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, up
     with working(BITS):
         order = degree if segment.lower == 0 else 0
         fat = ball(min(lower, segment.centre), max(upper, segment.centre))
-        own = truth.model(rounding.ideal(tape, arb(segment.centre)), rounding.ideal(tape, fat), order)
+        own = truth.model(ideal(tape, arb(segment.centre)), ideal(tape, fat), order)
         if second is None:
             difference = Model(own.main - first.main, own.last - first.last, own.power)
         else:  # (P - F1/F2) F2
@@ -371,35 +383,3 @@ def halve(record: Record, every: list[Patch], halvings: int) -> tuple[dict[str, 
         for _, number, lower, upper in heapq.nsmallest(16, of_patch.values()):
             worst.append(Worst(lower, upper, every[number].top > 0))
     return found, worst
-
-
-# --- command line --------------------------------------------------------------------------------------------------
-
-
-def judge(record: Record) -> tuple[Record, Bounds | ProofError, float]:
-    """A record, what came of its proof, and the seconds that it took."""
-    start = time.perf_counter()
-    try:
-        result: Bounds | ProofError = prove(record)
-    except ProofError as refusal:
-        result = refusal
-    return record, result, time.perf_counter() - start
-
-
-def prove_all(processes: int = 2) -> bool:
-    """Prove every certificate and print a table; true if none is rejected."""
-    records = read()
-    start, accepted = time.perf_counter(), bool(records)
-    print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
-    with ProcessPoolExecutor(processes) as pool:
-        for record, result, seconds in pool.map(judge, records):
-            name = f"{record['kernel']:<32} {record['tier']:<8} {record['form']:<6}"
-            if isinstance(result, ProofError):
-                accepted = False
-                print(f"{name} REJECTED: {result}")
-            else:
-                claimed_too = f"{record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
-                print(f"{name} {result.whole:>9.4g} {claimed_too}  {TIERS[record['tier']].unit:<14} {seconds:>7.2f}")
-    print(f"{len(records)} certificates, {'all proved' if accepted else 'NOT all proved'}, ", end="")
-    print(f"{time.perf_counter() - start:.1f} s with {processes} processes")
-    return accepted

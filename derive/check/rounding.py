@@ -11,9 +11,8 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from flint import arb, arb_series, fmpq
+from flint import arb, fmpq
 
-from derive.check import truth
 from derive.check.records import LOG_ULPS, Record
 from derive.check.truth import ball, working
 
@@ -393,16 +392,3 @@ def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
     if degrees[-1] != degree:
         raise Unbounded("near zero the program is not of the order of the kernel")
     return tuple(new)
-
-
-def ideal(tape: Tape, centre: arb) -> list[arb]:
-    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
-    done: list[Any] = []
-    for node in tape:
-        if node.kind == "x":
-            done.append(arb_series([centre, 1]))
-        elif node.kind in VALUE:
-            done.append(VALUE[node.kind](*(done[a] for a in node.args)))
-        else:  # a constant, or an error, which there is none of
-            done.append(arb_series([arb(node.value if node.kind == "const" else 0)]))
-    return truth.coefficients(done[-1])
