@@ -5,7 +5,8 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 ``quantities``, ``symbols``   what is derived, declared once as data
 ``integrate``                 definition -> closed form, each step proved
 ``rules``, ``remainders``     closed form -> form without cancellation, by named rules, each step proved
-``fit``, ``approximants``     stable form -> minimax polynomials and rationals for each tier of accuracy
+``minimax``, ``shapes``       closed form -> best polynomials and rationals, in the shapes that are recorded
+``programs``, ``search``      shapes -> the kernels' programs for each tier of accuracy; and where the shapes come from
 ``dynamics``, ``phase``       balance laws -> equation of motion -> its solutions in time and in the phase plane, proved
 ``effects``                   what a scene may ask for, declared once as data, and the balance of each combination
 ``sensitivity``               derivatives of the closed forms, proved
@@ -43,9 +44,11 @@ A moment of the mass: its weight in the double integral. At the end of ``MOMENTS
 
     Moment("area", "S*", "1.10", r, "area of the moving mass"),
 
-It is then a function of `generated`, sampled only. A certificate takes its shape in ``approximants`` and ``fit``, and
-its closed form in ``truth``.
+It is then a function of `generated` in every tier, each with its certificate, and a row of ``slipcircle cost`` and of
+``python -m derive hard``, and the tests compare it with quadrature. The first run searches for the shapes of its
+approximants (a minute) and records them. A weight with sin(theta) or cos(theta) names its amplitude too. Other weights
+than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused, or with ``certified=False`` sampled only.
 
-The tests know nothing of a declaration: they ask for the same again in words of their own, a moment's weight in
-``tests/oracle.py``, an effect's symbols in ``tests/test_specialised.py``, its term in ``tests/test_physics.py``.
+Of an effect the tests ask for the same again in words of their own, its symbols in ``tests/test_specialised.py``, its
+term in ``tests/test_physics.py``.
 """

@@ -6,6 +6,8 @@ import time
 from collections.abc import Callable
 from typing import TypeVar
 
+from derive.check.proof import ProofError
+
 T = TypeVar("T")
 
 
@@ -22,8 +24,13 @@ def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: objec
     return result
 
 
-def derive_all() -> dict[str, str]:
+def derive_all(anew: bool = False) -> dict[str, str]:
     """Derive and prove everything, and return the text of `generated`; progress goes to stderr.
+
+    Parameters
+    ----------
+    anew : bool
+        Whether the shapes of all kernels are searched for; else only those that have no record.
 
     Returns
     -------
@@ -36,19 +43,22 @@ def derive_all() -> dict[str, str]:
         If a step of the derivation does not hold.
     """
     from derive.algebra import dynamics, integrate, phase, rules, sensitivity
+    from derive.approximate import search, shapes
     from derive.check import measure
     from derive.code import functions, write
     from derive.declare.quantities import MOMENTS
     from derive.judge.appendices import APPENDICES, simplify
 
-    derivations = []
     for moment in MOMENTS:
         told = "operations {0.operations[0]} -> {0.operations[1]}"
         derivation = timed(moment.name, "integrate", told, integrate.derive, moment)
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
-        derivations.append(derivation)
-    kernels = {f.program.name: f for f in functions.kernels(derivations)}
-    for name, closed in functions.closed_amplitudes(derivations).items():
+    for kernel in shapes.kernels():
+        timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
+        if anew or kernel.definition not in shapes.records():
+            timed(kernel.name, "search", "{0}", search.search, kernel)
+    kernels = {f.program.name: f for f in functions.kernels()}
+    for name, closed in integrate.closed_forms().items():
         form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
         for step in form.steps:
             counts = " -> ".join(map(str, step.operations))
@@ -64,10 +74,9 @@ def derive_all() -> dict[str, str]:
     for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
                         ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
         timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
-    closed = functions.closed_amplitudes(derivations)
-    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(closed)))
+    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(integrate.closed_forms())))
     proved = timed("kernels", "certify", "", write.proofs)
-    return timed("generated", "emit", "", write.files, derivations, proved)
+    return timed("generated", "emit", "", write.files, proved)
 
 
 def binary() -> str:
@@ -88,6 +97,7 @@ def main(argv: list[str] | None = None) -> int:
         epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
+    parser.add_argument("--search", action="store_true", help="search for all shapes of approximants anew (minutes)")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
 
     def command(name: str, words: str) -> argparse.ArgumentParser:
@@ -115,15 +125,20 @@ def main(argv: list[str] | None = None) -> int:
 
         print(hard_report("json" if options.json else "table"))
         return 0
+    from derive.approximate import shapes
     from derive.code import write
 
     start = time.perf_counter()
-    texts = derive_all()
+    try:
+        texts = derive_all(options.search)
+    except ProofError as fault:
+        say(f"{fault}; nothing is written")
+        return 1
     if options.check:
-        diff = write.difference(texts)
+        diff = write.difference(texts) + write.difference({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
-    changed = write.write(texts)
+    changed = write.write(texts) + write.write({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
     timed("kernels", "compile", "{0}", binary)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")

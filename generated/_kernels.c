@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "0926378a030668ec9f81476563cf13fa07eedf9fd6b79a1c865c125873c24079"
+#define DIGEST "68ec55c4a44b321abbc0be3c0565fa428f10b3c25798e01539bd8e57038ffe27"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -117,147 +117,273 @@ INLINE double logarithm_fused(double b)
 }
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, fused:
- * proved within 0.83 ulp (certificates/polar_moment.json) */
-/* alpha < 0.93 */
+ * proved within 0.63 ulp (certificates/polar_moment.json) */
+/* alpha < 1.06 */
 INLINE double polar_moment_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY4(alpha_4, 0x1.35581eb7b9c4ep-11, 0x1.f97dd8a440e49p-20, 0x1.20dc3d60db7aap-25,
-        0x1.1cf83c1392ee5p-27, 0x1.5a4eb8d4fdf16p-30);
-    const double p2 = POLY4(alpha_4, -0x1.ce55c8ec1b57ap-8, -0x1.08db8c9edc7c7p-15, 0x1.ffc5bb85d3a0bp-25,
-        0x1.372e5bb516f5ap-30, -0x1.a3e7d0b8cee94p-29);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41edeap-5);
-    const double t3 = FMA(t2, alpha_2, -0x1.111111111111cp-2);
+    const double p1 = POLY5(alpha_4, 0x1.35581e11affcep-11, 0x1.f948b3dad684fp-20, 0x1.d3b86ab5c000bp-26,
+        -0x1.47aac75a405bfp-28, -0x1.901eb3e3eb095p-28, -0x1.193b19ef5c23bp-30);
+    const double p2 = POLY6(alpha_4, -0x1.ce55c8ea93fc3p-8, -0x1.08db39a994468p-15, 0x1.0b5b7c104b9c6p-24,
+        0x1.9b302f0b75252p-27, 0x1.1b3183a5c4eddp-27, 0x1.bd01f9ca630bbp-29, 0x1.74252957b0351p-33);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41d0e9p-5);
+    const double t3 = FMA(t2, alpha_2, -0x1.1111111111110p-2);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
-    const double t5 = -0x1.111111111111cp-2 - t3;
+    const double t5 = -0x1.1111111111110p-2 - t3;
     const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
     const double t7 = alpha_2 * t4;
     const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 0.93, in b = pi/2 - alpha */
+/* alpha >= 1.06, in b = pi/2 - alpha */
 INLINE double polar_moment_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY5(b_2, 0x1.55555555579d1p-2, -0x1.555555518e7c3p-3, 0x1.27d279e0496b5p-5,
-        -0x1.2834e1f3e1a60p-8, 0x1.80dce9acbd0ffp-12, -0x1.b16de590ed744p-16);
-    const double p2 = POLY5(b_2, -0x1.213ce230290f3p-7, 0x1.94ebfbb2ec66fp-4, -0x1.0ee086df8c2f9p-5,
-        0x1.556ffb39c3af9p-8, -0x1.058aebdba383ap-11, 0x1.1477caa143cfbp-15);
-    const double t1 = FMA(b * b_2, FMA(p1, logarithm_fused(b), p2), 0x1.ee6913347c2a6p-55);
-    return alpha + -0x1.0c152382d7366p-1 + t1;
+    const double p1 = POLY5(b_2, -0x1.213ce2316924dp-7, 0x1.94ebfb8ed1634p-4, -0x1.0ee08d6ddcdd4p-5,
+        0x1.556fa69a4a6aep-8, -0x1.058191e40d3cfp-11, 0x1.142a50dc4a9dep-15);
+    const double p2 = POLY5(b_2, 0x1.5555555554f26p-2, -0x1.55555559507f8p-3, 0x1.27d27519db656p-5,
+        -0x1.2835c7b8e7a0fp-8, 0x1.80dd0f969ca49p-12, -0x1.b08fc34d11d4dp-16);
+    const double t1 = FMA(b * b_2, FMA(p2, logarithm_fused(b), p1), 0x1.fab71f4a3269fp-7);
+    return alpha + -0x1.1400000000000p-1 + t1;
 }
 INLINE double polar_moment_best_fused(double alpha)
 {
     const double near = polar_moment_best_fused_near(alpha);
     const double far = polar_moment_best_fused_far(alpha);
-    return SELECT(alpha < 0x1.dc28f5c28f5c3p-1, near, far);
+    return SELECT(alpha < 0x1.0f5c28f5c28f6p+0, near, far);
 }
 #define polar_moment_best_fused_KIND pieces
-#define polar_moment_best_fused_BELOW_double UINT64_C(0x3fedc28f5c28f5c2)
-#define polar_moment_best_fused_BELOW_float UINT32_C(0x3f6e147a)
+#define polar_moment_best_fused_BELOW_double UINT64_C(0x3ff0f5c28f5c28f5)
+#define polar_moment_best_fused_BELOW_float UINT32_C(0x3f87ae14)
 
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, fused: proved within 0.783 ulp
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-10, fused:
+ * proved within 6.69e-11 relative (certificates/polar_moment.json) */
+INLINE double polar_moment_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY7(t1, 0x1.14aca4167a07fp-2, 0x1.6f67e48f11997p+3, 0x1.705f937528711p+6,
+        0x1.781f38b2a68b0p+7, 0x1.97881d28eb78fp+6, 0x1.15f5651c6c2b6p+4, 0x1.764b4fd12c227p+1,
+        0x1.e250654a0fa79p-5);
+    const double p2 = POLY7(t1, 1.0, 0x1.5185165bf6bccp+5, 0x1.47ee26059427dp+8, 0x1.283ecbb1b4392p+9,
+        0x1.4ea305d69d8f6p+7, -0x1.444345493560ap+5, 0x1.b9bc468114fd2p+1, -0x1.efcbe37812bdfp-4);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define polar_moment_1e_10_fused_KIND whole
+
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-6, fused:
+ * proved within 6.63e-07 relative (certificates/polar_moment.json) */
+INLINE double polar_moment_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555563e45ba3ep-1, -0x1.1116d4346c2b7p-2, 0x1.d5a56118ff0cbp-5,
+        -0x1.f6c43e68063fbp-8, 0x1.a45a7a5b48d87p-10, -0x1.f017539ffdb0bp-11, 0x1.e6addd2fd57c1p-12,
+        -0x1.01f8715011affp-13, 0x1.c6cb40d04487cp-17);
+    return p1 * alpha_2 * alpha;
+}
+#define polar_moment_1e_6_fused_KIND short
+
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
+ * fused: proved within 0.503 ulp (certificates/polar_moment.json) */
+INLINE double polar_moment_float32_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY7(t1, 0x1.14aca415ff9bep-2, 0x1.0a493d7acae63p+3, 0x1.7e9225dc641bdp+5,
+        0x1.1699441fb3d7bp+6, 0x1.db1c7a52b7740p+4, 0x1.933d9ee3bc318p+2, 0x1.dc0d095bd83c1p-1,
+        0x1.06bac513c89bdp-4);
+    const double p2 = POLY6(t1, 1.0, 0x1.e7e99b90416b4p+4, 0x1.4f42aae35dcb3p+7, 0x1.981502230ec47p+7,
+        0x1.060efdd46e2e3p+5, -0x1.62e6200f03a08p+2, 0x1.d7d31fc8e0f2ap-3);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define polar_moment_float32_fused_KIND whole
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, fused: proved within 0.864 ulp
  * (certificates/moment_of_inertia.json) */
-/* alpha < 1.0 */
+/* alpha < 1.04 */
 INLINE double moment_of_inertia_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY3(alpha_4, 0x1.1f7d05c72fc3ap-8, 0x1.1f0877c40acffp-15, 0x1.9465eeb660151p-24,
-        0x1.f3cdbf532eaf7p-34);
-    const double p2 = POLY4(alpha_4, -0x1.f1029e62cad66p-6, -0x1.d71607bd2727dp-12, -0x1.0e1fd712de8dbp-19,
-        -0x1.ed2a462794ae8p-29, -0x1.91e6b7ad796a6p-39);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.1e11e11e11e36p-3);
-    const double t3 = FMA(t2, alpha_2, -0x1.999999999999ap-2);
+    const double p1 = POLY3(alpha_4, 0x1.1f7d05c3f1e63p-8, 0x1.1f08650cd3114p-15, 0x1.941f1c14d0473p-24,
+        0x1.a8ba4759b0fdap-34);
+    const double p2 = POLY3(alpha_4, -0x1.f1029e62af137p-6, -0x1.d71606dd73949p-12, -0x1.0e1dd50de3f07p-19,
+        -0x1.e71abb89b23b1p-29);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.1e11e11e11a83p-3);
+    const double t3 = FMA(t2, alpha_2, -0x1.999999999998fp-2);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
-    const double t5 = -0x1.999999999999ap-2 - t3;
+    const double t5 = -0x1.999999999998fp-2 - t3;
     const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
     const double t7 = alpha_2 * t4;
     const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 1.0, in b = pi/2 - alpha */
+/* alpha >= 1.04, in b = pi/2 - alpha */
 INLINE double moment_of_inertia_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
-        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
-        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
-    return 0.5 * alpha + -0x1.e000000000000p-4 + FMA(b, p1, 0x1.dffffffffffffp-4);
+    const double p1 = POLY8(b_2, -0x1.5555555555569p-3, -0x1.c71c71c71bd51p-3, 0x1.3e93e93e8513fp-2,
+        -0x1.0cbb765f6105bp-3, 0x1.e94dfc180d8d8p-6, -0x1.1e5df77310522p-8, 0x1.d696da6d44e9dp-12,
+        -0x1.1e264f7e219b6p-15, 0x1.f4ffb320b7c92p-20);
+    return 0.5 * alpha + -0x1.1000000000000p-3 + FMA(b, p1, 0x1.1000000000000p-3);
 }
 INLINE double moment_of_inertia_best_fused(double alpha)
 {
     const double near = moment_of_inertia_best_fused_near(alpha);
     const double far = moment_of_inertia_best_fused_far(alpha);
-    return SELECT(alpha < 1.0, near, far);
+    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
 }
 #define moment_of_inertia_best_fused_KIND pieces
-#define moment_of_inertia_best_fused_BELOW_double UINT64_C(0x3fefffffffffffff)
-#define moment_of_inertia_best_fused_BELOW_float UINT32_C(0x3f7fffff)
+#define moment_of_inertia_best_fused_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
+#define moment_of_inertia_best_fused_BELOW_float UINT32_C(0x3f851eb8)
 
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.889 ulp
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-10, fused: proved within 3.57e-12
+ * relative (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, 0x1.55555555502c0p-1, -0x1.99999996b5367p-2, 0x1.1e11e0d7b66ffp-3,
+        -0x1.f10293cdf1d20p-6, 0x1.1f7c9cb90ff08p-8, -0x1.d70c8c3356105p-12, 0x1.1ec4f59c801cbp-15,
+        -0x1.0bc4e9f8c08c4p-19, 0x1.7a7cb07e3408cp-24, -0x1.4936e56328342p-29);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_1e_10_fused_KIND short
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-6, fused: proved within 2.42e-07
+ * relative (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY6(alpha_2, 0x1.55554ffb45dfap-1, -0x1.999830f1f6825p-2, 0x1.1e017fc24dd09p-3,
+        -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_1e_6_fused_KIND short
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
+ * (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_float32_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
+        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
+        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_float32_fused_KIND short
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.717 ulp
  * (certificates/radial_weight_amplitude.json) */
-/* alpha < 1.02 */
+/* alpha < 1.14 */
 INLINE double radial_weight_amplitude_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY5(alpha_4, -0x1.47d654b129ff9p-16, -0x1.01343350b0275p-18, -0x1.31eb80a2fef7dp-22,
-        0x1.ce69726473d26p-25, 0x1.59d79b38274bdp-24, 0x1.1daae6a223a3dp-26);
-    const double p2 = POLY6(alpha_4, -0x1.664f4888b6cd1p-10, -0x1.07d8efa7a3041p-16, -0x1.1f97784d3fc01p-20,
-        -0x1.2d7a3353abe26p-23, -0x1.cb311e1e7579cp-24, -0x1.a2c353c442e22p-25, -0x1.9d4044a7034c3p-29);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b158cap-6);
-    const double t3 = FMA(t2, alpha_2, -0x1.99999999999a9p-3);
+    const double p1 = POLY7(alpha_4, -0x1.47d680513384ep-16, -0x1.01678419751a3p-18, -0x1.69604923282bfp-22,
+        -0x1.c9c7a0d4325bbp-23, -0x1.98a0e625ac4aap-22, -0x1.0da38495dca49p-22, -0x1.808764f9c7467p-25,
+        -0x1.118c1ab6478a7p-30);
+    const double p2 = POLY7(alpha_4, -0x1.664f487ef01ffp-10, -0x1.07d71cad9a82ep-16, -0x1.1bab41746e402p-20,
+        -0x1.5fa25ecf780ffp-28, 0x1.3c0c18c594a0bp-22, 0x1.7dcaed0b76a63p-22, 0x1.124061f8f1f6dp-23,
+        0x1.4c4121214b1efp-27);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b11157p-6);
+    const double t3 = FMA(t2, alpha_2, -0x1.9999999999992p-3);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
-    const double t5 = -0x1.99999999999a9p-3 - t3;
+    const double t5 = -0x1.9999999999992p-3 - t3;
     const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
     const double t7 = alpha_2 * t4;
     const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 1.02, in b = pi/2 - alpha */
+/* alpha >= 1.14, in b = pi/2 - alpha */
 INLINE double radial_weight_amplitude_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY5(b_2, 0x1.00000000000b6p+0, -0x1.555555554900ap-2, 0x1.6c16c0a0e6534p-5,
-        -0x1.a01c15d7033acp-9, 0x1.26ecb6ae67667p-13, -0x1.4b80ca7eaf925p-18);
-    const double p2 = POLY5(b_2, -0x1.7217f7d1c0c33p-7, 0x1.2c981ff50df71p-1, -0x1.5fec3987413d3p-4,
-        0x1.c0f84768fd081p-8, -0x1.5c1de3bda9c32p-12, 0x1.8128754f493fdp-17);
-    return 1.0 - b + FMA(b, FMA(b, -1.875, 1.0), b_2 * FMA(p1, logarithm_fused(2.0 * b), p2));
+    const double p1 = POLY5(b_2, 0x1.d1bd0105cacaap-4, 0x1.2c981ff65e78ap-1, -0x1.5fec361a7a6e3p-4,
+        0x1.c0fa7521974f7p-8, -0x1.5c87336390abap-12, 0x1.536149c083855p-17);
+    const double p2 = POLY5(b_2, 0x1.0000000000175p+0, -0x1.55555554239ddp-2, 0x1.6c16c5c417f46p-5,
+        -0x1.a013dfccb8a12p-9, 0x1.29896a4b09812p-13, -0x1.11c7f03358b1fp-18);
+    const double t1 = FMA(b_2, FMA(p2, logarithm_fused(2.0 * b), p1), 0x1.3c095777a5d00p-6);
+    return 0.5 * alpha + 0x1.9000000000000p-3 + FMA(b, FMA(b, -2.0, 0.5), t1);
 }
 INLINE double radial_weight_amplitude_best_fused(double alpha)
 {
     const double near = radial_weight_amplitude_best_fused_near(alpha);
     const double far = radial_weight_amplitude_best_fused_far(alpha);
-    return SELECT(alpha < 0x1.051eb851eb852p+0, near, far);
+    return SELECT(alpha < 0x1.23d70a3d70a3dp+0, near, far);
 }
 #define radial_weight_amplitude_best_fused_KIND pieces
-#define radial_weight_amplitude_best_fused_BELOW_double UINT64_C(0x3ff051eb851eb851)
-#define radial_weight_amplitude_best_fused_BELOW_float UINT32_C(0x3f828f5c)
+#define radial_weight_amplitude_best_fused_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
+#define radial_weight_amplitude_best_fused_BELOW_float UINT32_C(0x3f91eb85)
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, fused: proved within 0.824 ulp
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-10, fused: proved within 5.86e-11
+ * relative (certificates/radial_weight_amplitude.json) */
+INLINE double radial_weight_amplitude_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY10(t1, 0x1.08345eb49dfa4p-2, 0x1.40cc71ab82b17p+9, 0x1.c7fae97af9e1fp+17,
+        0x1.2d9988866fd53p+24, 0x1.d131baf022e41p+28, 0x1.dda5739c64a89p+31, 0x1.6259be601aeb1p+33,
+        0x1.8da34cb08e1f0p+33, 0x1.508e0e40facb6p+32, 0x1.83d173767ec99p+29, 0x1.04f7df6595ca2p+25);
+    const double p2 = POLY10(t1, 1.0, 0x1.36c2b5ccd0c1fp+11, 0x1.b915276826f3cp+19, 0x1.22251312f6b79p+26,
+        0x1.b7d217ea325d6p+30, 0x1.ae1c93f2d7caep+33, 0x1.18d58653a0677p+35, 0x1.c5d99f7e12cd1p+34,
+        0x1.1ea89b013008dp+32, -0x1.cb6e4518cfd29p+28, 0x1.aed60df82a50dp+23);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define radial_weight_amplitude_1e_10_fused_KIND whole
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 4.53e-07
+ * relative (certificates/radial_weight_amplitude.json) */
+INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY5(t1, 0x1.0834666ddd492p-2, 0x1.c85b59ccf7e43p+2, 0x1.bb4bf0c970e93p+4,
+        0x1.816280b47e4c5p+4, 0x1.5c3fe8cc9aaa0p+2, 0x1.3cfcc3c3dc6ebp-2);
+    const double p2 = POLY4(t1, 1.0, 0x1.b0786efcf9f8bp+4, 0x1.6d637ba392228p+6, 0x1.522412f400f39p+5,
+        -0x1.3b15ecf57e019p+1);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define radial_weight_amplitude_1e_6_fused_KIND short
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.505 ulp
+ * (certificates/radial_weight_amplitude.json) */
+INLINE double radial_weight_amplitude_float32_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY9(t1, 0x1.08345eb56857ap-2, 0x1.3b6600d74bccbp+8, 0x1.b837b6270ce48p+15,
+        0x1.1c70adff422e7p+21, 0x1.a80171a3e90ffp+24, 0x1.9d535830bdb5cp+26, 0x1.1b0db627b1ac4p+27,
+        0x1.146d584af00dcp+26, 0x1.5866e2818eb1dp+23, 0x1.a41276abb9bcap+18);
+    const double p2 = POLY9(t1, 1.0, 0x1.3173bf280d278p+10, 0x1.a919145cb9bd0p+17, 0x1.0f96e362556bdp+23,
+        0x1.86838e8dc8106p+26, 0x1.573eb93a9e7aap+28, 0x1.61a66a4a4b7dfp+28, 0x1.1d5c0538d4588p+26,
+        -0x1.c99f8ffd771f7p+22, 0x1.c1ec6782b793bp+17);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define radial_weight_amplitude_float32_fused_KIND whole
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, fused: proved within 0.733 ulp
  * (certificates/weight_moment_amplitude.json) */
-/* alpha < 1.14 */
+/* alpha < 1.04 */
 INLINE double weight_moment_amplitude_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY3(alpha_4, 0x1.83c8978ec53afp-11, 0x1.eaeaa2cd96bc4p-20, 0x1.b59da2f914bb4p-30,
-        0x1.30e9ff831c7c7p-41);
-    const double p2 = POLY3(alpha_4, -0x1.282ef4b666c9dp-7, -0x1.65f59e30b1564p-15, -0x1.03e52c1c9f8cfp-24,
-        -0x1.2a4e8655ba3f6p-35);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a5p-4);
+    const double p1 = POLY3(alpha_4, 0x1.83c8978eb147ap-11, 0x1.eaeaa11069e73p-20, 0x1.b594a1501d7fep-30,
+        0x1.2a361f9003235p-41);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b666a5bp-7, -0x1.65f59e2b28380p-15, -0x1.03e502c0de95ep-24,
+        -0x1.29c691f90f0d3p-35);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a2p-4);
     const double t3 = FMA(t2, alpha_2, -0x1.5555555555555p-2);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
     const double t5 = -0x1.5555555555555p-2 - t3;
@@ -267,26 +393,61 @@ INLINE double weight_moment_amplitude_best_fused_near(double alpha)
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 1.14, in b = pi/2 - alpha */
+/* alpha >= 1.04, in b = pi/2 - alpha */
 INLINE double weight_moment_amplitude_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double b_4 = b_2 * b_2;
-    const double p1 = POLY6(b_2, 0x1.2aaaaaaaaaab3p-1, -0x1.5b05b05b057bfp-3, 0x1.bc8bc8bc177d0p-6,
-        -0x1.637e0a0dbbad2p-9, 0x1.83ca9db15ed0ep-13, -0x1.32bd9577001abp-17, 0x1.67d5bb5cbd93ep-22);
-    const double t1 = FMA(b, 0.5 - b, FMA(b_4, p1, FMA(b, -0x1.1a62633145c07p-53, -0x1.5555555555556p-54)));
-    return 0.5 * alpha + -0x1.e652ff776be10p-4 + t1;
+    const double p1 = POLY7(b_2, -0x1.ffffffffffff2p-3, 0x1.2aaaaaaaaa92ep-1, -0x1.5b05b05af73fdp-3,
+        0x1.bc8bc8b4233bfp-6, -0x1.637e07a789800p-9, 0x1.83c9cfd63f094p-13, -0x1.329964da2a8a0p-17,
+        0x1.629d6790f59cdp-22);
+    const double t1 = FMA(b_2, p1, FMA(b, -0x1.1a62633145c07p-53, -0x1.94bfdddaf8555p-10));
+    return 0.5 * alpha + -0x1.e000000000000p-4 + FMA(b, FMA(b, -0.75, 0.5), t1);
 }
 INLINE double weight_moment_amplitude_best_fused(double alpha)
 {
     const double near = weight_moment_amplitude_best_fused_near(alpha);
     const double far = weight_moment_amplitude_best_fused_far(alpha);
-    return SELECT(alpha < 0x1.23d70a3d70a3dp+0, near, far);
+    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
 }
 #define weight_moment_amplitude_best_fused_KIND pieces
-#define weight_moment_amplitude_best_fused_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
-#define weight_moment_amplitude_best_fused_BELOW_float UINT32_C(0x3f91eb85)
+#define weight_moment_amplitude_best_fused_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
+#define weight_moment_amplitude_best_fused_BELOW_float UINT32_C(0x3f851eb8)
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, fused: proved within 2.07e-12 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555555555259dp-1, -0x1.55555553fea4bp-2, 0x1.27d27cf3b8112p-4,
+        -0x1.282eee7b92cf7p-7, 0x1.83c7d5627d1d1p-11, -0x1.65e8281936887p-15, 0x1.e9ce55f457fb1p-20,
+        -0x1.f9e9d8d248bfcp-25, 0x1.55b68304dda03p-30);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_10_fused_KIND short
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-6, fused: proved within 4.38e-07 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.55554ba99af07p-1, -0x1.555382cc0e3b7p-2, 0x1.27b41ec7abd41p-4,
+        -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_6_fused_KIND short
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_float32_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY7(alpha_2, 0x1.5555555478204p-1, -0x1.555555080b38cp-2, 0x1.27d273f81480bp-4,
+        -0x1.282e1a3d0c0eep-7, 0x1.83b443c4ba8e3p-11, -0x1.64ea296a14023p-15, 0x1.db665517a168ep-20,
+        -0x1.8c2a65eb3fec2p-25);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_float32_fused_KIND short
 
 /* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.65 ulp
  * (certificates/resistance_factor.json) */
@@ -306,32 +467,66 @@ INLINE double resistance_factor_best_fused(double alpha)
 }
 #define resistance_factor_best_fused_KIND whole
 
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-10, fused: proved within 2.74e-12 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
+        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_10_fused_KIND short
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 1.71e-07 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY3(alpha_2, 0x1.fffffa5b957a5p-1, -0x1.5553226831932p-4, 0x1.6b8afbde89795p-9,
+        -0x1.899d6d596ca14p-15);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_6_fused_KIND short
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_float32_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
+        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_float32_fused_KIND short
+
 /* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
- * best, fused: proved within 0.924 ulp (certificates/dynamic_coefficient.json) */
+ * best, fused: proved within 0.824 ulp (certificates/dynamic_coefficient.json) */
 INLINE double dynamic_coefficient_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY4(alpha_4, 0x1.35581eb7b9c4ep-11, 0x1.f97dd8a440e49p-20, 0x1.20dc3d60db7aap-25,
-        0x1.1cf83c1392ee5p-27, 0x1.5a4eb8d4fdf16p-30);
-    const double p2 = POLY4(alpha_4, -0x1.ce55c8ec1b57ap-8, -0x1.08db8c9edc7c7p-15, 0x1.ffc5bb85d3a0bp-25,
-        0x1.372e5bb516f5ap-30, -0x1.a3e7d0b8cee94p-29);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41edeap-5);
-    const double t2 = FMA(t1, alpha_2, -0x1.111111111111cp-2);
+    const double p1 = POLY6(alpha_4, 0x1.35581dd41bf26p-11, 0x1.f92bab6a0abaap-20, 0x1.6da73104fa7a4p-26,
+        -0x1.fee67d54196edp-26, -0x1.53d73ac978ed8p-25, -0x1.f2e1d02f3340cp-27, -0x1.2c0d230256175p-30);
+    const double p2 = POLY7(alpha_4, -0x1.ce55c8ea17b0fp-8, -0x1.08db14dc94ea7p-15, 0x1.135a83002a443p-24,
+        0x1.bf05d956aca7bp-26, 0x1.666ac0bc24d1ap-25, 0x1.e8184e269e990p-26, 0x1.5daa0ca94aea0p-28,
+        0x1.e98e74a1ee8a8p-34);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41c8dap-5);
+    const double t2 = FMA(t1, alpha_2, -0x1.111111111110dp-2);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
     const double t5 = FMA(alpha, alpha, -alpha_2);
-    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.111111111111cp-2 - t2), t4));
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.111111111110dp-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY5(b_2, 0x1.55555555579d1p-2, -0x1.555555518e7c3p-3, 0x1.27d279e0496b5p-5,
-        -0x1.2834e1f3e1a60p-8, 0x1.80dce9acbd0ffp-12, -0x1.b16de590ed744p-16);
-    const double p4 = POLY5(b_2, -0x1.213ce230290f3p-7, 0x1.94ebfbb2ec66fp-4, -0x1.0ee086df8c2f9p-5,
-        0x1.556ffb39c3af9p-8, -0x1.058aebdba383ap-11, 0x1.1477caa143cfbp-15);
-    const double t7 = alpha + -0x1.0c152382d7366p-1;
-    const double t8 = FMA(b * b_2, FMA(p3, logarithm_fused(b), p4), 0x1.ee6913347c2a6p-55);
-    const double t9 = t7 + t8;
-    const double t10 = alpha < 0x1.dc28f5c28f5c3p-1;
+    const double p3 = POLY5(b_2, -0x1.213ce230a79e8p-7, 0x1.94ebfbcf8c0fdp-4, -0x1.0ee063bdf7d00p-5,
+        0x1.5582f28f586d2p-8, -0x1.047e200356e2ep-11, 0x1.f52cc7c7dfefdp-16);
+    const double p4 = POLY5(b_2, 0x1.55555555565f3p-2, -0x1.5555554df34edp-3, 0x1.27d28a4134219p-5,
+        -0x1.2825e27d993d6p-8, 0x1.85f979159b9b1p-12, -0x1.74ce10bfef7f7p-16);
+    const double t7 = FMA(b * b_2, FMA(p4, logarithm_fused(b), p3), 0x1.fab71f4a3269fp-7);
+    const double t8 = alpha + -0x1.1400000000000p-1;
+    const double t9 = t8 + t7;
+    const double t10 = alpha < 0x1.2e147ae147ae1p+0;
     const double t11 = SELECT(t10, t3, t9);
     const double p5 = POLY2(alpha_4, 0x1.27e4fb7471f25p-21, 0x1.93966653151c3p-36, 0x1.5aeb95ee17e27p-52);
     const double p6 = POLY2(alpha_4, -0x1.a01a01a0132c2p-15, -0x1.1eed8d7449e95p-28, -0x1.ae33aea2b0d55p-44);
@@ -346,22 +541,22 @@ INLINE double dynamic_coefficient_best_fused(double alpha)
     const double t20 = 1.0 / t19;
     const double t21 = t11 * t20;
     const double t22 = -t21;
-    const double t23 = FMA(t22, t19, t11) + SELECT(t10, t6, t8 - (t9 - t7));
+    const double t23 = FMA(t22, t19, t11) + SELECT(t10, t6, t7 - (t9 - t8));
     return FMA(FMA(t22, SELECT(t10, FMA(t5, t13, t15), t18), t23), t20, t21);
 }
 #define dynamic_coefficient_best_fused_KIND whole
 
 /* C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish,
- * 0 <= alpha <= pi/2, best, fused: proved within 1.03 ulp (certificates/weight_moment_per_inertia.json) */
+ * 0 <= alpha <= pi/2, best, fused: proved within 0.892 ulp (certificates/weight_moment_per_inertia.json) */
 INLINE double weight_moment_per_inertia_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY3(alpha_4, 0x1.83c8978e93394p-11, 0x1.eaea9e0178a1ap-20, 0x1.b581dfc3b96a5p-30,
-        0x1.198f4c366985bp-41);
-    const double p2 = POLY3(alpha_4, -0x1.282ef4b66672dp-7, -0x1.65f59e222b2a7p-15, -0x1.03e4b3b320f82p-24,
-        -0x1.28918aeb0ff45p-35);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d279ep-4);
+    const double p1 = POLY3(alpha_4, 0x1.83c8978eb80fep-11, 0x1.eaeaa1ab8770dp-20, 0x1.b597e33b4fe12p-30,
+        0x1.2cbf2ac4da2b8p-41);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b666b1ep-7, -0x1.65f59e2d0f0a3p-15, -0x1.03e5116ace15dp-24,
+        -0x1.29f8d2f261d93p-35);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a3p-4);
     const double t2 = FMA(t1, alpha_2, -0x1.5555555555555p-2);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
@@ -369,126 +564,129 @@ INLINE double weight_moment_per_inertia_best_fused(double alpha)
     const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555555p-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double b_4 = b_2 * b_2;
-    const double p3 = POLY6(b_2, 0x1.2aaaaaaaaa92dp-1, -0x1.5b05b05af2089p-3, 0x1.bc8bc8b057e9ep-6,
-        -0x1.637e0682f56a5p-9, 0x1.83c977d34089bp-13, -0x1.328c51bc2f6bfp-17, 0x1.6115cd6ac8ba9p-22);
-    const double t7 = FMA(b, 0.5 - b, FMA(b_4, p3, FMA(b, -0x1.1a62633145c07p-53, -0x1.5555555555556p-54)));
-    const double t8 = 0.5 * alpha;
-    const double t9 = t8 + -0x1.e652ff776be10p-4;
-    const double t10 = t9 + t7;
-    const double t11 = alpha < 1.0;
+    const double p3 = POLY7(b_2, -0x1.0000000000006p-2, 0x1.2aaaaaaaaab34p-1, -0x1.5b05b05b06654p-3,
+        0x1.bc8bc8bb1d67bp-6, -0x1.637e09681a6fbp-9, 0x1.83ca4d0f33cdbp-13, -0x1.32aba46279bb3p-17,
+        0x1.64c78b2442998p-22);
+    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, -0x1.194bfdddaf855p-6));
+    const double t8 = FMA(b, FMA(b, -0.75, 0.5), t7);
+    const double t9 = 0.5 * alpha + -0x1.a000000000000p-4;
+    const double t10 = t9 + t8;
+    const double t11 = alpha < 0x1.0f5c28f5c28f6p+0;
     const double t12 = SELECT(t11, t3, t10);
-    const double p4 = POLY3(alpha_4, 0x1.1f7d05c72fc3ap-8, 0x1.1f0877c40acffp-15, 0x1.9465eeb660151p-24,
-        0x1.f3cdbf532eaf7p-34);
-    const double p5 = POLY4(alpha_4, -0x1.f1029e62cad66p-6, -0x1.d71607bd2727dp-12, -0x1.0e1fd712de8dbp-19,
-        -0x1.ed2a462794ae8p-29, -0x1.91e6b7ad796a6p-39);
-    const double t13 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.1e11e11e11e36p-3);
-    const double t14 = FMA(t13, alpha_2, -0x1.999999999999ap-2);
+    const double p4 = POLY3(alpha_4, 0x1.1f7d05c6dedbbp-8, 0x1.1f0875d692422p-15, 0x1.945e2a38f102ep-24,
+        0x1.eaf6c7c779d13p-34);
+    const double p5 = POLY4(alpha_4, -0x1.f1029e62c8327p-6, -0x1.d71607a6c20cep-12, -0x1.0e1fa07f81ed1p-19,
+        -0x1.ec7a22ee46a5cp-29, -0x1.60b9ed103c0fap-39);
+    const double t13 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.1e11e11e11ddep-3);
+    const double t14 = FMA(t13, alpha_2, -0x1.9999999999999p-2);
     const double t15 = FMA(t14, alpha_2, 0x1.5555555555555p-1);
     const double t16 = FMA(t14, alpha_2, 0x1.5555555555555p-1 - t15) + 0x1.5555555555555p-55;
-    const double t17 = FMA(t5, t14, FMA(alpha_2, FMA(t13, alpha_2, -0x1.999999999999ap-2 - t14), t16));
-    const double p6 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
-        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
-        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
-    const double t18 = FMA(b, p6, 0x1.dffffffffffffp-4);
-    const double t19 = t8 + -0x1.e000000000000p-4;
-    const double t20 = t19 + t18;
-    const double t21 = SELECT(t11, t15, t20);
-    const double t22 = 1.0 / t21;
-    const double t23 = t12 * t22;
-    const double t24 = -t23;
-    const double t25 = FMA(t24, t21, t12) + SELECT(t11, t6, t7 - (t10 - t9));
-    return FMA(FMA(t24, SELECT(t11, t17, t18 - (t20 - t19)), t25), t22, t23);
+    const double t17 = FMA(t5, t14, FMA(alpha_2, FMA(t13, alpha_2, -0x1.9999999999999p-2 - t14), t16));
+    const double p6 = POLY8(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c995p-3, 0x1.3e93e93e9679ap-2,
+        -0x1.0cbb76624ef26p-3, 0x1.e94dfd2a84da7p-6, -0x1.1e5e14556f803p-8, 0x1.d69dd6e3a84b4p-12,
+        -0x1.1e99caf0a78dfp-15, 0x1.00ab575ef75a6p-19);
+    const double t18 = FMA(b, p6, 0x1.9ffffffffffffp-4);
+    const double t19 = t9 + t18;
+    const double t20 = SELECT(t11, t15, t19);
+    const double t21 = 1.0 / t20;
+    const double t22 = t12 * t21;
+    const double t23 = -t22;
+    const double t24 = FMA(t23, t20, t12) + SELECT(t11, t6, t8 - (t10 - t9));
+    return FMA(FMA(t23, SELECT(t11, t17, t18 - (t19 - t9)), t24), t21, t22);
 }
 #define weight_moment_per_inertia_best_fused_KIND whole
 
 /* C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0
- * <= alpha <= pi/2, best, fused: proved within 1.13 ulp (certificates/radial_weight_per_inertia.json) */
+ * <= alpha <= pi/2, best, fused: proved within 1.08 ulp (certificates/radial_weight_per_inertia.json) */
 INLINE double radial_weight_per_inertia_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY6(alpha_4, -0x1.47d6743d1ab96p-16, -0x1.0156717ae6a98p-18, -0x1.52a8b7fb58b0bp-22,
-        -0x1.420eb51f67a97p-24, -0x1.41e50fe69bac0p-24, -0x1.e8d88b74942f1p-26, -0x1.86ec1a4714bc6p-30);
-    const double p2 = POLY6(alpha_4, -0x1.664f48816cbcep-10, -0x1.07d7aa081f5bbp-16, -0x1.1d1cbe50df456p-20,
-        -0x1.20b66585c3299p-24, 0x1.fdf00b464f2acp-25, 0x1.cd1ef3b3ed5bdp-25, 0x1.315a59a2eff33p-27);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b1221bp-6);
-    const double t2 = FMA(t1, alpha_2, -0x1.9999999999997p-3);
+    const double p1 = POLY7(alpha_4, -0x1.47d67746cef40p-16, -0x1.015bd71ab20f7p-18, -0x1.5b9ad7cbb1202p-22,
+        -0x1.2fa88e52f9e30p-23, -0x1.0bef51e7eecdbp-22, -0x1.7849a9f05aa4ap-23, -0x1.1f1ed07467e72p-25,
+        -0x1.b88267851e4a5p-31);
+    const double p2 = POLY7(alpha_4, -0x1.664f4880dd143p-10, -0x1.07d7822d7b6f1p-16, -0x1.1c9a1d34b6f3fp-20,
+        -0x1.58a3290228af4p-25, 0x1.88d893699f450p-23, 0x1.014d0e8ca8808p-22, 0x1.8b78856019984p-24,
+        0x1.00fc0cec735acp-27);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b11ea5p-6);
+    const double t2 = FMA(t1, alpha_2, -0x1.9999999999996p-3);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
     const double t5 = FMA(alpha, alpha, -alpha_2);
-    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.9999999999997p-3 - t2), t4));
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.9999999999996p-3 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY5(b_2, 0x1.00000000000d1p+0, -0x1.555555552b82cp-2, 0x1.6c16c100ecd3dp-5,
-        -0x1.a01ba6f54a2d2p-9, 0x1.2705f10ad2bc9p-13, -0x1.49f6ab92b4903p-18);
-    const double p4 = POLY5(b_2, -0x1.7217f7d1bdaacp-7, 0x1.2c981ff52d6d6p-1, -0x1.5fec394ef3093p-4,
-        0x1.c0f85bb0bd6d8p-8, -0x1.5c240340d7499p-12, 0x1.7fcd25610a7bep-17);
-    const double t7 = 1.0 - b;
-    const double t8 = FMA(b, FMA(b, -1.875, 1.0), b_2 * FMA(p3, logarithm_fused(2.0 * b), p4));
-    const double t9 = t7 + t8;
-    const double t10 = alpha < 0x1.07ae147ae147bp+0;
-    const double t11 = SELECT(t10, t3, t9);
-    const double p5 = POLY4(alpha_4, 0x1.1f7d05c744f00p-8, 0x1.1f0878ebd4d43p-15, 0x1.947001eb768c8p-24,
-        0x1.090c1fc3ba5d2p-33, 0x1.01b1332b9b1d7p-41);
-    const double p6 = POLY4(alpha_4, -0x1.f1029e62cb3ddp-6, -0x1.d71607c637a7bp-12, -0x1.0e2006e773ecdp-19,
-        -0x1.ee8b4e839c601p-29, -0x1.8673117c84002p-38);
-    const double t12 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11e3cp-3);
-    const double t13 = FMA(t12, alpha_2, -0x1.999999999999ap-2);
-    const double t14 = FMA(t13, alpha_2, 0x1.5555555555555p-1);
-    const double t15 = FMA(t13, alpha_2, 0x1.5555555555555p-1 - t14) + 0x1.5555555555555p-55;
-    const double t16 = FMA(t5, t13, FMA(alpha_2, FMA(t12, alpha_2, -0x1.999999999999ap-2 - t13), t15));
-    const double p7 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cb31p-3, 0x1.3e93e93e9a95cp-2,
-        -0x1.0cbb76636144ep-3, 0x1.e94dfdbeb29efp-6, -0x1.1e5e2b53ee8f7p-8, 0x1.d6a65d5d8efd9p-12,
-        -0x1.1f88aff83463bp-15, 0x1.1d2bdb6e180adp-19, -0x1.6de90fa3c36d1p-23);
-    const double t17 = FMA(b, p7, 0x1.dffffffffffffp-4);
-    const double t18 = 0.5 * alpha + -0x1.e000000000000p-4;
-    const double t19 = t18 + t17;
-    const double t20 = SELECT(t10, t14, t19);
-    const double t21 = 1.0 / t20;
-    const double t22 = t11 * t21;
-    const double t23 = -t22;
-    const double t24 = FMA(t23, t20, t11) + SELECT(t10, t6, t8 - (t9 - t7));
-    return FMA(FMA(t23, SELECT(t10, t16, t17 - (t19 - t18)), t24), t21, t22);
+    const double p3 = POLY5(b_2, -0x1.7217f7d1acae6p-7, 0x1.2c981ff6211c9p-1, -0x1.5fec36ee4b768p-4,
+        0x1.c0f9c0515effdp-8, -0x1.5c6d8636f92ccp-12, 0x1.64009ce2f3630p-17);
+    const double p4 = POLY5(b_2, 0x1.000000000015dp+0, -0x1.5555555455f4cp-2, 0x1.6c16c49fd75c7p-5,
+        -0x1.a01620d59d215p-9, 0x1.28ae92a1ef664p-13, -0x1.27ac624df162ep-18);
+    const double t7 = FMA(b_2, FMA(p4, logarithm_fused(2.0 * b), p3), 0x1.5e04abbbd2e80p-5);
+    const double t8 = FMA(b, FMA(b, -1.875, 0.5), t7);
+    const double t9 = 0.5 * alpha;
+    const double t10 = t9 + 0x1.6000000000000p-3;
+    const double t11 = t10 + t8;
+    const double t12 = alpha < 0x1.1eb851eb851ecp+0;
+    const double t13 = SELECT(t12, t3, t11);
+    const double p5 = POLY3(alpha_4, 0x1.1f7d05c6e1487p-8, 0x1.1f0875ebcbf04p-15, 0x1.945e8f1de9e15p-24,
+        0x1.eb70be827f311p-34);
+    const double p6 = POLY4(alpha_4, -0x1.f1029e62c840ep-6, -0x1.d71607a7973dcp-12, -0x1.0e1fa3172eb2cp-19,
+        -0x1.ec837110b11a7p-29, -0x1.63629956670d9p-39);
+    const double t14 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11ddfp-3);
+    const double t15 = FMA(t14, alpha_2, -0x1.9999999999999p-2);
+    const double t16 = FMA(t15, alpha_2, 0x1.5555555555555p-1);
+    const double t17 = FMA(t15, alpha_2, 0x1.5555555555555p-1 - t16) + 0x1.5555555555555p-55;
+    const double t18 = FMA(t5, t15, FMA(alpha_2, FMA(t14, alpha_2, -0x1.9999999999999p-2 - t15), t17));
+    const double p7 = POLY8(b_2, -0x1.555555555554dp-3, -0x1.c71c71c71cc85p-3, 0x1.3e93e93e9e0d6p-2,
+        -0x1.0cbb76644f474p-3, 0x1.e94dfe3da88b8p-6, -0x1.1e5e3d4c60700p-8, 0x1.d6ab8ca876bdep-12,
+        -0x1.1fcee5678494fp-15, 0x1.16f943a246fa1p-19);
+    const double t19 = FMA(b, p7, 0x1.7ffffffffffffp-4);
+    const double t20 = t9 + -0x1.8000000000000p-4;
+    const double t21 = t20 + t19;
+    const double t22 = SELECT(t12, t16, t21);
+    const double t23 = 1.0 / t22;
+    const double t24 = t13 * t23;
+    const double t25 = -t24;
+    const double t26 = FMA(t25, t22, t13) + SELECT(t12, t6, t8 - (t11 - t10));
+    return FMA(FMA(t25, SELECT(t12, t18, t19 - (t21 - t20)), t26), t23, t24);
 }
 #define radial_weight_per_inertia_best_fused_KIND whole
 
 /* I_p* /Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0 <= alpha
- * <= pi/2, best, fused: proved within 0.885 ulp (certificates/polar_moment_per_inertia.json) */
+ * <= pi/2, best, fused: proved within 0.814 ulp (certificates/polar_moment_per_inertia.json) */
 INLINE double polar_moment_per_inertia_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY5(alpha_4, 0x1.35581e41e77abp-11, 0x1.f95e135afe164p-20, 0x1.09bc1bebcf001p-25,
-        0x1.cd171a110ec19p-28, 0x1.bb4feae5283ecp-29, 0x1.26891cd0b9c00p-32);
-    const double p2 = POLY5(alpha_4, -0x1.ce55c8eaf4bc9p-8, -0x1.08db55ee7d9b2p-15, 0x1.05db2a1cb81a5p-24,
-        0x1.25925bb16d77dp-28, -0x1.10fbc686826eep-28, -0x1.4871de51476c6p-30);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41d6efp-5);
-    const double t2 = FMA(t1, alpha_2, -0x1.1111111111112p-2);
+    const double p1 = POLY4(alpha_4, 0x1.35581d9dfe224p-11, 0x1.f9291426a15fap-20, 0x1.a303539235a90p-26,
+        -0x1.cddced305e389p-28, -0x1.77c8d442bafc7p-29);
+    const double p2 = POLY5(alpha_4, -0x1.ce55c8e971fd1p-8, -0x1.08db03cc5e770p-15, 0x1.116ceb2ada79ap-24,
+        0x1.09bb69f7fcfadp-26, 0x1.e745acd142291p-28, 0x1.7e95e1dac17adp-31);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41ba25p-5);
+    const double t2 = FMA(t1, alpha_2, -0x1.1111111111106p-2);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
     const double t5 = FMA(alpha, alpha, -alpha_2);
-    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.1111111111112p-2 - t2), t4));
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.1111111111106p-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY5(b_2, 0x1.555555555434bp-2, -0x1.5555555ce08d5p-3, 0x1.27d270f96a29bp-5,
-        -0x1.2837b580b3980p-8, 0x1.807b27aa47e52p-12, -0x1.b34a574a5ccacp-16);
-    const double p4 = POLY5(b_2, -0x1.213ce231c73c8p-7, 0x1.94ebfb7c3ce42p-4, -0x1.0ee09496505b1p-5,
-        0x1.556dc54d73912p-8, -0x1.0589062751e4cp-11, 0x1.15ac79423b8b0p-15);
-    const double t7 = alpha + -0x1.0c152382d7366p-1;
-    const double t8 = FMA(b * b_2, FMA(p3, logarithm_fused(b), p4), 0x1.ee6913347c2a6p-55);
-    const double t9 = t7 + t8;
+    const double p3 = POLY5(b_2, -0x1.eb440e0d5b068p-3, 0x1.b70e1da718514p-3, -0x1.dbecf43061ae4p-5,
+        0x1.115fe28110038p-7, -0x1.8a9e832d9844dp-11, 0x1.af511ed3efee7p-15);
+    const double p4 = POLY5(b_2, 0x1.55555555518aap-2, -0x1.5555556697b7dp-3, 0x1.27d268328778dp-5,
+        -0x1.283af2ca91d53p-8, 0x1.7ff85a336a890p-12, -0x1.b634872dcba2dp-16);
+    const double t7 = FMA(b * b_2, FMA(p4, logarithm_fused(2.0 * b), p3), 0x1.7d5b8fa51934fp-6);
+    const double t8 = alpha + -0x1.1800000000000p-1;
+    const double t9 = t8 + t7;
     const double t10 = alpha < 1.0;
     const double t11 = SELECT(t10, t3, t9);
-    const double p5 = POLY3(alpha_4, 0x1.1f7d05c72fc3ap-8, 0x1.1f0877c40acffp-15, 0x1.9465eeb660151p-24,
-        0x1.f3cdbf532eaf7p-34);
-    const double p6 = POLY4(alpha_4, -0x1.f1029e62cad66p-6, -0x1.d71607bd2727dp-12, -0x1.0e1fd712de8dbp-19,
-        -0x1.ed2a462794ae8p-29, -0x1.91e6b7ad796a6p-39);
-    const double t12 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11e36p-3);
-    const double t13 = FMA(t12, alpha_2, -0x1.999999999999ap-2);
+    const double p5 = POLY3(alpha_4, 0x1.1f7d05c54d72cp-8, 0x1.1f086b05efb64p-15, 0x1.942d994b09126p-24,
+        0x1.ae33f297a30d7p-34);
+    const double p6 = POLY3(alpha_4, -0x1.f1029e62bbf32p-6, -0x1.d716073060e57p-12, -0x1.0e1e5caf9c68cp-19,
+        -0x1.e7f58bcd729d6p-29);
+    const double t12 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11c62p-3);
+    const double t13 = FMA(t12, alpha_2, -0x1.9999999999995p-2);
     const double t14 = FMA(t13, alpha_2, 0x1.5555555555555p-1);
     const double t15 = FMA(t13, alpha_2, 0x1.5555555555555p-1 - t14) + 0x1.5555555555555p-55;
-    const double t16 = FMA(t5, t13, FMA(alpha_2, FMA(t12, alpha_2, -0x1.999999999999ap-2 - t13), t15));
+    const double t16 = FMA(t5, t13, FMA(alpha_2, FMA(t12, alpha_2, -0x1.9999999999995p-2 - t13), t15));
     const double p7 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
         -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
         -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
@@ -499,23 +697,23 @@ INLINE double polar_moment_per_inertia_best_fused(double alpha)
     const double t21 = 1.0 / t20;
     const double t22 = t11 * t21;
     const double t23 = -t22;
-    const double t24 = FMA(t23, t20, t11) + SELECT(t10, t6, t8 - (t9 - t7));
+    const double t24 = FMA(t23, t20, t11) + SELECT(t10, t6, t7 - (t9 - t8));
     return FMA(FMA(t23, SELECT(t10, t16, t17 - (t19 - t18)), t24), t21, t22);
 }
 #define polar_moment_per_inertia_best_fused_KIND whole
 
 /* C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
- * vanish, 0 <= alpha <= pi/2, best, fused: proved within 1.15 ulp
+ * vanish, 0 <= alpha <= pi/2, best, fused: proved within 1.03 ulp
  * (certificates/weight_moment_per_radial_weight.json) */
 INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY3(alpha_4, 0x1.83c8978ea9dfdp-11, 0x1.eaeaa0548de6dp-20, 0x1.b5904f6877c6fp-30,
-        0x1.26910ad30ced0p-41);
-    const double p2 = POLY3(alpha_4, -0x1.282ef4b666991p-7, -0x1.65f59e28f78f5p-15, -0x1.03e4f0243a4f9p-24,
-        -0x1.29811c85a203bp-35);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a1p-4);
+    const double p1 = POLY3(alpha_4, 0x1.83c8978ec51cep-11, 0x1.eaeaa2c9de7afp-20, 0x1.b59d8e5371c8cp-30,
+        0x1.30db2c751a237p-41);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b666c9bp-7, -0x1.65f59e30a6c95p-15, -0x1.03e52bbf4db10p-24,
+        -0x1.2a4d5179ccb3bp-35);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a5p-4);
     const double t2 = FMA(t1, alpha_2, -0x1.5555555555555p-2);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
@@ -523,229 +721,42 @@ INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
     const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555555p-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double b_4 = b_2 * b_2;
-    const double p3 = POLY6(b_2, 0x1.2aaaaaaaaaa01p-1, -0x1.5b05b05afba3bp-3, 0x1.bc8bc8b5880b7p-6,
-        -0x1.637e07e2724a8p-9, 0x1.83c9d9bc51dc4p-13, -0x1.329a1a829399ap-17, 0x1.62a1cdff01de7p-22);
-    const double t7 = FMA(b, 0.5 - b, FMA(b_4, p3, FMA(b, -0x1.1a62633145c07p-53, -0x1.5555555555556p-54)));
-    const double t8 = 0.5 * alpha + -0x1.e652ff776be10p-4;
-    const double t9 = t8 + t7;
-    const double t10 = alpha < 0x1.07ae147ae147bp+0;
-    const double t11 = SELECT(t10, t3, t9);
-    const double p4 = POLY6(alpha_4, -0x1.47d6743d1ab96p-16, -0x1.0156717ae6a98p-18, -0x1.52a8b7fb58b0bp-22,
-        -0x1.420eb51f67a97p-24, -0x1.41e50fe69bac0p-24, -0x1.e8d88b74942f1p-26, -0x1.86ec1a4714bc6p-30);
-    const double p5 = POLY6(alpha_4, -0x1.664f48816cbcep-10, -0x1.07d7aa081f5bbp-16, -0x1.1d1cbe50df456p-20,
-        -0x1.20b66585c3299p-24, 0x1.fdf00b464f2acp-25, 0x1.cd1ef3b3ed5bdp-25, 0x1.315a59a2eff33p-27);
-    const double t12 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.2b12b12b1221bp-6);
-    const double t13 = FMA(t12, alpha_2, -0x1.9999999999997p-3);
-    const double t14 = FMA(t13, alpha_2, 0x1.5555555555555p-1);
-    const double t15 = FMA(t13, alpha_2, 0x1.5555555555555p-1 - t14) + 0x1.5555555555555p-55;
-    const double t16 = FMA(t5, t13, FMA(alpha_2, FMA(t12, alpha_2, -0x1.9999999999997p-3 - t13), t15));
-    const double p6 = POLY5(b_2, 0x1.00000000000d1p+0, -0x1.555555552b82cp-2, 0x1.6c16c100ecd3dp-5,
-        -0x1.a01ba6f54a2d2p-9, 0x1.2705f10ad2bc9p-13, -0x1.49f6ab92b4903p-18);
-    const double p7 = POLY5(b_2, -0x1.7217f7d1bdaacp-7, 0x1.2c981ff52d6d6p-1, -0x1.5fec394ef3093p-4,
-        0x1.c0f85bb0bd6d8p-8, -0x1.5c240340d7499p-12, 0x1.7fcd25610a7bep-17);
-    const double t17 = 1.0 - b;
-    const double t18 = FMA(b, FMA(b, -1.875, 1.0), b_2 * FMA(p6, logarithm_fused(2.0 * b), p7));
-    const double t19 = t17 + t18;
-    const double t20 = SELECT(t10, t14, t19);
-    const double t21 = 1.0 / t20;
-    const double t22 = t11 * t21;
-    const double t23 = -t22;
-    const double t24 = FMA(t23, t20, t11) + SELECT(t10, t6, t7 - (t9 - t8));
-    return FMA(FMA(t23, SELECT(t10, t16, t18 - (t19 - t17)), t24), t21, t22);
+    const double p3 = POLY7(b_2, -0x1.fffffffffff95p-4, 0x1.2aaaaaaaaa534p-1, -0x1.5b05b05ace2a9p-3,
+        0x1.bc8bc899c38eep-6, -0x1.637dfe720b520p-9, 0x1.83c64150f3de6p-13, -0x1.31e2be57bfe01p-17,
+        0x1.44ebe008475edp-22);
+    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, -0x1.8ca5feeed7c2bp-5));
+    const double t8 = FMA(b, FMA(b, -0.875, 0.5), t7);
+    const double t9 = 0.5 * alpha;
+    const double t10 = t9 + -0x1.2000000000000p-4;
+    const double t11 = t10 + t8;
+    const double t12 = alpha < 0x1.2147ae147ae14p+0;
+    const double t13 = SELECT(t12, t3, t11);
+    const double p4 = POLY6(alpha_4, -0x1.47d639590fb52p-16, -0x1.01130834deb14p-18, -0x1.0c93c27d943d3p-22,
+        0x1.0242817718f09p-22, 0x1.ae7d3d37478b8p-22, 0x1.7e0d0f92d659ap-23, 0x1.16a51a0466b36p-26);
+    const double p5 = POLY7(alpha_4, -0x1.664f488ec5cd7p-10, -0x1.07da187423fafp-16, -0x1.222d653c72507p-20,
+        -0x1.f5391f483e97bp-23, -0x1.a2047d109e679p-22, -0x1.54ac07dc5767ap-22, -0x1.26e21fc7faf1ep-24,
+        -0x1.f8851683cc319p-30);
+    const double t14 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.2b12b12b184a9p-6);
+    const double t15 = FMA(t14, alpha_2, -0x1.99999999999b7p-3);
+    const double t16 = FMA(t15, alpha_2, 0x1.5555555555555p-1);
+    const double t17 = FMA(t15, alpha_2, 0x1.5555555555555p-1 - t16) + 0x1.5555555555555p-55;
+    const double t18 = FMA(t5, t15, FMA(alpha_2, FMA(t14, alpha_2, -0x1.99999999999b7p-3 - t15), t17));
+    const double p6 = POLY5(b_2, -0x1.7217f7d1ab2e7p-7, 0x1.2c981ff63ec19p-1, -0x1.5fec368b1249bp-4,
+        0x1.c0fa11c3186cdp-8, -0x1.5c79b09b316eap-12, 0x1.5cb02195a47e5p-17);
+    const double p7 = POLY5(b_2, 0x1.0000000000169p+0, -0x1.555555543d7fdp-2, 0x1.6c16c52a07b2ap-5,
+        -0x1.a015173aabdaap-9, 0x1.2910a202b16c5p-13, -0x1.1e2016c290c5cp-18);
+    const double t19 = FMA(b_2, FMA(p7, logarithm_fused(2.0 * b), p6), 0x1.5e04abbbd2e80p-5);
+    const double t20 = FMA(b, FMA(b, -1.875, 0.5), t19);
+    const double t21 = t9 + 0x1.6000000000000p-3;
+    const double t22 = t21 + t20;
+    const double t23 = SELECT(t12, t16, t22);
+    const double t24 = 1.0 / t23;
+    const double t25 = t13 * t24;
+    const double t26 = -t25;
+    const double t27 = FMA(t26, t23, t13) + SELECT(t12, t6, t8 - (t11 - t10));
+    return FMA(FMA(t26, SELECT(t12, t18, t20 - (t22 - t21)), t27), t24, t25);
 }
 #define weight_moment_per_radial_weight_best_fused_KIND whole
-
-/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-10, fused:
- * proved within 6.69e-11 relative (certificates/polar_moment.json) */
-INLINE double polar_moment_1e_10_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY7(t1, 0x1.14aca4167a07fp-2, 0x1.6f67e48f11997p+3, 0x1.705f937528711p+6,
-        0x1.781f38b2a68b0p+7, 0x1.97881d28eb78fp+6, 0x1.15f5651c6c2b6p+4, 0x1.764b4fd12c227p+1,
-        0x1.e250654a0fa79p-5);
-    const double p2 = POLY7(t1, 1.0, 0x1.5185165bf6bccp+5, 0x1.47ee26059427dp+8, 0x1.283ecbb1b4392p+9,
-        0x1.4ea305d69d8f6p+7, -0x1.444345493560ap+5, 0x1.b9bc468114fd2p+1, -0x1.efcbe37812bdfp-4);
-    return p1 * alpha_2 / p2 * alpha;
-}
-#define polar_moment_1e_10_fused_KIND whole
-
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-10, fused: proved within 3.57e-12
- * relative (certificates/moment_of_inertia.json) */
-INLINE double moment_of_inertia_1e_10_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY9(alpha_2, 0x1.55555555502c0p-1, -0x1.99999996b5367p-2, 0x1.1e11e0d7b66ffp-3,
-        -0x1.f10293cdf1d20p-6, 0x1.1f7c9cb90ff08p-8, -0x1.d70c8c3356105p-12, 0x1.1ec4f59c801cbp-15,
-        -0x1.0bc4e9f8c08c4p-19, 0x1.7a7cb07e3408cp-24, -0x1.4936e56328342p-29);
-    return p1 * alpha_2 * alpha;
-}
-#define moment_of_inertia_1e_10_fused_KIND short
-
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-10, fused: proved within 5.86e-11
- * relative (certificates/radial_weight_amplitude.json) */
-INLINE double radial_weight_amplitude_1e_10_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY10(t1, 0x1.08345eb49dfa4p-2, 0x1.40cc71ab82b17p+9, 0x1.c7fae97af9e1fp+17,
-        0x1.2d9988866fd53p+24, 0x1.d131baf022e41p+28, 0x1.dda5739c64a89p+31, 0x1.6259be601aeb1p+33,
-        0x1.8da34cb08e1f0p+33, 0x1.508e0e40facb6p+32, 0x1.83d173767ec99p+29, 0x1.04f7df6595ca2p+25);
-    const double p2 = POLY10(t1, 1.0, 0x1.36c2b5ccd0c1fp+11, 0x1.b915276826f3cp+19, 0x1.22251312f6b79p+26,
-        0x1.b7d217ea325d6p+30, 0x1.ae1c93f2d7caep+33, 0x1.18d58653a0677p+35, 0x1.c5d99f7e12cd1p+34,
-        0x1.1ea89b013008dp+32, -0x1.cb6e4518cfd29p+28, 0x1.aed60df82a50dp+23);
-    return p1 * alpha_2 / p2 * alpha;
-}
-#define radial_weight_amplitude_1e_10_fused_KIND whole
-
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, fused: proved within 2.07e-12 relative
- * (certificates/weight_moment_amplitude.json) */
-INLINE double weight_moment_amplitude_1e_10_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.555555555259dp-1, -0x1.55555553fea4bp-2, 0x1.27d27cf3b8112p-4,
-        -0x1.282eee7b92cf7p-7, 0x1.83c7d5627d1d1p-11, -0x1.65e8281936887p-15, 0x1.e9ce55f457fb1p-20,
-        -0x1.f9e9d8d248bfcp-25, 0x1.55b68304dda03p-30);
-    return p1 * alpha_2 * alpha;
-}
-#define weight_moment_amplitude_1e_10_fused_KIND short
-
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-10, fused: proved within 2.74e-12 relative
- * (certificates/resistance_factor.json) */
-INLINE double resistance_factor_1e_10_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
-        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
-    return p1 * alpha_2 * alpha;
-}
-#define resistance_factor_1e_10_fused_KIND short
-
-/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-6, fused:
- * proved within 6.63e-07 relative (certificates/polar_moment.json) */
-INLINE double polar_moment_1e_6_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.555563e45ba3ep-1, -0x1.1116d4346c2b7p-2, 0x1.d5a56118ff0cbp-5,
-        -0x1.f6c43e68063fbp-8, 0x1.a45a7a5b48d87p-10, -0x1.f017539ffdb0bp-11, 0x1.e6addd2fd57c1p-12,
-        -0x1.01f8715011affp-13, 0x1.c6cb40d04487cp-17);
-    return p1 * alpha_2 * alpha;
-}
-#define polar_moment_1e_6_fused_KIND short
-
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-6, fused: proved within 2.42e-07
- * relative (certificates/moment_of_inertia.json) */
-INLINE double moment_of_inertia_1e_6_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY6(alpha_2, 0x1.55554ffb45dfap-1, -0x1.999830f1f6825p-2, 0x1.1e017fc24dd09p-3,
-        -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
-    return p1 * alpha_2 * alpha;
-}
-#define moment_of_inertia_1e_6_fused_KIND short
-
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 3.41e-07
- * relative (certificates/radial_weight_amplitude.json) */
-INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY4(t1, 0x1.083464838a5a9p-2, 0x1.072fc483044bbp+3, 0x1.24ceea0f4ee36p+5,
-        0x1.16253f17550d1p+5, 0x1.cc8a8141fa745p+2);
-    const double p2 = POLY5(t1, 1.0, 0x1.f44f9842d233ap+4, 0x1.ed09359bb409ap+6, 0x1.0589e6f9d3ef3p+6,
-        -0x1.f40a4101ee07ep+2, 0x1.32c3a7d534520p-2);
-    return p1 * alpha_2 / p2 * alpha;
-}
-#define radial_weight_amplitude_1e_6_fused_KIND short
-
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-6, fused: proved within 4.38e-07 relative
- * (certificates/weight_moment_amplitude.json) */
-INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY5(alpha_2, 0x1.55554ba99af07p-1, -0x1.555382cc0e3b7p-2, 0x1.27b41ec7abd41p-4,
-        -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
-    return p1 * alpha_2 * alpha;
-}
-#define weight_moment_amplitude_1e_6_fused_KIND short
-
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 1.71e-07 relative
- * (certificates/resistance_factor.json) */
-INLINE double resistance_factor_1e_6_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY3(alpha_2, 0x1.fffffa5b957a5p-1, -0x1.5553226831932p-4, 0x1.6b8afbde89795p-9,
-        -0x1.899d6d596ca14p-15);
-    return p1 * alpha_2 * alpha;
-}
-#define resistance_factor_1e_6_fused_KIND short
-
-/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * fused: proved within 0.503 ulp (certificates/polar_moment.json) */
-INLINE double polar_moment_float32_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY7(t1, 0x1.14aca415ff9bep-2, 0x1.0a493d7acae63p+3, 0x1.7e9225dc641bdp+5,
-        0x1.1699441fb3d7bp+6, 0x1.db1c7a52b7740p+4, 0x1.933d9ee3bc318p+2, 0x1.dc0d095bd83c1p-1,
-        0x1.06bac513c89bdp-4);
-    const double p2 = POLY6(t1, 1.0, 0x1.e7e99b90416b4p+4, 0x1.4f42aae35dcb3p+7, 0x1.981502230ec47p+7,
-        0x1.060efdd46e2e3p+5, -0x1.62e6200f03a08p+2, 0x1.d7d31fc8e0f2ap-3);
-    return p1 * alpha_2 / p2 * alpha;
-}
-#define polar_moment_float32_fused_KIND whole
-
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
- * (certificates/moment_of_inertia.json) */
-INLINE double moment_of_inertia_float32_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
-        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
-        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
-    return p1 * alpha_2 * alpha;
-}
-#define moment_of_inertia_float32_fused_KIND short
-
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.505 ulp
- * (certificates/radial_weight_amplitude.json) */
-INLINE double radial_weight_amplitude_float32_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY9(t1, 0x1.08345eb56857ap-2, 0x1.3b6600d74bccbp+8, 0x1.b837b6270ce48p+15,
-        0x1.1c70adff422e7p+21, 0x1.a80171a3e90ffp+24, 0x1.9d535830bdb5cp+26, 0x1.1b0db627b1ac4p+27,
-        0x1.146d584af00dcp+26, 0x1.5866e2818eb1dp+23, 0x1.a41276abb9bcap+18);
-    const double p2 = POLY9(t1, 1.0, 0x1.3173bf280d278p+10, 0x1.a919145cb9bd0p+17, 0x1.0f96e362556bdp+23,
-        0x1.86838e8dc8106p+26, 0x1.573eb93a9e7aap+28, 0x1.61a66a4a4b7dfp+28, 0x1.1d5c0538d4588p+26,
-        -0x1.c99f8ffd771f7p+22, 0x1.c1ec6782b793bp+17);
-    return p1 * alpha_2 / p2 * alpha;
-}
-#define radial_weight_amplitude_float32_fused_KIND whole
-
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
- * (certificates/weight_moment_amplitude.json) */
-INLINE double weight_moment_amplitude_float32_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY7(alpha_2, 0x1.5555555478204p-1, -0x1.555555080b38cp-2, 0x1.27d273f81480bp-4,
-        -0x1.282e1a3d0c0eep-7, 0x1.83b443c4ba8e3p-11, -0x1.64ea296a14023p-15, 0x1.db665517a168ep-20,
-        -0x1.8c2a65eb3fec2p-25);
-    return p1 * alpha_2 * alpha;
-}
-#define weight_moment_amplitude_float32_fused_KIND short
-
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp
- * (certificates/resistance_factor.json) */
-INLINE double resistance_factor_float32_fused(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
-        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
-    return p1 * alpha_2 * alpha;
-}
-#define resistance_factor_float32_fused_KIND short
 #endif
 
 #undef FMA
@@ -764,286 +775,38 @@ INLINE double logarithm_plain(double b)
 }
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, plain:
- * proved within 3.72 ulp (certificates/polar_moment.json) */
-/* alpha < 0.93 */
+ * proved within 4.17 ulp (certificates/polar_moment.json) */
+/* alpha < 1.06 */
 INLINE double polar_moment_best_plain_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY11(alpha_2, -0x1.99999999999aap-2, 0x1.5f15f15f1726fp-4, -0x1.5ac056b1147acp-7,
-        0x1.d0042e1391951p-11, -0x1.8d4952ec3d425p-15, 0x1.7b1e61f702731p-19, 0x1.7fd478253df46p-24,
-        0x1.b149c360dbe22p-25, 0x1.d2dbb0cb27f33p-30, 0x1.ab724f22aa27ep-27, -0x1.3aec2023926f3p-28,
-        0x1.03ba64fc6390ep-29);
+    const double p1 = POLY14(alpha_2, -0x1.9999999999998p-2, 0x1.5f15f15f15caep-4, -0x1.5ac056afeeeedp-7,
+        0x1.d0042d1a7a479p-11, -0x1.8d48d67723bf4p-15, 0x1.7af6847d6a8b5p-19, 0x1.910a4d94f0fb2p-24,
+        0x1.5ec4e6cb89e6ep-25, 0x1.34779b4319ad8p-26, -0x1.ebe50399bea97p-28, 0x1.a8f8eb47e02adp-27,
+        -0x1.2c351cb8eed5bp-27, 0x1.4ddb2f6e5a435p-28, -0x1.a5f2cc52df731p-30, 0x1.1727db8e8d26bp-32);
     return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
 }
-/* alpha >= 0.93, in b = pi/2 - alpha */
+/* alpha >= 1.06, in b = pi/2 - alpha */
 INLINE double polar_moment_best_plain_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY5(b_2, 0x1.55555555579d1p-2, -0x1.555555518e7c3p-3, 0x1.27d279e0496b5p-5,
-        -0x1.2834e1f3e1a60p-8, 0x1.80dce9acbd0ffp-12, -0x1.b16de590ed744p-16);
-    const double p2 = POLY5(b_2, -0x1.213ce230290f3p-7, 0x1.94ebfbb2ec66fp-4, -0x1.0ee086df8c2f9p-5,
-        0x1.556ffb39c3af9p-8, -0x1.058aebdba383ap-11, 0x1.1477caa143cfbp-15);
-    const double t1 = b * b_2 * (p1 * logarithm_plain(b) + p2) + 0x1.ee6913347c2a6p-55;
-    return alpha + -0x1.0c152382d7366p-1 + t1;
+    const double p1 = POLY5(b_2, -0x1.213ce2316924dp-7, 0x1.94ebfb8ed1634p-4, -0x1.0ee08d6ddcdd4p-5,
+        0x1.556fa69a4a6aep-8, -0x1.058191e40d3cfp-11, 0x1.142a50dc4a9dep-15);
+    const double p2 = POLY5(b_2, 0x1.5555555554f26p-2, -0x1.55555559507f8p-3, 0x1.27d27519db656p-5,
+        -0x1.2835c7b8e7a0fp-8, 0x1.80dd0f969ca49p-12, -0x1.b08fc34d11d4dp-16);
+    const double t1 = b * b_2 * (p2 * logarithm_plain(b) + p1) + 0x1.fab71f4a3269fp-7;
+    return alpha + -0x1.1400000000000p-1 + t1;
 }
 INLINE double polar_moment_best_plain(double alpha)
 {
     const double near = polar_moment_best_plain_near(alpha);
     const double far = polar_moment_best_plain_far(alpha);
-    return SELECT(alpha < 0x1.dc28f5c28f5c3p-1, near, far);
+    return SELECT(alpha < 0x1.0f5c28f5c28f6p+0, near, far);
 }
 #define polar_moment_best_plain_KIND pieces
-#define polar_moment_best_plain_BELOW_double UINT64_C(0x3fedc28f5c28f5c2)
-#define polar_moment_best_plain_BELOW_float UINT32_C(0x3f6e147a)
-
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, plain: proved within 3.9 ulp
- * (certificates/moment_of_inertia.json) */
-/* alpha < 1.0 */
-INLINE double moment_of_inertia_best_plain_near(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf4p-3, -0x1.74c1f6ca16a80p-5,
-        0x1.af3b88aa68aebp-8, -0x1.615085c00e86dp-11, 0x1.ae8cb1283bb0dp-15, -0x1.952f78d94e8b4p-19,
-        0x1.2f46f95e97102p-23, -0x1.715e85182e3c6p-28, 0x1.701f99390685dp-33, -0x1.06aa0de1b2785p-38);
-    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
-}
-/* alpha >= 1.0, in b = pi/2 - alpha */
-INLINE double moment_of_inertia_best_plain_far(double alpha)
-{
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p1 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
-        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
-        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
-    return 0.5 * alpha + -0x1.e000000000000p-4 + (b * p1 + 0x1.dffffffffffffp-4);
-}
-INLINE double moment_of_inertia_best_plain(double alpha)
-{
-    const double near = moment_of_inertia_best_plain_near(alpha);
-    const double far = moment_of_inertia_best_plain_far(alpha);
-    return SELECT(alpha < 1.0, near, far);
-}
-#define moment_of_inertia_best_plain_KIND pieces
-#define moment_of_inertia_best_plain_BELOW_double UINT64_C(0x3fefffffffffffff)
-#define moment_of_inertia_best_plain_BELOW_float UINT32_C(0x3f7fffff)
-
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 3.93 ulp
- * (certificates/radial_weight_amplitude.json) */
-/* alpha < 1.02 */
-INLINE double radial_weight_amplitude_best_plain_near(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY14(alpha_2, -0x1.333333333333fp-2, 0x1.c09c09c0a0697p-6, -0x1.0cbb766699a91p-9,
-        -0x1.ebc17ea4438d8p-16, -0x1.8bc56a975512cp-16, -0x1.81ce091eaad43p-18, -0x1.af675dca502fcp-20,
-        -0x1.cab1aff185f12p-22, -0x1.c4fd9a7c6da80p-23, 0x1.5d27070391f4dp-24, -0x1.59a98a325cbd4p-23,
-        0x1.045647ffefdb9p-23, -0x1.3b05aafac3a90p-24, 0x1.ad9efb842aa75p-26, -0x1.3687c8bf5bfd6p-28);
-    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
-}
-/* alpha >= 1.02, in b = pi/2 - alpha */
-INLINE double radial_weight_amplitude_best_plain_far(double alpha)
-{
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p1 = POLY5(b_2, 0x1.00000000000b6p+0, -0x1.555555554900ap-2, 0x1.6c16c0a0e6534p-5,
-        -0x1.a01c15d7033acp-9, 0x1.26ecb6ae67667p-13, -0x1.4b80ca7eaf925p-18);
-    const double p2 = POLY5(b_2, -0x1.7217f7d1c0c33p-7, 0x1.2c981ff50df71p-1, -0x1.5fec3987413d3p-4,
-        0x1.c0f84768fd081p-8, -0x1.5c1de3bda9c32p-12, 0x1.8128754f493fdp-17);
-    return 1.0 - b + (b * (b * -1.875 + 1.0) + b_2 * (p1 * logarithm_plain(2.0 * b) + p2));
-}
-INLINE double radial_weight_amplitude_best_plain(double alpha)
-{
-    const double near = radial_weight_amplitude_best_plain_near(alpha);
-    const double far = radial_weight_amplitude_best_plain_far(alpha);
-    return SELECT(alpha < 0x1.051eb851eb852p+0, near, far);
-}
-#define radial_weight_amplitude_best_plain_KIND pieces
-#define radial_weight_amplitude_best_plain_BELOW_double UINT64_C(0x3ff051eb851eb851)
-#define radial_weight_amplitude_best_plain_BELOW_float UINT32_C(0x3f828f5c)
-
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, plain: proved within 4.92 ulp
- * (certificates/weight_moment_amplitude.json) */
-/* alpha < 1.14 */
-INLINE double weight_moment_amplitude_best_plain_near(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbacp-4, -0x1.bc466f119b2adp-7, 0x1.22d671ab3a415p-10,
-        -0x1.0c7836ab3f49dp-14, 0x1.702ffb8c1bae1p-19, -0x1.85d7f38d0863bp-24, 0x1.483a398c06abcp-29,
-        -0x1.bfd1bed6f6a7dp-35, 0x1.cce3e7c2893efp-41);
-    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
-}
-/* alpha >= 1.14, in b = pi/2 - alpha */
-INLINE double weight_moment_amplitude_best_plain_far(double alpha)
-{
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p1 = POLY7(b_2, -0x1.fffffffffff33p-1, 0x1.2aaaaaaaa4de1p-1, -0x1.5b05b05725bf8p-3,
-        0x1.bc8bc63347c1bp-6, -0x1.637d23719afdep-9, 0x1.836fb52a981c1p-13, -0x1.200f7807f7c5cp-17,
-        -0x1.b75240e8c1b90p-22);
-    return 0x1.5555555555555p-1 + b_2 * p1;
-}
-INLINE double weight_moment_amplitude_best_plain(double alpha)
-{
-    const double near = weight_moment_amplitude_best_plain_near(alpha);
-    const double far = weight_moment_amplitude_best_plain_far(alpha);
-    return SELECT(alpha < 0x1.23d70a3d70a3dp+0, near, far);
-}
-#define weight_moment_amplitude_best_plain_KIND pieces
-#define weight_moment_amplitude_best_plain_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
-#define weight_moment_amplitude_best_plain_BELOW_float UINT32_C(0x3f91eb85)
-
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 3.01 ulp
- * (certificates/resistance_factor.json) */
-INLINE double resistance_factor_best_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY7(alpha_2, -0x1.5555555555555p-4, 0x1.6c16c16c16ba2p-9, -0x1.a01a01a0132c2p-15,
-        0x1.27e4fb7471f25p-21, -0x1.1eed8d7449e95p-28, 0x1.93966653151c3p-36, -0x1.ae33aea2b0d55p-44,
-        0x1.5aeb95ee17e27p-52);
-    return (alpha_2 * (p1 * alpha_2) + alpha_2) * alpha;
-}
-#define resistance_factor_best_plain_KIND whole
-
-/* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
- * best, plain: proved within 4.62 ulp (certificates/dynamic_coefficient.json) */
-INLINE double dynamic_coefficient_best_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY11(alpha_2, -0x1.99999999999aap-2, 0x1.5f15f15f1726fp-4, -0x1.5ac056b1147acp-7,
-        0x1.d0042e1391951p-11, -0x1.8d4952ec3d425p-15, 0x1.7b1e61f702731p-19, 0x1.7fd478253df46p-24,
-        0x1.b149c360dbe22p-25, 0x1.d2dbb0cb27f33p-30, 0x1.ab724f22aa27ep-27, -0x1.3aec2023926f3p-28,
-        0x1.03ba64fc6390ep-29);
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p2 = POLY5(b_2, 0x1.55555555579d1p-2, -0x1.555555518e7c3p-3, 0x1.27d279e0496b5p-5,
-        -0x1.2834e1f3e1a60p-8, 0x1.80dce9acbd0ffp-12, -0x1.b16de590ed744p-16);
-    const double p3 = POLY5(b_2, -0x1.213ce230290f3p-7, 0x1.94ebfbb2ec66fp-4, -0x1.0ee086df8c2f9p-5,
-        0x1.556ffb39c3af9p-8, -0x1.058aebdba383ap-11, 0x1.1477caa143cfbp-15);
-    const double t1 = b * b_2 * (p2 * logarithm_plain(b) + p3) + 0x1.ee6913347c2a6p-55;
-    const double t2 = alpha < 0x1.dc28f5c28f5c3p-1;
-    const double t3 = SELECT(t2, 1.0 + p1 * alpha_2, alpha + -0x1.0c152382d7366p-1 + t1);
-    const double p4 = POLY7(alpha_2, -0x1.5555555555555p-4, 0x1.6c16c16c16ba2p-9, -0x1.a01a01a0132c2p-15,
-        0x1.27e4fb7471f25p-21, -0x1.1eed8d7449e95p-28, 0x1.93966653151c3p-36, -0x1.ae33aea2b0d55p-44,
-        0x1.5aeb95ee17e27p-52);
-    const double t4 = p4 * alpha_2;
-    return SELECT(t2, t3 / 1.5, t3) / SELECT(t2, 1.0 + t4, (alpha_2 * t4 + alpha_2) * alpha);
-}
-#define dynamic_coefficient_best_plain_KIND whole
-
-/* C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish,
- * 0 <= alpha <= pi/2, best, plain: proved within 3.6 ulp (certificates/weight_moment_per_inertia.json) */
-INLINE double weight_moment_per_inertia_best_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbbap-4, -0x1.bc466f119baebp-7, 0x1.22d671ab58528p-10,
-        -0x1.0c7836b2641bdp-14, 0x1.702ffd855872fp-19, -0x1.85d847d52bd84p-24, 0x1.48429a5c8ff5ep-29,
-        -0x1.c0bbf1cdc35f2p-35, 0x1.d7b62978183c7p-41);
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p2 = POLY7(b_2, -0x1.fffffffffff8cp-1, 0x1.2aaaaaaaa8b64p-1, -0x1.5b05b05a3eddfp-3,
-        0x1.bc8bc86e383e0p-6, -0x1.637df93a2b515p-9, 0x1.83c680f9980fdp-13, -0x1.3233f64cde615p-17,
-        0x1.58b634f524f45p-22);
-    const double t1 = alpha < 1.0;
-    const double p3 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf4p-3, -0x1.74c1f6ca16a80p-5,
-        0x1.af3b88aa68aebp-8, -0x1.615085c00e86dp-11, 0x1.ae8cb1283bb0dp-15, -0x1.952f78d94e8b4p-19,
-        0x1.2f46f95e97102p-23, -0x1.715e85182e3c6p-28, 0x1.701f99390685dp-33, -0x1.06aa0de1b2785p-38);
-    const double p4 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
-        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
-        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
-    const double t2 = 0.5 * alpha + -0x1.e000000000000p-4 + (b * p4 + 0x1.dffffffffffffp-4);
-    const double t3 = SELECT(t1, 1.0 + p1 * alpha_2, 0x1.5555555555555p-1 + b_2 * p2);
-    return t3 / SELECT(t1, 1.0 + p3 * alpha_2, t2);
-}
-#define weight_moment_per_inertia_best_plain_KIND whole
-
-/* C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0
- * <= alpha <= pi/2, best, plain: proved within 3.16 ulp (certificates/radial_weight_per_inertia.json) */
-INLINE double radial_weight_per_inertia_best_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY15(alpha_2, -0x1.3333333333331p-2, 0x1.c09c09c09b21ap-6, -0x1.0cbb7661039a4p-9,
-        -0x1.ebc1aebec88f9p-16, -0x1.8bc37ba4a9e9cp-16, -0x1.8201fa45d5e98p-18, -0x1.aba5f589eb2edp-20,
-        -0x1.fc3a7b71ed83bp-22, -0x1.aef8388bf9a7dp-24, -0x1.e67c4929e3d9ap-24, 0x1.8284b98d3ef10p-24,
-        -0x1.e6629131fe7cep-24, 0x1.5c0717fe10388p-24, -0x1.707239a982081p-25, 0x1.cbd5f63622b49p-27,
-        -0x1.2602c2b4216f8p-29);
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p2 = POLY5(b_2, 0x1.00000000000d1p+0, -0x1.555555552b82cp-2, 0x1.6c16c100ecd3dp-5,
-        -0x1.a01ba6f54a2d2p-9, 0x1.2705f10ad2bc9p-13, -0x1.49f6ab92b4903p-18);
-    const double p3 = POLY5(b_2, -0x1.7217f7d1bdaacp-7, 0x1.2c981ff52d6d6p-1, -0x1.5fec394ef3093p-4,
-        0x1.c0f85bb0bd6d8p-8, -0x1.5c240340d7499p-12, 0x1.7fcd25610a7bep-17);
-    const double t1 = 1.0 - b + (b * (b * -1.875 + 1.0) + b_2 * (p2 * logarithm_plain(2.0 * b) + p3));
-    const double t2 = alpha < 0x1.07ae147ae147bp+0;
-    const double p4 = POLY11(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf1p-3, -0x1.74c1f6ca168cfp-5,
-        0x1.af3b88aa5d36ep-8, -0x1.615085bd8844bp-11, 0x1.ae8cb07f844bap-15, -0x1.952f5cfde36d4p-19,
-        0x1.2f43fc0f3b961p-23, -0x1.70f3f2a6450f9p-28, 0x1.66d4d675032fdp-33, -0x1.21425b193f4e3p-39,
-        -0x1.45b05b2cc572fp-42);
-    const double p5 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cb31p-3, 0x1.3e93e93e9a95cp-2,
-        -0x1.0cbb76636144ep-3, 0x1.e94dfdbeb29efp-6, -0x1.1e5e2b53ee8f7p-8, 0x1.d6a65d5d8efd9p-12,
-        -0x1.1f88aff83463bp-15, 0x1.1d2bdb6e180adp-19, -0x1.6de90fa3c36d1p-23);
-    const double t3 = 0.5 * alpha + -0x1.e000000000000p-4 + (b * p5 + 0x1.dffffffffffffp-4);
-    return SELECT(t2, 1.0 + p1 * alpha_2, t1) / SELECT(t2, 1.0 + p4 * alpha_2, t3);
-}
-#define radial_weight_per_inertia_best_plain_KIND whole
-
-/* I_p* /Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0 <= alpha
- * <= pi/2, best, plain: proved within 3.01 ulp (certificates/polar_moment_per_inertia.json) */
-INLINE double polar_moment_per_inertia_best_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY13(alpha_2, -0x1.999999999999bp-2, 0x1.5f15f15f16133p-4, -0x1.5ac056b03787fp-7,
-        0x1.d0042d62d5390p-11, -0x1.8d4900e22cd37p-15, 0x1.7b068d35efb42p-19, 0x1.88c9611a62aaap-24,
-        0x1.8e96ce5791a84p-25, 0x1.b88d2a10b198ep-28, 0x1.59b16de1aa5bbp-27, -0x1.9941b41d0cf69p-28,
-        0x1.4c5bfe80b82dfp-28, -0x1.ec80049fb3d54p-30, 0x1.b9b42a5028f70p-32);
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p2 = POLY5(b_2, 0x1.555555555434bp-2, -0x1.5555555ce08d5p-3, 0x1.27d270f96a29bp-5,
-        -0x1.2837b580b3980p-8, 0x1.807b27aa47e52p-12, -0x1.b34a574a5ccacp-16);
-    const double p3 = POLY5(b_2, -0x1.213ce231c73c8p-7, 0x1.94ebfb7c3ce42p-4, -0x1.0ee09496505b1p-5,
-        0x1.556dc54d73912p-8, -0x1.0589062751e4cp-11, 0x1.15ac79423b8b0p-15);
-    const double t1 = b * b_2 * (p2 * logarithm_plain(b) + p3) + 0x1.ee6913347c2a6p-55;
-    const double t2 = alpha < 1.0;
-    const double p4 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf4p-3, -0x1.74c1f6ca16a80p-5,
-        0x1.af3b88aa68aebp-8, -0x1.615085c00e86dp-11, 0x1.ae8cb1283bb0dp-15, -0x1.952f78d94e8b4p-19,
-        0x1.2f46f95e97102p-23, -0x1.715e85182e3c6p-28, 0x1.701f99390685dp-33, -0x1.06aa0de1b2785p-38);
-    const double p5 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
-        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
-        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
-    const double t3 = 0.5 * alpha + -0x1.e000000000000p-4 + (b * p5 + 0x1.dffffffffffffp-4);
-    const double t4 = SELECT(t2, 1.0 + p1 * alpha_2, alpha + -0x1.0c152382d7366p-1 + t1);
-    return t4 / SELECT(t2, 1.0 + p4 * alpha_2, t3);
-}
-#define polar_moment_per_inertia_best_plain_KIND whole
-
-/* C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
- * vanish, 0 <= alpha <= pi/2, best, plain: proved within 4.99 ulp
- * (certificates/weight_moment_per_radial_weight.json) */
-INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbb9p-4, -0x1.bc466f119ba3ep-7, 0x1.22d671ab5580dp-10,
-        -0x1.0c7836b1a0daep-14, 0x1.702ffd482ffbdp-19, -0x1.85d83c514d29ap-24, 0x1.48415120bdd7dp-29,
-        -0x1.c093be0569f32p-35, 0x1.d5a4e25649554p-41);
-    const double b = 0x1.921fb54442d18p+0 - alpha;
-    const double b_2 = b * b;
-    const double p2 = POLY7(b_2, -0x1.fffffffffff81p-1, 0x1.2aaaaaaaa858fp-1, -0x1.5b05b05a0692cp-3,
-        0x1.bc8bc8508d3eap-6, -0x1.637df140a6f7bp-9, 0x1.83c438231323ep-13, -0x1.31defbecf388fp-17,
-        0x1.4edde2a2fe592p-22);
-    const double t1 = alpha < 0x1.07ae147ae147bp+0;
-    const double p3 = POLY15(alpha_2, -0x1.3333333333331p-2, 0x1.c09c09c09b21ap-6, -0x1.0cbb7661039a4p-9,
-        -0x1.ebc1aebec88f9p-16, -0x1.8bc37ba4a9e9cp-16, -0x1.8201fa45d5e98p-18, -0x1.aba5f589eb2edp-20,
-        -0x1.fc3a7b71ed83bp-22, -0x1.aef8388bf9a7dp-24, -0x1.e67c4929e3d9ap-24, 0x1.8284b98d3ef10p-24,
-        -0x1.e6629131fe7cep-24, 0x1.5c0717fe10388p-24, -0x1.707239a982081p-25, 0x1.cbd5f63622b49p-27,
-        -0x1.2602c2b4216f8p-29);
-    const double p4 = POLY5(b_2, 0x1.00000000000d1p+0, -0x1.555555552b82cp-2, 0x1.6c16c100ecd3dp-5,
-        -0x1.a01ba6f54a2d2p-9, 0x1.2705f10ad2bc9p-13, -0x1.49f6ab92b4903p-18);
-    const double p5 = POLY5(b_2, -0x1.7217f7d1bdaacp-7, 0x1.2c981ff52d6d6p-1, -0x1.5fec394ef3093p-4,
-        0x1.c0f85bb0bd6d8p-8, -0x1.5c240340d7499p-12, 0x1.7fcd25610a7bep-17);
-    const double t2 = 1.0 - b + (b * (b * -1.875 + 1.0) + b_2 * (p4 * logarithm_plain(2.0 * b) + p5));
-    const double t3 = SELECT(t1, 1.0 + p1 * alpha_2, 0x1.5555555555555p-1 + b_2 * p2);
-    return t3 / SELECT(t1, 1.0 + p3 * alpha_2, t2);
-}
-#define weight_moment_per_radial_weight_best_plain_KIND whole
+#define polar_moment_best_plain_BELOW_double UINT64_C(0x3ff0f5c28f5c28f5)
+#define polar_moment_best_plain_BELOW_float UINT32_C(0x3f87ae14)
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-10, plain:
  * proved within 6.69e-11 relative (certificates/polar_moment.json) */
@@ -1060,6 +823,64 @@ INLINE double polar_moment_1e_10_plain(double alpha)
 }
 #define polar_moment_1e_10_plain_KIND whole
 
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-6, plain:
+ * proved within 6.63e-07 relative (certificates/polar_moment.json) */
+INLINE double polar_moment_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555563e45ba3ep-1, -0x1.1116d4346c2b7p-2, 0x1.d5a56118ff0cbp-5,
+        -0x1.f6c43e68063fbp-8, 0x1.a45a7a5b48d87p-10, -0x1.f017539ffdb0bp-11, 0x1.e6addd2fd57c1p-12,
+        -0x1.01f8715011affp-13, 0x1.c6cb40d04487cp-17);
+    return p1 * alpha_2 * alpha;
+}
+#define polar_moment_1e_6_plain_KIND whole
+
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
+ * plain: proved within 0.503 ulp (certificates/polar_moment.json) */
+INLINE double polar_moment_float32_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY7(t1, 0x1.14aca415ff9bep-2, 0x1.0a493d7acae63p+3, 0x1.7e9225dc641bdp+5,
+        0x1.1699441fb3d7bp+6, 0x1.db1c7a52b7740p+4, 0x1.933d9ee3bc318p+2, 0x1.dc0d095bd83c1p-1,
+        0x1.06bac513c89bdp-4);
+    const double p2 = POLY6(t1, 1.0, 0x1.e7e99b90416b4p+4, 0x1.4f42aae35dcb3p+7, 0x1.981502230ec47p+7,
+        0x1.060efdd46e2e3p+5, -0x1.62e6200f03a08p+2, 0x1.d7d31fc8e0f2ap-3);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define polar_moment_float32_plain_KIND whole
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, plain: proved within 3.94 ulp
+ * (certificates/moment_of_inertia.json) */
+/* alpha < 1.04 */
+INLINE double moment_of_inertia_best_plain_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, -0x1.333333333332bp-1, 0x1.ad1ad1ad1a79fp-3, -0x1.74c1f6ca02d52p-5,
+        0x1.af3b88a5d2a17p-8, -0x1.6150852358f81p-11, 0x1.ae8c97331a182p-15, -0x1.952cb7756450ap-19,
+        0x1.2f16eb244b5dfp-23, -0x1.6d4e163551c6fp-28, 0x1.3e673ee0e6ccep-33);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
+}
+/* alpha >= 1.04, in b = pi/2 - alpha */
+INLINE double moment_of_inertia_best_plain_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY8(b_2, -0x1.5555555555569p-3, -0x1.c71c71c71bd51p-3, 0x1.3e93e93e8513fp-2,
+        -0x1.0cbb765f6105bp-3, 0x1.e94dfc180d8d8p-6, -0x1.1e5df77310522p-8, 0x1.d696da6d44e9dp-12,
+        -0x1.1e264f7e219b6p-15, 0x1.f4ffb320b7c92p-20);
+    return 0.5 * alpha + -0x1.1000000000000p-3 + (b * p1 + 0x1.1000000000000p-3);
+}
+INLINE double moment_of_inertia_best_plain(double alpha)
+{
+    const double near = moment_of_inertia_best_plain_near(alpha);
+    const double far = moment_of_inertia_best_plain_far(alpha);
+    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
+}
+#define moment_of_inertia_best_plain_KIND pieces
+#define moment_of_inertia_best_plain_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
+#define moment_of_inertia_best_plain_BELOW_float UINT32_C(0x3f851eb8)
+
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-10, plain: proved within 3.57e-12
  * relative (certificates/moment_of_inertia.json) */
 INLINE double moment_of_inertia_1e_10_plain(double alpha)
@@ -1071,6 +892,64 @@ INLINE double moment_of_inertia_1e_10_plain(double alpha)
     return p1 * alpha_2 * alpha;
 }
 #define moment_of_inertia_1e_10_plain_KIND whole
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-6, plain: proved within 2.42e-07
+ * relative (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY6(alpha_2, 0x1.55554ffb45dfap-1, -0x1.999830f1f6825p-2, 0x1.1e017fc24dd09p-3,
+        -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_1e_6_plain_KIND short
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
+ * (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_float32_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
+        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
+        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_float32_plain_KIND whole
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 3.92 ulp
+ * (certificates/radial_weight_amplitude.json) */
+/* alpha < 1.14 */
+INLINE double radial_weight_amplitude_best_plain_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY17(alpha_2, -0x1.333333333332dp-2, 0x1.c09c09c09973ep-6, -0x1.0cbb765f0ad28p-9,
+        -0x1.ebc1c1a4ab6e5p-16, -0x1.8bc2a180b4b2dp-16, -0x1.821bfead0e378p-18, -0x1.a978e7b7a1cfbp-20,
+        -0x1.0f17bdb8198afp-21, -0x1.1659a8c8bfe09p-27, -0x1.550ad9861c80cp-22, 0x1.d4c5f0b709ceap-22,
+        -0x1.2e85da2724856p-21, 0x1.1a424504de35dp-21, -0x1.8e7f3cc5112f2p-22, 0x1.9555d125daed6p-23,
+        -0x1.1c5633bfcfc28p-24, 0x1.ebdda588d4c52p-27, -0x1.9596db7996201p-30);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
+}
+/* alpha >= 1.14, in b = pi/2 - alpha */
+INLINE double radial_weight_amplitude_best_plain_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY5(b_2, 0x1.d1bd0105cacaap-4, 0x1.2c981ff65e78ap-1, -0x1.5fec361a7a6e3p-4,
+        0x1.c0fa7521974f7p-8, -0x1.5c87336390abap-12, 0x1.536149c083855p-17);
+    const double p2 = POLY5(b_2, 0x1.0000000000175p+0, -0x1.55555554239ddp-2, 0x1.6c16c5c417f46p-5,
+        -0x1.a013dfccb8a12p-9, 0x1.29896a4b09812p-13, -0x1.11c7f03358b1fp-18);
+    const double t1 = b * (b * -2.0 + 0.5) + (b_2 * (p2 * logarithm_plain(2.0 * b) + p1) + 0x1.3c095777a5d00p-6);
+    return 0.5 * alpha + 0x1.9000000000000p-3 + t1;
+}
+INLINE double radial_weight_amplitude_best_plain(double alpha)
+{
+    const double near = radial_weight_amplitude_best_plain_near(alpha);
+    const double far = radial_weight_amplitude_best_plain_far(alpha);
+    return SELECT(alpha < 0x1.23d70a3d70a3dp+0, near, far);
+}
+#define radial_weight_amplitude_best_plain_KIND pieces
+#define radial_weight_amplitude_best_plain_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
+#define radial_weight_amplitude_best_plain_BELOW_float UINT32_C(0x3f91eb85)
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-10, plain: proved within 5.86e-11
  * relative (certificates/radial_weight_amplitude.json) */
@@ -1088,114 +967,19 @@ INLINE double radial_weight_amplitude_1e_10_plain(double alpha)
 }
 #define radial_weight_amplitude_1e_10_plain_KIND whole
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, plain: proved within 2.07e-12 relative
- * (certificates/weight_moment_amplitude.json) */
-INLINE double weight_moment_amplitude_1e_10_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.555555555259dp-1, -0x1.55555553fea4bp-2, 0x1.27d27cf3b8112p-4,
-        -0x1.282eee7b92cf7p-7, 0x1.83c7d5627d1d1p-11, -0x1.65e8281936887p-15, 0x1.e9ce55f457fb1p-20,
-        -0x1.f9e9d8d248bfcp-25, 0x1.55b68304dda03p-30);
-    return p1 * alpha_2 * alpha;
-}
-#define weight_moment_amplitude_1e_10_plain_KIND whole
-
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-10, plain: proved within 2.74e-12 relative
- * (certificates/resistance_factor.json) */
-INLINE double resistance_factor_1e_10_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
-        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
-    return p1 * alpha_2 * alpha;
-}
-#define resistance_factor_1e_10_plain_KIND short
-
-/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-6, plain:
- * proved within 6.63e-07 relative (certificates/polar_moment.json) */
-INLINE double polar_moment_1e_6_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.555563e45ba3ep-1, -0x1.1116d4346c2b7p-2, 0x1.d5a56118ff0cbp-5,
-        -0x1.f6c43e68063fbp-8, 0x1.a45a7a5b48d87p-10, -0x1.f017539ffdb0bp-11, 0x1.e6addd2fd57c1p-12,
-        -0x1.01f8715011affp-13, 0x1.c6cb40d04487cp-17);
-    return p1 * alpha_2 * alpha;
-}
-#define polar_moment_1e_6_plain_KIND whole
-
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-6, plain: proved within 2.42e-07
- * relative (certificates/moment_of_inertia.json) */
-INLINE double moment_of_inertia_1e_6_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY6(alpha_2, 0x1.55554ffb45dfap-1, -0x1.999830f1f6825p-2, 0x1.1e017fc24dd09p-3,
-        -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
-    return p1 * alpha_2 * alpha;
-}
-#define moment_of_inertia_1e_6_plain_KIND short
-
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 3.41e-07
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 4.53e-07
  * relative (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_1e_6_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY4(t1, 0x1.083464838a5a9p-2, 0x1.072fc483044bbp+3, 0x1.24ceea0f4ee36p+5,
-        0x1.16253f17550d1p+5, 0x1.cc8a8141fa745p+2);
-    const double p2 = POLY5(t1, 1.0, 0x1.f44f9842d233ap+4, 0x1.ed09359bb409ap+6, 0x1.0589e6f9d3ef3p+6,
-        -0x1.f40a4101ee07ep+2, 0x1.32c3a7d534520p-2);
+    const double p1 = POLY5(t1, 0x1.0834666ddd492p-2, 0x1.c85b59ccf7e43p+2, 0x1.bb4bf0c970e93p+4,
+        0x1.816280b47e4c5p+4, 0x1.5c3fe8cc9aaa0p+2, 0x1.3cfcc3c3dc6ebp-2);
+    const double p2 = POLY4(t1, 1.0, 0x1.b0786efcf9f8bp+4, 0x1.6d637ba392228p+6, 0x1.522412f400f39p+5,
+        -0x1.3b15ecf57e019p+1);
     return p1 * alpha_2 / p2 * alpha;
 }
 #define radial_weight_amplitude_1e_6_plain_KIND whole
-
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-6, plain: proved within 4.38e-07 relative
- * (certificates/weight_moment_amplitude.json) */
-INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY5(alpha_2, 0x1.55554ba99af07p-1, -0x1.555382cc0e3b7p-2, 0x1.27b41ec7abd41p-4,
-        -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
-    return p1 * alpha_2 * alpha;
-}
-#define weight_moment_amplitude_1e_6_plain_KIND short
-
-/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 1.71e-07 relative
- * (certificates/resistance_factor.json) */
-INLINE double resistance_factor_1e_6_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY3(alpha_2, 0x1.fffffa5b957a5p-1, -0x1.5553226831932p-4, 0x1.6b8afbde89795p-9,
-        -0x1.899d6d596ca14p-15);
-    return p1 * alpha_2 * alpha;
-}
-#define resistance_factor_1e_6_plain_KIND short
-
-/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * plain: proved within 0.503 ulp (certificates/polar_moment.json) */
-INLINE double polar_moment_float32_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY7(t1, 0x1.14aca415ff9bep-2, 0x1.0a493d7acae63p+3, 0x1.7e9225dc641bdp+5,
-        0x1.1699441fb3d7bp+6, 0x1.db1c7a52b7740p+4, 0x1.933d9ee3bc318p+2, 0x1.dc0d095bd83c1p-1,
-        0x1.06bac513c89bdp-4);
-    const double p2 = POLY6(t1, 1.0, 0x1.e7e99b90416b4p+4, 0x1.4f42aae35dcb3p+7, 0x1.981502230ec47p+7,
-        0x1.060efdd46e2e3p+5, -0x1.62e6200f03a08p+2, 0x1.d7d31fc8e0f2ap-3);
-    return p1 * alpha_2 / p2 * alpha;
-}
-#define polar_moment_float32_plain_KIND whole
-
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
- * (certificates/moment_of_inertia.json) */
-INLINE double moment_of_inertia_float32_plain(double alpha)
-{
-    const double alpha_2 = alpha * alpha;
-    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
-        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
-        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
-    return p1 * alpha_2 * alpha;
-}
-#define moment_of_inertia_float32_plain_KIND whole
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.505 ulp
  * (certificates/radial_weight_amplitude.json) */
@@ -1213,6 +997,61 @@ INLINE double radial_weight_amplitude_float32_plain(double alpha)
 }
 #define radial_weight_amplitude_float32_plain_KIND whole
 
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, plain: proved within 3.8 ulp
+ * (certificates/weight_moment_amplitude.json) */
+/* alpha < 1.04 */
+INLINE double weight_moment_amplitude_best_plain_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbb9p-4, -0x1.bc466f119ba39p-7, 0x1.22d671ab555f0p-10,
+        -0x1.0c7836b1956aap-14, 0x1.702ffd4421227p-19, -0x1.85d83b7e78aadp-24, 0x1.484138797ad96p-29,
+        -0x1.c090a61bf422dp-35, 0x1.d57b926b63ae8p-41);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
+}
+/* alpha >= 1.04, in b = pi/2 - alpha */
+INLINE double weight_moment_amplitude_best_plain_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY7(b_2, -0x1.ffffffffffff2p-3, 0x1.2aaaaaaaaa92ep-1, -0x1.5b05b05af73fdp-3,
+        0x1.bc8bc8b4233bfp-6, -0x1.637e07a789800p-9, 0x1.83c9cfd63f094p-13, -0x1.329964da2a8a0p-17,
+        0x1.629d6790f59cdp-22);
+    const double t1 = b * (b * -0.75 + 0.5) + (b_2 * p1 + (b * -0x1.1a62633145c07p-53 + -0x1.94bfdddaf8555p-10));
+    return 0.5 * alpha + -0x1.e000000000000p-4 + t1;
+}
+INLINE double weight_moment_amplitude_best_plain(double alpha)
+{
+    const double near = weight_moment_amplitude_best_plain_near(alpha);
+    const double far = weight_moment_amplitude_best_plain_far(alpha);
+    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
+}
+#define weight_moment_amplitude_best_plain_KIND pieces
+#define weight_moment_amplitude_best_plain_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
+#define weight_moment_amplitude_best_plain_BELOW_float UINT32_C(0x3f851eb8)
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, plain: proved within 2.07e-12 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_10_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555555555259dp-1, -0x1.55555553fea4bp-2, 0x1.27d27cf3b8112p-4,
+        -0x1.282eee7b92cf7p-7, 0x1.83c7d5627d1d1p-11, -0x1.65e8281936887p-15, 0x1.e9ce55f457fb1p-20,
+        -0x1.f9e9d8d248bfcp-25, 0x1.55b68304dda03p-30);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_10_plain_KIND whole
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-6, plain: proved within 4.38e-07 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.55554ba99af07p-1, -0x1.555382cc0e3b7p-2, 0x1.27b41ec7abd41p-4,
+        -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_6_plain_KIND short
+
 /* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
  * (certificates/weight_moment_amplitude.json) */
 INLINE double weight_moment_amplitude_float32_plain(double alpha)
@@ -1225,6 +1064,40 @@ INLINE double weight_moment_amplitude_float32_plain(double alpha)
 }
 #define weight_moment_amplitude_float32_plain_KIND whole
 
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 3.01 ulp
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY7(alpha_2, -0x1.5555555555555p-4, 0x1.6c16c16c16ba2p-9, -0x1.a01a01a0132c2p-15,
+        0x1.27e4fb7471f25p-21, -0x1.1eed8d7449e95p-28, 0x1.93966653151c3p-36, -0x1.ae33aea2b0d55p-44,
+        0x1.5aeb95ee17e27p-52);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) * alpha;
+}
+#define resistance_factor_best_plain_KIND whole
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-10, plain: proved within 2.74e-12 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_10_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
+        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_10_plain_KIND short
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 1.71e-07 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY3(alpha_2, 0x1.fffffa5b957a5p-1, -0x1.5553226831932p-4, 0x1.6b8afbde89795p-9,
+        -0x1.899d6d596ca14p-15);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_6_plain_KIND short
+
 /* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.501 ulp
  * (certificates/resistance_factor.json) */
 INLINE double resistance_factor_float32_plain(double alpha)
@@ -1235,6 +1108,151 @@ INLINE double resistance_factor_float32_plain(double alpha)
     return p1 * alpha_2 * alpha;
 }
 #define resistance_factor_float32_plain_KIND short
+
+/* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
+ * best, plain: proved within 3.99 ulp (certificates/dynamic_coefficient.json) */
+INLINE double dynamic_coefficient_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY16(alpha_2, -0x1.9999999999994p-2, 0x1.5f15f15f15723p-4, -0x1.5ac056af97eb5p-7,
+        0x1.d0042cc329a9cp-11, -0x1.8d48a1c521398p-15, 0x1.7ae1913b52dd2p-19, 0x1.9ca7a9c4fe21cp-24,
+        0x1.143e3698c3a5ep-25, 0x1.4b5045ea2e1fap-25, -0x1.7955d5936a77ap-25, 0x1.0992dc7bcbf01p-24,
+        -0x1.f864667c48d90p-25, 0x1.6acc24dff3191p-25, -0x1.734fa7fd17f63p-26, 0x1.049260a64bfe6p-27,
+        -0x1.bfb0b783ae8f0p-30, 0x1.6d9d5170fc716p-33);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY5(b_2, -0x1.213ce230a79e8p-7, 0x1.94ebfbcf8c0fdp-4, -0x1.0ee063bdf7d00p-5,
+        0x1.5582f28f586d2p-8, -0x1.047e200356e2ep-11, 0x1.f52cc7c7dfefdp-16);
+    const double p3 = POLY5(b_2, 0x1.55555555565f3p-2, -0x1.5555554df34edp-3, 0x1.27d28a4134219p-5,
+        -0x1.2825e27d993d6p-8, 0x1.85f979159b9b1p-12, -0x1.74ce10bfef7f7p-16);
+    const double t1 = b * b_2 * (p3 * logarithm_plain(b) + p2) + 0x1.fab71f4a3269fp-7;
+    const double t2 = alpha < 0x1.2e147ae147ae1p+0;
+    const double t3 = SELECT(t2, 1.0 + p1 * alpha_2, alpha + -0x1.1400000000000p-1 + t1);
+    const double p4 = POLY7(alpha_2, -0x1.5555555555555p-4, 0x1.6c16c16c16ba2p-9, -0x1.a01a01a0132c2p-15,
+        0x1.27e4fb7471f25p-21, -0x1.1eed8d7449e95p-28, 0x1.93966653151c3p-36, -0x1.ae33aea2b0d55p-44,
+        0x1.5aeb95ee17e27p-52);
+    const double t4 = p4 * alpha_2;
+    const double t5 = SELECT(t2, 1.0 + t4, (alpha_2 * t4 + alpha_2) * alpha);
+    return SELECT(t2, t3 / 1.5, t3) / SELECT(t2, t5, t5);
+}
+#define dynamic_coefficient_best_plain_KIND whole
+
+/* C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish,
+ * 0 <= alpha <= pi/2, best, plain: proved within 3.17 ulp (certificates/weight_moment_per_inertia.json) */
+INLINE double weight_moment_per_inertia_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbb8p-4, -0x1.bc466f119b98cp-7, 0x1.22d671ab529c0p-10,
+        -0x1.0c7836b0dc07dp-14, 0x1.702ffd0c3458cp-19, -0x1.85d83164ee775p-24, 0x1.4840244c506fap-29,
+        -0x1.c070770e543abp-35, 0x1.d3e7e3f9c88d6p-41);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY7(b_2, -0x1.0000000000006p-2, 0x1.2aaaaaaaaab34p-1, -0x1.5b05b05b06654p-3,
+        0x1.bc8bc8bb1d67bp-6, -0x1.637e09681a6fbp-9, 0x1.83ca4d0f33cdbp-13, -0x1.32aba46279bb3p-17,
+        0x1.64c78b2442998p-22);
+    const double t1 = b * (b * -0.75 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + -0x1.194bfdddaf855p-6));
+    const double t2 = 0.5 * alpha + -0x1.a000000000000p-4;
+    const double t3 = alpha < 0x1.0f5c28f5c28f6p+0;
+    const double p3 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf6p-3, -0x1.74c1f6ca16b80p-5,
+        0x1.af3b88aa6ea41p-8, -0x1.615085c1313c5p-11, 0x1.ae8cb1689414fp-15, -0x1.952f81992cfd9p-19,
+        0x1.2f47b732005adp-23, -0x1.717211291e65ep-28, 0x1.713e0b35af1d1p-33, -0x1.0da7a75f6871fp-38);
+    const double p4 = POLY8(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c995p-3, 0x1.3e93e93e9679ap-2,
+        -0x1.0cbb76624ef26p-3, 0x1.e94dfd2a84da7p-6, -0x1.1e5e14556f803p-8, 0x1.d69dd6e3a84b4p-12,
+        -0x1.1e99caf0a78dfp-15, 0x1.00ab575ef75a6p-19);
+    const double t4 = SELECT(t3, 1.0 + p3 * alpha_2, t2 + (b * p4 + 0x1.9ffffffffffffp-4));
+    return SELECT(t3, 1.0 + p1 * alpha_2, t2 + t1) / t4;
+}
+#define weight_moment_per_inertia_best_plain_KIND whole
+
+/* C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0
+ * <= alpha <= pi/2, best, plain: proved within 3.75 ulp (certificates/radial_weight_per_inertia.json) */
+INLINE double radial_weight_per_inertia_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY17(alpha_2, -0x1.3333333333331p-2, 0x1.c09c09c09b0e7p-6, -0x1.0cbb7660d8f0bp-9,
+        -0x1.ebc1b1193de65p-16, -0x1.8bc35755cb770p-16, -0x1.8207776615708p-18, -0x1.ab1617f867c1bp-20,
+        -0x1.0358739aa2e8bp-21, -0x1.2056f30bad3a6p-24, -0x1.a89817d793344p-23, 0x1.0e659f269d535p-22,
+        -0x1.750d8648525d3p-22, 0x1.6817c7af0123cp-22, -0x1.090e4945627c1p-22, 0x1.1842bd29415d0p-23,
+        -0x1.9991739f3798dp-25, 0x1.70ea51a0a09b0p-27, -0x1.3e79820265a98p-30);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY5(b_2, -0x1.7217f7d1acae6p-7, 0x1.2c981ff6211c9p-1, -0x1.5fec36ee4b768p-4,
+        0x1.c0f9c0515effdp-8, -0x1.5c6d8636f92ccp-12, 0x1.64009ce2f3630p-17);
+    const double p3 = POLY5(b_2, 0x1.000000000015dp+0, -0x1.5555555455f4cp-2, 0x1.6c16c49fd75c7p-5,
+        -0x1.a01620d59d215p-9, 0x1.28ae92a1ef664p-13, -0x1.27ac624df162ep-18);
+    const double t1 = b * (b * -1.875 + 0.5) + (b_2 * (p3 * logarithm_plain(2.0 * b) + p2) + 0x1.5e04abbbd2e80p-5);
+    const double t2 = 0.5 * alpha;
+    const double t3 = alpha < 0x1.1eb851eb851ecp+0;
+    const double p4 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf1p-3, -0x1.74c1f6ca169d6p-5,
+        0x1.af3b88aa67b1bp-8, -0x1.615085c03c10ep-11, 0x1.ae8cb1407cfe4p-15, -0x1.952f7d837ab6fp-19,
+        0x1.2f47742ab1046p-23, -0x1.716cd10e1367cp-28, 0x1.71035aeccbd2cp-33, -0x1.0c8fef86260a6p-38);
+    const double p5 = POLY8(b_2, -0x1.555555555554dp-3, -0x1.c71c71c71cc85p-3, 0x1.3e93e93e9e0d6p-2,
+        -0x1.0cbb76644f474p-3, 0x1.e94dfe3da88b8p-6, -0x1.1e5e3d4c60700p-8, 0x1.d6ab8ca876bdep-12,
+        -0x1.1fcee5678494fp-15, 0x1.16f943a246fa1p-19);
+    const double t4 = SELECT(t3, 1.0 + p4 * alpha_2, t2 + -0x1.8000000000000p-4 + (b * p5 + 0x1.7ffffffffffffp-4));
+    return SELECT(t3, 1.0 + p1 * alpha_2, t2 + 0x1.6000000000000p-3 + t1) / t4;
+}
+#define radial_weight_per_inertia_best_plain_KIND whole
+
+/* I_p* /Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0 <= alpha
+ * <= pi/2, best, plain: proved within 3.01 ulp (certificates/polar_moment_per_inertia.json) */
+INLINE double polar_moment_per_inertia_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY12(alpha_2, -0x1.9999999999989p-2, 0x1.5f15f15f14b9cp-4, -0x1.5ac056af15827p-7,
+        0x1.d0042c6d017fep-11, -0x1.8d4885b4b5809p-15, 0x1.7adecfc69194fp-19, 0x1.9a231cb6effb3p-24,
+        0x1.3a43a49a6a763p-25, 0x1.8e95c135f0567p-26, -0x1.5a5f166c6032dp-27, 0x1.6d70197211f4ap-27,
+        -0x1.19d3973aa36cap-28, 0x1.1eee76bd622b2p-30);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY5(b_2, -0x1.eb440e0d5b068p-3, 0x1.b70e1da718514p-3, -0x1.dbecf43061ae4p-5,
+        0x1.115fe28110038p-7, -0x1.8a9e832d9844dp-11, 0x1.af511ed3efee7p-15);
+    const double p3 = POLY5(b_2, 0x1.55555555518aap-2, -0x1.5555556697b7dp-3, 0x1.27d268328778dp-5,
+        -0x1.283af2ca91d53p-8, 0x1.7ff85a336a890p-12, -0x1.b634872dcba2dp-16);
+    const double t1 = b * b_2 * (p3 * logarithm_plain(2.0 * b) + p2) + 0x1.7d5b8fa51934fp-6;
+    const double t2 = alpha < 1.0;
+    const double p4 = POLY9(alpha_2, -0x1.3333333333330p-1, 0x1.ad1ad1ad1aaafp-3, -0x1.74c1f6ca0d41bp-5,
+        0x1.af3b88a801647p-8, -0x1.61508565a6444p-11, 0x1.ae8ca0b5c00e3p-15, -0x1.952d8ea52153ep-19,
+        0x1.2f2260a235af0p-23, -0x1.6dfaada66d5aep-28, 0x1.42b63276d0e01p-33);
+    const double p5 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
+        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
+        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
+    const double t3 = 0.5 * alpha + -0x1.e000000000000p-4 + (b * p5 + 0x1.dffffffffffffp-4);
+    const double t4 = SELECT(t2, 1.0 + p1 * alpha_2, alpha + -0x1.1800000000000p-1 + t1);
+    return t4 / SELECT(t2, 1.0 + p4 * alpha_2, t3);
+}
+#define polar_moment_per_inertia_best_plain_KIND whole
+
+/* C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
+ * vanish, 0 <= alpha <= pi/2, best, plain: proved within 4 ulp (certificates/weight_moment_per_radial_weight.json) */
+INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbafp-4, -0x1.bc466f119b448p-7, 0x1.22d671ab3f983p-10,
+        -0x1.0c7836ac674c6p-14, 0x1.702ffbd6802c0p-19, -0x1.85d7fece9ce4fp-24, 0x1.483b3c6f03034p-29,
+        -0x1.bfeb30e74d917p-35, 0x1.cdf1a753f4825p-41);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY7(b_2, -0x1.fffffffffff95p-4, 0x1.2aaaaaaaaa534p-1, -0x1.5b05b05ace2a9p-3,
+        0x1.bc8bc899c38eep-6, -0x1.637dfe720b520p-9, 0x1.83c64150f3de6p-13, -0x1.31e2be57bfe01p-17,
+        0x1.44ebe008475edp-22);
+    const double t1 = b * (b * -0.875 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + -0x1.8ca5feeed7c2bp-5));
+    const double t2 = 0.5 * alpha;
+    const double t3 = alpha < 0x1.2147ae147ae14p+0;
+    const double p3 = POLY16(alpha_2, -0x1.3333333333349p-2, 0x1.c09c09c0a459dp-6, -0x1.0cbb766afe79ap-9,
+        -0x1.ebc156b09ffa0p-16, -0x1.8bc71e89b0d50p-16, -0x1.819d1f4cc4434p-18, -0x1.b33a96b385a3ap-20,
+        -0x1.934ebccf8890ep-22, -0x1.76f325364bf99p-22, 0x1.81cf0f1950821p-22, -0x1.388ba79ae4b66p-21,
+        0x1.41fbbd705974ep-21, -0x1.fdd2802ad00e9p-22, 0x1.1df88390028d7p-22, -0x1.b99771f548ac0p-24,
+        0x1.a164ea493de27p-26, -0x1.79fb0a146f1a6p-29);
+    const double p4 = POLY5(b_2, -0x1.7217f7d1ab2e7p-7, 0x1.2c981ff63ec19p-1, -0x1.5fec368b1249bp-4,
+        0x1.c0fa11c3186cdp-8, -0x1.5c79b09b316eap-12, 0x1.5cb02195a47e5p-17);
+    const double p5 = POLY5(b_2, 0x1.0000000000169p+0, -0x1.555555543d7fdp-2, 0x1.6c16c52a07b2ap-5,
+        -0x1.a015173aabdaap-9, 0x1.2910a202b16c5p-13, -0x1.1e2016c290c5cp-18);
+    const double t4 = b * (b * -1.875 + 0.5) + (b_2 * (p5 * logarithm_plain(2.0 * b) + p4) + 0x1.5e04abbbd2e80p-5);
+    const double t5 = SELECT(t3, 1.0 + p1 * alpha_2, t2 + -0x1.2000000000000p-4 + t1);
+    return t5 / SELECT(t3, 1.0 + p3 * alpha_2, t2 + 0x1.6000000000000p-3 + t4);
+}
+#define weight_moment_per_radial_weight_best_plain_KIND whole
 
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
  * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
@@ -1292,25 +1310,25 @@ INLINE double resistance_factor_float32_plain(double alpha)
 
 #define LOOPS(LEVEL, FORM) \
     LOOP(double, polar_moment_best, FORM, LEVEL) \
+    LOOP(double, polar_moment_1e_10, FORM, LEVEL) \
+    LOOP(double, polar_moment_1e_6, FORM, LEVEL) \
     LOOP(double, moment_of_inertia_best, FORM, LEVEL) \
+    LOOP(double, moment_of_inertia_1e_10, FORM, LEVEL) \
+    LOOP(double, moment_of_inertia_1e_6, FORM, LEVEL) \
     LOOP(double, radial_weight_amplitude_best, FORM, LEVEL) \
+    LOOP(double, radial_weight_amplitude_1e_10, FORM, LEVEL) \
+    LOOP(double, radial_weight_amplitude_1e_6, FORM, LEVEL) \
     LOOP(double, weight_moment_amplitude_best, FORM, LEVEL) \
+    LOOP(double, weight_moment_amplitude_1e_10, FORM, LEVEL) \
+    LOOP(double, weight_moment_amplitude_1e_6, FORM, LEVEL) \
     LOOP(double, resistance_factor_best, FORM, LEVEL) \
+    LOOP(double, resistance_factor_1e_10, FORM, LEVEL) \
+    LOOP(double, resistance_factor_1e_6, FORM, LEVEL) \
     LOOP(double, dynamic_coefficient_best, FORM, LEVEL) \
     LOOP(double, weight_moment_per_inertia_best, FORM, LEVEL) \
     LOOP(double, radial_weight_per_inertia_best, FORM, LEVEL) \
     LOOP(double, polar_moment_per_inertia_best, FORM, LEVEL) \
     LOOP(double, weight_moment_per_radial_weight_best, FORM, LEVEL) \
-    LOOP(double, polar_moment_1e_10, FORM, LEVEL) \
-    LOOP(double, moment_of_inertia_1e_10, FORM, LEVEL) \
-    LOOP(double, radial_weight_amplitude_1e_10, FORM, LEVEL) \
-    LOOP(double, weight_moment_amplitude_1e_10, FORM, LEVEL) \
-    LOOP(double, resistance_factor_1e_10, FORM, LEVEL) \
-    LOOP(double, polar_moment_1e_6, FORM, LEVEL) \
-    LOOP(double, moment_of_inertia_1e_6, FORM, LEVEL) \
-    LOOP(double, radial_weight_amplitude_1e_6, FORM, LEVEL) \
-    LOOP(double, weight_moment_amplitude_1e_6, FORM, LEVEL) \
-    LOOP(double, resistance_factor_1e_6, FORM, LEVEL) \
     LOOP(float, polar_moment_float32, FORM, LEVEL) \
     LOOP(float, moment_of_inertia_float32, FORM, LEVEL) \
     LOOP(float, radial_weight_amplitude_float32, FORM, LEVEL) \
@@ -1386,25 +1404,25 @@ typedef struct { const char *kernel, *tier; void *loops[2]; } Ufunc;
 #define UFUNCS(LEVEL, FORM) \
     static Ufunc ufuncs_##LEVEL[] = { \
     {"polar_moment", "best", {(void *)polar_moment_float32_##LEVEL##_float, (void *)polar_moment_best_##LEVEL##_double}}, \
+    {"polar_moment", "1e-10", {NULL, (void *)polar_moment_1e_10_##LEVEL##_double}}, \
+    {"polar_moment", "1e-6", {NULL, (void *)polar_moment_1e_6_##LEVEL##_double}}, \
     {"moment_of_inertia", "best", {(void *)moment_of_inertia_float32_##LEVEL##_float, (void *)moment_of_inertia_best_##LEVEL##_double}}, \
+    {"moment_of_inertia", "1e-10", {NULL, (void *)moment_of_inertia_1e_10_##LEVEL##_double}}, \
+    {"moment_of_inertia", "1e-6", {NULL, (void *)moment_of_inertia_1e_6_##LEVEL##_double}}, \
     {"radial_weight_amplitude", "best", {(void *)radial_weight_amplitude_float32_##LEVEL##_float, (void *)radial_weight_amplitude_best_##LEVEL##_double}}, \
+    {"radial_weight_amplitude", "1e-10", {NULL, (void *)radial_weight_amplitude_1e_10_##LEVEL##_double}}, \
+    {"radial_weight_amplitude", "1e-6", {NULL, (void *)radial_weight_amplitude_1e_6_##LEVEL##_double}}, \
     {"weight_moment_amplitude", "best", {(void *)weight_moment_amplitude_float32_##LEVEL##_float, (void *)weight_moment_amplitude_best_##LEVEL##_double}}, \
+    {"weight_moment_amplitude", "1e-10", {NULL, (void *)weight_moment_amplitude_1e_10_##LEVEL##_double}}, \
+    {"weight_moment_amplitude", "1e-6", {NULL, (void *)weight_moment_amplitude_1e_6_##LEVEL##_double}}, \
     {"resistance_factor", "best", {(void *)resistance_factor_float32_##LEVEL##_float, (void *)resistance_factor_best_##LEVEL##_double}}, \
+    {"resistance_factor", "1e-10", {NULL, (void *)resistance_factor_1e_10_##LEVEL##_double}}, \
+    {"resistance_factor", "1e-6", {NULL, (void *)resistance_factor_1e_6_##LEVEL##_double}}, \
     {"dynamic_coefficient", "best", {(void *)dynamic_coefficient_best_##LEVEL##_float, (void *)dynamic_coefficient_best_##LEVEL##_double}}, \
     {"weight_moment_per_inertia", "best", {(void *)weight_moment_per_inertia_best_##LEVEL##_float, (void *)weight_moment_per_inertia_best_##LEVEL##_double}}, \
     {"radial_weight_per_inertia", "best", {(void *)radial_weight_per_inertia_best_##LEVEL##_float, (void *)radial_weight_per_inertia_best_##LEVEL##_double}}, \
     {"polar_moment_per_inertia", "best", {(void *)polar_moment_per_inertia_best_##LEVEL##_float, (void *)polar_moment_per_inertia_best_##LEVEL##_double}}, \
     {"weight_moment_per_radial_weight", "best", {(void *)weight_moment_per_radial_weight_best_##LEVEL##_float, (void *)weight_moment_per_radial_weight_best_##LEVEL##_double}}, \
-    {"polar_moment", "1e-10", {NULL, (void *)polar_moment_1e_10_##LEVEL##_double}}, \
-    {"moment_of_inertia", "1e-10", {NULL, (void *)moment_of_inertia_1e_10_##LEVEL##_double}}, \
-    {"radial_weight_amplitude", "1e-10", {NULL, (void *)radial_weight_amplitude_1e_10_##LEVEL##_double}}, \
-    {"weight_moment_amplitude", "1e-10", {NULL, (void *)weight_moment_amplitude_1e_10_##LEVEL##_double}}, \
-    {"resistance_factor", "1e-10", {NULL, (void *)resistance_factor_1e_10_##LEVEL##_double}}, \
-    {"polar_moment", "1e-6", {NULL, (void *)polar_moment_1e_6_##LEVEL##_double}}, \
-    {"moment_of_inertia", "1e-6", {NULL, (void *)moment_of_inertia_1e_6_##LEVEL##_double}}, \
-    {"radial_weight_amplitude", "1e-6", {NULL, (void *)radial_weight_amplitude_1e_6_##LEVEL##_double}}, \
-    {"weight_moment_amplitude", "1e-6", {NULL, (void *)weight_moment_amplitude_1e_6_##LEVEL##_double}}, \
-    {"resistance_factor", "1e-6", {NULL, (void *)resistance_factor_1e_6_##LEVEL##_double}}, \
     {NULL, NULL, {NULL, NULL}}};
 LEVELS(UFUNCS)
 

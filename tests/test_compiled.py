@@ -21,7 +21,7 @@ import pytest
 from numpy.typing import NDArray
 
 from derive import build
-from derive.approximate.approximants import Variant, variants
+from derive.approximate.programs import Variant, variants
 from derive.check import exact
 from derive.code import emit_c, write
 from derive.code.text import seam

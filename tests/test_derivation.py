@@ -1,14 +1,12 @@
 """The derivation: closed forms against quadrature of the raw definitions at 40 digits, and every link proved."""
 
-from functools import cache
-
 import mpmath
 import pytest
 import sympy as sp
 from mpmath import mpf
 
 from derive.algebra import dynamics
-from derive.algebra.integrate import PSI, Derivation, compare, derive, quadrature
+from derive.algebra.integrate import PSI, closed_forms, compare, derive, quadrature
 from derive.algebra.remainders import unfold
 from derive.code import functions
 from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
@@ -18,16 +16,6 @@ each_moment = pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 DIGITS = 40
 
 
-@cache
-def derivation(moment: Moment) -> Derivation:
-    return derive(moment)
-
-
-@cache
-def closed_forms() -> dict[str, sp.Expr]:
-    return functions.closed_amplitudes([derivation(m) for m in MOMENTS])
-
-
 @each_moment
 @pytest.mark.parametrize("half", ["0.001", "0.8", "pi/2 - 0.001"])
 def test_closed_form_equals_quadrature(moment: Moment, half: str) -> None:
@@ -35,7 +23,7 @@ def test_closed_form_equals_quadrature(moment: Moment, half: str) -> None:
     with mpmath.workdps(DIGITS + 30):
         start = mpf("3.4")
         angle = mpf(half) if half[0] != "p" else mpmath.pi / 2 - mpf("0.001")
-        form = derivation(moment).closed.subs(PSI, 3 * sp.pi / 2 - theta_1 - alpha)
+        form = derive(moment).closed.subs(PSI, 3 * sp.pi / 2 - theta_1 - alpha)
         value = sp.lambdify((theta_1, alpha), form, "mpmath")(start, angle)
         raw = quadrature(moment.weight, start, angle, DIGITS)
         assert abs(raw / value - 1) < mpf(10) ** (1 - DIGITS)
@@ -44,7 +32,7 @@ def test_closed_form_equals_quadrature(moment: Moment, half: str) -> None:
 @each_moment
 def test_derivation(moment: Moment) -> None:
     """Each moment comes out as an amplitude in alpha times a direction, shorter than what was integrated."""
-    found = derivation(moment)
+    found = derive(moment)
     assert found.amplitude.free_symbols == {alpha}
     assert found.direction == {"radial_weight": sp.cos(PSI), "weight_moment": sp.sin(PSI)}.get(moment.name, 1)
     assert found.operations[1] < found.operations[0]

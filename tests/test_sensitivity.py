@@ -21,8 +21,6 @@ from mpmath import mpf
 import slipcircle
 from derive.algebra import integrate
 from derive.algebra import sensitivity as derived
-from derive.code import functions
-from derive.declare.quantities import MOMENTS
 from generated import sensitivity as slopes
 from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.__main__ import main
@@ -36,7 +34,7 @@ def test_every_slope_is_proved() -> None:
     assert len(derived.prove_energy_slopes()) == 10
     assert len(derived.prove_frozen_slopes()) == 13
     assert len(derived.prove_energy_growth()) == 3
-    closed = functions.closed_amplitudes([integrate.derive(m) for m in MOMENTS])
+    closed = integrate.closed_forms()
     assert len(derived.prove_arc_growth(closed)) == len(closed)
 
 

@@ -18,7 +18,7 @@ import sympy as sp
 from mpmath import mpf
 
 from derive.algebra import phase
-from derive.algebra.integrate import ProofError
+from derive.check.proof import ProofError
 from derive.code import functions
 from derive.code.program import Program
 from generated import balance

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
+from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Log1p, Remainder, Select, sinhc, unfold
 from derive.declare.symbols import a, b, omega_0, t
 

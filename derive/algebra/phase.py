@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
+from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Remainder, sine_defect, unfold
 
 X = sp.Symbol("x", real=True)

@@ -12,8 +12,9 @@ from functools import cache
 
 import sympy as sp
 
-from derive.algebra.integrate import ProofError, prove_zero, refute
+from derive.algebra.prove import prove_zero, refute
 from derive.algebra.remainders import Expm1, HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
+from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
 TAU, _Y, _A, _H = sp.symbols("tau y_ angle_ artanh_", real=True)
@@ -105,7 +106,7 @@ def stable(closed: sp.Expr) -> StableForm:
             operations = int(sp.count_ops(before)), int(sp.count_ops(expression))
             steps.append(Step(rule.name, operations, time.perf_counter() - start))
     if min(_orders(expression)) < power:
-        raise ProofError(f"the heads of {closed} do not cancel: {expression}")
+        raise ProofError(f"stable form of {closed}: heads", expression, "none, they cancel")
     reduced = _reduced(expression, power)
     prove_equal(alpha**power * reduced, closed, f"stable form of {closed}")
     return StableForm(closed, power, reduced, tuple(steps))

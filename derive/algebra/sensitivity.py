@@ -10,8 +10,8 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.dynamics import solution
-from derive.algebra.integrate import prove_zero
 from derive.algebra.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, X
+from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Horner, Log1p, Primitive, Remainder, Select, sine_defect, sinhc, unfold
 from derive.algebra.rules import prove_equal, stable
 from derive.code.program import Program, program

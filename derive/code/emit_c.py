@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from derive.approximate.approximants import Code, Variant, logarithm
+from derive.approximate.programs import Code, Variant, logarithm
 from derive.code.emit import identifier
 from derive.code.program import Program, without_dead
 from derive.code.text import Language, Part, Reader, seam, statements

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Mapping
 import sympy as sp
 
 from derive.algebra import dynamics
-from derive.algebra.integrate import Derivation
+from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.phase import CONSTANT, ENERGIES, WATER
 from derive.algebra.remainders import RoundingError
 from derive.algebra.rules import fall, stable
-from derive.approximate.approximants import variants
-from derive.check.rounding import Record
+from derive.approximate.programs import variants
+from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, operations, program
 from derive.declare.effects import (
@@ -44,30 +44,21 @@ _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
 
 
-def closed_amplitudes(derivations: list[Derivation]) -> dict[str, sp.Expr]:
-    """Closed forms of the base quantities in alpha, by name."""
-    forms = {d.moment.amplitude[0] if d.moment.amplitude else d.moment.name: d.amplitude for d in derivations}
-    return forms | {RESISTANCE[0]: 2 * alpha * (1 - sp.cos(alpha))}
-
-
-def kernels(derivations: list[Derivation], proved: Iterable[Record] = ()) -> list[Function]:
+def kernels(proved: Iterable[Record] = ()) -> list[Function]:
     """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
     bounds: dict[str, dict[tuple[str, str], float]] = {}
     for r in proved:
         bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
-    closed = closed_amplitudes(derivations)
+    closed, found = closed_forms(), []
     forms = stable_forms(closed)
-    declared = {(m.amplitude or (m.name, m.symbol))[0]: ((m.amplitude or (m.name, m.symbol))[1], m.equation, m.help)
-                for m in MOMENTS} | {RESISTANCE[0]: RESISTANCE[1:]}  # fmt: skip
-    found = []
-    for name, form in closed.items():
-        symbol, equation, words = declared[name]
-        formula = f"{symbol} = {form}"
-        found.append(_of_alpha(name, f"{symbol}: {words}", formula, equation, bounds.get(name), forms[name]))
+    for x in (*MOMENTS, RESISTANCE):
+        name, symbol = x.kernel
+        formula = f"{symbol} = {closed[name]}"
+        found.append(_of_alpha(name, f"{symbol}: {x.help}", formula, x.equation, bounds.get(name), forms[name]))
     for q in QUOTIENTS:
         formula = f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
         found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name), forms[q.name]))
-    return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
+    return found + [_weight(derive(m)) for m in MOMENTS if m.amplitude] + [_limit_friction()]
 
 
 def _tiers(name: str) -> dict[str, Program]:
@@ -168,12 +159,11 @@ def _weight(d: Derivation) -> Function:
     """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
     assert d.moment.amplitude
     name, symbol = d.moment.amplitude
-    # cos(psi) = -sin(theta_m) and sin(psi) = -cos(theta_m), as psi = 3 pi/2 - theta_m.
-    direction = _turned(sp.sin if d.moment.weight.has(sp.sin) else sp.cos)
+    sign, direction = d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m).as_coeff_Mul()
     amplitude = _KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form
     let = _ENDS | {_KERNEL: _tiers(name)["best"]}
     return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=let),
+        program(d.moment.name, ("theta_1", "theta_2"), sign * amplitude * _turned(type(direction)), let=let),
         f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
         f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",

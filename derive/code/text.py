@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from derive.algebra.integrate import ProofError
+from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
 from derive.code.program import KINDS, Kind, Op, Program
 
@@ -279,7 +279,7 @@ class Reader:
         given = self.scope[name](*(self.recorder.put("input", value=x) for x in program.inputs))
         given = given if isinstance(given, tuple) else (given,)
         if [self.recorder.number(x).place for x in given] != self.recorder.replay(program):
-            raise ProofError(f"{name}: the text that was written does not do the operations of its program")
+            raise ProofError(f"{name}: its text", "other operations than those of its program", "the same", "text")
 
     def functions(self) -> dict[str, Callable[..., Recorded]]:
         """What the text calls, by name, as functions that record."""

@@ -10,7 +10,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
+from derive.algebra.prove import prove_zero
 
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
