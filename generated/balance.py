@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 83168ff24d889918bc352916c624531b2acf10cc38fad049613799cc9e0b9d5e
+# sha256 of the text below: baaa555161a880b2d4287e8316219babbd1fa7e6b345a7f3142ceffde6f04ed0
 """The balance of momentum and the energy in the phase plane, specialised to the effects that are present."""
 
 from typing import Any
@@ -685,7 +685,7 @@ def friction_rate_weakening(speed: Any, peak: Any, residual: Any, velocity: Any)
 
 
 def frozen_braked_state(a: Any, b: Any, omega_0: Any, t: Any) -> tuple[Any, Any, Any]:
-    """Rotation, velocity and acceleration at a time. Operations: 56 mul, 35 add, 3 sub, 8 div, 1 neg, 4 min, 3
+    """Rotation, velocity and acceleration at a time. Operations: 55 mul, 36 add, 3 sub, 8 div, 1 neg, 4 min, 3
     max, 4 less, 18 select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt."""
     k = np.sqrt(np.abs(a)) * np.sqrt(np.abs(b))
     x = np.minimum(t, 800.0 / np.maximum(1e-300, k)) * k
@@ -694,40 +694,37 @@ def frozen_braked_state(a: Any, b: Any, omega_0: Any, t: Any) -> tuple[Any, Any,
     t1 = 1.0 < z
     far = np.where(t1, 0.0, t)
     e = np.exp(-x)
-    e_2 = e * e
+    q = e * e
     t2 = b * omega_0
     P = k + t2
     M = k - t2
-    t3 = 0.25 * near
-    p1 = horner(t3, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
-        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
-        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
-        6.446950284384474e-26, 9.183689863795546e-29))
-    t4 = 0.5 * (p1 * p1)
-    C = 1.0 + t4 * near
+    t3 = M * q
+    p1 = horner(near, (0.5, 0.041666666666666664, 0.001388888888888889, 2.48015873015873e-05,
+        2.755731922398589e-07, 2.08767569878681e-09, 1.1470745597729725e-11, 4.779477332387385e-14,
+        1.5619206968586225e-16, 4.110317623312165e-19, 8.896791392450574e-22, 1.6117375710961184e-24,
+        2.4795962632247976e-27, 3.279889237069838e-30))
+    t4 = p1 * near
     p2 = horner(near, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
         2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
         2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
         6.446950284384474e-26, 9.183689863795546e-29))
-    S = p2 * far
-    t5 = M * e_2
-    y = np.where(t1, 0.5 * (P + t5) / np.where(t1, k, 1.0), C + S * b * omega_0)
-    G = t4 * a * far * far + S * omega_0
-    t6 = G * b
-    y_near = np.where(t1, y, 1.0 + t6)
-    t7 = 9.869604401089358 + z
-    t8 = 0.0 < np.minimum(y, t7)
-    t9 = np.where(t8, y, 1.0)
-    decay = np.where(t1, e, 1.0) / t9
-    t10 = 0.0 < np.minimum(y_near, t7)
-    t11 = np.where(t1, b, 1.0)
-    t12 = np.where(t1, 0.0, np.maximum(-0.9999999999999999, t6))
-    t13 = np.abs(t12) < 8.673617379884035e-19
-    t14 = np.where(t13, 1.0, t12)
-    t15 = (np.where(t1, t, 0.0) * k + np.log(np.where(t10, y_near, 1.0))) / t11
-    return (np.where(t10, np.where(t1, t15, np.where(t13, 1.0, np.log1p(t14) / t14) * G), np.nan), np.where(t8,
-        np.where(t1, 0.5 * (P - t5) / t11, C * omega_0 + S * a) / t9, np.nan), np.where(t8, np.where(t1, M / t11 * P,
-        a - t2 * omega_0) * decay * decay, np.nan))
+    y = np.where(t1, 0.5 * (P + t3) / np.where(t1, k, 1.0), 1.0 + t4 + p2 * b * far * omega_0)
+    G = p1 * a * far * far + p2 * far * omega_0
+    t5 = G * b
+    y_near = np.where(t1, y, 1.0 + t5)
+    t6 = 9.869604401089358 + z
+    t7 = 0.0 < np.minimum(y, t6)
+    t8 = np.where(t7, y, 1.0)
+    decay = np.where(t1, e, 1.0) / t8
+    t9 = 0.0 < np.minimum(y_near, t6)
+    t10 = np.where(t1, b, 1.0)
+    t11 = np.where(t1, 0.0, np.maximum(-0.9999999999999999, t5))
+    t12 = np.abs(t11) < 8.673617379884035e-19
+    t13 = np.where(t12, 1.0, t11)
+    t14 = (np.where(t1, t, 0.0) * k + np.log(np.where(t9, y_near, 1.0))) / t10
+    t15 = np.where(t1, 0.5 * (P - t3) / t10, omega_0 + p2 * a * far + t4 * omega_0)
+    return (np.where(t9, np.where(t1, t14, np.where(t12, 1.0, np.log1p(t13) / t13) * G), np.nan), np.where(t7, t15 / t8,
+        np.nan), np.where(t7, np.where(t1, M / t10 * P, a - t2 * omega_0) * decay * decay, np.nan))
 
 
 def frozen_state(a: Any, omega_0: Any, t: Any) -> tuple[Any, Any, Any]:

@@ -10,7 +10,8 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Log1p, Remainder, Select, sinhc, unfold
+from derive.algebra.remainders import Log1p, Remainder, Select, unfold
+from derive.algebra.rules import heads
 from derive.declare.symbols import a, b, omega_0, t
 
 # Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
@@ -95,17 +96,15 @@ def solution() -> dict[str, sp.Expr]:
         If a solution does not satisfy its equation.
     """
     y = sp.Function("y")
-    k = sp.Symbol("k", positive=True)  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
+    k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     conditions = {y(0): 1, y(t).diff(t).subs(t, 0): b * omega_0}
     linear = sp.dsolve(y(t).diff(t, 2) - k**2 * y(t), y(t), ics=conditions).rhs
-    cosine, sine = sp.cosh(k * t), sp.sinh(k * t) / k
-    prove_zero((linear - (cosine + b * omega_0 * sine)).rewrite(sp.exp), "y = cosh(kt) + b omega_0 sinh(kt)/k")
-    y_of_t = cosine + b * omega_0 * sine
+    prove_zero((linear - Y).rewrite(sp.exp), "y = cosh(kt) + b omega_0 sinh(kt)/k")
     ways = {
-        "y": y_of_t,
-        "angular_velocity": (omega_0 * cosine + a * sine) / y_of_t,
-        "rotation": sp.log(y_of_t) / b,
-        "angular_acceleration": (a - b * omega_0**2) / y_of_t**2,
+        "y": Y,
+        "angular_velocity": (omega_0 * sp.cosh(k * t) + a * sp.sinh(k * t) / k) / Y,
+        "rotation": sp.log(Y) / b,
+        "angular_acceleration": (a - b * omega_0**2) / Y**2,
     }
     omega = ways["angular_velocity"]
     on_shell = {a: k**2 / b}
@@ -133,17 +132,31 @@ class MotionForm:
 
 
 _X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)
-_P, _M, _C, _S, _Y = sp.symbols("P M C S y", real=True)
+_P, _M, _Y = sp.symbols("P M y", real=True)
 _G, _PHI_Y = sp.symbols("G y_near", real=True)
+
+
+# (3.16) made linear: omega = y'/(b y) with y'' = a b y, y(0) = 1; `solution` proves it. k = sqrt(a b).
+_ROOT = sp.Symbol("k", positive=True)
+Y = sp.cosh(_ROOT * t) + b * omega_0 * sp.sinh(_ROOT * t) / _ROOT
+Y_RATE = sp.diff(Y, t)
+
+
+def _near(expression: sp.Expr) -> sp.Expr:
+    """Where z <= 1: cosh and sinh by their heads and remainders, which are series in z = k**2 t**2 = a b t**2."""
+    split = heads(expression, {sp.cosh(_ROOT * t): 2, sp.sinh(_ROOT * t): 1})
+    series = {r: r.func(r.args[0], r.args[1], sp.sqrt(_NEAR)) for r in split.atoms(Remainder)}
+    return split.subs(series).subs(_ROOT**2 / b, a).subs(_ROOT**2 * t**2, _NEAR).subs(t, _FAR)
 
 
 def _piece(large: sp.Expr, small: sp.Expr) -> sp.Expr:
     return Select(1, _Z, large, small)
 
 
-# k = sqrt|a b| without overflow; z = a b t**2, clipped. Where z <= 1, y = C + b omega_0 S with C = cosh(kt) and
-# S = sinh(kt)/k. Where z > 1, y is divided by exp(kt), so that nothing overflows, and split into its growing and its
-# decaying part, P and M exp(-2kt), so that a start near P = 0 costs no digits of what it ends in.
+# k = sqrt|a b| without overflow; z = a b t**2, clipped. Where z > 1, y is divided by exp(kt), so that nothing
+# overflows, and split into its growing and its decaying part, P and M exp(-2kt), so that a start near P = 0 costs no
+# digits of what it ends in. That is typed, as are the guards (no rule knows which exponential overflows, nor where a
+# solution ends), and proved by `prove_forms`.
 # exp(-2kt) is 0 long before kt = 800, and no solution is left beyond kt = pi where a b < 0.
 _COMMON = {
     _K: sp.sqrt(sp.Abs(a)) * sp.sqrt(sp.Abs(b)),
@@ -155,9 +168,7 @@ _COMMON = {
     _Q: _E**2,
     _P: _K + b * omega_0,
     _M: _K - b * omega_0,
-    _C: 1 + 2 * _NEAR * (sinhc(_NEAR / 4) / 2) ** 2,
-    _S: _FAR * sinhc(_NEAR),
-    _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, sp.Integer(1))), _C + b * omega_0 * _S),
+    _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, sp.Integer(1))), _near(Y)),
 }
 
 
@@ -172,7 +183,7 @@ def _guarded(y: sp.Symbol) -> sp.Expr:
 
 # y = 1 + b G where z <= 1, so that phi = log1p(b G)/b loses nothing as t -> 0 or b -> 0.
 _ROTATION = {
-    _G: 2 * a * (_FAR / 2 * sinhc(_NEAR / 4)) ** 2 + omega_0 * _FAR * sinhc(_NEAR),
+    _G: _near((Y - 1) / b),
     _PHI_Y: _piece(_Y, 1 + b * _G),
 }
 _ROTATION_RESULT = _piece(
@@ -196,7 +207,7 @@ FORMS = (
     MotionForm("frozen_arrest_rotation", (a, omega_0), {}, omega_0 * (omega_0 / _BRAKE / 2), "1.3",
                "Rotation at which a braked motion stands still, without centripetal stress."),
     MotionForm("frozen_centripetal_angular_velocity", (*_CENTRIPETAL, t), _COMMON,
-               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), omega_0 * _C + a * _S) / _Y), "3.20",
+               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), _near(Y_RATE / b)) / _Y), "3.20",
                "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_rotation", (*_CENTRIPETAL, t), _COMMON | _ROTATION,
                _alive(_PHI_Y, _ROTATION_RESULT), "4.3",

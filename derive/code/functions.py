@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from functools import cache
 
 import sympy as sp
 
@@ -244,6 +245,7 @@ def printed() -> list[tuple[Program, str]]:
     ]  # fmt: skip
 
 
+@cache
 def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str, str]]]:
     """The specialised functions with their formulas, and for each combination of effects which it needs."""
     variants, table = specialised()
