@@ -120,15 +120,53 @@ def solution() -> dict[str, sp.Expr]:
 
 
 @dataclass(frozen=True)
+class Argument:
+    """What an input of the motion means, its domain in Python, and a point inside."""
+
+    words: str
+    inside: str
+    safe: float
+
+
+ARGUMENTS = {
+    a: Argument("Drive, (J_theta - mu J_r)/Theta* (3.17).", "np.isfinite(a)", 1.0),
+    b: Argument("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
+    omega_0: Argument("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
+    t: Argument("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
+}
+# Of what comes to rest.
+BRAKED = {
+    a: Argument(ARGUMENTS[a].words, "(a < 0.0) & np.isfinite(a)", -1.0),
+    b: Argument(ARGUMENTS[b].words, "(b >= 0.0) & np.isfinite(b)", 1.0),
+    omega_0: Argument(ARGUMENTS[omega_0].words, "(omega_0 >= 0.0) & np.isfinite(omega_0)", 0.0),
+}
+ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no certificate)."
+
+
+@dataclass(frozen=True)
 class MotionForm:
-    """A stable formula of the motion: inputs, intermediate values in order, result, and the equation it comes from."""
+    """A stable formula of the motion: inputs, intermediate values in order, result, the textbook's form and its number.
+
+    A formula without time is of the arrest, of a motion that is braked.
+    """
 
     name: str
     inputs: tuple[sp.Symbol, ...]
     let: dict[sp.Symbol, sp.Expr]
     result: sp.Expr
+    formula: str
     equation: str
     summary: str
+
+    def arguments(self) -> list[Argument]:
+        """What is said of its inputs."""
+        return [(ARGUMENTS if t in self.inputs else BRAKED)[x] for x in self.inputs]
+
+    def domain(self) -> str:
+        """In words."""
+        if t in self.inputs:
+            return "t >= 0" + (", until the solution runs to infinity" if b in self.inputs else "")
+        return "a < 0, b >= 0, omega_0 >= 0" if b in self.inputs else "a < 0, omega_0 >= 0"
 
 
 _X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)
@@ -196,30 +234,40 @@ _BRAKE = -a  # positive in the domain of the arrest
 _CENTRIPETAL = (a, b, omega_0)
 
 FORMS = (
-    MotionForm("frozen_angular_velocity", (a, omega_0, t), {}, omega_0 + a * t, "3.16",
+    MotionForm("frozen_angular_velocity", (a, omega_0, t), {}, omega_0 + a * t,
+               "omega = omega_0 + a t", "3.16",
                "Angular velocity under a constant drive, without centripetal stress."),
-    MotionForm("frozen_rotation", (a, omega_0, t), {}, t * (omega_0 + a * t / 2), "1.3",
+    MotionForm("frozen_rotation", (a, omega_0, t), {}, t * (omega_0 + a * t / 2),
+               "phi = omega_0 t + a t**2/2", "1.3",
                "Rotation under a constant drive, without centripetal stress."),
-    MotionForm("frozen_angular_acceleration", (a, omega_0, t), {}, a, "3.16",
+    MotionForm("frozen_angular_acceleration", (a, omega_0, t), {}, a,
+               "d(omega)/dt = a", "3.16",
                "Angular acceleration under a constant drive, without centripetal stress."),
-    MotionForm("frozen_arrest_time", (a, omega_0), {}, omega_0 / _BRAKE, "3.16",
+    MotionForm("frozen_arrest_time", (a, omega_0), {}, omega_0 / _BRAKE,
+               "t = omega_0/(-a)", "3.16",
                "Time at which a braked motion stands still, without centripetal stress."),
-    MotionForm("frozen_arrest_rotation", (a, omega_0), {}, omega_0 * (omega_0 / _BRAKE / 2), "1.3",
+    MotionForm("frozen_arrest_rotation", (a, omega_0), {}, omega_0 * (omega_0 / _BRAKE / 2),
+               "phi = omega_0**2/(-2 a)", "1.3",
                "Rotation at which a braked motion stands still, without centripetal stress."),
     MotionForm("frozen_centripetal_angular_velocity", (*_CENTRIPETAL, t), _COMMON,
-               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), _near(Y_RATE / b)) / _Y), "3.20",
+               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), _near(Y_RATE / b)) / _Y),
+               "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)", "3.20",
                "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_rotation", (*_CENTRIPETAL, t), _COMMON | _ROTATION,
-               _alive(_PHI_Y, _ROTATION_RESULT), "4.3",
+               _alive(_PHI_Y, _ROTATION_RESULT),
+               "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)", "4.3",
                "Rotation of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_angular_acceleration", (*_CENTRIPETAL, t), _COMMON | _DECAY,
-               _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2), "3.16",
+               _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2),
+               "(a - b omega_0**2)/y**2 with y = exp(b phi)", "3.16",
                "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_arrest_time", _CENTRIPETAL, {},
-               omega_0 / _BRAKE * Remainder(sp.atan, 1, omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))), "3.20",
+               omega_0 / _BRAKE * Remainder(sp.atan, 1, omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))),
+               "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)", "3.20",
                "Time at which a braked motion stands still."),
     MotionForm("frozen_centripetal_arrest_rotation", _CENTRIPETAL, {},
-               omega_0 * (omega_0 / _BRAKE / 2) * Remainder(Log1p, 1, omega_0 * (omega_0 / _BRAKE) * b), "4.3",
+               omega_0 * (omega_0 / _BRAKE / 2) * Remainder(Log1p, 1, omega_0 * (omega_0 / _BRAKE) * b),
+               "phi = ln(1 + b omega_0**2/(-a))/(2 b)", "4.3",
                "Rotation at which a braked motion stands still."),
 )  # fmt: skip
 
