@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "68ec55c4a44b321abbc0be3c0565fa428f10b3c25798e01539bd8e57038ffe27"
+#define DIGEST "e6b592ac3a4486ce4582755731e4e7c5f2614cc4dd575c3c5bff5288acdc962b"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -99,6 +99,13 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 #define POLY14(x, c0, ...) FMA(POLY13(x, __VA_ARGS__), x, c0)
 #define POLY15(x, c0, ...) FMA(POLY14(x, __VA_ARGS__), x, c0)
 #define POLY16(x, c0, ...) FMA(POLY15(x, __VA_ARGS__), x, c0)
+#define POLY17(x, c0, ...) FMA(POLY16(x, __VA_ARGS__), x, c0)
+#define POLY18(x, c0, ...) FMA(POLY17(x, __VA_ARGS__), x, c0)
+#define POLY19(x, c0, ...) FMA(POLY18(x, __VA_ARGS__), x, c0)
+#define POLY20(x, c0, ...) FMA(POLY19(x, __VA_ARGS__), x, c0)
+#define POLY21(x, c0, ...) FMA(POLY20(x, __VA_ARGS__), x, c0)
+#define POLY22(x, c0, ...) FMA(POLY21(x, __VA_ARGS__), x, c0)
+#define POLY23(x, c0, ...) FMA(POLY22(x, __VA_ARGS__), x, c0)
 
 #ifndef NO_FMA
 #undef FMA

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 31596358efc69cf48828e286b8793879a08d7dfe0ba9a0de567e3d0f96f80dea
+# sha256 of the text below: 8e3825e5cce568e49c70a3196605d24946c27835b3895b70cac82459443c4eea
 """Moments, weights and quotients of the arc, from their definitions."""
 
 from typing import Any
@@ -25,6 +25,14 @@ __all__ = [
     "weight_moment",
     "limit_friction",
 ]
+
+SERIES_1 = (-0.08333333333333333, 0.002777777777777727, -4.960317460298492e-05,
+        5.511463841362367e-07, -4.175351054736609e-09, 2.2941293244035988e-11, -9.552400725452637e-14,
+        3.0090535662212205e-16)
+SERIES_2 = (1.0, -0.16666666666666666, 0.008333333333333333, -0.0001984126984126984,
+        2.7557319223985893e-06, -2.505210838544172e-08, 1.6059043836821613e-10, -7.647163731819816e-13,
+        2.8114572543455206e-15, -8.22063524662433e-18, 1.9572941063391263e-20, -3.868170170630684e-23,
+        6.446950284384474e-26, -9.183689863795546e-29)
 
 # What NumPy runs, by kernel and tier.
 TEXTS: dict[str, dict[str, Text]] = {}
@@ -368,9 +376,7 @@ def weight_moment_amplitude(
 
 def _resistance_factor(alpha: Array, xp: Any = np) -> Array:
     alpha_2 = alpha * alpha
-    p1 = horner(alpha_2, (-0.08333333333333333, 0.002777777777777727, -4.960317460298492e-05,
-        5.511463841362367e-07, -4.175351054736609e-09, 2.2941293244035988e-11, -9.552400725452637e-14,
-        3.0090535662212205e-16))
+    p1 = horner(alpha_2, SERIES_1)
     return (alpha_2 * (p1 * alpha_2) + alpha_2) * alpha
 
 
@@ -448,9 +454,7 @@ def _dynamic_coefficient(alpha: Array, xp: Any = np) -> Array:
     t1 = b * b_2 * (p3 * xp.log(xp.maximum(b, 8.673617379884035e-19)) + p2) + 0.015463724401701127
     t2 = alpha < 1.18
     t3 = xp.where(t2, 1.0 + p1 * alpha_2, alpha + -0.5390625 + t1)
-    p4 = horner(alpha_2, (-0.08333333333333333, 0.002777777777777727, -4.960317460298492e-05,
-        5.511463841362367e-07, -4.175351054736609e-09, 2.2941293244035988e-11, -9.552400725452637e-14,
-        3.0090535662212205e-16))
+    p4 = horner(alpha_2, SERIES_1)
     t4 = xp.where(t2, 1.0 + p4 * alpha_2, _resistance_factor(alpha))
     return xp.where(t2, t3 / 1.5, t3) / xp.where(t2, t4, t4)
 
@@ -768,10 +772,7 @@ def _radial_weight(theta_1: Array, theta_2: Array) -> Array:
     alpha_2 = alpha * alpha
     kernel = _radial_weight_amplitude(alpha)
     t8 = np.cos(alpha)
-    p1 = horner(alpha_2, (1.0, -0.16666666666666666, 0.008333333333333333, -0.0001984126984126984,
-        2.7557319223985893e-06, -2.505210838544172e-08, 1.6059043836821613e-10, -7.647163731819816e-13,
-        2.8114572543455206e-15, -8.22063524662433e-18, 1.9572941063391263e-20, -3.868170170630684e-23,
-        6.446950284384474e-26, -9.183689863795546e-29))
+    p1 = horner(alpha_2, SERIES_2)
     t9 = p1 * p1
     t10 = 4.0 * t8
     t11 = 1.0 + t8
@@ -849,10 +850,7 @@ def _weight_moment(theta_1: Array, theta_2: Array) -> Array:
     epsilon = 0.5 * (theta_1 - (t6 - t7) + (theta_2 - t7))
     alpha_2 = alpha * alpha
     kernel = _weight_moment_amplitude(alpha)
-    p1 = horner(alpha_2, (1.0, -0.16666666666666666, 0.008333333333333333, -0.0001984126984126984,
-        2.7557319223985893e-06, -2.505210838544172e-08, 1.6059043836821613e-10, -7.647163731819816e-13,
-        2.8114572543455206e-15, -8.22063524662433e-18, 1.9572941063391263e-20, -3.868170170630684e-23,
-        6.446950284384474e-26, -9.183689863795546e-29))
+    p1 = horner(alpha_2, SERIES_2)
     t8 = kernel + 2.0 * np.cos(alpha) * (p1 * p1) * alpha * alpha * delta
     return -((np.cos(theta_m) - np.sin(theta_m) * epsilon) * t8)
 

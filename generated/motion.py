@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 55abb5ec97fcf1b1f9cf6e9e94ce69c44650e95ce4b7faea41b05d8dcf93690c
+# sha256 of the text below: 75ccf41aa063e96d2002e58ba0e7fe3a443a49f0fd779b147a5548280881f462
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
 
 from typing import Any
@@ -21,6 +21,15 @@ __all__ = [
     "frozen_centripetal_arrest_time",
     "frozen_centripetal_arrest_rotation",
 ]
+
+SERIES_1 = (0.5, 0.041666666666666664, 0.001388888888888889, 2.48015873015873e-05,
+        2.755731922398589e-07, 2.08767569878681e-09, 1.1470745597729725e-11, 4.779477332387385e-14,
+        1.5619206968586225e-16, 4.110317623312165e-19, 8.896791392450574e-22, 1.6117375710961184e-24,
+        2.4795962632247976e-27, 3.279889237069838e-30)
+SERIES_2 = (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
+        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
+        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
+        6.446950284384474e-26, 9.183689863795546e-29)
 
 
 def _frozen_angular_velocity(a: Array, omega_0: Array, t: Array) -> Array:
@@ -277,26 +286,18 @@ def _frozen_centripetal_angular_velocity(a: Array, b: Array, omega_0: Array, t: 
     t1 = 1.0 < z
     far = np.where(t1, 0.0, t)
     e = np.exp(-x)
-    e_2 = e * e
+    q = e * e
     t2 = b * omega_0
     P = k + t2
     M = k - t2
-    t3 = 0.25 * near
-    p1 = horner(t3, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
-        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
-        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
-        6.446950284384474e-26, 9.183689863795546e-29))
-    C = 1.0 + 0.5 * (p1 * p1) * near
-    p2 = horner(near, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
-        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
-        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
-        6.446950284384474e-26, 9.183689863795546e-29))
-    S = p2 * far
-    t4 = M * e_2
-    y = np.where(t1, 0.5 * (P + t4) / np.where(t1, k, 1.0), C + S * b * omega_0)
-    t5 = 0.0 < np.minimum(y, 9.869604401089358 + z)
-    t6 = np.where(t1, 0.5 * (P - t4) / np.where(t1, b, 1.0), C * omega_0 + S * a)
-    return np.where(t5, t6 / np.where(t5, y, 1.0), np.nan)
+    t3 = M * q
+    p1 = horner(near, SERIES_1)
+    t4 = p1 * near
+    p2 = horner(near, SERIES_2)
+    y = np.where(t1, 0.5 * (P + t3) / np.where(t1, k, 1.0), 1.0 + t4 + p2 * b * far * omega_0)
+    t5 = np.where(t1, 0.5 * (P - t3) / np.where(t1, b, 1.0), omega_0 + p2 * a * far + t4 * omega_0)
+    t6 = 0.0 < np.minimum(y, 9.869604401089358 + z)
+    return np.where(t6, t5 / np.where(t6, y, 1.0), np.nan)
 
 
 def frozen_centripetal_angular_velocity(
@@ -331,7 +332,7 @@ def frozen_centripetal_angular_velocity(
     -----
     Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (3.20) of the paper. Operations: 45 mul, 32 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 7
+    Source: eq. (3.20) of the paper. Operations: 43 mul, 33 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 7
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
     """
     return evaluate(
@@ -358,32 +359,23 @@ def _frozen_centripetal_rotation(a: Array, b: Array, omega_0: Array, t: Array) -
     t1 = 1.0 < z
     far = np.where(t1, 0.0, t)
     e = np.exp(-x)
-    e_2 = e * e
+    q = e * e
     t2 = b * omega_0
     P = k + t2
     M = k - t2
-    t3 = 0.25 * near
-    p1 = horner(t3, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
-        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
-        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
-        6.446950284384474e-26, 9.183689863795546e-29))
-    t4 = 0.5 * (p1 * p1)
-    C = 1.0 + t4 * near
-    p2 = horner(near, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
-        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
-        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
-        6.446950284384474e-26, 9.183689863795546e-29))
-    S = p2 * far
-    y = np.where(t1, 0.5 * (P + M * e_2) / np.where(t1, k, 1.0), C + S * b * omega_0)
-    G = t4 * a * far * far + S * omega_0
-    t5 = G * b
-    y_near = np.where(t1, y, 1.0 + t5)
-    t6 = 0.0 < np.minimum(y_near, 9.869604401089358 + z)
-    t7 = (np.where(t1, t, 0.0) * k + np.log(np.where(t6, y_near, 1.0))) / np.where(t1, b, 1.0)
-    t8 = np.where(t1, 0.0, np.maximum(-0.9999999999999999, t5))
-    t9 = np.abs(t8) < 8.673617379884035e-19
-    t10 = np.where(t9, 1.0, t8)
-    return np.where(t6, np.where(t1, t7, np.where(t9, 1.0, np.log1p(t10) / t10) * G), np.nan)
+    p1 = horner(near, SERIES_1)
+    p2 = horner(near, SERIES_2)
+    t3 = 0.5 * (P + M * q) / np.where(t1, k, 1.0)
+    y = np.where(t1, t3, 1.0 + p1 * near + p2 * b * far * omega_0)
+    G = p1 * a * far * far + p2 * far * omega_0
+    t4 = G * b
+    y_near = np.where(t1, y, 1.0 + t4)
+    t5 = 0.0 < np.minimum(y_near, 9.869604401089358 + z)
+    t6 = (np.where(t1, t, 0.0) * k + np.log(np.where(t5, y_near, 1.0))) / np.where(t1, b, 1.0)
+    t7 = np.where(t1, 0.0, np.maximum(-0.9999999999999999, t4))
+    t8 = np.abs(t7) < 8.673617379884035e-19
+    t9 = np.where(t8, 1.0, t7)
+    return np.where(t5, np.where(t1, t6, np.where(t8, 1.0, np.log1p(t9) / t9) * G), np.nan)
 
 
 def frozen_centripetal_rotation(
@@ -418,7 +410,7 @@ def frozen_centripetal_rotation(
     -----
     Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (4.3) of the paper. Operations: 49 mul, 34 add, 1 sub, 4 div, 1 neg, 3 min, 3 max, 3 less, 12
+    Source: eq. (4.3) of the paper. Operations: 47 mul, 34 add, 1 sub, 4 div, 1 neg, 3 min, 3 max, 3 less, 12
     select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt.
     """
     return evaluate(
@@ -445,22 +437,14 @@ def _frozen_centripetal_angular_acceleration(a: Array, b: Array, omega_0: Array,
     t1 = 1.0 < z
     far = np.where(t1, 0.0, t)
     e = np.exp(-x)
-    e_2 = e * e
+    q = e * e
     t2 = b * omega_0
     P = k + t2
     M = k - t2
-    t3 = 0.25 * near
-    p1 = horner(t3, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
-        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
-        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
-        6.446950284384474e-26, 9.183689863795546e-29))
-    C = 1.0 + 0.5 * (p1 * p1) * near
-    p2 = horner(near, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
-        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
-        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
-        6.446950284384474e-26, 9.183689863795546e-29))
-    S = p2 * far
-    y = np.where(t1, 0.5 * (P + M * e_2) / np.where(t1, k, 1.0), C + S * b * omega_0)
+    p1 = horner(near, SERIES_1)
+    p2 = horner(near, SERIES_2)
+    t3 = 0.5 * (P + M * q) / np.where(t1, k, 1.0)
+    y = np.where(t1, t3, 1.0 + p1 * near + p2 * b * far * omega_0)
     t4 = 0.0 < np.minimum(y, 9.869604401089358 + z)
     decay = np.where(t1, e, 1.0) / np.where(t4, y, 1.0)
     t5 = np.where(t1, M / np.where(t1, b, 1.0) * P, a - t2 * omega_0) * decay * decay
@@ -499,7 +483,7 @@ def frozen_centripetal_angular_acceleration(
     -----
     Domain: t >= 0, until the solution runs to infinity; elsewhere NaN and NumPy's ``invalid`` flag.
     Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (3.16) of the paper. Operations: 46 mul, 31 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 8
+    Source: eq. (3.16) of the paper. Operations: 43 mul, 31 add, 2 sub, 4 div, 1 neg, 3 min, 2 max, 2 less, 8
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
     """
     return evaluate(

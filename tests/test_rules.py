@@ -8,7 +8,7 @@ from mpmath import mpf
 
 from derive.algebra import rules
 from derive.algebra.integrate import derive
-from derive.algebra.remainders import Expm1, Log1p, Remainder, sinhc, unfold
+from derive.algebra.remainders import Expm1, Log1p, Remainder, sinhc, taylor, unfold
 from derive.check import measure
 from derive.check.proof import ProofError
 from derive.code.program import program
@@ -68,6 +68,17 @@ def test_a_wrong_rule_is_not_proved(rule: int, monkeypatch: pytest.MonkeyPatch) 
 def test_what_the_rules_do_not_know_is_refused() -> None:
     with pytest.raises(ProofError, match="heads"):
         rules.stable(alpha - sp.sin(alpha) - alpha**3 / 6)
+
+
+def test_heads_cancel() -> None:
+    found = rules.heads((sp.cosh(t) - 1) / t**2 + (sp.sinh(t) - t) / t**3, {sp.cosh(t): 2, sp.sinh(t): 3})
+    assert found == Remainder(sp.cosh, 2, t) + Remainder(sp.sinh, 3, t)
+
+
+def test_a_wrong_head_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rules, "taylor", lambda f: tuple(c * (1 + alpha / 10**6) for c in taylor(f)))
+    with pytest.raises(ProofError, match="rule heads"):
+        rules.heads(sp.cosh(t), {sp.cosh(t): 2})
 
 
 def test_a_fall_is_a_product() -> None:

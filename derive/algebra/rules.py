@@ -6,7 +6,7 @@ tau = tan(alpha/2), plus a remainder; the heads cancel by algebra, and what is l
 """
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 
@@ -182,8 +182,23 @@ def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
     return sp.Add(*found)
 
 
+def heads(expression: sp.Expr, orders: Mapping[sp.Expr, int]) -> sp.Expr:
+    """R4: each function f(x) that is named is its Taylor terms below x**n plus x**n times a remainder; heads cancel.
+
+    Raises
+    ------
+    ProofError
+        If the definitions of the remainders do not give the expression back.
+    """
+    parts = {f: sum(c * f.args[0] ** k for k, c in enumerate(taylor(type(f)(X))[:n])) for f, n in orders.items()}
+    rests = {f: f.args[0] ** n * Remainder(type(f), n, f.args[0]) for f, n in orders.items()}
+    result = sp.expand(expression.subs({f: parts[f] + rests[f] for f in orders}))
+    prove_zero(sp.expand(unfold(result) - expression), f"rule heads: {expression}")
+    return result
+
+
 def fall(function: sp.Expr, x: sp.Symbol, more: sp.Symbol) -> sp.Expr:
-    """function(x) - function(x + more) without cancellation, proved: a factor, the decaying exponentials kept whole.
+    """R5: function(x) - function(x + more) without cancellation, proved.
 
     Each exponential that decays is one symbol while the difference is factored, so that the larger is pulled out of
     the difference of two; what is left of it is an Expm1.

@@ -3,6 +3,7 @@
 import re
 import runpy
 import textwrap
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -185,16 +186,22 @@ _IMPORTS = (
 
 
 def _module(docstring: str, names: list[str], code: str) -> str:
-    """The whole text, with imports of what it uses."""
+    """The whole text, with imports of what it uses, and tables of the coefficients that it uses more than once."""
+    series = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code))
+    tables = {numbers: f"SERIES_{k}" for k, numbers in enumerate((x for x, n in series.items() if n > 1), 1)}
+    for numbers, name in tables.items():
+        code = code.replace(numbers, name)
     used = set(re.findall(r"\w+", re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)))
-    head = []
+    imports = []
     for line in _IMPORTS:
         start, _, wanted = line.rpartition("import ")
         found = [x for x in wanted.split(", ") if x.split()[-1:] == ["np"] or x in used]
-        head += [f"{start}import {', '.join(found)}"] if found else [] if line else [""]
-    lines = re.sub(r"\n{3,}", "\n\n", "\n".join(head).strip())
+        imports += [f"{start}import {', '.join(found)}"] if found else [] if line else [""]
+    lines = re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
     listed = "".join(f'    "{n}",\n' for n in names)
-    return f'"""{docstring}"""\n\n{lines}\n\n__all__ = [\n{listed}]\n' + ("\n" if code[0] == "#" else "") + code
+    data = "".join(f"\n{name} = {numbers}" for numbers, name in tables.items()) + "\n" * bool(tables)
+    head = f'"""{docstring}"""\n\n{lines}\n\n__all__ = [\n{listed}]\n{data}'
+    return head + ("\n" if code[0] == "#" else "") + code
 
 
 def sentence(words: str) -> str:

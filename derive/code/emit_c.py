@@ -17,6 +17,7 @@ TEMPLATE = Path(__file__).resolve().parent / "templates" / "_kernels.c"
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
 # The largest alpha that is inside: half discs given in degrees land a little above pi/2.
 END = {name: HALF_PI * (1.0 + 4.0 * eps) for name, eps in (("double", 2.0**-52), ("float", 2.0**-23))}
+MOST = 24  # degrees of polynomials are below it
 SHORT = 16  # operations of a program for which it costs more to look at a block than to be careful
 
 
@@ -37,7 +38,7 @@ class CText:
         self.reader.scope |= self.reader.functions() | {"hexadecimal": float.fromhex}
         if form == "plain":
             self.reader.scope["FMA"] = lambda a, b, c: a * b + c
-        for degree in range(1, 33):
+        for degree in range(1, MOST):
             self.reader.scope[f"POLY{degree}"] = self._polynomial
         code = Code(form)
         b = code.put("input", value="b")
@@ -114,7 +115,7 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
         "LAST_double": pattern(HALF_PI, "double"),
         "LAST_float": pattern(HALF_PI, "float"),
         "POLYNOMIALS": "".join(
-            f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, 17)
+            f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST)
         ),
         "BODIES": f"#ifndef NO_FMA\n{bodies['fused']}#endif\n\n{bodies['plain']}",
         "LOOPS": _macro("LOOPS(LEVEL, FORM)", loops) + "LEVELS(LOOPS)\n",

@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from functools import cache
 
 import sympy as sp
 
@@ -172,52 +173,19 @@ def _weight(d: Derivation) -> Function:
     )  # fmt: skip
 
 
-_WORDS = {
-    "a": ("Drive, (J_theta - mu J_r)/Theta* (3.17).", "np.isfinite(a)", 1.0),
-    "b": ("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
-    "omega_0": ("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
-    "t": ("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
-}
-_BRAKED = {"a": "(a < 0.0) & np.isfinite(a)", "b": "(b >= 0.0) & np.isfinite(b)",
-           "omega_0": "(omega_0 >= 0.0) & np.isfinite(omega_0)"}  # fmt: skip
-_MOTION_ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no certificate)."
-
-
 def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
     found = []
     for form in dynamics.FORMS:
-        names = tuple(x.name for x in form.inputs)
-        braked = "arrest" in form.name
-        inside = [_BRAKED[n] if braked else _WORDS[n][1] for n in names]
-        safe = tuple(-1.0 if braked and n == "a" else _WORDS[n][2] for n in names)
-        domain = "t >= 0" + (", until the solution runs to infinity" if "b" in names else "")
-        if braked:
-            domain = "a < 0, b >= 0, omega_0 >= 0" if "b" in names else "a < 0, omega_0 >= 0"
-        found.append(_plain(program(form.name, names, form.result, let=form.let), form.summary, FORMULAS[form.name],
-                            form.equation, domain, inside, safe, _MOTION_ACCURACY))  # fmt: skip
+        names, arguments = tuple(x.name for x in form.inputs), form.arguments()
+        inside = " & ".join(f"({x.inside})" if "&" in x.inside else x.inside for x in arguments)
+        words = tuple((n, x.words) for n, x in zip(names, arguments, strict=True))
+        found.append(Function(
+            program(form.name, names, form.result, let=form.let), form.summary, form.formula,
+            f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain(), inside,
+            tuple(x.safe for x in arguments), dynamics.ACCURACY,
+        ))  # fmt: skip
     return found
-
-
-def _plain(p: Program, summary: str, formula: str, equation: str, domain: str, inside: list[str],
-           safe: tuple[float, ...], accuracy: str) -> Function:  # fmt: skip
-    parameters = tuple((n, _WORDS[n][0]) for n in p.inputs)
-    return Function(p, summary, formula, f"eq. ({equation}) of {PAPER}", parameters, "Dimensionless.", domain,
-                    " & ".join(f"({x})" if "&" in x else x for x in inside), safe, accuracy)  # fmt: skip
-
-
-FORMULAS = {
-    "frozen_angular_velocity": "omega = omega_0 + a t",
-    "frozen_rotation": "phi = omega_0 t + a t**2/2",
-    "frozen_angular_acceleration": "d(omega)/dt = a",
-    "frozen_arrest_time": "t = omega_0/(-a)",
-    "frozen_arrest_rotation": "phi = omega_0**2/(-2 a)",
-    "frozen_centripetal_angular_velocity": "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)",
-    "frozen_centripetal_rotation": "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)",
-    "frozen_centripetal_angular_acceleration": "(a - b omega_0**2)/y**2 with y = exp(b phi)",
-    "frozen_centripetal_arrest_time": "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)",
-    "frozen_centripetal_arrest_rotation": "phi = ln(1 + b omega_0**2/(-a))/(2 b)",
-}
 
 
 def printed() -> list[tuple[Program, str]]:
@@ -244,6 +212,7 @@ def printed() -> list[tuple[Program, str]]:
     ]  # fmt: skip
 
 
+@cache
 def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str, str]]]:
     """The specialised functions with their formulas, and for each combination of effects which it needs."""
     variants, table = specialised()

@@ -131,6 +131,8 @@ def _known(program: Program) -> dict[int, str]:
     """Names of values: those that the program comes with, and what a kernel of alpha is made of."""
     names = dict(program.names)
     for i, op in enumerate(program.ops):
+        if i in program.names:
+            continue
         kinds = [program.ops[a].kind for a in op.args]
         if kinds == ["const", "input"] and op.kind == "sub":
             names[i] = "b"  # pi/2 - alpha
