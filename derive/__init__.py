@@ -13,7 +13,6 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 ``program``, ``exact``        SymPy expression -> straight-line `Program`, and its value as every machine rounds it
 ``functions``                 the functions of `generated`: each with its program, its domain and its words
 ``emit``, ``emit_c``          `Program` -> NumPy source, and C source of ufunc loops
-``measure``                   a first look at the error of the text just emitted
 ``certificates``              the error bound of each kernel, proved by ``certify``, ``truth`` and ``rounding``
 ``write``                     source -> the files of `generated`, atomically, or a diff against them
 ``build``, ``build_hook``     C source -> extension module, here and at install time

@@ -44,8 +44,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     """
     from derive.algebra import dynamics, integrate, phase, rules, sensitivity
     from derive.approximate import search, shapes
-    from derive.check import measure
-    from derive.code import functions, write
+    from derive.code import write
     from derive.declare.quantities import MOMENTS
     from derive.judge.appendices import APPENDICES, simplify
 
@@ -55,16 +54,12 @@ def derive_all(anew: bool = False) -> dict[str, str]:
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
     for kernel in shapes.kernels():
         timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
-        if anew or kernel.definition not in shapes.records():
-            timed(kernel.name, "search", "{0}", search.search, kernel)
-    kernels = {f.program.name: f for f in functions.kernels()}
+    timed("kernels", "search", "shapes found anew: {0}", search.complete, anew)
     for name, closed in integrate.closed_forms().items():
         form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
         for step in form.steps:
             counts = " -> ".join(map(str, step.operations))
             say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
-        takes = f"{sum(kernels[name].program.operations().values())} float operations"
-        timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
     for appendix in APPENDICES:
         told = "operations {0.operations_before} -> {0.operations_after}, integrates {0.integrand}"
         timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)

@@ -1,5 +1,6 @@
 """What stops `python -m derive`: each gate, shown by a planted fault to fire with one sentence, and nothing written."""
 
+import math
 import re
 from collections.abc import Callable
 from dataclasses import replace
@@ -17,7 +18,7 @@ from derive.approximate.shapes import Kernel
 from derive.check import certify, truth
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, read
-from derive.code import write
+from derive.code import emit_c, write
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta
@@ -96,6 +97,10 @@ def test_the_run_stops_and_writes_nothing(
     elif changed == "lambda":
         for module in (quantities, integrate, shapes):
             monkeypatch.setattr(module, "RESISTANCE", replace(RESISTANCE, form=form * (1 + alpha**2 / 1000)))
+    else:  # a number in C that is not the certified one
+        monkeypatch.setattr(emit_c, "C", replace(emit_c.C, number=lambda x: math.nextafter(x, 2.0).hex()))
+        chosen = programs.of(kernel("resistance_factor"), shapes.records()[RESISTANCE.definition])
+        monkeypatch.setattr(command, "derive_all", lambda _: emit_c.source(chosen, {}))
 
     def no(*_: Any) -> None:
         pytest.fail("something was written")

@@ -6,6 +6,7 @@ must round badly is left out by an estimate; of the rest the checker says which 
 
 import math
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import cache
 
@@ -27,6 +28,7 @@ from derive.approximate.shapes import (
     end,
     far_minimax,
     far_samples,
+    kernels,
     limit,
     near_samples,
     powers,
@@ -37,20 +39,20 @@ from derive.check.proof import ProofError
 from derive.check.records import TIERS, check_goals
 from derive.declare.symbols import alpha
 
-SEAMS = tuple(k / 100 for k in range(88, 124, 3))
+SEAMS = tuple(k / 100 for k in range(64, 124, 4))
 SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
 NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirtieth of an ulp at most
-HALVINGS = 150
-FROM, TO = certify.QUARTER, 1.5625  # where seam and baseline matter
+HALVINGS = 250
+FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
-JUDGED = 48  # shapes at most
+JUDGED = 40  # shapes at most
 
 
 def bound(variant: Variant) -> float:
     """The bound that can be proved of a variant's error between FROM and TO."""
     record = certificates.plain(variant)
-    return certify.halve(record, list(certify.patches(record, FROM, TO)), HALVINGS)[0]["bound"]
+    return max(certify.halve(record, list(certify.patches(record, FROM, TO)), HALVINGS)[0].values())
 
 
 def kept(variants: Sequence[Variant]) -> bool:
@@ -59,7 +61,7 @@ def kept(variants: Sequence[Variant]) -> bool:
         record = certificates.plain(variant)
         bounds, _ = certify.establish(record)
         try:
-            check_goals(record | {"bound": bounds.whole, "bound_to_quarter_pi": bounds.quarter})
+            check_goals(record | {"bound": bounds.whole})
         except ProofError:
             return False
     return True
@@ -79,7 +81,8 @@ def with_degree(closed: sp.Expr, far: Far, seam: float) -> Far:
     for degree in range(3, 13):
         far = replace(far, degree=degree)
         samples, constant, _ = far_samples(closed, far, seam)
-        if far_minimax(closed, far, samples)[2] < NEGLIGIBLE + math.ulp(constant) / 2:  # as it is rounded
+        lost = math.ulp(constant) / float(at(closed, arb(seam)))  # as the constant is rounded
+        if far_minimax(closed, far, samples)[2] < NEGLIGIBLE + lost:
             break
     return far
 
@@ -116,7 +119,10 @@ def baseline(closed: sp.Expr, seam: float) -> Far:
                     b, rest = HALF_PI - x, f - (slope * x + line)
                     bent = 0.0 if about.odd else b * (slope - bend * b)
                     core = (rest - bent - constant) / b**power
-                    error = math.ulp(rest) + b**power * (ulps * math.ulp(core) + abs(core) / 2**52)
+                    error = 0.0 if abs(f - rest) <= slope * (1 if x < 1 else 2) or not slope else math.ulp(f - rest)
+                    error += (
+                        math.ulp(constant) + math.ulp(rest) + b**power * (ulps * math.ulp(core) + abs(core) / 2**52)
+                    )
                     error += 0.0 if about.odd else math.ulp(rest - bent) + b * math.ulp(slope - bend * b)
                     worst = max(worst, error / ulp)
                 found.append((worst, abs(bend - first), slope, line, bend))
@@ -191,7 +197,8 @@ def best(kernel: Kernel) -> Best:
     def ranked() -> list[Best]:
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
-    for seam in SEAMS if any(end(closed) for closed in kernel.closed) else SEAMS[:1]:
+    seams = [seam for seam in SEAMS if len(kernel.closed) > 1 or rises(kernel.closed[0], seam)]
+    for seam in seams[-9:] if any(end(closed) for closed in kernel.closed) else SEAMS[:1]:
         judge(started(kernel, seam))
     done: set[Best] = set()
     while left := [shape for shape in ranked()[:2] if shape not in done]:
@@ -235,7 +242,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
 
 
 def search(kernel: Kernel) -> Shape:
-    """Find the shape of a kernel, and record it for this run: a quotient has the best tier alone.
+    """Find the shape of a kernel; a quotient has the best tier alone.
 
     Raises
     ------
@@ -243,5 +250,13 @@ def search(kernel: Kernel) -> Shape:
         If none keeps what the tiers promise.
     """
     cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"] if len(kernel.closed) == 1 else []
-    records()[kernel.definition] = Shape(best(kernel), tuple(cheap))
-    return records()[kernel.definition]
+    return Shape(best(kernel), tuple(cheap))
+
+
+def complete(anew: bool = False, processes: int = 2) -> str:
+    """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
+    wanted = {k.definition: k for k in kernels() if anew or k.definition not in records()}
+    if wanted:
+        with ProcessPoolExecutor(processes) as pool:
+            records().update(zip(wanted, pool.map(search, wanted.values()), strict=True))
+    return ", ".join(" / ".join(definition) for definition in wanted) or "none"

@@ -52,7 +52,7 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
     Where to cut first is guessed from the constants, which matters for the time only: what is undecided is halved.
     """
     constants = [float.fromhex(v) for kind, _, v in record["operations"] if kind == "const"]
-    guesses = {QUARTER, TOP, *constants, *(TOP - c for c in constants)}
+    guesses = {0.5, 1.0, QUARTER, TOP, *constants, *(TOP - c for c in constants)}
     if any(v == "exponent" for _, _, v in record["operations"]):
         guesses |= {TOP - 0.75 * 2.0**-k for k in range(54)}
     inner = sorted(c for c in guesses if lower < c < upper)

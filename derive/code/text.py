@@ -280,8 +280,9 @@ class Reader:
         exec(text, self.scope)
         given = self.scope[name](*(self.recorder.put("input", value=x) for x in program.inputs))
         given = given if isinstance(given, tuple) else (given,)
-        if [self.recorder.number(x).place for x in given] != self.recorder.replay(program):
-            raise ProofError(f"{name}: its text", "other operations than those of its program", "the same", "text")
+        done = [self.recorder.number(x).place for x in given]
+        if done != (wanted := self.recorder.replay(program)):
+            raise ProofError(f"{name}: text that was written", f"operations {done}", f"{wanted}, those of its program")
 
     def functions(self) -> dict[str, Callable[..., Recorded]]:
         """What the text calls, by name, as functions that record."""
