@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e6b592ac3a4486ce4582755731e4e7c5f2614cc4dd575c3c5bff5288acdc962b"
+#define DIGEST "9fe99c1c85468c6c2101dbf04afc2a112c6d523351ae72dec7d50177987a2040"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -124,48 +124,48 @@ INLINE double logarithm_fused(double b)
 }
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, fused:
- * proved within 0.63 ulp (certificates/polar_moment.json) */
-/* alpha < 1.06 */
+ * proved within 0.633 ulp (certificates/polar_moment.json) */
+/* alpha < 1.08 */
 INLINE double polar_moment_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY5(alpha_4, 0x1.35581e11affcep-11, 0x1.f948b3dad684fp-20, 0x1.d3b86ab5c000bp-26,
-        -0x1.47aac75a405bfp-28, -0x1.901eb3e3eb095p-28, -0x1.193b19ef5c23bp-30);
-    const double p2 = POLY6(alpha_4, -0x1.ce55c8ea93fc3p-8, -0x1.08db39a994468p-15, 0x1.0b5b7c104b9c6p-24,
-        0x1.9b302f0b75252p-27, 0x1.1b3183a5c4eddp-27, 0x1.bd01f9ca630bbp-29, 0x1.74252957b0351p-33);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41d0e9p-5);
-    const double t3 = FMA(t2, alpha_2, -0x1.1111111111110p-2);
+    const double p1 = POLY5(alpha_4, 0x1.35581df44ec96p-11, 0x1.f93e2aae775cep-20, 0x1.b9df879715ff3p-26,
+        -0x1.27f314db23c38p-27, -0x1.1e1f4bba8b50ep-27, -0x1.6a451c111f071p-30);
+    const double p2 = POLY6(alpha_4, -0x1.ce55c8ea5155fp-8, -0x1.08db2a390eefbp-15, 0x1.0dd07324275dep-24,
+        0x1.fc9cd0ab275d4p-27, 0x1.9b04016f6cf6cp-27, 0x1.2b1d88cf43807p-28, 0x1.c14341ea6f3a8p-33);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41cc16p-5);
+    const double t3 = FMA(t2, alpha_2, -0x1.111111111110ep-2);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
-    const double t5 = -0x1.1111111111110p-2 - t3;
+    const double t5 = -0x1.111111111110ep-2 - t3;
     const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
     const double t7 = alpha_2 * t4;
     const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 1.06, in b = pi/2 - alpha */
+/* alpha >= 1.08, in b = pi/2 - alpha */
 INLINE double polar_moment_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY5(b_2, -0x1.213ce2316924dp-7, 0x1.94ebfb8ed1634p-4, -0x1.0ee08d6ddcdd4p-5,
-        0x1.556fa69a4a6aep-8, -0x1.058191e40d3cfp-11, 0x1.142a50dc4a9dep-15);
-    const double p2 = POLY5(b_2, 0x1.5555555554f26p-2, -0x1.55555559507f8p-3, 0x1.27d27519db656p-5,
-        -0x1.2835c7b8e7a0fp-8, 0x1.80dd0f969ca49p-12, -0x1.b08fc34d11d4dp-16);
-    const double t1 = FMA(b * b_2, FMA(p2, logarithm_fused(b), p1), 0x1.fab71f4a3269fp-7);
-    return alpha + -0x1.1400000000000p-1 + t1;
+    const double p1 = POLY5(b_2, -0x1.213ce23146d4ep-7, 0x1.94ebfb96f2248p-4, -0x1.0ee089c62234bp-5,
+        0x1.5570c6bf81994p-8, -0x1.057adab8c0352p-11, 0x1.1322fd18fd6adp-15);
+    const double p2 = POLY5(b_2, 0x1.555555555535bp-2, -0x1.55555557cd14ep-3, 0x1.27d27720bb130p-5,
+        -0x1.2834b296ce4d6p-8, 0x1.811b7ecc87ea4p-12, -0x1.ae976a0e5bdb3p-16);
+    const double t1 = FMA(b * b_2, FMA(p2, logarithm_fused(b), p1), -0x1.0548e0b5cd961p-7);
+    return alpha + -0x1.0800000000000p-1 + t1;
 }
 INLINE double polar_moment_best_fused(double alpha)
 {
     const double near = polar_moment_best_fused_near(alpha);
     const double far = polar_moment_best_fused_far(alpha);
-    return SELECT(alpha < 0x1.0f5c28f5c28f6p+0, near, far);
+    return SELECT(alpha < 0x1.147ae147ae148p+0, near, far);
 }
 #define polar_moment_best_fused_KIND pieces
-#define polar_moment_best_fused_BELOW_double UINT64_C(0x3ff0f5c28f5c28f5)
-#define polar_moment_best_fused_BELOW_float UINT32_C(0x3f87ae14)
+#define polar_moment_best_fused_BELOW_double UINT64_C(0x3ff147ae147ae147)
+#define polar_moment_best_fused_BELOW_float UINT32_C(0x3f8a3d70)
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-10, fused:
  * proved within 6.69e-11 relative (certificates/polar_moment.json) */
@@ -195,61 +195,60 @@ INLINE double polar_moment_1e_6_fused(double alpha)
 #define polar_moment_1e_6_fused_KIND short
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * fused: proved within 0.503 ulp (certificates/polar_moment.json) */
+ * fused: proved within 0.504 ulp (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY7(t1, 0x1.14aca415ff9bep-2, 0x1.0a493d7acae63p+3, 0x1.7e9225dc641bdp+5,
-        0x1.1699441fb3d7bp+6, 0x1.db1c7a52b7740p+4, 0x1.933d9ee3bc318p+2, 0x1.dc0d095bd83c1p-1,
-        0x1.06bac513c89bdp-4);
-    const double p2 = POLY6(t1, 1.0, 0x1.e7e99b90416b4p+4, 0x1.4f42aae35dcb3p+7, 0x1.981502230ec47p+7,
-        0x1.060efdd46e2e3p+5, -0x1.62e6200f03a08p+2, 0x1.d7d31fc8e0f2ap-3);
+    const double p1 = POLY6(t1, 0x1.14aca417a239bp-2, 0x1.5384cfe10aef2p+4, 0x1.d4d925be9e601p+7,
+        0x1.224f4633c128ap+9, 0x1.58e5567df501bp+8, 0x1.acda0d7b62a91p+5, 0x1.30eaab2c53271p+3);
+    const double p2 = POLY7(t1, 1.0, 0x1.38eebb0ae320ep+6, 0x1.a5e0a607f1290p+9, 0x1.d751af11b201fp+10,
+        0x1.397b496bf1ee1p+9, -0x1.4589cfe116047p+7, 0x1.dd0e84590a12cp+3, -0x1.1db164265e701p-1);
     return p1 * alpha_2 / p2 * alpha;
 }
 #define polar_moment_float32_fused_KIND whole
 
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, fused: proved within 0.864 ulp
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, fused: proved within 0.784 ulp
  * (certificates/moment_of_inertia.json) */
-/* alpha < 1.04 */
+/* alpha < 0.98 */
 INLINE double moment_of_inertia_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY3(alpha_4, 0x1.1f7d05c3f1e63p-8, 0x1.1f08650cd3114p-15, 0x1.941f1c14d0473p-24,
-        0x1.a8ba4759b0fdap-34);
-    const double p2 = POLY3(alpha_4, -0x1.f1029e62af137p-6, -0x1.d71606dd73949p-12, -0x1.0e1dd50de3f07p-19,
-        -0x1.e71abb89b23b1p-29);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.1e11e11e11a83p-3);
-    const double t3 = FMA(t2, alpha_2, -0x1.999999999998fp-2);
+    const double p1 = POLY3(alpha_4, 0x1.1f7d05c5c9224p-8, 0x1.1f086d60486fep-15, 0x1.9433fa964b521p-24,
+        0x1.b0e8467a16168p-34);
+    const double p2 = POLY3(alpha_4, -0x1.f1029e62c0580p-6, -0x1.d716074f5e010p-12, -0x1.0e1e9522a6e8ep-19,
+        -0x1.e85b919eac4d5p-29);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.1e11e11e11d01p-3);
+    const double t3 = FMA(t2, alpha_2, -0x1.9999999999997p-2);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
-    const double t5 = -0x1.999999999998fp-2 - t3;
+    const double t5 = -0x1.9999999999997p-2 - t3;
     const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
     const double t7 = alpha_2 * t4;
     const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 1.04, in b = pi/2 - alpha */
+/* alpha >= 0.98, in b = pi/2 - alpha */
 INLINE double moment_of_inertia_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY8(b_2, -0x1.5555555555569p-3, -0x1.c71c71c71bd51p-3, 0x1.3e93e93e8513fp-2,
-        -0x1.0cbb765f6105bp-3, 0x1.e94dfc180d8d8p-6, -0x1.1e5df77310522p-8, 0x1.d696da6d44e9dp-12,
-        -0x1.1e264f7e219b6p-15, 0x1.f4ffb320b7c92p-20);
-    return 0.5 * alpha + -0x1.1000000000000p-3 + FMA(b, p1, 0x1.1000000000000p-3);
+    const double p1 = POLY9(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c9d1p-3, 0x1.3e93e93e974c4p-2,
+        -0x1.0cbb766293955p-3, 0x1.e94dfd574ccc8p-6, -0x1.1e5e1c82f59e1p-8, 0x1.d6a153b5d88acp-12,
+        -0x1.1f07fbda0bf19p-15, 0x1.0f3d73ce0e4d0p-19, -0x1.989edb1ab88c8p-24);
+    return 0.5 * alpha + -0.125 + FMA(b, p1, 0x1.fffffffffffffp-4);
 }
 INLINE double moment_of_inertia_best_fused(double alpha)
 {
     const double near = moment_of_inertia_best_fused_near(alpha);
     const double far = moment_of_inertia_best_fused_far(alpha);
-    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
+    return SELECT(alpha < 0x1.f5c28f5c28f5cp-1, near, far);
 }
 #define moment_of_inertia_best_fused_KIND pieces
-#define moment_of_inertia_best_fused_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
-#define moment_of_inertia_best_fused_BELOW_float UINT32_C(0x3f851eb8)
+#define moment_of_inertia_best_fused_BELOW_double UINT64_C(0x3fef5c28f5c28f5b)
+#define moment_of_inertia_best_fused_BELOW_float UINT32_C(0x3f7ae147)
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-10, fused: proved within 3.57e-12
  * relative (certificates/moment_of_inertia.json) */
@@ -286,51 +285,50 @@ INLINE double moment_of_inertia_float32_fused(double alpha)
 }
 #define moment_of_inertia_float32_fused_KIND short
 
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.717 ulp
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.711 ulp
  * (certificates/radial_weight_amplitude.json) */
-/* alpha < 1.14 */
+/* alpha < 1.16 */
 INLINE double radial_weight_amplitude_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY7(alpha_4, -0x1.47d680513384ep-16, -0x1.01678419751a3p-18, -0x1.69604923282bfp-22,
-        -0x1.c9c7a0d4325bbp-23, -0x1.98a0e625ac4aap-22, -0x1.0da38495dca49p-22, -0x1.808764f9c7467p-25,
-        -0x1.118c1ab6478a7p-30);
-    const double p2 = POLY7(alpha_4, -0x1.664f487ef01ffp-10, -0x1.07d71cad9a82ep-16, -0x1.1bab41746e402p-20,
-        -0x1.5fa25ecf780ffp-28, 0x1.3c0c18c594a0bp-22, 0x1.7dcaed0b76a63p-22, 0x1.124061f8f1f6dp-23,
-        0x1.4c4121214b1efp-27);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b11157p-6);
-    const double t3 = FMA(t2, alpha_2, -0x1.9999999999992p-3);
+    const double p1 = POLY6(alpha_4, -0x1.47d5cdb030433p-16, -0x1.00ac8c802feebp-18, -0x1.69df4f230a0b7p-23,
+        0x1.2d45b70de203ap-21, 0x1.a784f4de008cbp-21, 0x1.4dfa67586ea60p-22, 0x1.af42be543eb97p-26);
+    const double p2 = POLY7(alpha_4, -0x1.664f48a970d61p-10, -0x1.07de2765dbf0fp-16, -0x1.292bdce010dd2p-20,
+        -0x1.c415858a36ac5p-22, -0x1.aca0247c4f189p-21, -0x1.3b0445a115011p-21, -0x1.e50b53856db7fp-24,
+        -0x1.6be6fd1ae56a3p-29);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b25b86p-6);
+    const double t3 = FMA(t2, alpha_2, -0x1.9999999999a03p-3);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
-    const double t5 = -0x1.9999999999992p-3 - t3;
+    const double t5 = -0x1.9999999999a03p-3 - t3;
     const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
     const double t7 = alpha_2 * t4;
     const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 1.14, in b = pi/2 - alpha */
+/* alpha >= 1.16, in b = pi/2 - alpha */
 INLINE double radial_weight_amplitude_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY5(b_2, 0x1.d1bd0105cacaap-4, 0x1.2c981ff65e78ap-1, -0x1.5fec361a7a6e3p-4,
-        0x1.c0fa7521974f7p-8, -0x1.5c87336390abap-12, 0x1.536149c083855p-17);
-    const double p2 = POLY5(b_2, 0x1.0000000000175p+0, -0x1.55555554239ddp-2, 0x1.6c16c5c417f46p-5,
-        -0x1.a013dfccb8a12p-9, 0x1.29896a4b09812p-13, -0x1.11c7f03358b1fp-18);
-    const double t1 = FMA(b_2, FMA(p2, logarithm_fused(2.0 * b), p1), 0x1.3c095777a5d00p-6);
-    return 0.5 * alpha + 0x1.9000000000000p-3 + FMA(b, FMA(b, -2.0, 0.5), t1);
+    const double p1 = POLY5(b_2, 0x1.d1bd0105cb2e0p-4, 0x1.2c981ff6a61a1p-1, -0x1.5fec3504ee171p-4,
+        0x1.c0fb866c21493p-8, -0x1.5ca68c3cf25f9p-12, 0x1.37f1000d20ec1p-17);
+    const double p2 = POLY5(b_2, 0x1.000000000018dp+0, -0x1.55555553ea141p-2, 0x1.6c16c7361cfd2p-5,
+        -0x1.a010b7f783d5ep-9, 0x1.2adbbfd3a71d1p-13, -0x1.d8e0e3d8e3d1ep-19);
+    const double t1 = FMA(b_2, FMA(p2, logarithm_fused(2.0 * b), p1), 0x1.1e04abbbd2e80p-5);
+    return 0.5 * alpha + 0x1.7000000000000p-3 + FMA(b, FMA(b, -2.0, 0.5), t1);
 }
 INLINE double radial_weight_amplitude_best_fused(double alpha)
 {
     const double near = radial_weight_amplitude_best_fused_near(alpha);
     const double far = radial_weight_amplitude_best_fused_far(alpha);
-    return SELECT(alpha < 0x1.23d70a3d70a3dp+0, near, far);
+    return SELECT(alpha < 0x1.28f5c28f5c28fp+0, near, far);
 }
 #define radial_weight_amplitude_best_fused_KIND pieces
-#define radial_weight_amplitude_best_fused_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
-#define radial_weight_amplitude_best_fused_BELOW_float UINT32_C(0x3f91eb85)
+#define radial_weight_amplitude_best_fused_BELOW_double UINT64_C(0x3ff28f5c28f5c28e)
+#define radial_weight_amplitude_best_fused_BELOW_float UINT32_C(0x3f947ae1)
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-10, fused: proved within 5.86e-11
  * relative (certificates/radial_weight_amplitude.json) */
@@ -348,16 +346,16 @@ INLINE double radial_weight_amplitude_1e_10_fused(double alpha)
 }
 #define radial_weight_amplitude_1e_10_fused_KIND whole
 
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 4.53e-07
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 3.41e-07
  * relative (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY5(t1, 0x1.0834666ddd492p-2, 0x1.c85b59ccf7e43p+2, 0x1.bb4bf0c970e93p+4,
-        0x1.816280b47e4c5p+4, 0x1.5c3fe8cc9aaa0p+2, 0x1.3cfcc3c3dc6ebp-2);
-    const double p2 = POLY4(t1, 1.0, 0x1.b0786efcf9f8bp+4, 0x1.6d637ba392228p+6, 0x1.522412f400f39p+5,
-        -0x1.3b15ecf57e019p+1);
+    const double p1 = POLY4(t1, 0x1.083464838a5a9p-2, 0x1.072fc483044bbp+3, 0x1.24ceea0f4ee36p+5,
+        0x1.16253f17550d1p+5, 0x1.cc8a8141fa745p+2);
+    const double p2 = POLY5(t1, 1.0, 0x1.f44f9842d233ap+4, 0x1.ed09359bb409ap+6, 0x1.0589e6f9d3ef3p+6,
+        -0x1.f40a4101ee07ep+2, 0x1.32c3a7d534520p-2);
     return p1 * alpha_2 / p2 * alpha;
 }
 #define radial_weight_amplitude_1e_6_fused_KIND short
@@ -378,48 +376,47 @@ INLINE double radial_weight_amplitude_float32_fused(double alpha)
 }
 #define radial_weight_amplitude_float32_fused_KIND whole
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, fused: proved within 0.733 ulp
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, fused: proved within 0.746 ulp
  * (certificates/weight_moment_amplitude.json) */
-/* alpha < 1.04 */
+/* alpha < 1.03 */
 INLINE double weight_moment_amplitude_best_fused_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = -alpha_2;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY3(alpha_4, 0x1.83c8978eb147ap-11, 0x1.eaeaa11069e73p-20, 0x1.b594a1501d7fep-30,
-        0x1.2a361f9003235p-41);
-    const double p2 = POLY3(alpha_4, -0x1.282ef4b666a5bp-7, -0x1.65f59e2b28380p-15, -0x1.03e502c0de95ep-24,
-        -0x1.29c691f90f0d3p-35);
-    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a2p-4);
-    const double t3 = FMA(t2, alpha_2, -0x1.5555555555555p-2);
+    const double p1 = POLY2(alpha_4, 0x1.83c897879fcd2p-11, 0x1.eaea362838402p-20, 0x1.b3d227f76be5dp-30);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b6547dbp-7, -0x1.65f59c9b7af02p-15, -0x1.03dc2f0f49b91p-24,
+        -0x1.10ed8c6371668p-35);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d24c4p-4);
+    const double t3 = FMA(t2, alpha_2, -0x1.5555555555550p-2);
     const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
-    const double t5 = -0x1.5555555555555p-2 - t3;
+    const double t5 = -0x1.5555555555550p-2 - t3;
     const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
     const double t7 = alpha_2 * t4;
     const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
     const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
     return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
 }
-/* alpha >= 1.04, in b = pi/2 - alpha */
+/* alpha >= 1.03, in b = pi/2 - alpha */
 INLINE double weight_moment_amplitude_best_fused_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY7(b_2, -0x1.ffffffffffff2p-3, 0x1.2aaaaaaaaa92ep-1, -0x1.5b05b05af73fdp-3,
-        0x1.bc8bc8b4233bfp-6, -0x1.637e07a789800p-9, 0x1.83c9cfd63f094p-13, -0x1.329964da2a8a0p-17,
-        0x1.629d6790f59cdp-22);
-    const double t1 = FMA(b_2, p1, FMA(b, -0x1.1a62633145c07p-53, -0x1.94bfdddaf8555p-10));
-    return 0.5 * alpha + -0x1.e000000000000p-4 + FMA(b, FMA(b, -0.75, 0.5), t1);
+    const double p1 = POLY7(b_2, -0x1.fffffffffffedp-3, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t1 = FMA(b_2, p1, FMA(b, -0x1.1a62633145c07p-53, 0x1.5555555555555p-53));
+    return 0.5 * alpha + -0x1.e652ff776be20p-4 + FMA(b, FMA(b, -0.75, 0.5), t1);
 }
 INLINE double weight_moment_amplitude_best_fused(double alpha)
 {
     const double near = weight_moment_amplitude_best_fused_near(alpha);
     const double far = weight_moment_amplitude_best_fused_far(alpha);
-    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
+    return SELECT(alpha < 0x1.07ae147ae147bp+0, near, far);
 }
 #define weight_moment_amplitude_best_fused_KIND pieces
-#define weight_moment_amplitude_best_fused_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
-#define weight_moment_amplitude_best_fused_BELOW_float UINT32_C(0x3f851eb8)
+#define weight_moment_amplitude_best_fused_BELOW_double UINT64_C(0x3ff07ae147ae147a)
+#define weight_moment_amplitude_best_fused_BELOW_float UINT32_C(0x3f83d70a)
 
 /* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, fused: proved within 2.07e-12 relative
  * (certificates/weight_moment_amplitude.json) */
@@ -508,32 +505,31 @@ INLINE double resistance_factor_float32_fused(double alpha)
 #define resistance_factor_float32_fused_KIND short
 
 /* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
- * best, fused: proved within 0.824 ulp (certificates/dynamic_coefficient.json) */
+ * best, fused: proved within 0.791 ulp (certificates/dynamic_coefficient.json) */
 INLINE double dynamic_coefficient_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY6(alpha_4, 0x1.35581dd41bf26p-11, 0x1.f92bab6a0abaap-20, 0x1.6da73104fa7a4p-26,
-        -0x1.fee67d54196edp-26, -0x1.53d73ac978ed8p-25, -0x1.f2e1d02f3340cp-27, -0x1.2c0d230256175p-30);
-    const double p2 = POLY7(alpha_4, -0x1.ce55c8ea17b0fp-8, -0x1.08db14dc94ea7p-15, 0x1.135a83002a443p-24,
-        0x1.bf05d956aca7bp-26, 0x1.666ac0bc24d1ap-25, 0x1.e8184e269e990p-26, 0x1.5daa0ca94aea0p-28,
-        0x1.e98e74a1ee8a8p-34);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41c8dap-5);
-    const double t2 = FMA(t1, alpha_2, -0x1.111111111110dp-2);
+    const double p1 = POLY6(alpha_4, 0x1.35581e870032ap-11, 0x1.f97a7c55fd43dp-20, 0x1.3466cc6763dc2p-25,
+        0x1.9ce4e640bb658p-26, 0x1.7336ecde65986p-26, 0x1.6b4001adffcfdp-28, 0x1.5d16ff54208cdp-33);
+    const double p2 = POLY6(alpha_4, -0x1.ce55c8eb89282p-8, -0x1.08db7c94b9b10p-15, 0x1.fd34771cf025ep-25,
+        -0x1.bd50f1ff22c7cp-28, -0x1.a96ece7c74626p-26, -0x1.b9693fa33fa33p-27, -0x1.69ce9749f5b0ep-30);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41e123p-5);
+    const double t2 = FMA(t1, alpha_2, -0x1.1111111111116p-2);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
     const double t5 = FMA(alpha, alpha, -alpha_2);
-    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.111111111110dp-2 - t2), t4));
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.1111111111116p-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY5(b_2, -0x1.213ce230a79e8p-7, 0x1.94ebfbcf8c0fdp-4, -0x1.0ee063bdf7d00p-5,
-        0x1.5582f28f586d2p-8, -0x1.047e200356e2ep-11, 0x1.f52cc7c7dfefdp-16);
-    const double p4 = POLY5(b_2, 0x1.55555555565f3p-2, -0x1.5555554df34edp-3, 0x1.27d28a4134219p-5,
-        -0x1.2825e27d993d6p-8, 0x1.85f979159b9b1p-12, -0x1.74ce10bfef7f7p-16);
+    const double p3 = POLY5(b_2, -0x1.213ce230dbeefp-7, 0x1.94ebfbb754504p-4, -0x1.0ee077691b943p-5,
+        0x1.5578045f5fe35p-8, -0x1.0533239fbfa2ep-11, 0x1.0aedde3663fc9p-15);
+    const double p4 = POLY5(b_2, 0x1.5555555556010p-2, -0x1.5555555202e7cp-3, 0x1.27d280bf8021ep-5,
+        -0x1.282e5dae893d2p-8, 0x1.82dcf0100d8aep-12, -0x1.9d1d2c7ac5e77p-16);
     const double t7 = FMA(b * b_2, FMA(p4, logarithm_fused(b), p3), 0x1.fab71f4a3269fp-7);
     const double t8 = alpha + -0x1.1400000000000p-1;
     const double t9 = t8 + t7;
-    const double t10 = alpha < 0x1.2e147ae147ae1p+0;
+    const double t10 = alpha < 0x1.23d70a3d70a3dp+0;
     const double t11 = SELECT(t10, t3, t9);
     const double p5 = POLY2(alpha_4, 0x1.27e4fb7471f25p-21, 0x1.93966653151c3p-36, 0x1.5aeb95ee17e27p-52);
     const double p6 = POLY2(alpha_4, -0x1.a01a01a0132c2p-15, -0x1.1eed8d7449e95p-28, -0x1.ae33aea2b0d55p-44);
@@ -554,100 +550,100 @@ INLINE double dynamic_coefficient_best_fused(double alpha)
 #define dynamic_coefficient_best_fused_KIND whole
 
 /* C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish,
- * 0 <= alpha <= pi/2, best, fused: proved within 0.892 ulp (certificates/weight_moment_per_inertia.json) */
+ * 0 <= alpha <= pi/2, best, fused: proved within 0.849 ulp (certificates/weight_moment_per_inertia.json) */
 INLINE double weight_moment_per_inertia_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY3(alpha_4, 0x1.83c8978eb80fep-11, 0x1.eaeaa1ab8770dp-20, 0x1.b597e33b4fe12p-30,
-        0x1.2cbf2ac4da2b8p-41);
-    const double p2 = POLY3(alpha_4, -0x1.282ef4b666b1ep-7, -0x1.65f59e2d0f0a3p-15, -0x1.03e5116ace15dp-24,
-        -0x1.29f8d2f261d93p-35);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a3p-4);
-    const double t2 = FMA(t1, alpha_2, -0x1.5555555555555p-2);
+    const double p1 = POLY2(alpha_4, 0x1.83c897879fcd2p-11, 0x1.eaea362838402p-20, 0x1.b3d227f76be5dp-30);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b6547dbp-7, -0x1.65f59c9b7af02p-15, -0x1.03dc2f0f49b91p-24,
+        -0x1.10ed8c6371668p-35);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d24c4p-4);
+    const double t2 = FMA(t1, alpha_2, -0x1.5555555555550p-2);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
     const double t5 = FMA(alpha, alpha, -alpha_2);
-    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555555p-2 - t2), t4));
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555550p-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY7(b_2, -0x1.0000000000006p-2, 0x1.2aaaaaaaaab34p-1, -0x1.5b05b05b06654p-3,
-        0x1.bc8bc8bb1d67bp-6, -0x1.637e09681a6fbp-9, 0x1.83ca4d0f33cdbp-13, -0x1.32aba46279bb3p-17,
-        0x1.64c78b2442998p-22);
-    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, -0x1.194bfdddaf855p-6));
-    const double t8 = FMA(b, FMA(b, -0.75, 0.5), t7);
-    const double t9 = 0.5 * alpha + -0x1.a000000000000p-4;
-    const double t10 = t9 + t8;
-    const double t11 = alpha < 0x1.0f5c28f5c28f6p+0;
-    const double t12 = SELECT(t11, t3, t10);
-    const double p4 = POLY3(alpha_4, 0x1.1f7d05c6dedbbp-8, 0x1.1f0875d692422p-15, 0x1.945e2a38f102ep-24,
-        0x1.eaf6c7c779d13p-34);
-    const double p5 = POLY4(alpha_4, -0x1.f1029e62c8327p-6, -0x1.d71607a6c20cep-12, -0x1.0e1fa07f81ed1p-19,
-        -0x1.ec7a22ee46a5cp-29, -0x1.60b9ed103c0fap-39);
-    const double t13 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.1e11e11e11ddep-3);
-    const double t14 = FMA(t13, alpha_2, -0x1.9999999999999p-2);
-    const double t15 = FMA(t14, alpha_2, 0x1.5555555555555p-1);
-    const double t16 = FMA(t14, alpha_2, 0x1.5555555555555p-1 - t15) + 0x1.5555555555555p-55;
-    const double t17 = FMA(t5, t14, FMA(alpha_2, FMA(t13, alpha_2, -0x1.9999999999999p-2 - t14), t16));
-    const double p6 = POLY8(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c995p-3, 0x1.3e93e93e9679ap-2,
-        -0x1.0cbb76624ef26p-3, 0x1.e94dfd2a84da7p-6, -0x1.1e5e14556f803p-8, 0x1.d69dd6e3a84b4p-12,
-        -0x1.1e99caf0a78dfp-15, 0x1.00ab575ef75a6p-19);
-    const double t18 = FMA(b, p6, 0x1.9ffffffffffffp-4);
-    const double t19 = t9 + t18;
-    const double t20 = SELECT(t11, t15, t19);
-    const double t21 = 1.0 / t20;
-    const double t22 = t12 * t21;
-    const double t23 = -t22;
-    const double t24 = FMA(t23, t20, t12) + SELECT(t11, t6, t8 - (t10 - t9));
-    return FMA(FMA(t23, SELECT(t11, t17, t18 - (t19 - t9)), t24), t21, t22);
+    const double p3 = POLY7(b_2, -0x1.fffffffffffdap-4, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, 0x1.5555555555555p-53));
+    const double t8 = FMA(b, FMA(b, -0.875, 0.5), t7);
+    const double t9 = 0.5 * alpha;
+    const double t10 = t9 + -0x1.e652ff776be20p-4;
+    const double t11 = t10 + t8;
+    const double t12 = alpha < 0x1.07ae147ae147bp+0;
+    const double t13 = SELECT(t12, t3, t11);
+    const double p4 = POLY3(alpha_4, 0x1.1f7d05c727936p-8, 0x1.1f087770ddc04p-15, 0x1.9464193efe988p-24,
+        0x1.f1202dbed1bfap-34);
+    const double p5 = POLY4(alpha_4, -0x1.f1029e62caa8ap-6, -0x1.d71607ba22323p-12, -0x1.0e1fcc07dea81p-19,
+        -0x1.ecfac632905bcp-29, -0x1.8163a70cab18cp-39);
+    const double t14 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.1e11e11e11e33p-3);
+    const double t15 = FMA(t14, alpha_2, -0x1.999999999999ap-2);
+    const double t16 = FMA(t15, alpha_2, 0x1.5555555555555p-1);
+    const double t17 = FMA(t15, alpha_2, 0x1.5555555555555p-1 - t16) + 0x1.5555555555555p-55;
+    const double t18 = FMA(t5, t15, FMA(alpha_2, FMA(t14, alpha_2, -0x1.999999999999ap-2 - t15), t17));
+    const double p6 = POLY8(b_2, -0x1.555555555555dp-3, -0x1.c71c71c71c2cbp-3, 0x1.3e93e93e8caaap-2,
+        -0x1.0cbb76609fd02p-3, 0x1.e94dfc8968252p-6, -0x1.1e5e0301d5402p-8, 0x1.d6998e219ebbfp-12,
+        -0x1.1e5164529e7c6p-15, 0x1.f96e579402ac4p-20);
+    const double t19 = FMA(b, p6, 0x1.bffffffffffffp-5);
+    const double t20 = t9 + -0x1.c000000000000p-5;
+    const double t21 = t20 + t19;
+    const double t22 = SELECT(t12, t16, t21);
+    const double t23 = 1.0 / t22;
+    const double t24 = t13 * t23;
+    const double t25 = -t24;
+    const double t26 = FMA(t25, t22, t13) + SELECT(t12, t6, t8 - (t11 - t10));
+    return FMA(FMA(t25, SELECT(t12, t18, t19 - (t21 - t20)), t26), t23, t24);
 }
 #define weight_moment_per_inertia_best_fused_KIND whole
 
 /* C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0
- * <= alpha <= pi/2, best, fused: proved within 1.08 ulp (certificates/radial_weight_per_inertia.json) */
+ * <= alpha <= pi/2, best, fused: proved within 1.06 ulp (certificates/radial_weight_per_inertia.json) */
 INLINE double radial_weight_per_inertia_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY7(alpha_4, -0x1.47d67746cef40p-16, -0x1.015bd71ab20f7p-18, -0x1.5b9ad7cbb1202p-22,
-        -0x1.2fa88e52f9e30p-23, -0x1.0bef51e7eecdbp-22, -0x1.7849a9f05aa4ap-23, -0x1.1f1ed07467e72p-25,
-        -0x1.b88267851e4a5p-31);
-    const double p2 = POLY7(alpha_4, -0x1.664f4880dd143p-10, -0x1.07d7822d7b6f1p-16, -0x1.1c9a1d34b6f3fp-20,
-        -0x1.58a3290228af4p-25, 0x1.88d893699f450p-23, 0x1.014d0e8ca8808p-22, 0x1.8b78856019984p-24,
-        0x1.00fc0cec735acp-27);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b11ea5p-6);
-    const double t2 = FMA(t1, alpha_2, -0x1.9999999999996p-3);
+    const double p1 = POLY6(alpha_4, -0x1.47d6550ee9d0cp-16, -0x1.012ffa1d7bb8cp-18, -0x1.27bb8bae33966p-22,
+        0x1.1a81359ccddd5p-23, 0x1.13418fe0b0991p-22, 0x1.0943213fab51ep-23, 0x1.a4adecb98e7bcp-27);
+    const double p2 = POLY7(alpha_4, -0x1.664f488838d73p-10, -0x1.07d900514f6e9p-16, -0x1.201bb884760cfp-20,
+        -0x1.72761c0d3ee37p-23, -0x1.05b20a4b4d81bp-22, -0x1.c78901f7a344ap-23, -0x1.ab23c0c684008p-25,
+        -0x1.8feee638d9bccp-30);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b15251p-6);
+    const double t2 = FMA(t1, alpha_2, -0x1.99999999999a6p-3);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
     const double t5 = FMA(alpha, alpha, -alpha_2);
-    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.9999999999996p-3 - t2), t4));
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.99999999999a6p-3 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY5(b_2, -0x1.7217f7d1acae6p-7, 0x1.2c981ff6211c9p-1, -0x1.5fec36ee4b768p-4,
-        0x1.c0f9c0515effdp-8, -0x1.5c6d8636f92ccp-12, 0x1.64009ce2f3630p-17);
-    const double p4 = POLY5(b_2, 0x1.000000000015dp+0, -0x1.5555555455f4cp-2, 0x1.6c16c49fd75c7p-5,
-        -0x1.a01620d59d215p-9, 0x1.28ae92a1ef664p-13, -0x1.27ac624df162ep-18);
+    const double p3 = POLY5(b_2, -0x1.7217f7d1ae2b5p-7, 0x1.2c981ff605456p-1, -0x1.5fec37466d3d8p-4,
+        0x1.c0f97cefd9809p-8, -0x1.5c629576dda1ep-12, 0x1.69d163753cfb6p-17);
+    const double p4 = POLY5(b_2, 0x1.0000000000151p+0, -0x1.555555546d298p-2, 0x1.6c16c422fd14bp-5,
+        -0x1.a017058253bf2p-9, 0x1.285e13327bf2cp-13, -0x1.2f2674152353dp-18);
     const double t7 = FMA(b_2, FMA(p4, logarithm_fused(2.0 * b), p3), 0x1.5e04abbbd2e80p-5);
     const double t8 = FMA(b, FMA(b, -1.875, 0.5), t7);
     const double t9 = 0.5 * alpha;
     const double t10 = t9 + 0x1.6000000000000p-3;
     const double t11 = t10 + t8;
-    const double t12 = alpha < 0x1.1eb851eb851ecp+0;
+    const double t12 = alpha < 0x1.1c28f5c28f5c3p+0;
     const double t13 = SELECT(t12, t3, t11);
-    const double p5 = POLY3(alpha_4, 0x1.1f7d05c6e1487p-8, 0x1.1f0875ebcbf04p-15, 0x1.945e8f1de9e15p-24,
-        0x1.eb70be827f311p-34);
-    const double p6 = POLY4(alpha_4, -0x1.f1029e62c840ep-6, -0x1.d71607a7973dcp-12, -0x1.0e1fa3172eb2cp-19,
-        -0x1.ec837110b11a7p-29, -0x1.63629956670d9p-39);
+    const double p5 = POLY3(alpha_4, 0x1.1f7d05c6e14c8p-8, 0x1.1f0875ebf62e5p-15, 0x1.945e8fcf159d3p-24,
+        0x1.eb715733f5861p-34);
+    const double p6 = POLY4(alpha_4, -0x1.f1029e62c840fp-6, -0x1.d71607a798d92p-12, -0x1.0e1fa31c286cdp-19,
+        -0x1.ec837f466cf7dp-29, -0x1.63651d4a410bbp-39);
     const double t14 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11ddfp-3);
     const double t15 = FMA(t14, alpha_2, -0x1.9999999999999p-2);
     const double t16 = FMA(t15, alpha_2, 0x1.5555555555555p-1);
     const double t17 = FMA(t15, alpha_2, 0x1.5555555555555p-1 - t16) + 0x1.5555555555555p-55;
     const double t18 = FMA(t5, t15, FMA(alpha_2, FMA(t14, alpha_2, -0x1.9999999999999p-2 - t15), t17));
-    const double p7 = POLY8(b_2, -0x1.555555555554dp-3, -0x1.c71c71c71cc85p-3, 0x1.3e93e93e9e0d6p-2,
-        -0x1.0cbb76644f474p-3, 0x1.e94dfe3da88b8p-6, -0x1.1e5e3d4c60700p-8, 0x1.d6ab8ca876bdep-12,
-        -0x1.1fcee5678494fp-15, 0x1.16f943a246fa1p-19);
-    const double t19 = FMA(b, p7, 0x1.7ffffffffffffp-4);
-    const double t20 = t9 + -0x1.8000000000000p-4;
+    const double p7 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c372p-3, 0x1.3e93e93e8dae1p-2,
+        -0x1.0cbb7660cde68p-3, 0x1.e94dfc9b43c2dp-6, -0x1.1e5e050e2d7b2p-8, 0x1.d69a1f44ba292p-12,
+        -0x1.1e5cc6e589d22p-15, 0x1.faff5e49e839dp-20);
+    const double t19 = FMA(b, p7, 0x1.bffffffffffffp-5);
+    const double t20 = t9 + -0x1.c000000000000p-5;
     const double t21 = t20 + t19;
     const double t22 = SELECT(t12, t16, t21);
     const double t23 = 1.0 / t22;
@@ -659,46 +655,46 @@ INLINE double radial_weight_per_inertia_best_fused(double alpha)
 #define radial_weight_per_inertia_best_fused_KIND whole
 
 /* I_p* /Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0 <= alpha
- * <= pi/2, best, fused: proved within 0.814 ulp (certificates/polar_moment_per_inertia.json) */
+ * <= pi/2, best, fused: proved within 0.859 ulp (certificates/polar_moment_per_inertia.json) */
 INLINE double polar_moment_per_inertia_best_fused(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double alpha_4 = alpha_2 * alpha_2;
-    const double p1 = POLY4(alpha_4, 0x1.35581d9dfe224p-11, 0x1.f9291426a15fap-20, 0x1.a303539235a90p-26,
-        -0x1.cddced305e389p-28, -0x1.77c8d442bafc7p-29);
-    const double p2 = POLY5(alpha_4, -0x1.ce55c8e971fd1p-8, -0x1.08db03cc5e770p-15, 0x1.116ceb2ada79ap-24,
-        0x1.09bb69f7fcfadp-26, 0x1.e745acd142291p-28, 0x1.7e95e1dac17adp-31);
-    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41ba25p-5);
-    const double t2 = FMA(t1, alpha_2, -0x1.1111111111106p-2);
+    const double p1 = POLY5(alpha_4, 0x1.35581e791a6dcp-11, 0x1.f9700b4f2fc3cp-20, 0x1.1cd3a955650e0p-25,
+        0x1.82b2f7bdf7b9ep-27, 0x1.6732f4480f5efp-28, 0x1.8862d1d4fafcdp-32);
+    const double p2 = POLY5(alpha_4, -0x1.ce55c8eb76557p-8, -0x1.08db71b3dc7acp-15, 0x1.01ed9716bf3c8p-24,
+        0x1.05247a6ed6951p-31, -0x1.08b1d6aba5ae0p-27, -0x1.f61d3d6b2f29ep-30);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41e089p-5);
+    const double t2 = FMA(t1, alpha_2, -0x1.1111111111116p-2);
     const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
     const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
     const double t5 = FMA(alpha, alpha, -alpha_2);
-    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.1111111111106p-2 - t2), t4));
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.1111111111116p-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY5(b_2, -0x1.eb440e0d5b068p-3, 0x1.b70e1da718514p-3, -0x1.dbecf43061ae4p-5,
-        0x1.115fe28110038p-7, -0x1.8a9e832d9844dp-11, 0x1.af511ed3efee7p-15);
-    const double p4 = POLY5(b_2, 0x1.55555555518aap-2, -0x1.5555556697b7dp-3, 0x1.27d268328778dp-5,
-        -0x1.283af2ca91d53p-8, 0x1.7ff85a336a890p-12, -0x1.b634872dcba2dp-16);
-    const double t7 = FMA(b * b_2, FMA(p4, logarithm_fused(2.0 * b), p3), 0x1.7d5b8fa51934fp-6);
-    const double t8 = alpha + -0x1.1800000000000p-1;
+    const double p3 = POLY5(b_2, -0x1.213ce22f8ace3p-7, 0x1.94ebfbdbd73afp-4, -0x1.0ee07496f41fcp-5,
+        0x1.55751bc3c375dp-8, -0x1.05761dc378033p-11, 0x1.10577530f2d3dp-15);
+    const double p4 = POLY5(b_2, 0x1.5555555558d28p-2, -0x1.5555554a056aep-3, 0x1.27d28418e33f8p-5,
+        -0x1.282fbd7742ef9p-8, 0x1.81e84c0a68db4p-12, -0x1.aa0551f4078d8p-16);
+    const double t7 = FMA(b * b_2, FMA(p4, logarithm_fused(b), p3), 0x1.3eadc7d28c9a8p-5);
+    const double t8 = alpha + -0.5625;
     const double t9 = t8 + t7;
-    const double t10 = alpha < 1.0;
+    const double t10 = alpha < 0x1.0a3d70a3d70a4p+0;
     const double t11 = SELECT(t10, t3, t9);
-    const double p5 = POLY3(alpha_4, 0x1.1f7d05c54d72cp-8, 0x1.1f086b05efb64p-15, 0x1.942d994b09126p-24,
-        0x1.ae33f297a30d7p-34);
-    const double p6 = POLY3(alpha_4, -0x1.f1029e62bbf32p-6, -0x1.d716073060e57p-12, -0x1.0e1e5caf9c68cp-19,
-        -0x1.e7f58bcd729d6p-29);
-    const double t12 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11c62p-3);
-    const double t13 = FMA(t12, alpha_2, -0x1.9999999999995p-2);
+    const double p5 = POLY3(alpha_4, 0x1.1f7d05c725090p-8, 0x1.1f08775913bf9p-15, 0x1.94639daf30d09p-24,
+        0x1.f07a32b206b19p-34);
+    const double p6 = POLY4(alpha_4, -0x1.f1029e62ca99ep-6, -0x1.d71607b93bd7ep-12, -0x1.0e1fc9002c905p-19,
+        -0x1.eceec88dfdfe1p-29, -0x1.7d8e316ca0cc9p-39);
+    const double t12 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11e32p-3);
+    const double t13 = FMA(t12, alpha_2, -0x1.999999999999ap-2);
     const double t14 = FMA(t13, alpha_2, 0x1.5555555555555p-1);
     const double t15 = FMA(t13, alpha_2, 0x1.5555555555555p-1 - t14) + 0x1.5555555555555p-55;
-    const double t16 = FMA(t5, t13, FMA(alpha_2, FMA(t12, alpha_2, -0x1.9999999999995p-2 - t13), t15));
-    const double p7 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
-        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
-        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
-    const double t17 = FMA(b, p7, 0x1.dffffffffffffp-4);
-    const double t18 = 0.5 * alpha + -0x1.e000000000000p-4;
+    const double t16 = FMA(t5, t13, FMA(alpha_2, FMA(t12, alpha_2, -0x1.999999999999ap-2 - t13), t15));
+    const double p7 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c374p-3, 0x1.3e93e93e8db37p-2,
+        -0x1.0cbb7660ceadep-3, 0x1.e94dfc9b0a6adp-6, -0x1.1e5e04e3dd133p-8, 0x1.d69a035b8852bp-12,
+        -0x1.1e58f354d2ab8p-15, 0x1.fa3bac2f463d3p-20);
+    const double t17 = FMA(b, p7, 0x1.bffffffffffffp-5);
+    const double t18 = 0.5 * alpha + -0x1.c000000000000p-5;
     const double t19 = t18 + t17;
     const double t20 = SELECT(t10, t14, t19);
     const double t21 = 1.0 / t20;
@@ -710,7 +706,7 @@ INLINE double polar_moment_per_inertia_best_fused(double alpha)
 #define polar_moment_per_inertia_best_fused_KIND whole
 
 /* C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
- * vanish, 0 <= alpha <= pi/2, best, fused: proved within 1.03 ulp
+ * vanish, 0 <= alpha <= pi/2, best, fused: proved within 0.95 ulp
  * (certificates/weight_moment_per_radial_weight.json) */
 INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
 {
@@ -728,13 +724,13 @@ INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
     const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555555p-2 - t2), t4));
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p3 = POLY7(b_2, -0x1.fffffffffff95p-4, 0x1.2aaaaaaaaa534p-1, -0x1.5b05b05ace2a9p-3,
-        0x1.bc8bc899c38eep-6, -0x1.637dfe720b520p-9, 0x1.83c64150f3de6p-13, -0x1.31e2be57bfe01p-17,
-        0x1.44ebe008475edp-22);
-    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, -0x1.8ca5feeed7c2bp-5));
+    const double p3 = POLY7(b_2, -0x1.ffffffffffffep-4, 0x1.2aaaaaaaaaa94p-1, -0x1.5b05b05b042afp-3,
+        0x1.bc8bc8bb3a27ap-6, -0x1.637e09bf1814ap-9, 0x1.83ca7ec09ab67p-13, -0x1.32b73da32d767p-17,
+        0x1.66c6f12e40144p-22);
+    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, 0x1.5555555555555p-53));
     const double t8 = FMA(b, FMA(b, -0.875, 0.5), t7);
     const double t9 = 0.5 * alpha;
-    const double t10 = t9 + -0x1.2000000000000p-4;
+    const double t10 = t9 + -0x1.e652ff776be20p-4;
     const double t11 = t10 + t8;
     const double t12 = alpha < 0x1.2147ae147ae14p+0;
     const double t13 = SELECT(t12, t3, t11);
@@ -783,37 +779,37 @@ INLINE double logarithm_plain(double b)
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, plain:
  * proved within 4.17 ulp (certificates/polar_moment.json) */
-/* alpha < 1.06 */
+/* alpha < 1.08 */
 INLINE double polar_moment_best_plain_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY14(alpha_2, -0x1.9999999999998p-2, 0x1.5f15f15f15caep-4, -0x1.5ac056afeeeedp-7,
-        0x1.d0042d1a7a479p-11, -0x1.8d48d67723bf4p-15, 0x1.7af6847d6a8b5p-19, 0x1.910a4d94f0fb2p-24,
-        0x1.5ec4e6cb89e6ep-25, 0x1.34779b4319ad8p-26, -0x1.ebe50399bea97p-28, 0x1.a8f8eb47e02adp-27,
-        -0x1.2c351cb8eed5bp-27, 0x1.4ddb2f6e5a435p-28, -0x1.a5f2cc52df731p-30, 0x1.1727db8e8d26bp-32);
+    const double p1 = POLY14(alpha_2, -0x1.9999999999995p-2, 0x1.5f15f15f15910p-4, -0x1.5ac056afbcf5ep-7,
+        0x1.d0042ceea2438p-11, -0x1.8d48bf9429066p-15, 0x1.7aeec3142f738p-19, 0x1.94a27b5610062p-24,
+        0x1.4bf7029ebf7b0p-25, 0x1.7b048f66de39ep-26, -0x1.b48ed20c580cdp-27, 0x1.30673886a4693p-26,
+        -0x1.a7aa6968db29cp-27, 0x1.bb88316c1ae71p-28, -0x1.0ce34647aa48fp-29, 0x1.4e32c0c040253p-32);
     return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
 }
-/* alpha >= 1.06, in b = pi/2 - alpha */
+/* alpha >= 1.08, in b = pi/2 - alpha */
 INLINE double polar_moment_best_plain_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY5(b_2, -0x1.213ce2316924dp-7, 0x1.94ebfb8ed1634p-4, -0x1.0ee08d6ddcdd4p-5,
-        0x1.556fa69a4a6aep-8, -0x1.058191e40d3cfp-11, 0x1.142a50dc4a9dep-15);
-    const double p2 = POLY5(b_2, 0x1.5555555554f26p-2, -0x1.55555559507f8p-3, 0x1.27d27519db656p-5,
-        -0x1.2835c7b8e7a0fp-8, 0x1.80dd0f969ca49p-12, -0x1.b08fc34d11d4dp-16);
-    const double t1 = b * b_2 * (p2 * logarithm_plain(b) + p1) + 0x1.fab71f4a3269fp-7;
-    return alpha + -0x1.1400000000000p-1 + t1;
+    const double p1 = POLY5(b_2, -0x1.213ce23146d4ep-7, 0x1.94ebfb96f2248p-4, -0x1.0ee089c62234bp-5,
+        0x1.5570c6bf81994p-8, -0x1.057adab8c0352p-11, 0x1.1322fd18fd6adp-15);
+    const double p2 = POLY5(b_2, 0x1.555555555535bp-2, -0x1.55555557cd14ep-3, 0x1.27d27720bb130p-5,
+        -0x1.2834b296ce4d6p-8, 0x1.811b7ecc87ea4p-12, -0x1.ae976a0e5bdb3p-16);
+    const double t1 = b * b_2 * (p2 * logarithm_plain(b) + p1) + -0x1.0548e0b5cd961p-7;
+    return alpha + -0x1.0800000000000p-1 + t1;
 }
 INLINE double polar_moment_best_plain(double alpha)
 {
     const double near = polar_moment_best_plain_near(alpha);
     const double far = polar_moment_best_plain_far(alpha);
-    return SELECT(alpha < 0x1.0f5c28f5c28f6p+0, near, far);
+    return SELECT(alpha < 0x1.147ae147ae148p+0, near, far);
 }
 #define polar_moment_best_plain_KIND pieces
-#define polar_moment_best_plain_BELOW_double UINT64_C(0x3ff0f5c28f5c28f5)
-#define polar_moment_best_plain_BELOW_float UINT32_C(0x3f87ae14)
+#define polar_moment_best_plain_BELOW_double UINT64_C(0x3ff147ae147ae147)
+#define polar_moment_best_plain_BELOW_float UINT32_C(0x3f8a3d70)
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-10, plain:
  * proved within 6.69e-11 relative (certificates/polar_moment.json) */
@@ -843,50 +839,49 @@ INLINE double polar_moment_1e_6_plain(double alpha)
 #define polar_moment_1e_6_plain_KIND whole
 
 /* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
- * plain: proved within 0.503 ulp (certificates/polar_moment.json) */
+ * plain: proved within 0.504 ulp (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY7(t1, 0x1.14aca415ff9bep-2, 0x1.0a493d7acae63p+3, 0x1.7e9225dc641bdp+5,
-        0x1.1699441fb3d7bp+6, 0x1.db1c7a52b7740p+4, 0x1.933d9ee3bc318p+2, 0x1.dc0d095bd83c1p-1,
-        0x1.06bac513c89bdp-4);
-    const double p2 = POLY6(t1, 1.0, 0x1.e7e99b90416b4p+4, 0x1.4f42aae35dcb3p+7, 0x1.981502230ec47p+7,
-        0x1.060efdd46e2e3p+5, -0x1.62e6200f03a08p+2, 0x1.d7d31fc8e0f2ap-3);
+    const double p1 = POLY6(t1, 0x1.14aca417a239bp-2, 0x1.5384cfe10aef2p+4, 0x1.d4d925be9e601p+7,
+        0x1.224f4633c128ap+9, 0x1.58e5567df501bp+8, 0x1.acda0d7b62a91p+5, 0x1.30eaab2c53271p+3);
+    const double p2 = POLY7(t1, 1.0, 0x1.38eebb0ae320ep+6, 0x1.a5e0a607f1290p+9, 0x1.d751af11b201fp+10,
+        0x1.397b496bf1ee1p+9, -0x1.4589cfe116047p+7, 0x1.dd0e84590a12cp+3, -0x1.1db164265e701p-1);
     return p1 * alpha_2 / p2 * alpha;
 }
 #define polar_moment_float32_plain_KIND whole
 
-/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, plain: proved within 3.94 ulp
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, plain: proved within 3.92 ulp
  * (certificates/moment_of_inertia.json) */
-/* alpha < 1.04 */
+/* alpha < 0.98 */
 INLINE double moment_of_inertia_best_plain_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY9(alpha_2, -0x1.333333333332bp-1, 0x1.ad1ad1ad1a79fp-3, -0x1.74c1f6ca02d52p-5,
-        0x1.af3b88a5d2a17p-8, -0x1.6150852358f81p-11, 0x1.ae8c97331a182p-15, -0x1.952cb7756450ap-19,
-        0x1.2f16eb244b5dfp-23, -0x1.6d4e163551c6fp-28, 0x1.3e673ee0e6ccep-33);
+    const double p1 = POLY9(alpha_2, -0x1.3333333333331p-1, 0x1.ad1ad1ad1ab64p-3, -0x1.74c1f6ca0fef0p-5,
+        0x1.af3b88a89e917p-8, -0x1.61508579e8d6ap-11, 0x1.ae8ca3d9cd5e3p-15, -0x1.952ddb2f5ccf0p-19,
+        0x1.2f26c194f3d0dp-23, -0x1.6e41645a185e3p-28, 0x1.4499f95e1b7eep-33);
     return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
 }
-/* alpha >= 1.04, in b = pi/2 - alpha */
+/* alpha >= 0.98, in b = pi/2 - alpha */
 INLINE double moment_of_inertia_best_plain_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY8(b_2, -0x1.5555555555569p-3, -0x1.c71c71c71bd51p-3, 0x1.3e93e93e8513fp-2,
-        -0x1.0cbb765f6105bp-3, 0x1.e94dfc180d8d8p-6, -0x1.1e5df77310522p-8, 0x1.d696da6d44e9dp-12,
-        -0x1.1e264f7e219b6p-15, 0x1.f4ffb320b7c92p-20);
-    return 0.5 * alpha + -0x1.1000000000000p-3 + (b * p1 + 0x1.1000000000000p-3);
+    const double p1 = POLY9(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c9d1p-3, 0x1.3e93e93e974c4p-2,
+        -0x1.0cbb766293955p-3, 0x1.e94dfd574ccc8p-6, -0x1.1e5e1c82f59e1p-8, 0x1.d6a153b5d88acp-12,
+        -0x1.1f07fbda0bf19p-15, 0x1.0f3d73ce0e4d0p-19, -0x1.989edb1ab88c8p-24);
+    return 0.5 * alpha + -0.125 + (b * p1 + 0x1.fffffffffffffp-4);
 }
 INLINE double moment_of_inertia_best_plain(double alpha)
 {
     const double near = moment_of_inertia_best_plain_near(alpha);
     const double far = moment_of_inertia_best_plain_far(alpha);
-    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
+    return SELECT(alpha < 0x1.f5c28f5c28f5cp-1, near, far);
 }
 #define moment_of_inertia_best_plain_KIND pieces
-#define moment_of_inertia_best_plain_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
-#define moment_of_inertia_best_plain_BELOW_float UINT32_C(0x3f851eb8)
+#define moment_of_inertia_best_plain_BELOW_double UINT64_C(0x3fef5c28f5c28f5b)
+#define moment_of_inertia_best_plain_BELOW_float UINT32_C(0x3f7ae147)
 
 /* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-10, plain: proved within 3.57e-12
  * relative (certificates/moment_of_inertia.json) */
@@ -923,40 +918,40 @@ INLINE double moment_of_inertia_float32_plain(double alpha)
 }
 #define moment_of_inertia_float32_plain_KIND whole
 
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 3.92 ulp
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 4.05 ulp
  * (certificates/radial_weight_amplitude.json) */
-/* alpha < 1.14 */
+/* alpha < 1.16 */
 INLINE double radial_weight_amplitude_best_plain_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY17(alpha_2, -0x1.333333333332dp-2, 0x1.c09c09c09973ep-6, -0x1.0cbb765f0ad28p-9,
-        -0x1.ebc1c1a4ab6e5p-16, -0x1.8bc2a180b4b2dp-16, -0x1.821bfead0e378p-18, -0x1.a978e7b7a1cfbp-20,
-        -0x1.0f17bdb8198afp-21, -0x1.1659a8c8bfe09p-27, -0x1.550ad9861c80cp-22, 0x1.d4c5f0b709ceap-22,
-        -0x1.2e85da2724856p-21, 0x1.1a424504de35dp-21, -0x1.8e7f3cc5112f2p-22, 0x1.9555d125daed6p-23,
-        -0x1.1c5633bfcfc28p-24, 0x1.ebdda588d4c52p-27, -0x1.9596db7996201p-30);
+    const double p1 = POLY16(alpha_2, -0x1.3333333333383p-2, 0x1.c09c09c0b8cbcp-6, -0x1.0cbb767f40d18p-9,
+        -0x1.ebc0b36b0755dp-16, -0x1.8bcd43bc47722p-16, -0x1.810221195af71p-18, -0x1.bdcbdbf69a94dp-20,
+        -0x1.0efc5badda29fp-22, -0x1.537b583a7cf3cp-21, 0x1.c48c1d72a57b9p-21, -0x1.41d77a9ad2eecp-20,
+        0x1.3df82e6545294p-20, -0x1.d8f5fbd55b945p-21, 0x1.f561f3da58400p-22, -0x1.6c0d7c83eaea4p-23,
+        0x1.43a87fdd03e21p-25, -0x1.11149d9c88803p-28);
     return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
 }
-/* alpha >= 1.14, in b = pi/2 - alpha */
+/* alpha >= 1.16, in b = pi/2 - alpha */
 INLINE double radial_weight_amplitude_best_plain_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY5(b_2, 0x1.d1bd0105cacaap-4, 0x1.2c981ff65e78ap-1, -0x1.5fec361a7a6e3p-4,
-        0x1.c0fa7521974f7p-8, -0x1.5c87336390abap-12, 0x1.536149c083855p-17);
-    const double p2 = POLY5(b_2, 0x1.0000000000175p+0, -0x1.55555554239ddp-2, 0x1.6c16c5c417f46p-5,
-        -0x1.a013dfccb8a12p-9, 0x1.29896a4b09812p-13, -0x1.11c7f03358b1fp-18);
-    const double t1 = b * (b * -2.0 + 0.5) + (b_2 * (p2 * logarithm_plain(2.0 * b) + p1) + 0x1.3c095777a5d00p-6);
-    return 0.5 * alpha + 0x1.9000000000000p-3 + t1;
+    const double p1 = POLY5(b_2, 0x1.d1bd0105cb2e0p-4, 0x1.2c981ff6a61a1p-1, -0x1.5fec3504ee171p-4,
+        0x1.c0fb866c21493p-8, -0x1.5ca68c3cf25f9p-12, 0x1.37f1000d20ec1p-17);
+    const double p2 = POLY5(b_2, 0x1.000000000018dp+0, -0x1.55555553ea141p-2, 0x1.6c16c7361cfd2p-5,
+        -0x1.a010b7f783d5ep-9, 0x1.2adbbfd3a71d1p-13, -0x1.d8e0e3d8e3d1ep-19);
+    const double t1 = b * (b * -2.0 + 0.5) + (b_2 * (p2 * logarithm_plain(2.0 * b) + p1) + 0x1.1e04abbbd2e80p-5);
+    return 0.5 * alpha + 0x1.7000000000000p-3 + t1;
 }
 INLINE double radial_weight_amplitude_best_plain(double alpha)
 {
     const double near = radial_weight_amplitude_best_plain_near(alpha);
     const double far = radial_weight_amplitude_best_plain_far(alpha);
-    return SELECT(alpha < 0x1.23d70a3d70a3dp+0, near, far);
+    return SELECT(alpha < 0x1.28f5c28f5c28fp+0, near, far);
 }
 #define radial_weight_amplitude_best_plain_KIND pieces
-#define radial_weight_amplitude_best_plain_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
-#define radial_weight_amplitude_best_plain_BELOW_float UINT32_C(0x3f91eb85)
+#define radial_weight_amplitude_best_plain_BELOW_double UINT64_C(0x3ff28f5c28f5c28e)
+#define radial_weight_amplitude_best_plain_BELOW_float UINT32_C(0x3f947ae1)
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-10, plain: proved within 5.86e-11
  * relative (certificates/radial_weight_amplitude.json) */
@@ -974,16 +969,16 @@ INLINE double radial_weight_amplitude_1e_10_plain(double alpha)
 }
 #define radial_weight_amplitude_1e_10_plain_KIND whole
 
-/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 4.53e-07
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 3.41e-07
  * relative (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_1e_6_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
     const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
-    const double p1 = POLY5(t1, 0x1.0834666ddd492p-2, 0x1.c85b59ccf7e43p+2, 0x1.bb4bf0c970e93p+4,
-        0x1.816280b47e4c5p+4, 0x1.5c3fe8cc9aaa0p+2, 0x1.3cfcc3c3dc6ebp-2);
-    const double p2 = POLY4(t1, 1.0, 0x1.b0786efcf9f8bp+4, 0x1.6d637ba392228p+6, 0x1.522412f400f39p+5,
-        -0x1.3b15ecf57e019p+1);
+    const double p1 = POLY4(t1, 0x1.083464838a5a9p-2, 0x1.072fc483044bbp+3, 0x1.24ceea0f4ee36p+5,
+        0x1.16253f17550d1p+5, 0x1.cc8a8141fa745p+2);
+    const double p2 = POLY5(t1, 1.0, 0x1.f44f9842d233ap+4, 0x1.ed09359bb409ap+6, 0x1.0589e6f9d3ef3p+6,
+        -0x1.f40a4101ee07ep+2, 0x1.32c3a7d534520p-2);
     return p1 * alpha_2 / p2 * alpha;
 }
 #define radial_weight_amplitude_1e_6_plain_KIND whole
@@ -1004,37 +999,37 @@ INLINE double radial_weight_amplitude_float32_plain(double alpha)
 }
 #define radial_weight_amplitude_float32_plain_KIND whole
 
-/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, plain: proved within 3.8 ulp
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, plain: proved within 3.82 ulp
  * (certificates/weight_moment_amplitude.json) */
-/* alpha < 1.04 */
+/* alpha < 1.03 */
 INLINE double weight_moment_amplitude_best_plain_near(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbb9p-4, -0x1.bc466f119ba39p-7, 0x1.22d671ab555f0p-10,
-        -0x1.0c7836b1956aap-14, 0x1.702ffd4421227p-19, -0x1.85d83b7e78aadp-24, 0x1.484138797ad96p-29,
-        -0x1.c090a61bf422dp-35, 0x1.d57b926b63ae8p-41);
+    const double p1 = POLY8(alpha_2, -0x1.ffffffffffff8p-2, 0x1.bbbbbbbbbb725p-4, -0x1.bc466f117eb54p-7,
+        0x1.22d671a5b693ep-10, -0x1.0c7835746195ep-14, 0x1.702fa8923cc3bp-19, -0x1.85ca453341102p-24,
+        0x1.46dd87d4b9155p-29, -0x1.99632dc542be7p-35);
     return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
 }
-/* alpha >= 1.04, in b = pi/2 - alpha */
+/* alpha >= 1.03, in b = pi/2 - alpha */
 INLINE double weight_moment_amplitude_best_plain_far(double alpha)
 {
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p1 = POLY7(b_2, -0x1.ffffffffffff2p-3, 0x1.2aaaaaaaaa92ep-1, -0x1.5b05b05af73fdp-3,
-        0x1.bc8bc8b4233bfp-6, -0x1.637e07a789800p-9, 0x1.83c9cfd63f094p-13, -0x1.329964da2a8a0p-17,
-        0x1.629d6790f59cdp-22);
-    const double t1 = b * (b * -0.75 + 0.5) + (b_2 * p1 + (b * -0x1.1a62633145c07p-53 + -0x1.94bfdddaf8555p-10));
-    return 0.5 * alpha + -0x1.e000000000000p-4 + t1;
+    const double p1 = POLY7(b_2, -0x1.fffffffffffedp-3, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t1 = b * (b * -0.75 + 0.5) + (b_2 * p1 + (b * -0x1.1a62633145c07p-53 + 0x1.5555555555555p-53));
+    return 0.5 * alpha + -0x1.e652ff776be20p-4 + t1;
 }
 INLINE double weight_moment_amplitude_best_plain(double alpha)
 {
     const double near = weight_moment_amplitude_best_plain_near(alpha);
     const double far = weight_moment_amplitude_best_plain_far(alpha);
-    return SELECT(alpha < 0x1.0a3d70a3d70a4p+0, near, far);
+    return SELECT(alpha < 0x1.07ae147ae147bp+0, near, far);
 }
 #define weight_moment_amplitude_best_plain_KIND pieces
-#define weight_moment_amplitude_best_plain_BELOW_double UINT64_C(0x3ff0a3d70a3d70a3)
-#define weight_moment_amplitude_best_plain_BELOW_float UINT32_C(0x3f851eb8)
+#define weight_moment_amplitude_best_plain_BELOW_double UINT64_C(0x3ff07ae147ae147a)
+#define weight_moment_amplitude_best_plain_BELOW_float UINT32_C(0x3f83d70a)
 
 /* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, plain: proved within 2.07e-12 relative
  * (certificates/weight_moment_amplitude.json) */
@@ -1117,23 +1112,23 @@ INLINE double resistance_factor_float32_plain(double alpha)
 #define resistance_factor_float32_plain_KIND short
 
 /* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
- * best, plain: proved within 3.99 ulp (certificates/dynamic_coefficient.json) */
+ * best, plain: proved within 3.98 ulp (certificates/dynamic_coefficient.json) */
 INLINE double dynamic_coefficient_best_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY16(alpha_2, -0x1.9999999999994p-2, 0x1.5f15f15f15723p-4, -0x1.5ac056af97eb5p-7,
-        0x1.d0042cc329a9cp-11, -0x1.8d48a1c521398p-15, 0x1.7ae1913b52dd2p-19, 0x1.9ca7a9c4fe21cp-24,
-        0x1.143e3698c3a5ep-25, 0x1.4b5045ea2e1fap-25, -0x1.7955d5936a77ap-25, 0x1.0992dc7bcbf01p-24,
-        -0x1.f864667c48d90p-25, 0x1.6acc24dff3191p-25, -0x1.734fa7fd17f63p-26, 0x1.049260a64bfe6p-27,
-        -0x1.bfb0b783ae8f0p-30, 0x1.6d9d5170fc716p-33);
+    const double p1 = POLY15(alpha_2, -0x1.99999999999a0p-2, 0x1.5f15f15f167b2p-4, -0x1.5ac056b0973c3p-7,
+        0x1.d0042dbcdffa5p-11, -0x1.8d4933ba928afp-15, 0x1.7b19698e39021p-19, 0x1.7f10bf4b711dcp-24,
+        0x1.c8525b3f1aa7ep-25, -0x1.1c993d5132144p-27, 0x1.23dbe3ccce4b8p-25, -0x1.2c3d26964272fp-25,
+        0x1.07fc9de8a4877p-25, -0x1.3b7f323007ecfp-26, 0x1.053a2984b6846p-27, -0x1.05ad856991be7p-29,
+        0x1.fc7efeb9c41e3p-33);
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p2 = POLY5(b_2, -0x1.213ce230a79e8p-7, 0x1.94ebfbcf8c0fdp-4, -0x1.0ee063bdf7d00p-5,
-        0x1.5582f28f586d2p-8, -0x1.047e200356e2ep-11, 0x1.f52cc7c7dfefdp-16);
-    const double p3 = POLY5(b_2, 0x1.55555555565f3p-2, -0x1.5555554df34edp-3, 0x1.27d28a4134219p-5,
-        -0x1.2825e27d993d6p-8, 0x1.85f979159b9b1p-12, -0x1.74ce10bfef7f7p-16);
+    const double p2 = POLY5(b_2, -0x1.213ce230dbeefp-7, 0x1.94ebfbb754504p-4, -0x1.0ee077691b943p-5,
+        0x1.5578045f5fe35p-8, -0x1.0533239fbfa2ep-11, 0x1.0aedde3663fc9p-15);
+    const double p3 = POLY5(b_2, 0x1.5555555556010p-2, -0x1.5555555202e7cp-3, 0x1.27d280bf8021ep-5,
+        -0x1.282e5dae893d2p-8, 0x1.82dcf0100d8aep-12, -0x1.9d1d2c7ac5e77p-16);
     const double t1 = b * b_2 * (p3 * logarithm_plain(b) + p2) + 0x1.fab71f4a3269fp-7;
-    const double t2 = alpha < 0x1.2e147ae147ae1p+0;
+    const double t2 = alpha < 0x1.23d70a3d70a3dp+0;
     const double t3 = SELECT(t2, 1.0 + p1 * alpha_2, alpha + -0x1.1400000000000p-1 + t1);
     const double p4 = POLY7(alpha_2, -0x1.5555555555555p-4, 0x1.6c16c16c16ba2p-9, -0x1.a01a01a0132c2p-15,
         0x1.27e4fb7471f25p-21, -0x1.1eed8d7449e95p-28, 0x1.93966653151c3p-36, -0x1.ae33aea2b0d55p-44,
@@ -1145,88 +1140,87 @@ INLINE double dynamic_coefficient_best_plain(double alpha)
 #define dynamic_coefficient_best_plain_KIND whole
 
 /* C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish,
- * 0 <= alpha <= pi/2, best, plain: proved within 3.17 ulp (certificates/weight_moment_per_inertia.json) */
+ * 0 <= alpha <= pi/2, best, plain: proved within 3.25 ulp (certificates/weight_moment_per_inertia.json) */
 INLINE double weight_moment_per_inertia_best_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbb8p-4, -0x1.bc466f119b98cp-7, 0x1.22d671ab529c0p-10,
-        -0x1.0c7836b0dc07dp-14, 0x1.702ffd0c3458cp-19, -0x1.85d83164ee775p-24, 0x1.4840244c506fap-29,
-        -0x1.c070770e543abp-35, 0x1.d3e7e3f9c88d6p-41);
+    const double p1 = POLY8(alpha_2, -0x1.ffffffffffff8p-2, 0x1.bbbbbbbbbb725p-4, -0x1.bc466f117eb54p-7,
+        0x1.22d671a5b693ep-10, -0x1.0c7835746195ep-14, 0x1.702fa8923cc3bp-19, -0x1.85ca453341102p-24,
+        0x1.46dd87d4b9155p-29, -0x1.99632dc542be7p-35);
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p2 = POLY7(b_2, -0x1.0000000000006p-2, 0x1.2aaaaaaaaab34p-1, -0x1.5b05b05b06654p-3,
-        0x1.bc8bc8bb1d67bp-6, -0x1.637e09681a6fbp-9, 0x1.83ca4d0f33cdbp-13, -0x1.32aba46279bb3p-17,
-        0x1.64c78b2442998p-22);
-    const double t1 = b * (b * -0.75 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + -0x1.194bfdddaf855p-6));
-    const double t2 = 0.5 * alpha + -0x1.a000000000000p-4;
-    const double t3 = alpha < 0x1.0f5c28f5c28f6p+0;
-    const double p3 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf6p-3, -0x1.74c1f6ca16b80p-5,
-        0x1.af3b88aa6ea41p-8, -0x1.615085c1313c5p-11, 0x1.ae8cb1689414fp-15, -0x1.952f81992cfd9p-19,
-        0x1.2f47b732005adp-23, -0x1.717211291e65ep-28, 0x1.713e0b35af1d1p-33, -0x1.0da7a75f6871fp-38);
-    const double p4 = POLY8(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c995p-3, 0x1.3e93e93e9679ap-2,
-        -0x1.0cbb76624ef26p-3, 0x1.e94dfd2a84da7p-6, -0x1.1e5e14556f803p-8, 0x1.d69dd6e3a84b4p-12,
-        -0x1.1e99caf0a78dfp-15, 0x1.00ab575ef75a6p-19);
-    const double t4 = SELECT(t3, 1.0 + p3 * alpha_2, t2 + (b * p4 + 0x1.9ffffffffffffp-4));
-    return SELECT(t3, 1.0 + p1 * alpha_2, t2 + t1) / t4;
+    const double p2 = POLY7(b_2, -0x1.fffffffffffdap-4, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t1 = b * (b * -0.875 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + 0x1.5555555555555p-53));
+    const double t2 = 0.5 * alpha;
+    const double t3 = alpha < 0x1.07ae147ae147bp+0;
+    const double p3 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf5p-3, -0x1.74c1f6ca16b0dp-5,
+        0x1.af3b88aa6c2b4p-8, -0x1.615085c0c02b4p-11, 0x1.ae8cb150e8a75p-15, -0x1.952f7e89a051cp-19,
+        0x1.2f4777d3dfa8ep-23, -0x1.716bd39848b1fp-28, 0x1.70e6770e0b3aap-33, -0x1.0b9b37dbbf868p-38);
+    const double p4 = POLY8(b_2, -0x1.555555555555dp-3, -0x1.c71c71c71c2cbp-3, 0x1.3e93e93e8caaap-2,
+        -0x1.0cbb76609fd02p-3, 0x1.e94dfc8968252p-6, -0x1.1e5e0301d5402p-8, 0x1.d6998e219ebbfp-12,
+        -0x1.1e5164529e7c6p-15, 0x1.f96e579402ac4p-20);
+    const double t4 = SELECT(t3, 1.0 + p3 * alpha_2, t2 + -0x1.c000000000000p-5 + (b * p4 + 0x1.bffffffffffffp-5));
+    return SELECT(t3, 1.0 + p1 * alpha_2, t2 + -0x1.e652ff776be20p-4 + t1) / t4;
 }
 #define weight_moment_per_inertia_best_plain_KIND whole
 
 /* C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0
- * <= alpha <= pi/2, best, plain: proved within 3.75 ulp (certificates/radial_weight_per_inertia.json) */
+ * <= alpha <= pi/2, best, plain: proved within 3.68 ulp (certificates/radial_weight_per_inertia.json) */
 INLINE double radial_weight_per_inertia_best_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY17(alpha_2, -0x1.3333333333331p-2, 0x1.c09c09c09b0e7p-6, -0x1.0cbb7660d8f0bp-9,
-        -0x1.ebc1b1193de65p-16, -0x1.8bc35755cb770p-16, -0x1.8207776615708p-18, -0x1.ab1617f867c1bp-20,
-        -0x1.0358739aa2e8bp-21, -0x1.2056f30bad3a6p-24, -0x1.a89817d793344p-23, 0x1.0e659f269d535p-22,
-        -0x1.750d8648525d3p-22, 0x1.6817c7af0123cp-22, -0x1.090e4945627c1p-22, 0x1.1842bd29415d0p-23,
-        -0x1.9991739f3798dp-25, 0x1.70ea51a0a09b0p-27, -0x1.3e79820265a98p-30);
+    const double p1 = POLY16(alpha_2, -0x1.333333333333cp-2, 0x1.c09c09c09f946p-6, -0x1.0cbb76660cc70p-9,
+        -0x1.ebc1806d47c3ep-16, -0x1.8bc5790dff6e4p-16, -0x1.81c8a638bd0cbp-18, -0x1.b01e41cc999d3p-20,
+        -0x1.bc216b0bfd2fep-22, -0x1.14a99db0c048cp-22, 0x1.a3cf250e83400p-23, -0x1.86118d5d57200p-22,
+        0x1.9a909763ecf3bp-22, -0x1.540d1d354489fp-22, 0x1.8c50fa9a056b8p-23, -0x1.3f4df89ed2466p-24,
+        0x1.3aa9b361a458fp-26, -0x1.2b536e83664f5p-29);
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p2 = POLY5(b_2, -0x1.7217f7d1acae6p-7, 0x1.2c981ff6211c9p-1, -0x1.5fec36ee4b768p-4,
-        0x1.c0f9c0515effdp-8, -0x1.5c6d8636f92ccp-12, 0x1.64009ce2f3630p-17);
-    const double p3 = POLY5(b_2, 0x1.000000000015dp+0, -0x1.5555555455f4cp-2, 0x1.6c16c49fd75c7p-5,
-        -0x1.a01620d59d215p-9, 0x1.28ae92a1ef664p-13, -0x1.27ac624df162ep-18);
+    const double p2 = POLY5(b_2, -0x1.7217f7d1ae2b5p-7, 0x1.2c981ff605456p-1, -0x1.5fec37466d3d8p-4,
+        0x1.c0f97cefd9809p-8, -0x1.5c629576dda1ep-12, 0x1.69d163753cfb6p-17);
+    const double p3 = POLY5(b_2, 0x1.0000000000151p+0, -0x1.555555546d298p-2, 0x1.6c16c422fd14bp-5,
+        -0x1.a017058253bf2p-9, 0x1.285e13327bf2cp-13, -0x1.2f2674152353dp-18);
     const double t1 = b * (b * -1.875 + 0.5) + (b_2 * (p3 * logarithm_plain(2.0 * b) + p2) + 0x1.5e04abbbd2e80p-5);
     const double t2 = 0.5 * alpha;
-    const double t3 = alpha < 0x1.1eb851eb851ecp+0;
-    const double p4 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf1p-3, -0x1.74c1f6ca169d6p-5,
-        0x1.af3b88aa67b1bp-8, -0x1.615085c03c10ep-11, 0x1.ae8cb1407cfe4p-15, -0x1.952f7d837ab6fp-19,
-        0x1.2f47742ab1046p-23, -0x1.716cd10e1367cp-28, 0x1.71035aeccbd2cp-33, -0x1.0c8fef86260a6p-38);
-    const double p5 = POLY8(b_2, -0x1.555555555554dp-3, -0x1.c71c71c71cc85p-3, 0x1.3e93e93e9e0d6p-2,
-        -0x1.0cbb76644f474p-3, 0x1.e94dfe3da88b8p-6, -0x1.1e5e3d4c60700p-8, 0x1.d6ab8ca876bdep-12,
-        -0x1.1fcee5678494fp-15, 0x1.16f943a246fa1p-19);
-    const double t4 = SELECT(t3, 1.0 + p4 * alpha_2, t2 + -0x1.8000000000000p-4 + (b * p5 + 0x1.7ffffffffffffp-4));
+    const double t3 = alpha < 0x1.1c28f5c28f5c3p+0;
+    const double p4 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf4p-3, -0x1.74c1f6ca16ad7p-5,
+        0x1.af3b88aa6beb1p-8, -0x1.615085c0d2b9fp-11, 0x1.ae8cb15975580p-15, -0x1.952f8019da705p-19,
+        0x1.2f479f83cb2a1p-23, -0x1.71704c97ba462p-28, 0x1.712b7f47bc98fp-33, -0x1.0d567fd8486dep-38);
+    const double p5 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c372p-3, 0x1.3e93e93e8dae1p-2,
+        -0x1.0cbb7660cde68p-3, 0x1.e94dfc9b43c2dp-6, -0x1.1e5e050e2d7b2p-8, 0x1.d69a1f44ba292p-12,
+        -0x1.1e5cc6e589d22p-15, 0x1.faff5e49e839dp-20);
+    const double t4 = SELECT(t3, 1.0 + p4 * alpha_2, t2 + -0x1.c000000000000p-5 + (b * p5 + 0x1.bffffffffffffp-5));
     return SELECT(t3, 1.0 + p1 * alpha_2, t2 + 0x1.6000000000000p-3 + t1) / t4;
 }
 #define radial_weight_per_inertia_best_plain_KIND whole
 
 /* I_p* /Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0 <= alpha
- * <= pi/2, best, plain: proved within 3.01 ulp (certificates/polar_moment_per_inertia.json) */
+ * <= pi/2, best, plain: proved within 3.2 ulp (certificates/polar_moment_per_inertia.json) */
 INLINE double polar_moment_per_inertia_best_plain(double alpha)
 {
     const double alpha_2 = alpha * alpha;
-    const double p1 = POLY12(alpha_2, -0x1.9999999999989p-2, 0x1.5f15f15f14b9cp-4, -0x1.5ac056af15827p-7,
-        0x1.d0042c6d017fep-11, -0x1.8d4885b4b5809p-15, 0x1.7adecfc69194fp-19, 0x1.9a231cb6effb3p-24,
-        0x1.3a43a49a6a763p-25, 0x1.8e95c135f0567p-26, -0x1.5a5f166c6032dp-27, 0x1.6d70197211f4ap-27,
-        -0x1.19d3973aa36cap-28, 0x1.1eee76bd622b2p-30);
+    const double p1 = POLY13(alpha_2, -0x1.99999999999a1p-2, 0x1.5f15f15f16867p-4, -0x1.5ac056b098c3ep-7,
+        0x1.d0042db5aaf81p-11, -0x1.8d492a8f799c7p-15, 0x1.7b140904c908bp-19, 0x1.82e428a71e1d0p-24,
+        0x1.ab3e88a49fd1dp-25, 0x1.874cebeb20ce7p-31, 0x1.2209d73b424dfp-26, -0x1.8d10189b6754cp-27,
+        0x1.0d68c0b762145p-27, -0x1.7898ba0293282p-29, 0x1.264b7838724abp-31);
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p2 = POLY5(b_2, -0x1.eb440e0d5b068p-3, 0x1.b70e1da718514p-3, -0x1.dbecf43061ae4p-5,
-        0x1.115fe28110038p-7, -0x1.8a9e832d9844dp-11, 0x1.af511ed3efee7p-15);
-    const double p3 = POLY5(b_2, 0x1.55555555518aap-2, -0x1.5555556697b7dp-3, 0x1.27d268328778dp-5,
-        -0x1.283af2ca91d53p-8, 0x1.7ff85a336a890p-12, -0x1.b634872dcba2dp-16);
-    const double t1 = b * b_2 * (p3 * logarithm_plain(2.0 * b) + p2) + 0x1.7d5b8fa51934fp-6;
-    const double t2 = alpha < 1.0;
-    const double p4 = POLY9(alpha_2, -0x1.3333333333330p-1, 0x1.ad1ad1ad1aaafp-3, -0x1.74c1f6ca0d41bp-5,
-        0x1.af3b88a801647p-8, -0x1.61508565a6444p-11, 0x1.ae8ca0b5c00e3p-15, -0x1.952d8ea52153ep-19,
-        0x1.2f2260a235af0p-23, -0x1.6dfaada66d5aep-28, 0x1.42b63276d0e01p-33);
-    const double p5 = POLY9(b_2, -0x1.555555555554ep-3, -0x1.c71c71c71cad2p-3, 0x1.3e93e93e9959dp-2,
-        -0x1.0cbb76630619cp-3, 0x1.e94dfd8b6e6d2p-6, -0x1.1e5e23528aa32p-8, 0x1.d6a371cc475cdp-12,
-        -0x1.1f397f95f7403p-15, 0x1.1425220d45aaap-19, -0x1.00589fe65ed98p-23);
-    const double t3 = 0.5 * alpha + -0x1.e000000000000p-4 + (b * p5 + 0x1.dffffffffffffp-4);
-    const double t4 = SELECT(t2, 1.0 + p1 * alpha_2, alpha + -0x1.1800000000000p-1 + t1);
-    return t4 / SELECT(t2, 1.0 + p4 * alpha_2, t3);
+    const double p2 = POLY5(b_2, -0x1.213ce22f8ace3p-7, 0x1.94ebfbdbd73afp-4, -0x1.0ee07496f41fcp-5,
+        0x1.55751bc3c375dp-8, -0x1.05761dc378033p-11, 0x1.10577530f2d3dp-15);
+    const double p3 = POLY5(b_2, 0x1.5555555558d28p-2, -0x1.5555554a056aep-3, 0x1.27d28418e33f8p-5,
+        -0x1.282fbd7742ef9p-8, 0x1.81e84c0a68db4p-12, -0x1.aa0551f4078d8p-16);
+    const double t1 = alpha + -0.5625 + (b * b_2 * (p3 * logarithm_plain(b) + p2) + 0x1.3eadc7d28c9a8p-5);
+    const double t2 = alpha < 0x1.0a3d70a3d70a4p+0;
+    const double p4 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf6p-3, -0x1.74c1f6ca16b7dp-5,
+        0x1.af3b88aa6e88cp-8, -0x1.615085c12b0aap-11, 0x1.ae8cb16716e95p-15, -0x1.952f816363ee5p-19,
+        0x1.2f47b296c4e1fp-23, -0x1.7171988899170p-28, 0x1.7137440b96e6dp-33, -0x1.0d7e731b16450p-38);
+    const double p5 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c374p-3, 0x1.3e93e93e8db37p-2,
+        -0x1.0cbb7660ceadep-3, 0x1.e94dfc9b0a6adp-6, -0x1.1e5e04e3dd133p-8, 0x1.d69a035b8852bp-12,
+        -0x1.1e58f354d2ab8p-15, 0x1.fa3bac2f463d3p-20);
+    const double t3 = 0.5 * alpha + -0x1.c000000000000p-5 + (b * p5 + 0x1.bffffffffffffp-5);
+    return SELECT(t2, 1.0 + p1 * alpha_2, t1) / SELECT(t2, 1.0 + p4 * alpha_2, t3);
 }
 #define polar_moment_per_inertia_best_plain_KIND whole
 
@@ -1240,10 +1234,10 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
         -0x1.bfeb30e74d917p-35, 0x1.cdf1a753f4825p-41);
     const double b = 0x1.921fb54442d18p+0 - alpha;
     const double b_2 = b * b;
-    const double p2 = POLY7(b_2, -0x1.fffffffffff95p-4, 0x1.2aaaaaaaaa534p-1, -0x1.5b05b05ace2a9p-3,
-        0x1.bc8bc899c38eep-6, -0x1.637dfe720b520p-9, 0x1.83c64150f3de6p-13, -0x1.31e2be57bfe01p-17,
-        0x1.44ebe008475edp-22);
-    const double t1 = b * (b * -0.875 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + -0x1.8ca5feeed7c2bp-5));
+    const double p2 = POLY7(b_2, -0x1.ffffffffffffep-4, 0x1.2aaaaaaaaaa94p-1, -0x1.5b05b05b042afp-3,
+        0x1.bc8bc8bb3a27ap-6, -0x1.637e09bf1814ap-9, 0x1.83ca7ec09ab67p-13, -0x1.32b73da32d767p-17,
+        0x1.66c6f12e40144p-22);
+    const double t1 = b * (b * -0.875 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + 0x1.5555555555555p-53));
     const double t2 = 0.5 * alpha;
     const double t3 = alpha < 0x1.2147ae147ae14p+0;
     const double p3 = POLY16(alpha_2, -0x1.3333333333349p-2, 0x1.c09c09c0a459dp-6, -0x1.0cbb766afe79ap-9,
@@ -1256,7 +1250,7 @@ INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
     const double p5 = POLY5(b_2, 0x1.0000000000169p+0, -0x1.555555543d7fdp-2, 0x1.6c16c52a07b2ap-5,
         -0x1.a015173aabdaap-9, 0x1.2910a202b16c5p-13, -0x1.1e2016c290c5cp-18);
     const double t4 = b * (b * -1.875 + 0.5) + (b_2 * (p5 * logarithm_plain(2.0 * b) + p4) + 0x1.5e04abbbd2e80p-5);
-    const double t5 = SELECT(t3, 1.0 + p1 * alpha_2, t2 + -0x1.2000000000000p-4 + t1);
+    const double t5 = SELECT(t3, 1.0 + p1 * alpha_2, t2 + -0x1.e652ff776be20p-4 + t1);
     return t5 / SELECT(t3, 1.0 + p3 * alpha_2, t2 + 0x1.6000000000000p-3 + t4);
 }
 #define weight_moment_per_radial_weight_best_plain_KIND whole

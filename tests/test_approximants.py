@@ -10,6 +10,7 @@ import pytest
 from flint import ctx
 from numpy.typing import NDArray
 
+from derive.approximate import search
 from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import HALF_PI, kernels, records
 from derive.check import exact, measure
@@ -218,3 +219,12 @@ def test_a_seam_out_of_place_is_seen() -> None:
     v = _inertia()
     with pytest.raises(AssertionError, match="moment_of_inertia, best, fused"):
         check(_planted(v, Op("const", (), SHAPES[v.kernel][0].seam), Op("const", (), 0.8)))
+
+
+# --- the search ----------------------------------------------------------------------------------------------------
+
+
+def test_the_recorded_shape_is_what_the_search_finds() -> None:
+    """Of the quantity that takes least: nothing in the search is random or timed."""
+    (factor,) = [kernel for kernel in kernels() if kernel.name == "resistance_factor"]
+    assert search.search(factor) == records()[factor.definition]

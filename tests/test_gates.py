@@ -85,6 +85,15 @@ def test_a_weight_that_cannot_be_certified_is_refused(weight: sp.Expr, amplitude
     fires(lambda: Moment("odd", "O", "none", weight, "", amplitude).definition, "odd", "weight")
 
 
+def test_another_weight_may_be_sampled_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It has its proved closed and stable forms, and no certificate."""
+    both = Moment("both", "B", "none", r + r**2, "", certified=False)
+    for module in (quantities, integrate, shapes):
+        monkeypatch.setattr(module, "MOMENTS", (*MOMENTS, both), raising=False)
+    assert rules.stable(integrate.closed_forms()["both"]).power == 3
+    assert "both" not in {k.name for k in shapes.kernels()}
+
+
 @pytest.mark.parametrize("changed", ["weight", "lambda", "text"])
 def test_the_run_stops_and_writes_nothing(
     changed: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

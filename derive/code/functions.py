@@ -193,7 +193,7 @@ def printed() -> list[tuple[Program, str]]:
     c, s = sp.cos(alpha), sp.sin(alpha)
     half = sp.Rational(1, 2)
     moment = (2 * alpha - half * sp.sin(2 * alpha) - sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))) * c**3) / 3
-    factor = 2 * alpha * (1 - c)
+    factor = RESISTANCE.form
     with sp.evaluate(False):
         velocity = sp.sqrt(a / b) * sp.tanh(sp.sqrt(a * b) * t)
         rotation = sp.log(sp.cosh(sp.sqrt(a * b) * t)) / b
