@@ -1,4 +1,4 @@
-"""Three weights, drawn at random, are declared in a copy: everything follows (`python tests/all_weights.py` takes 15)."""
+"""Three weights, drawn at random, declared in a copy: everything follows (`python tests/all_weights.py` takes 15)."""
 
 import random
 from pathlib import Path

@@ -124,7 +124,7 @@ def test_what_is_new_is_checked_and_described(extended: Path) -> None:
 
 
 def test_the_new_moment_is_a_function(extended: Path) -> None:
-    """The area of a circle's segment, of the sagitta's thin mass to the half disc, within 5 ulp; certified and priced."""
+    """The area of a circle's segment, of the sagitta's thin mass to the half disc, within 5 ulp; certified, priced."""
     alpha = [0.0, 1e-300, 1e-100, 1e-5, 0.1, 0.5385, 1.0, np.pi / 2]
     code = f"from generated import area; print(*(float(x).hex() for x in area({alpha})))"
     found = [float.fromhex(x) for x in run(extended, "-W", "error", "-c", code).split()]
