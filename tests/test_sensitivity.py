@@ -133,10 +133,10 @@ def test_arc_growth() -> None:
 @pytest.mark.parametrize(
     ("pattern", "replacement", "check"),
     [
-        (r"0\.3333333333333333\)", "0.3333333333333)", check_frozen),  # (cosh k - sinh(k)/k)/k**2 at 0
-        (r"-0\.75\)", "-0.7500000001)", check_frozen),  # the slope of log(1 + x)/x
-        (r"-0\.016666666666666666\)", "-0.0166666667)", check_energy),  # a remainder of exp(-x)
-        (r"(v\d+) < 1\.0$", r"\1 < 0.0", check_energy),  # a seam out of place
+        (r"\(0\.3333333333333333,", "(0.3333333333333,", check_frozen),  # (cosh k - sinh(k)/k)/k**2 at 0
+        (r"-0\.75,", "-0.7500000001,", check_frozen),  # the slope of log(1 + x)/x
+        (r"-0\.016666666666666666,", "-0.0166666667,", check_energy),  # a remainder of exp(-x)
+        (r"(t\d+) < 1\.0$", r"\1 < 0.0", check_energy),  # a seam out of place
     ],
 )
 def test_a_planted_bug_turns_a_check_red(pattern: str, replacement: str, check: Any) -> None:

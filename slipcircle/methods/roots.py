@@ -17,7 +17,7 @@ _MATH = SimpleNamespace(
 @cache
 def scalar(function: Any) -> Callable[..., Any]:
     """A generated function over plain floats."""
-    return FunctionType(function.__code__, {"np": _MATH}, function.__name__)
+    return FunctionType(function.__code__, function.__globals__ | {"np": _MATH}, function.__name__)
 
 
 def halley(function: Callable[[float], tuple[float, float, float]], x: float, low: float, high: float) -> float:
