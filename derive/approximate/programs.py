@@ -196,8 +196,8 @@ def far(code: Code, x: int, closed: sp.Expr, shape: Far, seam: float) -> Pair:
     front = {1: b, 2: w}.get(fit.power) or (code.mul(b, w) if fit.power == 3 else code.mul(w, w))
     ahead = code.const(fit.constant) if fit.constant else None
     if fit.tilt:
-        assert ahead is not None
-        ahead = code.fma(b, code.const(fit.tilt), ahead)
+        tilt = code.const(fit.tilt)
+        ahead = code.mul(b, tilt) if ahead is None else code.fma(b, tilt, ahead)
     rest = code.mul(front, core) if ahead is None else code.fma(front, core, ahead)
     if not about.odd and (shape.bend or shape.slope):
         rest = code.fma(b, code.fma(b, code.const(-shape.bend), code.const(shape.slope)), rest)

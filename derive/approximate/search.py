@@ -176,28 +176,37 @@ def best(kernel: Kernel) -> Best:
     """The pieces with the least bound and the fewest operations.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
+    Of a base quantity first where it cannot fall at the seam, then elsewhere.
 
     Raises
     ------
     ProofError
         If none keeps what the tier promises.
     """
+    found = refined(kernel, rising=len(kernel.closed) == 1) or refined(kernel, rising=False)
+    if found is None:
+        goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
+        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
+    return found
+
+
+def refined(kernel: Kernel, rising: bool) -> Best | None:
+    """The best shape that was found, of those that rise over their seam or of all; None if none keeps its goals."""
     judged: dict[Best, float] = {}
 
     def variant(shape: Best, form: str) -> Variant:
         return Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel, shape, form))
 
     def judge(shape: Best) -> None:
-        seams = [part.seam for part in shape if part.far]
-        rising = len(shape) > 1 or not seams or rises(kernel.closed[0], seams[0])
-        if rising and shape not in judged and len(judged) < JUDGED:
+        allowed = not rising or not shape[0].far or rises(kernel.closed[0], shape[0].seam)
+        if allowed and shape not in judged and len(judged) < JUDGED:
             fused = variant(shape, "fused")
             judged[shape] = bound(fused) + OPERATION * sum(fused.program.operations().values())
 
     def ranked() -> list[Best]:
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
-    seams = [seam for seam in SEAMS if len(kernel.closed) > 1 or rises(kernel.closed[0], seam)]
+    seams = [seam for seam in SEAMS if not rising or rises(kernel.closed[0], seam)]
     for seam in seams[-9:] if any(end(closed) for closed in kernel.closed) else SEAMS[:1]:
         judge(started(kernel, seam))
     done: set[Best] = set()
@@ -205,11 +214,11 @@ def best(kernel: Kernel) -> Best:
         done.add(left[0])
         for shape in neighbours(kernel, left[0]):
             judge(shape)
-    for shape in ranked():
+    for shape in ranked()[:6]:
         made = [variant(shape, "fused"), variant(shape, "plain")]
         if kept(made) and not any(falls(v, shape[0].seam) for v in made):
             return shape
-    raise ProofError(f"{kernel.name}: tier best", f"no bound below {min(judged.values()):.3g}", "its goal")
+    return None
 
 
 # --- the other tiers -----------------------------------------------------------------------------------------------
