@@ -4,15 +4,15 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 
 ``quantities``, ``symbols``   what is derived, declared once as data
 ``integrate``                 definition -> closed form, each step proved
-``stable``                    closed form -> form without cancellation, linked by proof
-``fit``, ``approximants``     stable form -> minimax polynomials and rationals for each tier of accuracy
+``rules``, ``remainders``     closed form -> form without cancellation, by named rules, each step proved
+``minimax``, ``shapes``       closed form -> best polynomials and rationals, in the shapes that are recorded
+``programs``, ``search``      shapes -> the kernels' programs for each tier of accuracy; and where the shapes come from
 ``dynamics``, ``phase``       balance laws -> equation of motion -> its solutions in time and in the phase plane, proved
 ``effects``                   what a scene may ask for, declared once as data, and the balance of each combination
 ``sensitivity``               derivatives of the closed forms, proved
 ``program``, ``exact``        SymPy expression -> straight-line `Program`, and its value as every machine rounds it
 ``functions``                 the functions of `generated`: each with its program, its domain and its words
 ``emit``, ``emit_c``          `Program` -> NumPy source, and C source of ufunc loops
-``measure``                   a first look at the error of the text just emitted
 ``certificates``              the error bound of each kernel, proved by ``certify``, ``truth`` and ``rounding``
 ``write``                     source -> the files of `generated`, atomically, or a diff against them
 ``build``, ``build_hook``     C source -> extension module, here and at install time
@@ -23,13 +23,11 @@ which measures the hard cases.
 To add something, declare it, then run ``python -m derive``: it proves the declaration, writes `generated`, and from
 there it is in plans, scene files and `slipcircle schema`. The tests follow what stands here to the letter.
 
-A friction law. ``coefficient`` is its formula and ``drop`` its fall from one slip to a greater one, without
-cancellation; a law of speed has no drop. At the end of ``LAWS`` in ``derive/declare/effects.py``::
+A friction law, ``coefficient`` its formula; its fall from one slip to a greater one, without cancellation, follows.
+At the end of ``LAWS`` in ``derive/declare/effects.py``::
 
     Law("inverse_square", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "residual + (peak - residual)/(1 + slip/length)^2", _R + (_P - _R) * _HYPERBOLA**2,
-        (_P - _R) * _HYPERBOLA**2 * (MORE / _L) * (2 * (1 + SLIP / _L) + MORE / _L) / (1 + (SLIP + MORE) / _L) ** 2,
-        "length"),
+        "residual + (peak - residual)/(1 + slip/length)^2", _R + (_P - _R) / (1 + SLIP / _L) ** 2, "length"),
 
 An effect: what it adds to the balance of momentum (the fields of `effects.Effect`), and its parameters. What makes a
 parameter dimensionless is a formula in VALUE, ALPHA, GRAVITY, REFERENCE and THETA, where the effect depends on time or
@@ -45,13 +43,11 @@ A moment of the mass: its weight in the double integral. At the end of ``MOMENTS
 
     Moment("area", "S*", "1.10", r, "area of the moving mass"),
 
-and its form without cancellation, over alpha**3. At the end of ``_reduced_forms`` in ``derive/algebra/stable.py``::
+It is then a function of `generated` in every tier, each with its certificate, and a row of ``slipcircle cost`` and of
+``python -m derive hard``, and the tests compare it with quadrature. The first run searches for the shapes of its
+approximants (a minute) and records them. A weight with sin(theta) or cos(theta) names its amplitude too. Other weights
+than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused, or with ``certified=False`` sampled only.
 
-    "area": 4 * SineDefect(2 * alpha),
-
-It is then a function of `generated`, sampled only. A certificate takes its shape in ``approximants`` and ``fit``, and
-its closed form in ``truth``.
-
-The tests know nothing of a declaration: they ask for the same again in words of their own, a moment's weight in
-``tests/oracle.py``, an effect's symbols in ``tests/test_specialised.py``, its term in ``tests/test_physics.py``.
+Of an effect the tests ask for the same again in words of their own, its symbols in ``tests/test_specialised.py``, its
+term in ``tests/test_physics.py``.
 """

@@ -6,6 +6,8 @@ import time
 from collections.abc import Callable
 from typing import TypeVar
 
+from derive.check.proof import ProofError
+
 T = TypeVar("T")
 
 
@@ -22,8 +24,13 @@ def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: objec
     return result
 
 
-def derive_all() -> dict[str, str]:
+def derive_all(anew: bool = False) -> dict[str, str]:
     """Derive and prove everything, and return the text of `generated`; progress goes to stderr.
+
+    Parameters
+    ----------
+    anew : bool
+        Whether the shapes of all kernels are searched for; else only those that have no record.
 
     Returns
     -------
@@ -35,40 +42,38 @@ def derive_all() -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive.algebra import dynamics, integrate, phase, sensitivity, stable
-    from derive.check import measure
-    from derive.code import functions, write
-    from derive.declare import effects
+    from derive.algebra import dynamics, integrate, phase, rules, sensitivity
+    from derive.approximate import search, shapes
+    from derive.code import write
     from derive.declare.quantities import MOMENTS
     from derive.flow import operations
     from derive.judge.appendices import APPENDICES, simplify
 
-    derivations = []
     for moment in MOMENTS:
         told = "operations {0.operations[0]} -> {0.operations[1]}"
         derivation = timed(moment.name, "integrate", told, integrate.derive, moment)
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
-        derivations.append(derivation)
-    kernels = {f.program.name: f for f in functions.kernels(derivations)}
-    for name, closed in functions.closed_amplitudes(derivations).items():
-        timed(name, "stable form", "proved equal to the closed form", stable.prove_kernel, name, closed)
-        takes = f"{sum(kernels[name].program.operations().values())} float operations"
-        timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
+    for kernel in shapes.kernels():
+        timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
+    timed("kernels", "search", "shapes found anew: {0}", search.complete, anew)
+    for name, closed in integrate.closed_forms().items():
+        form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
+        for step in form.steps:
+            counts = " -> ".join(map(str, step.operations))
+            say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
     for appendix in APPENDICES:
         told = "operations {0.operations_before} -> {0.operations_after}, integrates {0.integrand}"
         timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
-    timed("friction laws", "solve", "{0} claims proved", lambda: len(effects.prove_laws()))
     timed("phase plane", "solve", "{0} claims proved", lambda: len(phase.prove_energies()))
     for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
                         ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
         timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
-    closed = functions.closed_amplitudes(derivations)
-    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(closed)))
+    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(integrate.closed_forms())))
     proved = timed("kernels", "certify", "", write.proofs)
-    return timed("generated", "emit", "", write.files, derivations, proved)
+    return timed("generated", "emit", "", write.files, proved)
 
 
 def binary() -> str:
@@ -89,6 +94,7 @@ def main(argv: list[str] | None = None) -> int:
         epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
+    parser.add_argument("--search", action="store_true", help="search for all shapes of approximants anew (minutes)")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
 
     def command(name: str, words: str) -> argparse.ArgumentParser:
@@ -103,7 +109,7 @@ def main(argv: list[str] | None = None) -> int:
     command("prove", "prove the error bounds of the kernels again, from their certificates alone")
     options = parser.parse_args(argv)
     if options.command == "prove":
-        from derive.check.certify import prove_all
+        from derive.check.table import prove_all
 
         return 0 if prove_all() else 1
     if options.command == "verify":
@@ -116,15 +122,20 @@ def main(argv: list[str] | None = None) -> int:
 
         print(hard_report("json" if options.json else "table"))
         return 0
+    from derive.approximate import shapes
     from derive.code import write
 
     start = time.perf_counter()
-    texts = derive_all()
+    try:
+        texts = derive_all(options.search)
+    except ProofError as fault:
+        say(f"{fault}; nothing is written")
+        return 1
     if options.check:
-        diff = write.difference(texts)
+        diff = write.difference(texts) + write.difference({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
-    changed = write.write(texts)
+    changed = write.write(texts) + write.write({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
     timed("kernels", "compile", "{0}", binary)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: e18a2b47b3377765cc6cf6be2932c033dc033891c3bcda152c6f4cadbcded01c
+# sha256 of the text below: 59467ec65b4d875a74f8c66762046fa515d028f8c478bdfefaba1339baf1d6f6
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -10,6 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 BLOCK = 8192  # elements whose intermediate values stay in the cache
+
+
+def horner(x: Any, coefficients: Sequence[float]) -> Any:
+    """The polynomial with these coefficients, lowest first."""
+    result: Any = coefficients[-1]
+    for c in coefficients[-2::-1]:
+        result = result * x + c
+    return result
 
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:

@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "aae2a083edbcae9ff941526ffa831343bccf463ace4fd836fc6abf8cf432d23e"
+#define DIGEST "9fe99c1c85468c6c2101dbf04afc2a112c6d523351ae72dec7d50177987a2040"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -79,2764 +79,1181 @@ INLINE uint64_t biased(double x) { return (bits(x) + (UINT64_C(1) << 51)) >> 52;
 INLINE double exponent_of(double x) { return number(biased(x) | bits(0x1p52)) - (0x1p52 + 1023); }
 INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 52) + bits(1.0)); }
 
+#define SELECT(condition, yes, no) ((condition) ? (yes) : (no))
+#define SMALLER(a, b) SELECT((a) < (b), a, b)
+#define LARGER(a, b) SELECT((a) > (b), a, b)
+/* A polynomial by Horner's scheme; its coefficients come lowest first. */
+#define POLY1(x, c0, c1) FMA(c1, x, c0)
+#define POLY2(x, c0, ...) FMA(POLY1(x, __VA_ARGS__), x, c0)
+#define POLY3(x, c0, ...) FMA(POLY2(x, __VA_ARGS__), x, c0)
+#define POLY4(x, c0, ...) FMA(POLY3(x, __VA_ARGS__), x, c0)
+#define POLY5(x, c0, ...) FMA(POLY4(x, __VA_ARGS__), x, c0)
+#define POLY6(x, c0, ...) FMA(POLY5(x, __VA_ARGS__), x, c0)
+#define POLY7(x, c0, ...) FMA(POLY6(x, __VA_ARGS__), x, c0)
+#define POLY8(x, c0, ...) FMA(POLY7(x, __VA_ARGS__), x, c0)
+#define POLY9(x, c0, ...) FMA(POLY8(x, __VA_ARGS__), x, c0)
+#define POLY10(x, c0, ...) FMA(POLY9(x, __VA_ARGS__), x, c0)
+#define POLY11(x, c0, ...) FMA(POLY10(x, __VA_ARGS__), x, c0)
+#define POLY12(x, c0, ...) FMA(POLY11(x, __VA_ARGS__), x, c0)
+#define POLY13(x, c0, ...) FMA(POLY12(x, __VA_ARGS__), x, c0)
+#define POLY14(x, c0, ...) FMA(POLY13(x, __VA_ARGS__), x, c0)
+#define POLY15(x, c0, ...) FMA(POLY14(x, __VA_ARGS__), x, c0)
+#define POLY16(x, c0, ...) FMA(POLY15(x, __VA_ARGS__), x, c0)
+#define POLY17(x, c0, ...) FMA(POLY16(x, __VA_ARGS__), x, c0)
+#define POLY18(x, c0, ...) FMA(POLY17(x, __VA_ARGS__), x, c0)
+#define POLY19(x, c0, ...) FMA(POLY18(x, __VA_ARGS__), x, c0)
+#define POLY20(x, c0, ...) FMA(POLY19(x, __VA_ARGS__), x, c0)
+#define POLY21(x, c0, ...) FMA(POLY20(x, __VA_ARGS__), x, c0)
+#define POLY22(x, c0, ...) FMA(POLY21(x, __VA_ARGS__), x, c0)
+#define POLY23(x, c0, ...) FMA(POLY22(x, __VA_ARGS__), x, c0)
+
 #ifndef NO_FMA
+#undef FMA
+#define FMA(a, b, c) __builtin_fma(a, b, c)
+
+/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */
+INLINE double logarithm_fused(double b)
+{
+    const double t1 = LARGER(b, 0x1.0000000000000p-60);
+    const double t2 = significand_of(t1) - 1.0;
+    const double t3 = t2 / (t2 + 2.0);
+    const double t4 = t3 * t3;
+    const double p1 = POLY6(t4, 0x1.55555555559d8p-1, 0x1.999999987c7a3p-2, 0x1.249249f1b0e53p-2,
+        0x1.c71be01ef8d7bp-3, 0x1.747966b22b47ep-3, 0x1.3804595ac79edp-3, 0x1.3cda08c7927d8p-3);
+    return FMA(t3, FMA(t4, p1, -t2), FMA(exponent_of(t1), 0x1.62e42fefa39efp-1, t2));
+}
+
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, fused:
+ * proved within 0.633 ulp (certificates/polar_moment.json) */
+/* alpha < 1.08 */
+INLINE double polar_moment_best_fused_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = -alpha_2;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY5(alpha_4, 0x1.35581df44ec96p-11, 0x1.f93e2aae775cep-20, 0x1.b9df879715ff3p-26,
+        -0x1.27f314db23c38p-27, -0x1.1e1f4bba8b50ep-27, -0x1.6a451c111f071p-30);
+    const double p2 = POLY6(alpha_4, -0x1.ce55c8ea5155fp-8, -0x1.08db2a390eefbp-15, 0x1.0dd07324275dep-24,
+        0x1.fc9cd0ab275d4p-27, 0x1.9b04016f6cf6cp-27, 0x1.2b1d88cf43807p-28, 0x1.c14341ea6f3a8p-33);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41cc16p-5);
+    const double t3 = FMA(t2, alpha_2, -0x1.111111111110ep-2);
+    const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
+    const double t5 = -0x1.111111111110ep-2 - t3;
+    const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
+    const double t7 = alpha_2 * t4;
+    const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
+    const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
+    return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
+}
+/* alpha >= 1.08, in b = pi/2 - alpha */
+INLINE double polar_moment_best_fused_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY5(b_2, -0x1.213ce23146d4ep-7, 0x1.94ebfb96f2248p-4, -0x1.0ee089c62234bp-5,
+        0x1.5570c6bf81994p-8, -0x1.057adab8c0352p-11, 0x1.1322fd18fd6adp-15);
+    const double p2 = POLY5(b_2, 0x1.555555555535bp-2, -0x1.55555557cd14ep-3, 0x1.27d27720bb130p-5,
+        -0x1.2834b296ce4d6p-8, 0x1.811b7ecc87ea4p-12, -0x1.ae976a0e5bdb3p-16);
+    const double t1 = FMA(b * b_2, FMA(p2, logarithm_fused(b), p1), -0x1.0548e0b5cd961p-7);
+    return alpha + -0x1.0800000000000p-1 + t1;
+}
 INLINE double polar_moment_best_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.5a4eb8d4fdf16p-30, v4, 0x1.1cf83c1392ee5p-27);
-    const double v9 = __builtin_fma(v7, v4, 0x1.20dc3d60db7aap-25);
-    const double v11 = __builtin_fma(v9, v4, 0x1.f97dd8a440e49p-20);
-    const double v13 = __builtin_fma(v11, v4, 0x1.35581eb7b9c4ep-11);
-    const double v16 = __builtin_fma((-0x1.a3e7d0b8cee94p-29), v4, 0x1.372e5bb516f5ap-30);
-    const double v18 = __builtin_fma(v16, v4, 0x1.ffc5bb85d3a0bp-25);
-    const double v20 = __builtin_fma(v18, v4, (-0x1.08db8c9edc7c7p-15));
-    const double v22 = __builtin_fma(v20, v4, (-0x1.ce55c8ec1b57ap-8));
-    const double v23 = __builtin_fma(v1, v13, v22);
-    const double v25 = __builtin_fma(v1, v23, 0x1.d41d41d41edeap-5);
-    const double v27 = __builtin_fma(v25, v1, (-0x1.111111111111cp-2));
-    const double v29 = __builtin_fma(v27, v1, 0x1.5555555555555p-1);
-    const double v30 = 0x1.5555555555555p-1 - v29;
-    const double v31 = __builtin_fma(v27, v1, v30);
-    const double v32 = (-0x1.111111111111cp-2) - v27;
-    const double v33 = __builtin_fma(v25, v1, v32);
-    const double v35 = v31 + 0x1.5555555555555p-55;
-    const double v36 = __builtin_fma(v1, v33, v35);
-    const double v39 = __builtin_fma(0x1.0000000000000p+1, v29, (-0x1.5555555555555p-1));
-    const double v40 = __builtin_fma(v2, v32, v39);
-    const double v41 = v1 * v29;
-    const double v42 = -v41;
-    const double v43 = __builtin_fma(v1, v29, v42);
-    const double v44 = __builtin_fma(v3, v40, v43);
-    const double v45 = __builtin_fma(v1, v36, v44);
-    const double v46 = alpha * v45;
-    const double v47 = __builtin_fma(alpha, v41, v46);
-    const double v49 = 0x1.921fb54442d18p+0 - alpha;
-    const double v50 = v49 * v49;
-    const double v53 = __builtin_fma((-0x1.b16de590ed744p-16), v50, 0x1.80dce9acbd0ffp-12);
-    const double v55 = __builtin_fma(v53, v50, (-0x1.2834e1f3e1a60p-8));
-    const double v57 = __builtin_fma(v55, v50, 0x1.27d279e0496b5p-5);
-    const double v59 = __builtin_fma(v57, v50, (-0x1.555555518e7c3p-3));
-    const double v61 = __builtin_fma(v59, v50, 0x1.55555555579d1p-2);
-    const double v63 = v49 > 0x1.0000000000000p-60 ? v49 : 0x1.0000000000000p-60;
-    const double v64 = significand_of(v63);
-    const double v66 = v64 - 0x1.0000000000000p+0;
-    const double v67 = v66 + 0x1.0000000000000p+1;
-    const double v68 = v66 / v67;
-    const double v69 = v68 * v68;
-    const double v72 = __builtin_fma(0x1.3cda08c7927d8p-3, v69, 0x1.3804595ac79edp-3);
-    const double v74 = __builtin_fma(v72, v69, 0x1.747966b22b47ep-3);
-    const double v76 = __builtin_fma(v74, v69, 0x1.c71be01ef8d7bp-3);
-    const double v78 = __builtin_fma(v76, v69, 0x1.249249f1b0e53p-2);
-    const double v80 = __builtin_fma(v78, v69, 0x1.999999987c7a3p-2);
-    const double v82 = __builtin_fma(v80, v69, 0x1.55555555559d8p-1);
-    const double v83 = -v66;
-    const double v84 = __builtin_fma(v69, v82, v83);
-    const double v85 = exponent_of(v63);
-    const double v87 = __builtin_fma(v85, 0x1.62e42fefa39efp-1, v66);
-    const double v88 = __builtin_fma(v68, v84, v87);
-    const double v91 = __builtin_fma(0x1.1477caa143cfbp-15, v50, (-0x1.058aebdba383ap-11));
-    const double v93 = __builtin_fma(v91, v50, 0x1.556ffb39c3af9p-8);
-    const double v95 = __builtin_fma(v93, v50, (-0x1.0ee086df8c2f9p-5));
-    const double v97 = __builtin_fma(v95, v50, 0x1.94ebfbb2ec66fp-4);
-    const double v99 = __builtin_fma(v97, v50, (-0x1.213ce230290f3p-7));
-    const double v100 = __builtin_fma(v61, v88, v99);
-    const double v102 = alpha + (-0x1.0c152382d7366p-1);
-    const double v103 = v49 * v50;
-    const double v105 = __builtin_fma(v103, v100, 0x1.ee6913347c2a6p-55);
-    const double v106 = v102 + v105;
-    const int v108 = alpha < 0x1.dc28f5c28f5c3p-1;
-    const double v109 = v108 ? v47 : v106;
-    return v109;
+    const double near = polar_moment_best_fused_near(alpha);
+    const double far = polar_moment_best_fused_far(alpha);
+    return SELECT(alpha < 0x1.147ae147ae148p+0, near, far);
 }
 #define polar_moment_best_fused_KIND pieces
-#define polar_moment_best_fused_BELOW_double UINT64_C(0x3fedc28f5c28f5c2)
-#define polar_moment_best_fused_BELOW_float UINT32_C(0x3f6e147a)
-INLINE double polar_moment_best_fused_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.5a4eb8d4fdf16p-30, v4, 0x1.1cf83c1392ee5p-27);
-    const double v9 = __builtin_fma(v7, v4, 0x1.20dc3d60db7aap-25);
-    const double v11 = __builtin_fma(v9, v4, 0x1.f97dd8a440e49p-20);
-    const double v13 = __builtin_fma(v11, v4, 0x1.35581eb7b9c4ep-11);
-    const double v16 = __builtin_fma((-0x1.a3e7d0b8cee94p-29), v4, 0x1.372e5bb516f5ap-30);
-    const double v18 = __builtin_fma(v16, v4, 0x1.ffc5bb85d3a0bp-25);
-    const double v20 = __builtin_fma(v18, v4, (-0x1.08db8c9edc7c7p-15));
-    const double v22 = __builtin_fma(v20, v4, (-0x1.ce55c8ec1b57ap-8));
-    const double v23 = __builtin_fma(v1, v13, v22);
-    const double v25 = __builtin_fma(v1, v23, 0x1.d41d41d41edeap-5);
-    const double v27 = __builtin_fma(v25, v1, (-0x1.111111111111cp-2));
-    const double v29 = __builtin_fma(v27, v1, 0x1.5555555555555p-1);
-    const double v30 = 0x1.5555555555555p-1 - v29;
-    const double v31 = __builtin_fma(v27, v1, v30);
-    const double v32 = (-0x1.111111111111cp-2) - v27;
-    const double v33 = __builtin_fma(v25, v1, v32);
-    const double v35 = v31 + 0x1.5555555555555p-55;
-    const double v36 = __builtin_fma(v1, v33, v35);
-    const double v39 = __builtin_fma(0x1.0000000000000p+1, v29, (-0x1.5555555555555p-1));
-    const double v40 = __builtin_fma(v2, v32, v39);
-    const double v41 = v1 * v29;
-    const double v42 = -v41;
-    const double v43 = __builtin_fma(v1, v29, v42);
-    const double v44 = __builtin_fma(v3, v40, v43);
-    const double v45 = __builtin_fma(v1, v36, v44);
-    const double v46 = alpha * v45;
-    const double v47 = __builtin_fma(alpha, v41, v46);
-    return v47;
-}
+#define polar_moment_best_fused_BELOW_double UINT64_C(0x3ff147ae147ae147)
+#define polar_moment_best_fused_BELOW_float UINT32_C(0x3f8a3d70)
 
-INLINE double moment_of_inertia_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.f3cdbf532eaf7p-34, v4, 0x1.9465eeb660151p-24);
-    const double v9 = __builtin_fma(v7, v4, 0x1.1f0877c40acffp-15);
-    const double v11 = __builtin_fma(v9, v4, 0x1.1f7d05c72fc3ap-8);
-    const double v14 = __builtin_fma((-0x1.91e6b7ad796a6p-39), v4, (-0x1.ed2a462794ae8p-29));
-    const double v16 = __builtin_fma(v14, v4, (-0x1.0e1fd712de8dbp-19));
-    const double v18 = __builtin_fma(v16, v4, (-0x1.d71607bd2727dp-12));
-    const double v20 = __builtin_fma(v18, v4, (-0x1.f1029e62cad66p-6));
-    const double v21 = __builtin_fma(v1, v11, v20);
-    const double v23 = __builtin_fma(v1, v21, 0x1.1e11e11e11e36p-3);
-    const double v25 = __builtin_fma(v23, v1, (-0x1.999999999999ap-2));
-    const double v27 = __builtin_fma(v25, v1, 0x1.5555555555555p-1);
-    const double v28 = 0x1.5555555555555p-1 - v27;
-    const double v29 = __builtin_fma(v25, v1, v28);
-    const double v30 = (-0x1.999999999999ap-2) - v25;
-    const double v31 = __builtin_fma(v23, v1, v30);
-    const double v33 = v29 + 0x1.5555555555555p-55;
-    const double v34 = __builtin_fma(v1, v31, v33);
-    const double v37 = __builtin_fma(0x1.0000000000000p+1, v27, (-0x1.5555555555555p-1));
-    const double v38 = __builtin_fma(v2, v30, v37);
-    const double v39 = v1 * v27;
-    const double v40 = -v39;
-    const double v41 = __builtin_fma(v1, v27, v40);
-    const double v42 = __builtin_fma(v3, v38, v41);
-    const double v43 = __builtin_fma(v1, v34, v42);
-    const double v44 = alpha * v43;
-    const double v45 = __builtin_fma(alpha, v39, v44);
-    const double v47 = 0x1.921fb54442d18p+0 - alpha;
-    const double v48 = v47 * v47;
-    const double v51 = __builtin_fma((-0x1.00589fe65ed98p-23), v48, 0x1.1425220d45aaap-19);
-    const double v53 = __builtin_fma(v51, v48, (-0x1.1f397f95f7403p-15));
-    const double v55 = __builtin_fma(v53, v48, 0x1.d6a371cc475cdp-12);
-    const double v57 = __builtin_fma(v55, v48, (-0x1.1e5e23528aa32p-8));
-    const double v59 = __builtin_fma(v57, v48, 0x1.e94dfd8b6e6d2p-6);
-    const double v61 = __builtin_fma(v59, v48, (-0x1.0cbb76630619cp-3));
-    const double v63 = __builtin_fma(v61, v48, 0x1.3e93e93e9959dp-2);
-    const double v65 = __builtin_fma(v63, v48, (-0x1.c71c71c71cad2p-3));
-    const double v67 = __builtin_fma(v65, v48, (-0x1.555555555554ep-3));
-    const double v69 = __builtin_fma(v47, v67, 0x1.dffffffffffffp-4);
-    const double v71 = 0x1.0000000000000p-1 * alpha;
-    const double v73 = v71 + (-0x1.e000000000000p-4);
-    const double v74 = v73 + v69;
-    const int v76 = alpha < 0x1.0000000000000p+0;
-    const double v77 = v76 ? v45 : v74;
-    return v77;
-}
-#define moment_of_inertia_best_fused_KIND pieces
-#define moment_of_inertia_best_fused_BELOW_double UINT64_C(0x3fefffffffffffff)
-#define moment_of_inertia_best_fused_BELOW_float UINT32_C(0x3f7fffff)
-INLINE double moment_of_inertia_best_fused_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.f3cdbf532eaf7p-34, v4, 0x1.9465eeb660151p-24);
-    const double v9 = __builtin_fma(v7, v4, 0x1.1f0877c40acffp-15);
-    const double v11 = __builtin_fma(v9, v4, 0x1.1f7d05c72fc3ap-8);
-    const double v14 = __builtin_fma((-0x1.91e6b7ad796a6p-39), v4, (-0x1.ed2a462794ae8p-29));
-    const double v16 = __builtin_fma(v14, v4, (-0x1.0e1fd712de8dbp-19));
-    const double v18 = __builtin_fma(v16, v4, (-0x1.d71607bd2727dp-12));
-    const double v20 = __builtin_fma(v18, v4, (-0x1.f1029e62cad66p-6));
-    const double v21 = __builtin_fma(v1, v11, v20);
-    const double v23 = __builtin_fma(v1, v21, 0x1.1e11e11e11e36p-3);
-    const double v25 = __builtin_fma(v23, v1, (-0x1.999999999999ap-2));
-    const double v27 = __builtin_fma(v25, v1, 0x1.5555555555555p-1);
-    const double v28 = 0x1.5555555555555p-1 - v27;
-    const double v29 = __builtin_fma(v25, v1, v28);
-    const double v30 = (-0x1.999999999999ap-2) - v25;
-    const double v31 = __builtin_fma(v23, v1, v30);
-    const double v33 = v29 + 0x1.5555555555555p-55;
-    const double v34 = __builtin_fma(v1, v31, v33);
-    const double v37 = __builtin_fma(0x1.0000000000000p+1, v27, (-0x1.5555555555555p-1));
-    const double v38 = __builtin_fma(v2, v30, v37);
-    const double v39 = v1 * v27;
-    const double v40 = -v39;
-    const double v41 = __builtin_fma(v1, v27, v40);
-    const double v42 = __builtin_fma(v3, v38, v41);
-    const double v43 = __builtin_fma(v1, v34, v42);
-    const double v44 = alpha * v43;
-    const double v45 = __builtin_fma(alpha, v39, v44);
-    return v45;
-}
-
-INLINE double radial_weight_amplitude_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.1daae6a223a3dp-26, v4, 0x1.59d79b38274bdp-24);
-    const double v9 = __builtin_fma(v7, v4, 0x1.ce69726473d26p-25);
-    const double v11 = __builtin_fma(v9, v4, (-0x1.31eb80a2fef7dp-22));
-    const double v13 = __builtin_fma(v11, v4, (-0x1.01343350b0275p-18));
-    const double v15 = __builtin_fma(v13, v4, (-0x1.47d654b129ff9p-16));
-    const double v18 = __builtin_fma((-0x1.9d4044a7034c3p-29), v4, (-0x1.a2c353c442e22p-25));
-    const double v20 = __builtin_fma(v18, v4, (-0x1.cb311e1e7579cp-24));
-    const double v22 = __builtin_fma(v20, v4, (-0x1.2d7a3353abe26p-23));
-    const double v24 = __builtin_fma(v22, v4, (-0x1.1f97784d3fc01p-20));
-    const double v26 = __builtin_fma(v24, v4, (-0x1.07d8efa7a3041p-16));
-    const double v28 = __builtin_fma(v26, v4, (-0x1.664f4888b6cd1p-10));
-    const double v29 = __builtin_fma(v1, v15, v28);
-    const double v31 = __builtin_fma(v1, v29, 0x1.2b12b12b158cap-6);
-    const double v33 = __builtin_fma(v31, v1, (-0x1.99999999999a9p-3));
-    const double v35 = __builtin_fma(v33, v1, 0x1.5555555555555p-1);
-    const double v36 = 0x1.5555555555555p-1 - v35;
-    const double v37 = __builtin_fma(v33, v1, v36);
-    const double v38 = (-0x1.99999999999a9p-3) - v33;
-    const double v39 = __builtin_fma(v31, v1, v38);
-    const double v41 = v37 + 0x1.5555555555555p-55;
-    const double v42 = __builtin_fma(v1, v39, v41);
-    const double v45 = __builtin_fma(0x1.0000000000000p+1, v35, (-0x1.5555555555555p-1));
-    const double v46 = __builtin_fma(v2, v38, v45);
-    const double v47 = v1 * v35;
-    const double v48 = -v47;
-    const double v49 = __builtin_fma(v1, v35, v48);
-    const double v50 = __builtin_fma(v3, v46, v49);
-    const double v51 = __builtin_fma(v1, v42, v50);
-    const double v52 = alpha * v51;
-    const double v53 = __builtin_fma(alpha, v47, v52);
-    const double v56 = 0x1.921fb54442d18p+0 - alpha;
-    const double v57 = v56 * v56;
-    const double v60 = __builtin_fma((-0x1.4b80ca7eaf925p-18), v57, 0x1.26ecb6ae67667p-13);
-    const double v62 = __builtin_fma(v60, v57, (-0x1.a01c15d7033acp-9));
-    const double v64 = __builtin_fma(v62, v57, 0x1.6c16c0a0e6534p-5);
-    const double v66 = __builtin_fma(v64, v57, (-0x1.555555554900ap-2));
-    const double v68 = __builtin_fma(v66, v57, 0x1.00000000000b6p+0);
-    const double v69 = 0x1.0000000000000p+1 * v56;
-    const double v71 = v69 > 0x1.0000000000000p-60 ? v69 : 0x1.0000000000000p-60;
-    const double v72 = significand_of(v71);
-    const double v73 = v72 - 0x1.0000000000000p+0;
-    const double v74 = v73 + 0x1.0000000000000p+1;
-    const double v75 = v73 / v74;
-    const double v76 = v75 * v75;
-    const double v79 = __builtin_fma(0x1.3cda08c7927d8p-3, v76, 0x1.3804595ac79edp-3);
-    const double v81 = __builtin_fma(v79, v76, 0x1.747966b22b47ep-3);
-    const double v83 = __builtin_fma(v81, v76, 0x1.c71be01ef8d7bp-3);
-    const double v85 = __builtin_fma(v83, v76, 0x1.249249f1b0e53p-2);
-    const double v87 = __builtin_fma(v85, v76, 0x1.999999987c7a3p-2);
-    const double v89 = __builtin_fma(v87, v76, 0x1.55555555559d8p-1);
-    const double v90 = -v73;
-    const double v91 = __builtin_fma(v76, v89, v90);
-    const double v92 = exponent_of(v71);
-    const double v94 = __builtin_fma(v92, 0x1.62e42fefa39efp-1, v73);
-    const double v95 = __builtin_fma(v75, v91, v94);
-    const double v98 = __builtin_fma(0x1.8128754f493fdp-17, v57, (-0x1.5c1de3bda9c32p-12));
-    const double v100 = __builtin_fma(v98, v57, 0x1.c0f84768fd081p-8);
-    const double v102 = __builtin_fma(v100, v57, (-0x1.5fec3987413d3p-4));
-    const double v104 = __builtin_fma(v102, v57, 0x1.2c981ff50df71p-1);
-    const double v106 = __builtin_fma(v104, v57, (-0x1.7217f7d1c0c33p-7));
-    const double v107 = __builtin_fma(v68, v95, v106);
-    const double v108 = 0x1.0000000000000p+0 - v56;
-    const double v110 = __builtin_fma(v56, (-0x1.e000000000000p+0), 0x1.0000000000000p+0);
-    const double v111 = v57 * v107;
-    const double v112 = __builtin_fma(v56, v110, v111);
-    const double v113 = v108 + v112;
-    const int v115 = alpha < 0x1.051eb851eb852p+0;
-    const double v116 = v115 ? v53 : v113;
-    return v116;
-}
-#define radial_weight_amplitude_best_fused_KIND pieces
-#define radial_weight_amplitude_best_fused_BELOW_double UINT64_C(0x3ff051eb851eb851)
-#define radial_weight_amplitude_best_fused_BELOW_float UINT32_C(0x3f828f5c)
-INLINE double radial_weight_amplitude_best_fused_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.1daae6a223a3dp-26, v4, 0x1.59d79b38274bdp-24);
-    const double v9 = __builtin_fma(v7, v4, 0x1.ce69726473d26p-25);
-    const double v11 = __builtin_fma(v9, v4, (-0x1.31eb80a2fef7dp-22));
-    const double v13 = __builtin_fma(v11, v4, (-0x1.01343350b0275p-18));
-    const double v15 = __builtin_fma(v13, v4, (-0x1.47d654b129ff9p-16));
-    const double v18 = __builtin_fma((-0x1.9d4044a7034c3p-29), v4, (-0x1.a2c353c442e22p-25));
-    const double v20 = __builtin_fma(v18, v4, (-0x1.cb311e1e7579cp-24));
-    const double v22 = __builtin_fma(v20, v4, (-0x1.2d7a3353abe26p-23));
-    const double v24 = __builtin_fma(v22, v4, (-0x1.1f97784d3fc01p-20));
-    const double v26 = __builtin_fma(v24, v4, (-0x1.07d8efa7a3041p-16));
-    const double v28 = __builtin_fma(v26, v4, (-0x1.664f4888b6cd1p-10));
-    const double v29 = __builtin_fma(v1, v15, v28);
-    const double v31 = __builtin_fma(v1, v29, 0x1.2b12b12b158cap-6);
-    const double v33 = __builtin_fma(v31, v1, (-0x1.99999999999a9p-3));
-    const double v35 = __builtin_fma(v33, v1, 0x1.5555555555555p-1);
-    const double v36 = 0x1.5555555555555p-1 - v35;
-    const double v37 = __builtin_fma(v33, v1, v36);
-    const double v38 = (-0x1.99999999999a9p-3) - v33;
-    const double v39 = __builtin_fma(v31, v1, v38);
-    const double v41 = v37 + 0x1.5555555555555p-55;
-    const double v42 = __builtin_fma(v1, v39, v41);
-    const double v45 = __builtin_fma(0x1.0000000000000p+1, v35, (-0x1.5555555555555p-1));
-    const double v46 = __builtin_fma(v2, v38, v45);
-    const double v47 = v1 * v35;
-    const double v48 = -v47;
-    const double v49 = __builtin_fma(v1, v35, v48);
-    const double v50 = __builtin_fma(v3, v46, v49);
-    const double v51 = __builtin_fma(v1, v42, v50);
-    const double v52 = alpha * v51;
-    const double v53 = __builtin_fma(alpha, v47, v52);
-    return v53;
-}
-
-INLINE double weight_moment_amplitude_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.30e9ff831c7c7p-41, v4, 0x1.b59da2f914bb4p-30);
-    const double v9 = __builtin_fma(v7, v4, 0x1.eaeaa2cd96bc4p-20);
-    const double v11 = __builtin_fma(v9, v4, 0x1.83c8978ec53afp-11);
-    const double v14 = __builtin_fma((-0x1.2a4e8655ba3f6p-35), v4, (-0x1.03e52c1c9f8cfp-24));
-    const double v16 = __builtin_fma(v14, v4, (-0x1.65f59e30b1564p-15));
-    const double v18 = __builtin_fma(v16, v4, (-0x1.282ef4b666c9dp-7));
-    const double v19 = __builtin_fma(v1, v11, v18);
-    const double v21 = __builtin_fma(v1, v19, 0x1.27d27d27d27a5p-4);
-    const double v23 = __builtin_fma(v21, v1, (-0x1.5555555555555p-2));
-    const double v25 = __builtin_fma(v23, v1, 0x1.5555555555555p-1);
-    const double v26 = 0x1.5555555555555p-1 - v25;
-    const double v27 = __builtin_fma(v23, v1, v26);
-    const double v28 = (-0x1.5555555555555p-2) - v23;
-    const double v29 = __builtin_fma(v21, v1, v28);
-    const double v31 = v27 + 0x1.5555555555555p-55;
-    const double v32 = __builtin_fma(v1, v29, v31);
-    const double v35 = __builtin_fma(0x1.0000000000000p+1, v25, (-0x1.5555555555555p-1));
-    const double v36 = __builtin_fma(v2, v28, v35);
-    const double v37 = v1 * v25;
-    const double v38 = -v37;
-    const double v39 = __builtin_fma(v1, v25, v38);
-    const double v40 = __builtin_fma(v3, v36, v39);
-    const double v41 = __builtin_fma(v1, v32, v40);
-    const double v42 = alpha * v41;
-    const double v43 = __builtin_fma(alpha, v37, v42);
-    const double v45 = 0x1.921fb54442d18p+0 - alpha;
-    const double v46 = v45 * v45;
-    const double v47 = v46 * v46;
-    const double v50 = __builtin_fma(0x1.67d5bb5cbd93ep-22, v46, (-0x1.32bd9577001abp-17));
-    const double v52 = __builtin_fma(v50, v46, 0x1.83ca9db15ed0ep-13);
-    const double v54 = __builtin_fma(v52, v46, (-0x1.637e0a0dbbad2p-9));
-    const double v56 = __builtin_fma(v54, v46, 0x1.bc8bc8bc177d0p-6);
-    const double v58 = __builtin_fma(v56, v46, (-0x1.5b05b05b057bfp-3));
-    const double v60 = __builtin_fma(v58, v46, 0x1.2aaaaaaaaaab3p-1);
-    const double v63 = __builtin_fma(v45, (-0x1.1a62633145c07p-53), (-0x1.5555555555556p-54));
-    const double v64 = __builtin_fma(v47, v60, v63);
-    const double v66 = 0x1.0000000000000p-1 - v45;
-    const double v67 = __builtin_fma(v45, v66, v64);
-    const double v68 = 0x1.0000000000000p-1 * alpha;
-    const double v70 = v68 + (-0x1.e652ff776be10p-4);
-    const double v71 = v70 + v67;
-    const int v73 = alpha < 0x1.23d70a3d70a3dp+0;
-    const double v74 = v73 ? v43 : v71;
-    return v74;
-}
-#define weight_moment_amplitude_best_fused_KIND pieces
-#define weight_moment_amplitude_best_fused_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
-#define weight_moment_amplitude_best_fused_BELOW_float UINT32_C(0x3f91eb85)
-INLINE double weight_moment_amplitude_best_fused_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.30e9ff831c7c7p-41, v4, 0x1.b59da2f914bb4p-30);
-    const double v9 = __builtin_fma(v7, v4, 0x1.eaeaa2cd96bc4p-20);
-    const double v11 = __builtin_fma(v9, v4, 0x1.83c8978ec53afp-11);
-    const double v14 = __builtin_fma((-0x1.2a4e8655ba3f6p-35), v4, (-0x1.03e52c1c9f8cfp-24));
-    const double v16 = __builtin_fma(v14, v4, (-0x1.65f59e30b1564p-15));
-    const double v18 = __builtin_fma(v16, v4, (-0x1.282ef4b666c9dp-7));
-    const double v19 = __builtin_fma(v1, v11, v18);
-    const double v21 = __builtin_fma(v1, v19, 0x1.27d27d27d27a5p-4);
-    const double v23 = __builtin_fma(v21, v1, (-0x1.5555555555555p-2));
-    const double v25 = __builtin_fma(v23, v1, 0x1.5555555555555p-1);
-    const double v26 = 0x1.5555555555555p-1 - v25;
-    const double v27 = __builtin_fma(v23, v1, v26);
-    const double v28 = (-0x1.5555555555555p-2) - v23;
-    const double v29 = __builtin_fma(v21, v1, v28);
-    const double v31 = v27 + 0x1.5555555555555p-55;
-    const double v32 = __builtin_fma(v1, v29, v31);
-    const double v35 = __builtin_fma(0x1.0000000000000p+1, v25, (-0x1.5555555555555p-1));
-    const double v36 = __builtin_fma(v2, v28, v35);
-    const double v37 = v1 * v25;
-    const double v38 = -v37;
-    const double v39 = __builtin_fma(v1, v25, v38);
-    const double v40 = __builtin_fma(v3, v36, v39);
-    const double v41 = __builtin_fma(v1, v32, v40);
-    const double v42 = alpha * v41;
-    const double v43 = __builtin_fma(alpha, v37, v42);
-    return v43;
-}
-
-INLINE double resistance_factor_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = -v1;
-    const double v3 = __builtin_fma(alpha, alpha, v2);
-    const double v4 = v1 * v1;
-    const double v7 = __builtin_fma(0x1.5aeb95ee17e27p-52, v4, 0x1.93966653151c3p-36);
-    const double v9 = __builtin_fma(v7, v4, 0x1.27e4fb7471f25p-21);
-    const double v12 = __builtin_fma((-0x1.ae33aea2b0d55p-44), v4, (-0x1.1eed8d7449e95p-28));
-    const double v14 = __builtin_fma(v12, v4, (-0x1.a01a01a0132c2p-15));
-    const double v15 = __builtin_fma(v1, v9, v14);
-    const double v17 = __builtin_fma(v1, v15, 0x1.6c16c16c16ba2p-9);
-    const double v19 = __builtin_fma(v17, v1, (-0x1.5555555555555p-4));
-    const double v21 = __builtin_fma(v19, v1, 0x1.0000000000000p+0);
-    const double v22 = 0x1.0000000000000p+0 - v21;
-    const double v23 = __builtin_fma(v19, v1, v22);
-    const double v24 = (-0x1.5555555555555p-4) - v19;
-    const double v25 = __builtin_fma(v17, v1, v24);
-    const double v26 = __builtin_fma(v1, v25, v23);
-    const double v27 = v1 * v21;
-    const double v28 = -v27;
-    const double v29 = __builtin_fma(v1, v21, v28);
-    const double v30 = __builtin_fma(v3, v21, v29);
-    const double v31 = __builtin_fma(v1, v26, v30);
-    const double v32 = alpha * v31;
-    const double v33 = __builtin_fma(alpha, v27, v32);
-    return v33;
-}
-#define resistance_factor_best_fused_KIND whole
-
-INLINE double dynamic_coefficient_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = v1 * v1;
-    const double v5 = __builtin_fma(0x1.5a4eb8d4fdf16p-30, v2, 0x1.1cf83c1392ee5p-27);
-    const double v7 = __builtin_fma(v5, v2, 0x1.20dc3d60db7aap-25);
-    const double v9 = __builtin_fma(v7, v2, 0x1.f97dd8a440e49p-20);
-    const double v11 = __builtin_fma(v9, v2, 0x1.35581eb7b9c4ep-11);
-    const double v14 = __builtin_fma((-0x1.a3e7d0b8cee94p-29), v2, 0x1.372e5bb516f5ap-30);
-    const double v16 = __builtin_fma(v14, v2, 0x1.ffc5bb85d3a0bp-25);
-    const double v18 = __builtin_fma(v16, v2, (-0x1.08db8c9edc7c7p-15));
-    const double v20 = __builtin_fma(v18, v2, (-0x1.ce55c8ec1b57ap-8));
-    const double v21 = __builtin_fma(v1, v11, v20);
-    const double v23 = __builtin_fma(v1, v21, 0x1.d41d41d41edeap-5);
-    const double v25 = __builtin_fma(v23, v1, (-0x1.111111111111cp-2));
-    const double v27 = __builtin_fma(v25, v1, 0x1.5555555555555p-1);
-    const double v28 = 0x1.5555555555555p-1 - v27;
-    const double v29 = __builtin_fma(v25, v1, v28);
-    const double v30 = (-0x1.111111111111cp-2) - v25;
-    const double v31 = __builtin_fma(v23, v1, v30);
-    const double v33 = v29 + 0x1.5555555555555p-55;
-    const double v34 = __builtin_fma(v1, v31, v33);
-    const double v35 = -v1;
-    const double v37 = __builtin_fma(alpha, alpha, v35);
-    const double v38 = __builtin_fma(v37, v25, v34);
-    const double v40 = 0x1.921fb54442d18p+0 - alpha;
-    const double v41 = v40 * v40;
-    const double v44 = __builtin_fma((-0x1.b16de590ed744p-16), v41, 0x1.80dce9acbd0ffp-12);
-    const double v46 = __builtin_fma(v44, v41, (-0x1.2834e1f3e1a60p-8));
-    const double v48 = __builtin_fma(v46, v41, 0x1.27d279e0496b5p-5);
-    const double v50 = __builtin_fma(v48, v41, (-0x1.555555518e7c3p-3));
-    const double v52 = __builtin_fma(v50, v41, 0x1.55555555579d1p-2);
-    const double v54 = v40 > 0x1.0000000000000p-60 ? v40 : 0x1.0000000000000p-60;
-    const double v55 = significand_of(v54);
-    const double v57 = v55 - 0x1.0000000000000p+0;
-    const double v58 = v57 + 0x1.0000000000000p+1;
-    const double v59 = v57 / v58;
-    const double v60 = v59 * v59;
-    const double v63 = __builtin_fma(0x1.3cda08c7927d8p-3, v60, 0x1.3804595ac79edp-3);
-    const double v65 = __builtin_fma(v63, v60, 0x1.747966b22b47ep-3);
-    const double v67 = __builtin_fma(v65, v60, 0x1.c71be01ef8d7bp-3);
-    const double v69 = __builtin_fma(v67, v60, 0x1.249249f1b0e53p-2);
-    const double v71 = __builtin_fma(v69, v60, 0x1.999999987c7a3p-2);
-    const double v73 = __builtin_fma(v71, v60, 0x1.55555555559d8p-1);
-    const double v74 = -v57;
-    const double v75 = __builtin_fma(v60, v73, v74);
-    const double v76 = exponent_of(v54);
-    const double v78 = __builtin_fma(v76, 0x1.62e42fefa39efp-1, v57);
-    const double v79 = __builtin_fma(v59, v75, v78);
-    const double v82 = __builtin_fma(0x1.1477caa143cfbp-15, v41, (-0x1.058aebdba383ap-11));
-    const double v84 = __builtin_fma(v82, v41, 0x1.556ffb39c3af9p-8);
-    const double v86 = __builtin_fma(v84, v41, (-0x1.0ee086df8c2f9p-5));
-    const double v88 = __builtin_fma(v86, v41, 0x1.94ebfbb2ec66fp-4);
-    const double v90 = __builtin_fma(v88, v41, (-0x1.213ce230290f3p-7));
-    const double v91 = __builtin_fma(v52, v79, v90);
-    const double v93 = alpha + (-0x1.0c152382d7366p-1);
-    const double v94 = v40 * v41;
-    const double v96 = __builtin_fma(v94, v91, 0x1.ee6913347c2a6p-55);
-    const double v97 = v93 + v96;
-    const double v98 = v97 - v93;
-    const double v99 = v96 - v98;
-    const int v101 = alpha < 0x1.dc28f5c28f5c3p-1;
-    const double v102 = v101 ? v27 : v97;
-    const double v103 = v101 ? v38 : v99;
-    const double v106 = __builtin_fma(0x1.5aeb95ee17e27p-52, v2, 0x1.93966653151c3p-36);
-    const double v108 = __builtin_fma(v106, v2, 0x1.27e4fb7471f25p-21);
-    const double v111 = __builtin_fma((-0x1.ae33aea2b0d55p-44), v2, (-0x1.1eed8d7449e95p-28));
-    const double v113 = __builtin_fma(v111, v2, (-0x1.a01a01a0132c2p-15));
-    const double v114 = __builtin_fma(v1, v108, v113);
-    const double v116 = __builtin_fma(v1, v114, 0x1.6c16c16c16ba2p-9);
-    const double v118 = __builtin_fma(v116, v1, (-0x1.5555555555555p-4));
-    const double v119 = __builtin_fma(v118, v1, 0x1.0000000000000p+0);
-    const double v120 = 0x1.0000000000000p+0 - v119;
-    const double v121 = __builtin_fma(v118, v1, v120);
-    const double v122 = (-0x1.5555555555555p-4) - v118;
-    const double v123 = __builtin_fma(v116, v1, v122);
-    const double v124 = __builtin_fma(v1, v123, v121);
-    const double v125 = __builtin_fma(v37, v118, v124);
-    const double v126 = v1 * v119;
-    const double v127 = -v126;
-    const double v128 = __builtin_fma(v1, v119, v127);
-    const double v129 = __builtin_fma(v37, v119, v128);
-    const double v130 = __builtin_fma(v1, v124, v129);
-    const double v131 = alpha * v126;
-    const double v132 = -v131;
-    const double v133 = __builtin_fma(alpha, v126, v132);
-    const double v134 = __builtin_fma(alpha, v130, v133);
-    const double v135 = v101 ? v119 : v131;
-    const double v136 = v101 ? v125 : v134;
-    const double v137 = 0x1.0000000000000p+0 / v135;
-    const double v138 = v102 * v137;
-    const double v139 = -v138;
-    const double v140 = __builtin_fma(v139, v135, v102);
-    const double v141 = v140 + v103;
-    const double v142 = __builtin_fma(v139, v136, v141);
-    const double v143 = __builtin_fma(v142, v137, v138);
-    return v143;
-}
-#define dynamic_coefficient_best_fused_KIND whole
-
-INLINE double weight_moment_per_inertia_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = v1 * v1;
-    const double v5 = __builtin_fma(0x1.198f4c366985bp-41, v2, 0x1.b581dfc3b96a5p-30);
-    const double v7 = __builtin_fma(v5, v2, 0x1.eaea9e0178a1ap-20);
-    const double v9 = __builtin_fma(v7, v2, 0x1.83c8978e93394p-11);
-    const double v12 = __builtin_fma((-0x1.28918aeb0ff45p-35), v2, (-0x1.03e4b3b320f82p-24));
-    const double v14 = __builtin_fma(v12, v2, (-0x1.65f59e222b2a7p-15));
-    const double v16 = __builtin_fma(v14, v2, (-0x1.282ef4b66672dp-7));
-    const double v17 = __builtin_fma(v1, v9, v16);
-    const double v19 = __builtin_fma(v1, v17, 0x1.27d27d27d279ep-4);
-    const double v21 = __builtin_fma(v19, v1, (-0x1.5555555555555p-2));
-    const double v23 = __builtin_fma(v21, v1, 0x1.5555555555555p-1);
-    const double v24 = 0x1.5555555555555p-1 - v23;
-    const double v25 = __builtin_fma(v21, v1, v24);
-    const double v26 = (-0x1.5555555555555p-2) - v21;
-    const double v27 = __builtin_fma(v19, v1, v26);
-    const double v29 = v25 + 0x1.5555555555555p-55;
-    const double v30 = __builtin_fma(v1, v27, v29);
-    const double v31 = -v1;
-    const double v32 = __builtin_fma(alpha, alpha, v31);
-    const double v33 = __builtin_fma(v32, v21, v30);
-    const double v35 = 0x1.921fb54442d18p+0 - alpha;
-    const double v36 = v35 * v35;
-    const double v37 = v36 * v36;
-    const double v40 = __builtin_fma(0x1.6115cd6ac8ba9p-22, v36, (-0x1.328c51bc2f6bfp-17));
-    const double v42 = __builtin_fma(v40, v36, 0x1.83c977d34089bp-13);
-    const double v44 = __builtin_fma(v42, v36, (-0x1.637e0682f56a5p-9));
-    const double v46 = __builtin_fma(v44, v36, 0x1.bc8bc8b057e9ep-6);
-    const double v48 = __builtin_fma(v46, v36, (-0x1.5b05b05af2089p-3));
-    const double v50 = __builtin_fma(v48, v36, 0x1.2aaaaaaaaa92dp-1);
-    const double v53 = __builtin_fma(v35, (-0x1.1a62633145c07p-53), (-0x1.5555555555556p-54));
-    const double v54 = __builtin_fma(v37, v50, v53);
-    const double v56 = 0x1.0000000000000p-1 - v35;
-    const double v57 = __builtin_fma(v35, v56, v54);
-    const double v58 = 0x1.0000000000000p-1 * alpha;
-    const double v60 = v58 + (-0x1.e652ff776be10p-4);
-    const double v61 = v60 + v57;
-    const double v62 = v61 - v60;
-    const double v63 = v57 - v62;
-    const int v65 = alpha < 0x1.0000000000000p+0;
-    const double v66 = v65 ? v23 : v61;
-    const double v67 = v65 ? v33 : v63;
-    const double v70 = __builtin_fma(0x1.f3cdbf532eaf7p-34, v2, 0x1.9465eeb660151p-24);
-    const double v72 = __builtin_fma(v70, v2, 0x1.1f0877c40acffp-15);
-    const double v74 = __builtin_fma(v72, v2, 0x1.1f7d05c72fc3ap-8);
-    const double v77 = __builtin_fma((-0x1.91e6b7ad796a6p-39), v2, (-0x1.ed2a462794ae8p-29));
-    const double v79 = __builtin_fma(v77, v2, (-0x1.0e1fd712de8dbp-19));
-    const double v81 = __builtin_fma(v79, v2, (-0x1.d71607bd2727dp-12));
-    const double v83 = __builtin_fma(v81, v2, (-0x1.f1029e62cad66p-6));
-    const double v84 = __builtin_fma(v1, v74, v83);
-    const double v86 = __builtin_fma(v1, v84, 0x1.1e11e11e11e36p-3);
-    const double v88 = __builtin_fma(v86, v1, (-0x1.999999999999ap-2));
-    const double v89 = __builtin_fma(v88, v1, 0x1.5555555555555p-1);
-    const double v90 = 0x1.5555555555555p-1 - v89;
-    const double v91 = __builtin_fma(v88, v1, v90);
-    const double v92 = (-0x1.999999999999ap-2) - v88;
-    const double v93 = __builtin_fma(v86, v1, v92);
-    const double v94 = v91 + 0x1.5555555555555p-55;
-    const double v95 = __builtin_fma(v1, v93, v94);
-    const double v96 = __builtin_fma(v32, v88, v95);
-    const double v99 = __builtin_fma((-0x1.00589fe65ed98p-23), v36, 0x1.1425220d45aaap-19);
-    const double v101 = __builtin_fma(v99, v36, (-0x1.1f397f95f7403p-15));
-    const double v103 = __builtin_fma(v101, v36, 0x1.d6a371cc475cdp-12);
-    const double v105 = __builtin_fma(v103, v36, (-0x1.1e5e23528aa32p-8));
-    const double v107 = __builtin_fma(v105, v36, 0x1.e94dfd8b6e6d2p-6);
-    const double v109 = __builtin_fma(v107, v36, (-0x1.0cbb76630619cp-3));
-    const double v111 = __builtin_fma(v109, v36, 0x1.3e93e93e9959dp-2);
-    const double v113 = __builtin_fma(v111, v36, (-0x1.c71c71c71cad2p-3));
-    const double v115 = __builtin_fma(v113, v36, (-0x1.555555555554ep-3));
-    const double v117 = __builtin_fma(v35, v115, 0x1.dffffffffffffp-4);
-    const double v119 = v58 + (-0x1.e000000000000p-4);
-    const double v120 = v119 + v117;
-    const double v121 = v120 - v119;
-    const double v122 = v117 - v121;
-    const double v123 = v65 ? v89 : v120;
-    const double v124 = v65 ? v96 : v122;
-    const double v125 = 0x1.0000000000000p+0 / v123;
-    const double v126 = v66 * v125;
-    const double v127 = -v126;
-    const double v128 = __builtin_fma(v127, v123, v66);
-    const double v129 = v128 + v67;
-    const double v130 = __builtin_fma(v127, v124, v129);
-    const double v131 = __builtin_fma(v130, v125, v126);
-    return v131;
-}
-#define weight_moment_per_inertia_best_fused_KIND whole
-
-INLINE double radial_weight_per_inertia_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = v1 * v1;
-    const double v5 = __builtin_fma((-0x1.86ec1a4714bc6p-30), v2, (-0x1.e8d88b74942f1p-26));
-    const double v7 = __builtin_fma(v5, v2, (-0x1.41e50fe69bac0p-24));
-    const double v9 = __builtin_fma(v7, v2, (-0x1.420eb51f67a97p-24));
-    const double v11 = __builtin_fma(v9, v2, (-0x1.52a8b7fb58b0bp-22));
-    const double v13 = __builtin_fma(v11, v2, (-0x1.0156717ae6a98p-18));
-    const double v15 = __builtin_fma(v13, v2, (-0x1.47d6743d1ab96p-16));
-    const double v18 = __builtin_fma(0x1.315a59a2eff33p-27, v2, 0x1.cd1ef3b3ed5bdp-25);
-    const double v20 = __builtin_fma(v18, v2, 0x1.fdf00b464f2acp-25);
-    const double v22 = __builtin_fma(v20, v2, (-0x1.20b66585c3299p-24));
-    const double v24 = __builtin_fma(v22, v2, (-0x1.1d1cbe50df456p-20));
-    const double v26 = __builtin_fma(v24, v2, (-0x1.07d7aa081f5bbp-16));
-    const double v28 = __builtin_fma(v26, v2, (-0x1.664f48816cbcep-10));
-    const double v29 = __builtin_fma(v1, v15, v28);
-    const double v31 = __builtin_fma(v1, v29, 0x1.2b12b12b1221bp-6);
-    const double v33 = __builtin_fma(v31, v1, (-0x1.9999999999997p-3));
-    const double v35 = __builtin_fma(v33, v1, 0x1.5555555555555p-1);
-    const double v36 = 0x1.5555555555555p-1 - v35;
-    const double v37 = __builtin_fma(v33, v1, v36);
-    const double v38 = (-0x1.9999999999997p-3) - v33;
-    const double v39 = __builtin_fma(v31, v1, v38);
-    const double v41 = v37 + 0x1.5555555555555p-55;
-    const double v42 = __builtin_fma(v1, v39, v41);
-    const double v43 = -v1;
-    const double v45 = __builtin_fma(alpha, alpha, v43);
-    const double v46 = __builtin_fma(v45, v33, v42);
-    const double v49 = 0x1.921fb54442d18p+0 - alpha;
-    const double v50 = v49 * v49;
-    const double v53 = __builtin_fma((-0x1.49f6ab92b4903p-18), v50, 0x1.2705f10ad2bc9p-13);
-    const double v55 = __builtin_fma(v53, v50, (-0x1.a01ba6f54a2d2p-9));
-    const double v57 = __builtin_fma(v55, v50, 0x1.6c16c100ecd3dp-5);
-    const double v59 = __builtin_fma(v57, v50, (-0x1.555555552b82cp-2));
-    const double v61 = __builtin_fma(v59, v50, 0x1.00000000000d1p+0);
-    const double v62 = 0x1.0000000000000p+1 * v49;
-    const double v64 = v62 > 0x1.0000000000000p-60 ? v62 : 0x1.0000000000000p-60;
-    const double v65 = significand_of(v64);
-    const double v66 = v65 - 0x1.0000000000000p+0;
-    const double v67 = v66 + 0x1.0000000000000p+1;
-    const double v68 = v66 / v67;
-    const double v69 = v68 * v68;
-    const double v72 = __builtin_fma(0x1.3cda08c7927d8p-3, v69, 0x1.3804595ac79edp-3);
-    const double v74 = __builtin_fma(v72, v69, 0x1.747966b22b47ep-3);
-    const double v76 = __builtin_fma(v74, v69, 0x1.c71be01ef8d7bp-3);
-    const double v78 = __builtin_fma(v76, v69, 0x1.249249f1b0e53p-2);
-    const double v80 = __builtin_fma(v78, v69, 0x1.999999987c7a3p-2);
-    const double v82 = __builtin_fma(v80, v69, 0x1.55555555559d8p-1);
-    const double v83 = -v66;
-    const double v84 = __builtin_fma(v69, v82, v83);
-    const double v85 = exponent_of(v64);
-    const double v87 = __builtin_fma(v85, 0x1.62e42fefa39efp-1, v66);
-    const double v88 = __builtin_fma(v68, v84, v87);
-    const double v91 = __builtin_fma(0x1.7fcd25610a7bep-17, v50, (-0x1.5c240340d7499p-12));
-    const double v93 = __builtin_fma(v91, v50, 0x1.c0f85bb0bd6d8p-8);
-    const double v95 = __builtin_fma(v93, v50, (-0x1.5fec394ef3093p-4));
-    const double v97 = __builtin_fma(v95, v50, 0x1.2c981ff52d6d6p-1);
-    const double v99 = __builtin_fma(v97, v50, (-0x1.7217f7d1bdaacp-7));
-    const double v100 = __builtin_fma(v61, v88, v99);
-    const double v101 = 0x1.0000000000000p+0 - v49;
-    const double v103 = __builtin_fma(v49, (-0x1.e000000000000p+0), 0x1.0000000000000p+0);
-    const double v104 = v50 * v100;
-    const double v105 = __builtin_fma(v49, v103, v104);
-    const double v106 = v101 + v105;
-    const double v107 = v106 - v101;
-    const double v108 = v105 - v107;
-    const int v110 = alpha < 0x1.07ae147ae147bp+0;
-    const double v111 = v110 ? v35 : v106;
-    const double v112 = v110 ? v46 : v108;
-    const double v115 = __builtin_fma(0x1.01b1332b9b1d7p-41, v2, 0x1.090c1fc3ba5d2p-33);
-    const double v117 = __builtin_fma(v115, v2, 0x1.947001eb768c8p-24);
-    const double v119 = __builtin_fma(v117, v2, 0x1.1f0878ebd4d43p-15);
-    const double v121 = __builtin_fma(v119, v2, 0x1.1f7d05c744f00p-8);
-    const double v124 = __builtin_fma((-0x1.8673117c84002p-38), v2, (-0x1.ee8b4e839c601p-29));
-    const double v126 = __builtin_fma(v124, v2, (-0x1.0e2006e773ecdp-19));
-    const double v128 = __builtin_fma(v126, v2, (-0x1.d71607c637a7bp-12));
-    const double v130 = __builtin_fma(v128, v2, (-0x1.f1029e62cb3ddp-6));
-    const double v131 = __builtin_fma(v1, v121, v130);
-    const double v133 = __builtin_fma(v1, v131, 0x1.1e11e11e11e3cp-3);
-    const double v135 = __builtin_fma(v133, v1, (-0x1.999999999999ap-2));
-    const double v136 = __builtin_fma(v135, v1, 0x1.5555555555555p-1);
-    const double v137 = 0x1.5555555555555p-1 - v136;
-    const double v138 = __builtin_fma(v135, v1, v137);
-    const double v139 = (-0x1.999999999999ap-2) - v135;
-    const double v140 = __builtin_fma(v133, v1, v139);
-    const double v141 = v138 + 0x1.5555555555555p-55;
-    const double v142 = __builtin_fma(v1, v140, v141);
-    const double v143 = __builtin_fma(v45, v135, v142);
-    const double v146 = __builtin_fma((-0x1.6de90fa3c36d1p-23), v50, 0x1.1d2bdb6e180adp-19);
-    const double v148 = __builtin_fma(v146, v50, (-0x1.1f88aff83463bp-15));
-    const double v150 = __builtin_fma(v148, v50, 0x1.d6a65d5d8efd9p-12);
-    const double v152 = __builtin_fma(v150, v50, (-0x1.1e5e2b53ee8f7p-8));
-    const double v154 = __builtin_fma(v152, v50, 0x1.e94dfdbeb29efp-6);
-    const double v156 = __builtin_fma(v154, v50, (-0x1.0cbb76636144ep-3));
-    const double v158 = __builtin_fma(v156, v50, 0x1.3e93e93e9a95cp-2);
-    const double v160 = __builtin_fma(v158, v50, (-0x1.c71c71c71cb31p-3));
-    const double v162 = __builtin_fma(v160, v50, (-0x1.555555555554ep-3));
-    const double v164 = __builtin_fma(v49, v162, 0x1.dffffffffffffp-4);
-    const double v166 = 0x1.0000000000000p-1 * alpha;
-    const double v168 = v166 + (-0x1.e000000000000p-4);
-    const double v169 = v168 + v164;
-    const double v170 = v169 - v168;
-    const double v171 = v164 - v170;
-    const double v172 = v110 ? v136 : v169;
-    const double v173 = v110 ? v143 : v171;
-    const double v174 = 0x1.0000000000000p+0 / v172;
-    const double v175 = v111 * v174;
-    const double v176 = -v175;
-    const double v177 = __builtin_fma(v176, v172, v111);
-    const double v178 = v177 + v112;
-    const double v179 = __builtin_fma(v176, v173, v178);
-    const double v180 = __builtin_fma(v179, v174, v175);
-    return v180;
-}
-#define radial_weight_per_inertia_best_fused_KIND whole
-
-INLINE double polar_moment_per_inertia_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = v1 * v1;
-    const double v5 = __builtin_fma(0x1.26891cd0b9c00p-32, v2, 0x1.bb4feae5283ecp-29);
-    const double v7 = __builtin_fma(v5, v2, 0x1.cd171a110ec19p-28);
-    const double v9 = __builtin_fma(v7, v2, 0x1.09bc1bebcf001p-25);
-    const double v11 = __builtin_fma(v9, v2, 0x1.f95e135afe164p-20);
-    const double v13 = __builtin_fma(v11, v2, 0x1.35581e41e77abp-11);
-    const double v16 = __builtin_fma((-0x1.4871de51476c6p-30), v2, (-0x1.10fbc686826eep-28));
-    const double v18 = __builtin_fma(v16, v2, 0x1.25925bb16d77dp-28);
-    const double v20 = __builtin_fma(v18, v2, 0x1.05db2a1cb81a5p-24);
-    const double v22 = __builtin_fma(v20, v2, (-0x1.08db55ee7d9b2p-15));
-    const double v24 = __builtin_fma(v22, v2, (-0x1.ce55c8eaf4bc9p-8));
-    const double v25 = __builtin_fma(v1, v13, v24);
-    const double v27 = __builtin_fma(v1, v25, 0x1.d41d41d41d6efp-5);
-    const double v29 = __builtin_fma(v27, v1, (-0x1.1111111111112p-2));
-    const double v31 = __builtin_fma(v29, v1, 0x1.5555555555555p-1);
-    const double v32 = 0x1.5555555555555p-1 - v31;
-    const double v33 = __builtin_fma(v29, v1, v32);
-    const double v34 = (-0x1.1111111111112p-2) - v29;
-    const double v35 = __builtin_fma(v27, v1, v34);
-    const double v37 = v33 + 0x1.5555555555555p-55;
-    const double v38 = __builtin_fma(v1, v35, v37);
-    const double v39 = -v1;
-    const double v41 = __builtin_fma(alpha, alpha, v39);
-    const double v42 = __builtin_fma(v41, v29, v38);
-    const double v44 = 0x1.921fb54442d18p+0 - alpha;
-    const double v45 = v44 * v44;
-    const double v48 = __builtin_fma((-0x1.b34a574a5ccacp-16), v45, 0x1.807b27aa47e52p-12);
-    const double v50 = __builtin_fma(v48, v45, (-0x1.2837b580b3980p-8));
-    const double v52 = __builtin_fma(v50, v45, 0x1.27d270f96a29bp-5);
-    const double v54 = __builtin_fma(v52, v45, (-0x1.5555555ce08d5p-3));
-    const double v56 = __builtin_fma(v54, v45, 0x1.555555555434bp-2);
-    const double v58 = v44 > 0x1.0000000000000p-60 ? v44 : 0x1.0000000000000p-60;
-    const double v59 = significand_of(v58);
-    const double v61 = v59 - 0x1.0000000000000p+0;
-    const double v62 = v61 + 0x1.0000000000000p+1;
-    const double v63 = v61 / v62;
-    const double v64 = v63 * v63;
-    const double v67 = __builtin_fma(0x1.3cda08c7927d8p-3, v64, 0x1.3804595ac79edp-3);
-    const double v69 = __builtin_fma(v67, v64, 0x1.747966b22b47ep-3);
-    const double v71 = __builtin_fma(v69, v64, 0x1.c71be01ef8d7bp-3);
-    const double v73 = __builtin_fma(v71, v64, 0x1.249249f1b0e53p-2);
-    const double v75 = __builtin_fma(v73, v64, 0x1.999999987c7a3p-2);
-    const double v77 = __builtin_fma(v75, v64, 0x1.55555555559d8p-1);
-    const double v78 = -v61;
-    const double v79 = __builtin_fma(v64, v77, v78);
-    const double v80 = exponent_of(v58);
-    const double v82 = __builtin_fma(v80, 0x1.62e42fefa39efp-1, v61);
-    const double v83 = __builtin_fma(v63, v79, v82);
-    const double v86 = __builtin_fma(0x1.15ac79423b8b0p-15, v45, (-0x1.0589062751e4cp-11));
-    const double v88 = __builtin_fma(v86, v45, 0x1.556dc54d73912p-8);
-    const double v90 = __builtin_fma(v88, v45, (-0x1.0ee09496505b1p-5));
-    const double v92 = __builtin_fma(v90, v45, 0x1.94ebfb7c3ce42p-4);
-    const double v94 = __builtin_fma(v92, v45, (-0x1.213ce231c73c8p-7));
-    const double v95 = __builtin_fma(v56, v83, v94);
-    const double v97 = alpha + (-0x1.0c152382d7366p-1);
-    const double v98 = v44 * v45;
-    const double v100 = __builtin_fma(v98, v95, 0x1.ee6913347c2a6p-55);
-    const double v101 = v97 + v100;
-    const double v102 = v101 - v97;
-    const double v103 = v100 - v102;
-    const int v104 = alpha < 0x1.0000000000000p+0;
-    const double v105 = v104 ? v31 : v101;
-    const double v106 = v104 ? v42 : v103;
-    const double v109 = __builtin_fma(0x1.f3cdbf532eaf7p-34, v2, 0x1.9465eeb660151p-24);
-    const double v111 = __builtin_fma(v109, v2, 0x1.1f0877c40acffp-15);
-    const double v113 = __builtin_fma(v111, v2, 0x1.1f7d05c72fc3ap-8);
-    const double v116 = __builtin_fma((-0x1.91e6b7ad796a6p-39), v2, (-0x1.ed2a462794ae8p-29));
-    const double v118 = __builtin_fma(v116, v2, (-0x1.0e1fd712de8dbp-19));
-    const double v120 = __builtin_fma(v118, v2, (-0x1.d71607bd2727dp-12));
-    const double v122 = __builtin_fma(v120, v2, (-0x1.f1029e62cad66p-6));
-    const double v123 = __builtin_fma(v1, v113, v122);
-    const double v125 = __builtin_fma(v1, v123, 0x1.1e11e11e11e36p-3);
-    const double v127 = __builtin_fma(v125, v1, (-0x1.999999999999ap-2));
-    const double v128 = __builtin_fma(v127, v1, 0x1.5555555555555p-1);
-    const double v129 = 0x1.5555555555555p-1 - v128;
-    const double v130 = __builtin_fma(v127, v1, v129);
-    const double v131 = (-0x1.999999999999ap-2) - v127;
-    const double v132 = __builtin_fma(v125, v1, v131);
-    const double v133 = v130 + 0x1.5555555555555p-55;
-    const double v134 = __builtin_fma(v1, v132, v133);
-    const double v135 = __builtin_fma(v41, v127, v134);
-    const double v138 = __builtin_fma((-0x1.00589fe65ed98p-23), v45, 0x1.1425220d45aaap-19);
-    const double v140 = __builtin_fma(v138, v45, (-0x1.1f397f95f7403p-15));
-    const double v142 = __builtin_fma(v140, v45, 0x1.d6a371cc475cdp-12);
-    const double v144 = __builtin_fma(v142, v45, (-0x1.1e5e23528aa32p-8));
-    const double v146 = __builtin_fma(v144, v45, 0x1.e94dfd8b6e6d2p-6);
-    const double v148 = __builtin_fma(v146, v45, (-0x1.0cbb76630619cp-3));
-    const double v150 = __builtin_fma(v148, v45, 0x1.3e93e93e9959dp-2);
-    const double v152 = __builtin_fma(v150, v45, (-0x1.c71c71c71cad2p-3));
-    const double v154 = __builtin_fma(v152, v45, (-0x1.555555555554ep-3));
-    const double v156 = __builtin_fma(v44, v154, 0x1.dffffffffffffp-4);
-    const double v158 = 0x1.0000000000000p-1 * alpha;
-    const double v160 = v158 + (-0x1.e000000000000p-4);
-    const double v161 = v160 + v156;
-    const double v162 = v161 - v160;
-    const double v163 = v156 - v162;
-    const double v164 = v104 ? v128 : v161;
-    const double v165 = v104 ? v135 : v163;
-    const double v166 = 0x1.0000000000000p+0 / v164;
-    const double v167 = v105 * v166;
-    const double v168 = -v167;
-    const double v169 = __builtin_fma(v168, v164, v105);
-    const double v170 = v169 + v106;
-    const double v171 = __builtin_fma(v168, v165, v170);
-    const double v172 = __builtin_fma(v171, v166, v167);
-    return v172;
-}
-#define polar_moment_per_inertia_best_fused_KIND whole
-
-INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v2 = v1 * v1;
-    const double v5 = __builtin_fma(0x1.26910ad30ced0p-41, v2, 0x1.b5904f6877c6fp-30);
-    const double v7 = __builtin_fma(v5, v2, 0x1.eaeaa0548de6dp-20);
-    const double v9 = __builtin_fma(v7, v2, 0x1.83c8978ea9dfdp-11);
-    const double v12 = __builtin_fma((-0x1.29811c85a203bp-35), v2, (-0x1.03e4f0243a4f9p-24));
-    const double v14 = __builtin_fma(v12, v2, (-0x1.65f59e28f78f5p-15));
-    const double v16 = __builtin_fma(v14, v2, (-0x1.282ef4b666991p-7));
-    const double v17 = __builtin_fma(v1, v9, v16);
-    const double v19 = __builtin_fma(v1, v17, 0x1.27d27d27d27a1p-4);
-    const double v21 = __builtin_fma(v19, v1, (-0x1.5555555555555p-2));
-    const double v23 = __builtin_fma(v21, v1, 0x1.5555555555555p-1);
-    const double v24 = 0x1.5555555555555p-1 - v23;
-    const double v25 = __builtin_fma(v21, v1, v24);
-    const double v26 = (-0x1.5555555555555p-2) - v21;
-    const double v27 = __builtin_fma(v19, v1, v26);
-    const double v29 = v25 + 0x1.5555555555555p-55;
-    const double v30 = __builtin_fma(v1, v27, v29);
-    const double v31 = -v1;
-    const double v33 = __builtin_fma(alpha, alpha, v31);
-    const double v34 = __builtin_fma(v33, v21, v30);
-    const double v36 = 0x1.921fb54442d18p+0 - alpha;
-    const double v37 = v36 * v36;
-    const double v38 = v37 * v37;
-    const double v41 = __builtin_fma(0x1.62a1cdff01de7p-22, v37, (-0x1.329a1a829399ap-17));
-    const double v43 = __builtin_fma(v41, v37, 0x1.83c9d9bc51dc4p-13);
-    const double v45 = __builtin_fma(v43, v37, (-0x1.637e07e2724a8p-9));
-    const double v47 = __builtin_fma(v45, v37, 0x1.bc8bc8b5880b7p-6);
-    const double v49 = __builtin_fma(v47, v37, (-0x1.5b05b05afba3bp-3));
-    const double v51 = __builtin_fma(v49, v37, 0x1.2aaaaaaaaaa01p-1);
-    const double v54 = __builtin_fma(v36, (-0x1.1a62633145c07p-53), (-0x1.5555555555556p-54));
-    const double v55 = __builtin_fma(v38, v51, v54);
-    const double v57 = 0x1.0000000000000p-1 - v36;
-    const double v58 = __builtin_fma(v36, v57, v55);
-    const double v59 = 0x1.0000000000000p-1 * alpha;
-    const double v61 = v59 + (-0x1.e652ff776be10p-4);
-    const double v62 = v61 + v58;
-    const double v63 = v62 - v61;
-    const double v64 = v58 - v63;
-    const int v66 = alpha < 0x1.07ae147ae147bp+0;
-    const double v67 = v66 ? v23 : v62;
-    const double v68 = v66 ? v34 : v64;
-    const double v71 = __builtin_fma((-0x1.86ec1a4714bc6p-30), v2, (-0x1.e8d88b74942f1p-26));
-    const double v73 = __builtin_fma(v71, v2, (-0x1.41e50fe69bac0p-24));
-    const double v75 = __builtin_fma(v73, v2, (-0x1.420eb51f67a97p-24));
-    const double v77 = __builtin_fma(v75, v2, (-0x1.52a8b7fb58b0bp-22));
-    const double v79 = __builtin_fma(v77, v2, (-0x1.0156717ae6a98p-18));
-    const double v81 = __builtin_fma(v79, v2, (-0x1.47d6743d1ab96p-16));
-    const double v84 = __builtin_fma(0x1.315a59a2eff33p-27, v2, 0x1.cd1ef3b3ed5bdp-25);
-    const double v86 = __builtin_fma(v84, v2, 0x1.fdf00b464f2acp-25);
-    const double v88 = __builtin_fma(v86, v2, (-0x1.20b66585c3299p-24));
-    const double v90 = __builtin_fma(v88, v2, (-0x1.1d1cbe50df456p-20));
-    const double v92 = __builtin_fma(v90, v2, (-0x1.07d7aa081f5bbp-16));
-    const double v94 = __builtin_fma(v92, v2, (-0x1.664f48816cbcep-10));
-    const double v95 = __builtin_fma(v1, v81, v94);
-    const double v97 = __builtin_fma(v1, v95, 0x1.2b12b12b1221bp-6);
-    const double v99 = __builtin_fma(v97, v1, (-0x1.9999999999997p-3));
-    const double v100 = __builtin_fma(v99, v1, 0x1.5555555555555p-1);
-    const double v101 = 0x1.5555555555555p-1 - v100;
-    const double v102 = __builtin_fma(v99, v1, v101);
-    const double v103 = (-0x1.9999999999997p-3) - v99;
-    const double v104 = __builtin_fma(v97, v1, v103);
-    const double v105 = v102 + 0x1.5555555555555p-55;
-    const double v106 = __builtin_fma(v1, v104, v105);
-    const double v107 = __builtin_fma(v33, v99, v106);
-    const double v111 = __builtin_fma((-0x1.49f6ab92b4903p-18), v37, 0x1.2705f10ad2bc9p-13);
-    const double v113 = __builtin_fma(v111, v37, (-0x1.a01ba6f54a2d2p-9));
-    const double v115 = __builtin_fma(v113, v37, 0x1.6c16c100ecd3dp-5);
-    const double v117 = __builtin_fma(v115, v37, (-0x1.555555552b82cp-2));
-    const double v119 = __builtin_fma(v117, v37, 0x1.00000000000d1p+0);
-    const double v120 = 0x1.0000000000000p+1 * v36;
-    const double v122 = v120 > 0x1.0000000000000p-60 ? v120 : 0x1.0000000000000p-60;
-    const double v123 = significand_of(v122);
-    const double v124 = v123 - 0x1.0000000000000p+0;
-    const double v125 = v124 + 0x1.0000000000000p+1;
-    const double v126 = v124 / v125;
-    const double v127 = v126 * v126;
-    const double v130 = __builtin_fma(0x1.3cda08c7927d8p-3, v127, 0x1.3804595ac79edp-3);
-    const double v132 = __builtin_fma(v130, v127, 0x1.747966b22b47ep-3);
-    const double v134 = __builtin_fma(v132, v127, 0x1.c71be01ef8d7bp-3);
-    const double v136 = __builtin_fma(v134, v127, 0x1.249249f1b0e53p-2);
-    const double v138 = __builtin_fma(v136, v127, 0x1.999999987c7a3p-2);
-    const double v140 = __builtin_fma(v138, v127, 0x1.55555555559d8p-1);
-    const double v141 = -v124;
-    const double v142 = __builtin_fma(v127, v140, v141);
-    const double v143 = exponent_of(v122);
-    const double v145 = __builtin_fma(v143, 0x1.62e42fefa39efp-1, v124);
-    const double v146 = __builtin_fma(v126, v142, v145);
-    const double v149 = __builtin_fma(0x1.7fcd25610a7bep-17, v37, (-0x1.5c240340d7499p-12));
-    const double v151 = __builtin_fma(v149, v37, 0x1.c0f85bb0bd6d8p-8);
-    const double v153 = __builtin_fma(v151, v37, (-0x1.5fec394ef3093p-4));
-    const double v155 = __builtin_fma(v153, v37, 0x1.2c981ff52d6d6p-1);
-    const double v157 = __builtin_fma(v155, v37, (-0x1.7217f7d1bdaacp-7));
-    const double v158 = __builtin_fma(v119, v146, v157);
-    const double v159 = 0x1.0000000000000p+0 - v36;
-    const double v161 = __builtin_fma(v36, (-0x1.e000000000000p+0), 0x1.0000000000000p+0);
-    const double v162 = v37 * v158;
-    const double v163 = __builtin_fma(v36, v161, v162);
-    const double v164 = v159 + v163;
-    const double v165 = v164 - v159;
-    const double v166 = v163 - v165;
-    const double v167 = v66 ? v100 : v164;
-    const double v168 = v66 ? v107 : v166;
-    const double v169 = 0x1.0000000000000p+0 / v167;
-    const double v170 = v67 * v169;
-    const double v171 = -v170;
-    const double v172 = __builtin_fma(v171, v167, v67);
-    const double v173 = v172 + v68;
-    const double v174 = __builtin_fma(v171, v168, v173);
-    const double v175 = __builtin_fma(v174, v169, v170);
-    return v175;
-}
-#define weight_moment_per_radial_weight_best_fused_KIND whole
-
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-10, fused:
+ * proved within 6.69e-11 relative (certificates/polar_moment.json) */
 INLINE double polar_moment_1e_10_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = __builtin_fma(0x1.e250654a0fa79p-5, v3, 0x1.764b4fd12c227p+1);
-    const double v8 = __builtin_fma(v6, v3, 0x1.15f5651c6c2b6p+4);
-    const double v10 = __builtin_fma(v8, v3, 0x1.97881d28eb78fp+6);
-    const double v12 = __builtin_fma(v10, v3, 0x1.781f38b2a68b0p+7);
-    const double v14 = __builtin_fma(v12, v3, 0x1.705f937528711p+6);
-    const double v16 = __builtin_fma(v14, v3, 0x1.6f67e48f11997p+3);
-    const double v18 = __builtin_fma(v16, v3, 0x1.14aca4167a07fp-2);
-    const double v19 = v18 * v1;
-    const double v22 = __builtin_fma((-0x1.efcbe37812bdfp-4), v3, 0x1.b9bc468114fd2p+1);
-    const double v24 = __builtin_fma(v22, v3, (-0x1.444345493560ap+5));
-    const double v26 = __builtin_fma(v24, v3, 0x1.4ea305d69d8f6p+7);
-    const double v28 = __builtin_fma(v26, v3, 0x1.283ecbb1b4392p+9);
-    const double v30 = __builtin_fma(v28, v3, 0x1.47ee26059427dp+8);
-    const double v32 = __builtin_fma(v30, v3, 0x1.5185165bf6bccp+5);
-    const double v34 = __builtin_fma(v32, v3, 0x1.0000000000000p+0);
-    const double v35 = v19 / v34;
-    const double v36 = v35 * alpha;
-    return v36;
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY7(t1, 0x1.14aca4167a07fp-2, 0x1.6f67e48f11997p+3, 0x1.705f937528711p+6,
+        0x1.781f38b2a68b0p+7, 0x1.97881d28eb78fp+6, 0x1.15f5651c6c2b6p+4, 0x1.764b4fd12c227p+1,
+        0x1.e250654a0fa79p-5);
+    const double p2 = POLY7(t1, 1.0, 0x1.5185165bf6bccp+5, 0x1.47ee26059427dp+8, 0x1.283ecbb1b4392p+9,
+        0x1.4ea305d69d8f6p+7, -0x1.444345493560ap+5, 0x1.b9bc468114fd2p+1, -0x1.efcbe37812bdfp-4);
+    return p1 * alpha_2 / p2 * alpha;
 }
 #define polar_moment_1e_10_fused_KIND whole
 
-INLINE double moment_of_inertia_1e_10_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma((-0x1.4936e56328342p-29), v1, 0x1.7a7cb07e3408cp-24);
-    const double v6 = __builtin_fma(v4, v1, (-0x1.0bc4e9f8c08c4p-19));
-    const double v8 = __builtin_fma(v6, v1, 0x1.1ec4f59c801cbp-15);
-    const double v10 = __builtin_fma(v8, v1, (-0x1.d70c8c3356105p-12));
-    const double v12 = __builtin_fma(v10, v1, 0x1.1f7c9cb90ff08p-8);
-    const double v14 = __builtin_fma(v12, v1, (-0x1.f10293cdf1d20p-6));
-    const double v16 = __builtin_fma(v14, v1, 0x1.1e11e0d7b66ffp-3);
-    const double v18 = __builtin_fma(v16, v1, (-0x1.99999996b5367p-2));
-    const double v20 = __builtin_fma(v18, v1, 0x1.55555555502c0p-1);
-    const double v21 = v20 * v1;
-    const double v22 = v21 * alpha;
-    return v22;
-}
-#define moment_of_inertia_1e_10_fused_KIND short
-
-INLINE double radial_weight_amplitude_1e_10_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = __builtin_fma(0x1.04f7df6595ca2p+25, v3, 0x1.83d173767ec99p+29);
-    const double v8 = __builtin_fma(v6, v3, 0x1.508e0e40facb6p+32);
-    const double v10 = __builtin_fma(v8, v3, 0x1.8da34cb08e1f0p+33);
-    const double v12 = __builtin_fma(v10, v3, 0x1.6259be601aeb1p+33);
-    const double v14 = __builtin_fma(v12, v3, 0x1.dda5739c64a89p+31);
-    const double v16 = __builtin_fma(v14, v3, 0x1.d131baf022e41p+28);
-    const double v18 = __builtin_fma(v16, v3, 0x1.2d9988866fd53p+24);
-    const double v20 = __builtin_fma(v18, v3, 0x1.c7fae97af9e1fp+17);
-    const double v22 = __builtin_fma(v20, v3, 0x1.40cc71ab82b17p+9);
-    const double v24 = __builtin_fma(v22, v3, 0x1.08345eb49dfa4p-2);
-    const double v25 = v24 * v1;
-    const double v28 = __builtin_fma(0x1.aed60df82a50dp+23, v3, (-0x1.cb6e4518cfd29p+28));
-    const double v30 = __builtin_fma(v28, v3, 0x1.1ea89b013008dp+32);
-    const double v32 = __builtin_fma(v30, v3, 0x1.c5d99f7e12cd1p+34);
-    const double v34 = __builtin_fma(v32, v3, 0x1.18d58653a0677p+35);
-    const double v36 = __builtin_fma(v34, v3, 0x1.ae1c93f2d7caep+33);
-    const double v38 = __builtin_fma(v36, v3, 0x1.b7d217ea325d6p+30);
-    const double v40 = __builtin_fma(v38, v3, 0x1.22251312f6b79p+26);
-    const double v42 = __builtin_fma(v40, v3, 0x1.b915276826f3cp+19);
-    const double v44 = __builtin_fma(v42, v3, 0x1.36c2b5ccd0c1fp+11);
-    const double v46 = __builtin_fma(v44, v3, 0x1.0000000000000p+0);
-    const double v47 = v25 / v46;
-    const double v48 = v47 * alpha;
-    return v48;
-}
-#define radial_weight_amplitude_1e_10_fused_KIND whole
-
-INLINE double weight_moment_amplitude_1e_10_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma(0x1.55b68304dda03p-30, v1, (-0x1.f9e9d8d248bfcp-25));
-    const double v6 = __builtin_fma(v4, v1, 0x1.e9ce55f457fb1p-20);
-    const double v8 = __builtin_fma(v6, v1, (-0x1.65e8281936887p-15));
-    const double v10 = __builtin_fma(v8, v1, 0x1.83c7d5627d1d1p-11);
-    const double v12 = __builtin_fma(v10, v1, (-0x1.282eee7b92cf7p-7));
-    const double v14 = __builtin_fma(v12, v1, 0x1.27d27cf3b8112p-4);
-    const double v16 = __builtin_fma(v14, v1, (-0x1.55555553fea4bp-2));
-    const double v18 = __builtin_fma(v16, v1, 0x1.555555555259dp-1);
-    const double v19 = v18 * v1;
-    const double v20 = v19 * alpha;
-    return v20;
-}
-#define weight_moment_amplitude_1e_10_fused_KIND short
-
-INLINE double resistance_factor_1e_10_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma((-0x1.1363823d24666p-28), v1, 0x1.27a4afc560ce7p-21);
-    const double v6 = __builtin_fma(v4, v1, (-0x1.a018b5707a92dp-15));
-    const double v8 = __builtin_fma(v6, v1, 0x1.6c16be606925bp-9);
-    const double v10 = __builtin_fma(v8, v1, (-0x1.55555550127aap-4));
-    const double v12 = __builtin_fma(v10, v1, 0x1.fffffffffa0fbp-1);
-    const double v13 = v12 * v1;
-    const double v14 = v13 * alpha;
-    return v14;
-}
-#define resistance_factor_1e_10_fused_KIND short
-
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-6, fused:
+ * proved within 6.63e-07 relative (certificates/polar_moment.json) */
 INLINE double polar_moment_1e_6_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma(0x1.c6cb40d04487cp-17, v1, (-0x1.01f8715011affp-13));
-    const double v6 = __builtin_fma(v4, v1, 0x1.e6addd2fd57c1p-12);
-    const double v8 = __builtin_fma(v6, v1, (-0x1.f017539ffdb0bp-11));
-    const double v10 = __builtin_fma(v8, v1, 0x1.a45a7a5b48d87p-10);
-    const double v12 = __builtin_fma(v10, v1, (-0x1.f6c43e68063fbp-8));
-    const double v14 = __builtin_fma(v12, v1, 0x1.d5a56118ff0cbp-5);
-    const double v16 = __builtin_fma(v14, v1, (-0x1.1116d4346c2b7p-2));
-    const double v18 = __builtin_fma(v16, v1, 0x1.555563e45ba3ep-1);
-    const double v19 = v18 * v1;
-    const double v20 = v19 * alpha;
-    return v20;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555563e45ba3ep-1, -0x1.1116d4346c2b7p-2, 0x1.d5a56118ff0cbp-5,
+        -0x1.f6c43e68063fbp-8, 0x1.a45a7a5b48d87p-10, -0x1.f017539ffdb0bp-11, 0x1.e6addd2fd57c1p-12,
+        -0x1.01f8715011affp-13, 0x1.c6cb40d04487cp-17);
+    return p1 * alpha_2 * alpha;
 }
 #define polar_moment_1e_6_fused_KIND short
 
-INLINE double moment_of_inertia_1e_6_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma(0x1.50ef7c600437bp-16, v1, (-0x1.a6e3a2c99c515p-12));
-    const double v6 = __builtin_fma(v4, v1, 0x1.1a5c427a6780ap-8);
-    const double v8 = __builtin_fma(v6, v1, (-0x1.efda754ae7b31p-6));
-    const double v10 = __builtin_fma(v8, v1, 0x1.1e017fc24dd09p-3);
-    const double v12 = __builtin_fma(v10, v1, (-0x1.999830f1f6825p-2));
-    const double v14 = __builtin_fma(v12, v1, 0x1.55554ffb45dfap-1);
-    const double v15 = v14 * v1;
-    const double v16 = v15 * alpha;
-    return v16;
-}
-#define moment_of_inertia_1e_6_fused_KIND short
-
-INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = __builtin_fma(0x1.cc8a8141fa745p+2, v3, 0x1.16253f17550d1p+5);
-    const double v8 = __builtin_fma(v6, v3, 0x1.24ceea0f4ee36p+5);
-    const double v10 = __builtin_fma(v8, v3, 0x1.072fc483044bbp+3);
-    const double v12 = __builtin_fma(v10, v3, 0x1.083464838a5a9p-2);
-    const double v13 = v12 * v1;
-    const double v16 = __builtin_fma(0x1.32c3a7d534520p-2, v3, (-0x1.f40a4101ee07ep+2));
-    const double v18 = __builtin_fma(v16, v3, 0x1.0589e6f9d3ef3p+6);
-    const double v20 = __builtin_fma(v18, v3, 0x1.ed09359bb409ap+6);
-    const double v22 = __builtin_fma(v20, v3, 0x1.f44f9842d233ap+4);
-    const double v24 = __builtin_fma(v22, v3, 0x1.0000000000000p+0);
-    const double v25 = v13 / v24;
-    const double v26 = v25 * alpha;
-    return v26;
-}
-#define radial_weight_amplitude_1e_6_fused_KIND short
-
-INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma((-0x1.ff7dbdabc38e7p-16), v1, 0x1.71e62473ed8bap-11);
-    const double v6 = __builtin_fma(v4, v1, (-0x1.26ad631e2f9a1p-7));
-    const double v8 = __builtin_fma(v6, v1, 0x1.27b41ec7abd41p-4);
-    const double v10 = __builtin_fma(v8, v1, (-0x1.555382cc0e3b7p-2));
-    const double v12 = __builtin_fma(v10, v1, 0x1.55554ba99af07p-1);
-    const double v13 = v12 * v1;
-    const double v14 = v13 * alpha;
-    return v14;
-}
-#define weight_moment_amplitude_1e_6_fused_KIND short
-
-INLINE double resistance_factor_1e_6_fused(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma((-0x1.899d6d596ca14p-15), v1, 0x1.6b8afbde89795p-9);
-    const double v6 = __builtin_fma(v4, v1, (-0x1.5553226831932p-4));
-    const double v8 = __builtin_fma(v6, v1, 0x1.fffffa5b957a5p-1);
-    const double v9 = v8 * v1;
-    const double v10 = v9 * alpha;
-    return v10;
-}
-#define resistance_factor_1e_6_fused_KIND short
-
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
+ * fused: proved within 0.504 ulp (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = __builtin_fma(0x1.06bac513c89bdp-4, v3, 0x1.dc0d095bd83c1p-1);
-    const double v8 = __builtin_fma(v6, v3, 0x1.933d9ee3bc318p+2);
-    const double v10 = __builtin_fma(v8, v3, 0x1.db1c7a52b7740p+4);
-    const double v12 = __builtin_fma(v10, v3, 0x1.1699441fb3d7bp+6);
-    const double v14 = __builtin_fma(v12, v3, 0x1.7e9225dc641bdp+5);
-    const double v16 = __builtin_fma(v14, v3, 0x1.0a493d7acae63p+3);
-    const double v18 = __builtin_fma(v16, v3, 0x1.14aca415ff9bep-2);
-    const double v19 = v18 * v1;
-    const double v22 = __builtin_fma(0x1.d7d31fc8e0f2ap-3, v3, (-0x1.62e6200f03a08p+2));
-    const double v24 = __builtin_fma(v22, v3, 0x1.060efdd46e2e3p+5);
-    const double v26 = __builtin_fma(v24, v3, 0x1.981502230ec47p+7);
-    const double v28 = __builtin_fma(v26, v3, 0x1.4f42aae35dcb3p+7);
-    const double v30 = __builtin_fma(v28, v3, 0x1.e7e99b90416b4p+4);
-    const double v32 = __builtin_fma(v30, v3, 0x1.0000000000000p+0);
-    const double v33 = v19 / v32;
-    const double v34 = v33 * alpha;
-    return v34;
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY6(t1, 0x1.14aca417a239bp-2, 0x1.5384cfe10aef2p+4, 0x1.d4d925be9e601p+7,
+        0x1.224f4633c128ap+9, 0x1.58e5567df501bp+8, 0x1.acda0d7b62a91p+5, 0x1.30eaab2c53271p+3);
+    const double p2 = POLY7(t1, 1.0, 0x1.38eebb0ae320ep+6, 0x1.a5e0a607f1290p+9, 0x1.d751af11b201fp+10,
+        0x1.397b496bf1ee1p+9, -0x1.4589cfe116047p+7, 0x1.dd0e84590a12cp+3, -0x1.1db164265e701p-1);
+    return p1 * alpha_2 / p2 * alpha;
 }
 #define polar_moment_float32_fused_KIND whole
 
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, fused: proved within 0.784 ulp
+ * (certificates/moment_of_inertia.json) */
+/* alpha < 0.98 */
+INLINE double moment_of_inertia_best_fused_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = -alpha_2;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY3(alpha_4, 0x1.1f7d05c5c9224p-8, 0x1.1f086d60486fep-15, 0x1.9433fa964b521p-24,
+        0x1.b0e8467a16168p-34);
+    const double p2 = POLY3(alpha_4, -0x1.f1029e62c0580p-6, -0x1.d716074f5e010p-12, -0x1.0e1e9522a6e8ep-19,
+        -0x1.e85b919eac4d5p-29);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.1e11e11e11d01p-3);
+    const double t3 = FMA(t2, alpha_2, -0x1.9999999999997p-2);
+    const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
+    const double t5 = -0x1.9999999999997p-2 - t3;
+    const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
+    const double t7 = alpha_2 * t4;
+    const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
+    const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
+    return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
+}
+/* alpha >= 0.98, in b = pi/2 - alpha */
+INLINE double moment_of_inertia_best_fused_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY9(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c9d1p-3, 0x1.3e93e93e974c4p-2,
+        -0x1.0cbb766293955p-3, 0x1.e94dfd574ccc8p-6, -0x1.1e5e1c82f59e1p-8, 0x1.d6a153b5d88acp-12,
+        -0x1.1f07fbda0bf19p-15, 0x1.0f3d73ce0e4d0p-19, -0x1.989edb1ab88c8p-24);
+    return 0.5 * alpha + -0.125 + FMA(b, p1, 0x1.fffffffffffffp-4);
+}
+INLINE double moment_of_inertia_best_fused(double alpha)
+{
+    const double near = moment_of_inertia_best_fused_near(alpha);
+    const double far = moment_of_inertia_best_fused_far(alpha);
+    return SELECT(alpha < 0x1.f5c28f5c28f5cp-1, near, far);
+}
+#define moment_of_inertia_best_fused_KIND pieces
+#define moment_of_inertia_best_fused_BELOW_double UINT64_C(0x3fef5c28f5c28f5b)
+#define moment_of_inertia_best_fused_BELOW_float UINT32_C(0x3f7ae147)
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-10, fused: proved within 3.57e-12
+ * relative (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, 0x1.55555555502c0p-1, -0x1.99999996b5367p-2, 0x1.1e11e0d7b66ffp-3,
+        -0x1.f10293cdf1d20p-6, 0x1.1f7c9cb90ff08p-8, -0x1.d70c8c3356105p-12, 0x1.1ec4f59c801cbp-15,
+        -0x1.0bc4e9f8c08c4p-19, 0x1.7a7cb07e3408cp-24, -0x1.4936e56328342p-29);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_1e_10_fused_KIND short
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-6, fused: proved within 2.42e-07
+ * relative (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY6(alpha_2, 0x1.55554ffb45dfap-1, -0x1.999830f1f6825p-2, 0x1.1e017fc24dd09p-3,
+        -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_1e_6_fused_KIND short
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
+ * (certificates/moment_of_inertia.json) */
 INLINE double moment_of_inertia_float32_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma(0x1.049a5be9eb92ap-24, v1, (-0x1.f4342ef238f03p-20));
-    const double v6 = __builtin_fma(v4, v1, 0x1.1be5d7f6ae24dp-15);
-    const double v8 = __builtin_fma(v6, v1, (-0x1.d6804e76da319p-12));
-    const double v10 = __builtin_fma(v8, v1, 0x1.1f74af1fc94e4p-8);
-    const double v12 = __builtin_fma(v10, v1, (-0x1.f1018ef94d003p-6));
-    const double v14 = __builtin_fma(v12, v1, 0x1.1e11d8503acb9p-3);
-    const double v16 = __builtin_fma(v14, v1, (-0x1.9999992647539p-2));
-    const double v18 = __builtin_fma(v16, v1, 0x1.55555554542e9p-1);
-    const double v19 = v18 * v1;
-    const double v20 = v19 * alpha;
-    return v20;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
+        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
+        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
+    return p1 * alpha_2 * alpha;
 }
 #define moment_of_inertia_float32_fused_KIND short
 
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.711 ulp
+ * (certificates/radial_weight_amplitude.json) */
+/* alpha < 1.16 */
+INLINE double radial_weight_amplitude_best_fused_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = -alpha_2;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY6(alpha_4, -0x1.47d5cdb030433p-16, -0x1.00ac8c802feebp-18, -0x1.69df4f230a0b7p-23,
+        0x1.2d45b70de203ap-21, 0x1.a784f4de008cbp-21, 0x1.4dfa67586ea60p-22, 0x1.af42be543eb97p-26);
+    const double p2 = POLY7(alpha_4, -0x1.664f48a970d61p-10, -0x1.07de2765dbf0fp-16, -0x1.292bdce010dd2p-20,
+        -0x1.c415858a36ac5p-22, -0x1.aca0247c4f189p-21, -0x1.3b0445a115011p-21, -0x1.e50b53856db7fp-24,
+        -0x1.6be6fd1ae56a3p-29);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b25b86p-6);
+    const double t3 = FMA(t2, alpha_2, -0x1.9999999999a03p-3);
+    const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
+    const double t5 = -0x1.9999999999a03p-3 - t3;
+    const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
+    const double t7 = alpha_2 * t4;
+    const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
+    const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
+    return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
+}
+/* alpha >= 1.16, in b = pi/2 - alpha */
+INLINE double radial_weight_amplitude_best_fused_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY5(b_2, 0x1.d1bd0105cb2e0p-4, 0x1.2c981ff6a61a1p-1, -0x1.5fec3504ee171p-4,
+        0x1.c0fb866c21493p-8, -0x1.5ca68c3cf25f9p-12, 0x1.37f1000d20ec1p-17);
+    const double p2 = POLY5(b_2, 0x1.000000000018dp+0, -0x1.55555553ea141p-2, 0x1.6c16c7361cfd2p-5,
+        -0x1.a010b7f783d5ep-9, 0x1.2adbbfd3a71d1p-13, -0x1.d8e0e3d8e3d1ep-19);
+    const double t1 = FMA(b_2, FMA(p2, logarithm_fused(2.0 * b), p1), 0x1.1e04abbbd2e80p-5);
+    return 0.5 * alpha + 0x1.7000000000000p-3 + FMA(b, FMA(b, -2.0, 0.5), t1);
+}
+INLINE double radial_weight_amplitude_best_fused(double alpha)
+{
+    const double near = radial_weight_amplitude_best_fused_near(alpha);
+    const double far = radial_weight_amplitude_best_fused_far(alpha);
+    return SELECT(alpha < 0x1.28f5c28f5c28fp+0, near, far);
+}
+#define radial_weight_amplitude_best_fused_KIND pieces
+#define radial_weight_amplitude_best_fused_BELOW_double UINT64_C(0x3ff28f5c28f5c28e)
+#define radial_weight_amplitude_best_fused_BELOW_float UINT32_C(0x3f947ae1)
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-10, fused: proved within 5.86e-11
+ * relative (certificates/radial_weight_amplitude.json) */
+INLINE double radial_weight_amplitude_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY10(t1, 0x1.08345eb49dfa4p-2, 0x1.40cc71ab82b17p+9, 0x1.c7fae97af9e1fp+17,
+        0x1.2d9988866fd53p+24, 0x1.d131baf022e41p+28, 0x1.dda5739c64a89p+31, 0x1.6259be601aeb1p+33,
+        0x1.8da34cb08e1f0p+33, 0x1.508e0e40facb6p+32, 0x1.83d173767ec99p+29, 0x1.04f7df6595ca2p+25);
+    const double p2 = POLY10(t1, 1.0, 0x1.36c2b5ccd0c1fp+11, 0x1.b915276826f3cp+19, 0x1.22251312f6b79p+26,
+        0x1.b7d217ea325d6p+30, 0x1.ae1c93f2d7caep+33, 0x1.18d58653a0677p+35, 0x1.c5d99f7e12cd1p+34,
+        0x1.1ea89b013008dp+32, -0x1.cb6e4518cfd29p+28, 0x1.aed60df82a50dp+23);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define radial_weight_amplitude_1e_10_fused_KIND whole
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 3.41e-07
+ * relative (certificates/radial_weight_amplitude.json) */
+INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY4(t1, 0x1.083464838a5a9p-2, 0x1.072fc483044bbp+3, 0x1.24ceea0f4ee36p+5,
+        0x1.16253f17550d1p+5, 0x1.cc8a8141fa745p+2);
+    const double p2 = POLY5(t1, 1.0, 0x1.f44f9842d233ap+4, 0x1.ed09359bb409ap+6, 0x1.0589e6f9d3ef3p+6,
+        -0x1.f40a4101ee07ep+2, 0x1.32c3a7d534520p-2);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define radial_weight_amplitude_1e_6_fused_KIND short
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.505 ulp
+ * (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_float32_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = __builtin_fma(0x1.a41276abb9bcap+18, v3, 0x1.5866e2818eb1dp+23);
-    const double v8 = __builtin_fma(v6, v3, 0x1.146d584af00dcp+26);
-    const double v10 = __builtin_fma(v8, v3, 0x1.1b0db627b1ac4p+27);
-    const double v12 = __builtin_fma(v10, v3, 0x1.9d535830bdb5cp+26);
-    const double v14 = __builtin_fma(v12, v3, 0x1.a80171a3e90ffp+24);
-    const double v16 = __builtin_fma(v14, v3, 0x1.1c70adff422e7p+21);
-    const double v18 = __builtin_fma(v16, v3, 0x1.b837b6270ce48p+15);
-    const double v20 = __builtin_fma(v18, v3, 0x1.3b6600d74bccbp+8);
-    const double v22 = __builtin_fma(v20, v3, 0x1.08345eb56857ap-2);
-    const double v23 = v22 * v1;
-    const double v26 = __builtin_fma(0x1.c1ec6782b793bp+17, v3, (-0x1.c99f8ffd771f7p+22));
-    const double v28 = __builtin_fma(v26, v3, 0x1.1d5c0538d4588p+26);
-    const double v30 = __builtin_fma(v28, v3, 0x1.61a66a4a4b7dfp+28);
-    const double v32 = __builtin_fma(v30, v3, 0x1.573eb93a9e7aap+28);
-    const double v34 = __builtin_fma(v32, v3, 0x1.86838e8dc8106p+26);
-    const double v36 = __builtin_fma(v34, v3, 0x1.0f96e362556bdp+23);
-    const double v38 = __builtin_fma(v36, v3, 0x1.a919145cb9bd0p+17);
-    const double v40 = __builtin_fma(v38, v3, 0x1.3173bf280d278p+10);
-    const double v42 = __builtin_fma(v40, v3, 0x1.0000000000000p+0);
-    const double v43 = v23 / v42;
-    const double v44 = v43 * alpha;
-    return v44;
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY9(t1, 0x1.08345eb56857ap-2, 0x1.3b6600d74bccbp+8, 0x1.b837b6270ce48p+15,
+        0x1.1c70adff422e7p+21, 0x1.a80171a3e90ffp+24, 0x1.9d535830bdb5cp+26, 0x1.1b0db627b1ac4p+27,
+        0x1.146d584af00dcp+26, 0x1.5866e2818eb1dp+23, 0x1.a41276abb9bcap+18);
+    const double p2 = POLY9(t1, 1.0, 0x1.3173bf280d278p+10, 0x1.a919145cb9bd0p+17, 0x1.0f96e362556bdp+23,
+        0x1.86838e8dc8106p+26, 0x1.573eb93a9e7aap+28, 0x1.61a66a4a4b7dfp+28, 0x1.1d5c0538d4588p+26,
+        -0x1.c99f8ffd771f7p+22, 0x1.c1ec6782b793bp+17);
+    return p1 * alpha_2 / p2 * alpha;
 }
 #define radial_weight_amplitude_float32_fused_KIND whole
 
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, fused: proved within 0.746 ulp
+ * (certificates/weight_moment_amplitude.json) */
+/* alpha < 1.03 */
+INLINE double weight_moment_amplitude_best_fused_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = -alpha_2;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY2(alpha_4, 0x1.83c897879fcd2p-11, 0x1.eaea362838402p-20, 0x1.b3d227f76be5dp-30);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b6547dbp-7, -0x1.65f59c9b7af02p-15, -0x1.03dc2f0f49b91p-24,
+        -0x1.10ed8c6371668p-35);
+    const double t2 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d24c4p-4);
+    const double t3 = FMA(t2, alpha_2, -0x1.5555555555550p-2);
+    const double t4 = FMA(t3, alpha_2, 0x1.5555555555555p-1);
+    const double t5 = -0x1.5555555555550p-2 - t3;
+    const double t6 = FMA(t3, alpha_2, 0x1.5555555555555p-1 - t4) + 0x1.5555555555555p-55;
+    const double t7 = alpha_2 * t4;
+    const double t8 = FMA(t1, t5, FMA(2.0, t4, -0x1.5555555555555p-1));
+    const double t9 = FMA(FMA(alpha, alpha, t1), t8, FMA(alpha_2, t4, -t7));
+    return FMA(alpha, t7, alpha * FMA(alpha_2, FMA(alpha_2, FMA(t2, alpha_2, t5), t6), t9));
+}
+/* alpha >= 1.03, in b = pi/2 - alpha */
+INLINE double weight_moment_amplitude_best_fused_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY7(b_2, -0x1.fffffffffffedp-3, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t1 = FMA(b_2, p1, FMA(b, -0x1.1a62633145c07p-53, 0x1.5555555555555p-53));
+    return 0.5 * alpha + -0x1.e652ff776be20p-4 + FMA(b, FMA(b, -0.75, 0.5), t1);
+}
+INLINE double weight_moment_amplitude_best_fused(double alpha)
+{
+    const double near = weight_moment_amplitude_best_fused_near(alpha);
+    const double far = weight_moment_amplitude_best_fused_far(alpha);
+    return SELECT(alpha < 0x1.07ae147ae147bp+0, near, far);
+}
+#define weight_moment_amplitude_best_fused_KIND pieces
+#define weight_moment_amplitude_best_fused_BELOW_double UINT64_C(0x3ff07ae147ae147a)
+#define weight_moment_amplitude_best_fused_BELOW_float UINT32_C(0x3f83d70a)
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, fused: proved within 2.07e-12 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555555555259dp-1, -0x1.55555553fea4bp-2, 0x1.27d27cf3b8112p-4,
+        -0x1.282eee7b92cf7p-7, 0x1.83c7d5627d1d1p-11, -0x1.65e8281936887p-15, 0x1.e9ce55f457fb1p-20,
+        -0x1.f9e9d8d248bfcp-25, 0x1.55b68304dda03p-30);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_10_fused_KIND short
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-6, fused: proved within 4.38e-07 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.55554ba99af07p-1, -0x1.555382cc0e3b7p-2, 0x1.27b41ec7abd41p-4,
+        -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_6_fused_KIND short
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, fused: proved within 0.503 ulp
+ * (certificates/weight_moment_amplitude.json) */
 INLINE double weight_moment_amplitude_float32_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma((-0x1.8c2a65eb3fec2p-25), v1, 0x1.db665517a168ep-20);
-    const double v6 = __builtin_fma(v4, v1, (-0x1.64ea296a14023p-15));
-    const double v8 = __builtin_fma(v6, v1, 0x1.83b443c4ba8e3p-11);
-    const double v10 = __builtin_fma(v8, v1, (-0x1.282e1a3d0c0eep-7));
-    const double v12 = __builtin_fma(v10, v1, 0x1.27d273f81480bp-4);
-    const double v14 = __builtin_fma(v12, v1, (-0x1.555555080b38cp-2));
-    const double v16 = __builtin_fma(v14, v1, 0x1.5555555478204p-1);
-    const double v17 = v16 * v1;
-    const double v18 = v17 * alpha;
-    return v18;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY7(alpha_2, 0x1.5555555478204p-1, -0x1.555555080b38cp-2, 0x1.27d273f81480bp-4,
+        -0x1.282e1a3d0c0eep-7, 0x1.83b443c4ba8e3p-11, -0x1.64ea296a14023p-15, 0x1.db665517a168ep-20,
+        -0x1.8c2a65eb3fec2p-25);
+    return p1 * alpha_2 * alpha;
 }
 #define weight_moment_amplitude_float32_fused_KIND short
 
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, best, fused: proved within 0.65 ulp
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_best_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY2(alpha_4, 0x1.27e4fb7471f25p-21, 0x1.93966653151c3p-36, 0x1.5aeb95ee17e27p-52);
+    const double p2 = POLY2(alpha_4, -0x1.a01a01a0132c2p-15, -0x1.1eed8d7449e95p-28, -0x1.ae33aea2b0d55p-44);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.6c16c16c16ba2p-9);
+    const double t2 = FMA(t1, alpha_2, -0x1.5555555555555p-4);
+    const double t3 = FMA(t2, alpha_2, 1.0);
+    const double t4 = FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555555p-4 - t2), FMA(t2, alpha_2, 1.0 - t3));
+    const double t5 = alpha_2 * t3;
+    const double t6 = FMA(alpha_2, t4, FMA(FMA(alpha, alpha, -alpha_2), t3, FMA(alpha_2, t3, -t5)));
+    return FMA(alpha, t5, alpha * t6);
+}
+#define resistance_factor_best_fused_KIND whole
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-10, fused: proved within 2.74e-12 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_10_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
+        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_10_fused_KIND short
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, fused: proved within 1.71e-07 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_6_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY3(alpha_2, 0x1.fffffa5b957a5p-1, -0x1.5553226831932p-4, 0x1.6b8afbde89795p-9,
+        -0x1.899d6d596ca14p-15);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_6_fused_KIND short
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.501 ulp
+ * (certificates/resistance_factor.json) */
 INLINE double resistance_factor_float32_fused(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = __builtin_fma((-0x1.1363823d24666p-28), v1, 0x1.27a4afc560ce7p-21);
-    const double v6 = __builtin_fma(v4, v1, (-0x1.a018b5707a92dp-15));
-    const double v8 = __builtin_fma(v6, v1, 0x1.6c16be606925bp-9);
-    const double v10 = __builtin_fma(v8, v1, (-0x1.55555550127aap-4));
-    const double v12 = __builtin_fma(v10, v1, 0x1.fffffffffa0fbp-1);
-    const double v13 = v12 * v1;
-    const double v14 = v13 * alpha;
-    return v14;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
+        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
+    return p1 * alpha_2 * alpha;
 }
 #define resistance_factor_float32_fused_KIND short
+
+/* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
+ * best, fused: proved within 0.791 ulp (certificates/dynamic_coefficient.json) */
+INLINE double dynamic_coefficient_best_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY6(alpha_4, 0x1.35581e870032ap-11, 0x1.f97a7c55fd43dp-20, 0x1.3466cc6763dc2p-25,
+        0x1.9ce4e640bb658p-26, 0x1.7336ecde65986p-26, 0x1.6b4001adffcfdp-28, 0x1.5d16ff54208cdp-33);
+    const double p2 = POLY6(alpha_4, -0x1.ce55c8eb89282p-8, -0x1.08db7c94b9b10p-15, 0x1.fd34771cf025ep-25,
+        -0x1.bd50f1ff22c7cp-28, -0x1.a96ece7c74626p-26, -0x1.b9693fa33fa33p-27, -0x1.69ce9749f5b0ep-30);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41e123p-5);
+    const double t2 = FMA(t1, alpha_2, -0x1.1111111111116p-2);
+    const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
+    const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
+    const double t5 = FMA(alpha, alpha, -alpha_2);
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.1111111111116p-2 - t2), t4));
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p3 = POLY5(b_2, -0x1.213ce230dbeefp-7, 0x1.94ebfbb754504p-4, -0x1.0ee077691b943p-5,
+        0x1.5578045f5fe35p-8, -0x1.0533239fbfa2ep-11, 0x1.0aedde3663fc9p-15);
+    const double p4 = POLY5(b_2, 0x1.5555555556010p-2, -0x1.5555555202e7cp-3, 0x1.27d280bf8021ep-5,
+        -0x1.282e5dae893d2p-8, 0x1.82dcf0100d8aep-12, -0x1.9d1d2c7ac5e77p-16);
+    const double t7 = FMA(b * b_2, FMA(p4, logarithm_fused(b), p3), 0x1.fab71f4a3269fp-7);
+    const double t8 = alpha + -0x1.1400000000000p-1;
+    const double t9 = t8 + t7;
+    const double t10 = alpha < 0x1.23d70a3d70a3dp+0;
+    const double t11 = SELECT(t10, t3, t9);
+    const double p5 = POLY2(alpha_4, 0x1.27e4fb7471f25p-21, 0x1.93966653151c3p-36, 0x1.5aeb95ee17e27p-52);
+    const double p6 = POLY2(alpha_4, -0x1.a01a01a0132c2p-15, -0x1.1eed8d7449e95p-28, -0x1.ae33aea2b0d55p-44);
+    const double t12 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.6c16c16c16ba2p-9);
+    const double t13 = FMA(t12, alpha_2, -0x1.5555555555555p-4);
+    const double t14 = FMA(t13, alpha_2, 1.0);
+    const double t15 = FMA(alpha_2, FMA(t12, alpha_2, -0x1.5555555555555p-4 - t13), FMA(t13, alpha_2, 1.0 - t14));
+    const double t16 = alpha_2 * t14;
+    const double t17 = alpha * t16;
+    const double t18 = FMA(alpha, FMA(alpha_2, t15, FMA(t5, t14, FMA(alpha_2, t14, -t16))), FMA(alpha, t16, -t17));
+    const double t19 = SELECT(t10, t14, t17);
+    const double t20 = 1.0 / t19;
+    const double t21 = t11 * t20;
+    const double t22 = -t21;
+    const double t23 = FMA(t22, t19, t11) + SELECT(t10, t6, t7 - (t9 - t8));
+    return FMA(FMA(t22, SELECT(t10, FMA(t5, t13, t15), t18), t23), t20, t21);
+}
+#define dynamic_coefficient_best_fused_KIND whole
+
+/* C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish,
+ * 0 <= alpha <= pi/2, best, fused: proved within 0.849 ulp (certificates/weight_moment_per_inertia.json) */
+INLINE double weight_moment_per_inertia_best_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY2(alpha_4, 0x1.83c897879fcd2p-11, 0x1.eaea362838402p-20, 0x1.b3d227f76be5dp-30);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b6547dbp-7, -0x1.65f59c9b7af02p-15, -0x1.03dc2f0f49b91p-24,
+        -0x1.10ed8c6371668p-35);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d24c4p-4);
+    const double t2 = FMA(t1, alpha_2, -0x1.5555555555550p-2);
+    const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
+    const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
+    const double t5 = FMA(alpha, alpha, -alpha_2);
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555550p-2 - t2), t4));
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p3 = POLY7(b_2, -0x1.fffffffffffdap-4, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, 0x1.5555555555555p-53));
+    const double t8 = FMA(b, FMA(b, -0.875, 0.5), t7);
+    const double t9 = 0.5 * alpha;
+    const double t10 = t9 + -0x1.e652ff776be20p-4;
+    const double t11 = t10 + t8;
+    const double t12 = alpha < 0x1.07ae147ae147bp+0;
+    const double t13 = SELECT(t12, t3, t11);
+    const double p4 = POLY3(alpha_4, 0x1.1f7d05c727936p-8, 0x1.1f087770ddc04p-15, 0x1.9464193efe988p-24,
+        0x1.f1202dbed1bfap-34);
+    const double p5 = POLY4(alpha_4, -0x1.f1029e62caa8ap-6, -0x1.d71607ba22323p-12, -0x1.0e1fcc07dea81p-19,
+        -0x1.ecfac632905bcp-29, -0x1.8163a70cab18cp-39);
+    const double t14 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.1e11e11e11e33p-3);
+    const double t15 = FMA(t14, alpha_2, -0x1.999999999999ap-2);
+    const double t16 = FMA(t15, alpha_2, 0x1.5555555555555p-1);
+    const double t17 = FMA(t15, alpha_2, 0x1.5555555555555p-1 - t16) + 0x1.5555555555555p-55;
+    const double t18 = FMA(t5, t15, FMA(alpha_2, FMA(t14, alpha_2, -0x1.999999999999ap-2 - t15), t17));
+    const double p6 = POLY8(b_2, -0x1.555555555555dp-3, -0x1.c71c71c71c2cbp-3, 0x1.3e93e93e8caaap-2,
+        -0x1.0cbb76609fd02p-3, 0x1.e94dfc8968252p-6, -0x1.1e5e0301d5402p-8, 0x1.d6998e219ebbfp-12,
+        -0x1.1e5164529e7c6p-15, 0x1.f96e579402ac4p-20);
+    const double t19 = FMA(b, p6, 0x1.bffffffffffffp-5);
+    const double t20 = t9 + -0x1.c000000000000p-5;
+    const double t21 = t20 + t19;
+    const double t22 = SELECT(t12, t16, t21);
+    const double t23 = 1.0 / t22;
+    const double t24 = t13 * t23;
+    const double t25 = -t24;
+    const double t26 = FMA(t25, t22, t13) + SELECT(t12, t6, t8 - (t11 - t10));
+    return FMA(FMA(t25, SELECT(t12, t18, t19 - (t21 - t20)), t26), t23, t24);
+}
+#define weight_moment_per_inertia_best_fused_KIND whole
+
+/* C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0
+ * <= alpha <= pi/2, best, fused: proved within 1.06 ulp (certificates/radial_weight_per_inertia.json) */
+INLINE double radial_weight_per_inertia_best_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY6(alpha_4, -0x1.47d6550ee9d0cp-16, -0x1.012ffa1d7bb8cp-18, -0x1.27bb8bae33966p-22,
+        0x1.1a81359ccddd5p-23, 0x1.13418fe0b0991p-22, 0x1.0943213fab51ep-23, 0x1.a4adecb98e7bcp-27);
+    const double p2 = POLY7(alpha_4, -0x1.664f488838d73p-10, -0x1.07d900514f6e9p-16, -0x1.201bb884760cfp-20,
+        -0x1.72761c0d3ee37p-23, -0x1.05b20a4b4d81bp-22, -0x1.c78901f7a344ap-23, -0x1.ab23c0c684008p-25,
+        -0x1.8feee638d9bccp-30);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.2b12b12b15251p-6);
+    const double t2 = FMA(t1, alpha_2, -0x1.99999999999a6p-3);
+    const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
+    const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
+    const double t5 = FMA(alpha, alpha, -alpha_2);
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.99999999999a6p-3 - t2), t4));
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p3 = POLY5(b_2, -0x1.7217f7d1ae2b5p-7, 0x1.2c981ff605456p-1, -0x1.5fec37466d3d8p-4,
+        0x1.c0f97cefd9809p-8, -0x1.5c629576dda1ep-12, 0x1.69d163753cfb6p-17);
+    const double p4 = POLY5(b_2, 0x1.0000000000151p+0, -0x1.555555546d298p-2, 0x1.6c16c422fd14bp-5,
+        -0x1.a017058253bf2p-9, 0x1.285e13327bf2cp-13, -0x1.2f2674152353dp-18);
+    const double t7 = FMA(b_2, FMA(p4, logarithm_fused(2.0 * b), p3), 0x1.5e04abbbd2e80p-5);
+    const double t8 = FMA(b, FMA(b, -1.875, 0.5), t7);
+    const double t9 = 0.5 * alpha;
+    const double t10 = t9 + 0x1.6000000000000p-3;
+    const double t11 = t10 + t8;
+    const double t12 = alpha < 0x1.1c28f5c28f5c3p+0;
+    const double t13 = SELECT(t12, t3, t11);
+    const double p5 = POLY3(alpha_4, 0x1.1f7d05c6e14c8p-8, 0x1.1f0875ebf62e5p-15, 0x1.945e8fcf159d3p-24,
+        0x1.eb715733f5861p-34);
+    const double p6 = POLY4(alpha_4, -0x1.f1029e62c840fp-6, -0x1.d71607a798d92p-12, -0x1.0e1fa31c286cdp-19,
+        -0x1.ec837f466cf7dp-29, -0x1.63651d4a410bbp-39);
+    const double t14 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11ddfp-3);
+    const double t15 = FMA(t14, alpha_2, -0x1.9999999999999p-2);
+    const double t16 = FMA(t15, alpha_2, 0x1.5555555555555p-1);
+    const double t17 = FMA(t15, alpha_2, 0x1.5555555555555p-1 - t16) + 0x1.5555555555555p-55;
+    const double t18 = FMA(t5, t15, FMA(alpha_2, FMA(t14, alpha_2, -0x1.9999999999999p-2 - t15), t17));
+    const double p7 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c372p-3, 0x1.3e93e93e8dae1p-2,
+        -0x1.0cbb7660cde68p-3, 0x1.e94dfc9b43c2dp-6, -0x1.1e5e050e2d7b2p-8, 0x1.d69a1f44ba292p-12,
+        -0x1.1e5cc6e589d22p-15, 0x1.faff5e49e839dp-20);
+    const double t19 = FMA(b, p7, 0x1.bffffffffffffp-5);
+    const double t20 = t9 + -0x1.c000000000000p-5;
+    const double t21 = t20 + t19;
+    const double t22 = SELECT(t12, t16, t21);
+    const double t23 = 1.0 / t22;
+    const double t24 = t13 * t23;
+    const double t25 = -t24;
+    const double t26 = FMA(t25, t22, t13) + SELECT(t12, t6, t8 - (t11 - t10));
+    return FMA(FMA(t25, SELECT(t12, t18, t19 - (t21 - t20)), t26), t23, t24);
+}
+#define radial_weight_per_inertia_best_fused_KIND whole
+
+/* I_p* /Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0 <= alpha
+ * <= pi/2, best, fused: proved within 0.859 ulp (certificates/polar_moment_per_inertia.json) */
+INLINE double polar_moment_per_inertia_best_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY5(alpha_4, 0x1.35581e791a6dcp-11, 0x1.f9700b4f2fc3cp-20, 0x1.1cd3a955650e0p-25,
+        0x1.82b2f7bdf7b9ep-27, 0x1.6732f4480f5efp-28, 0x1.8862d1d4fafcdp-32);
+    const double p2 = POLY5(alpha_4, -0x1.ce55c8eb76557p-8, -0x1.08db71b3dc7acp-15, 0x1.01ed9716bf3c8p-24,
+        0x1.05247a6ed6951p-31, -0x1.08b1d6aba5ae0p-27, -0x1.f61d3d6b2f29ep-30);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.d41d41d41e089p-5);
+    const double t2 = FMA(t1, alpha_2, -0x1.1111111111116p-2);
+    const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
+    const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
+    const double t5 = FMA(alpha, alpha, -alpha_2);
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.1111111111116p-2 - t2), t4));
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p3 = POLY5(b_2, -0x1.213ce22f8ace3p-7, 0x1.94ebfbdbd73afp-4, -0x1.0ee07496f41fcp-5,
+        0x1.55751bc3c375dp-8, -0x1.05761dc378033p-11, 0x1.10577530f2d3dp-15);
+    const double p4 = POLY5(b_2, 0x1.5555555558d28p-2, -0x1.5555554a056aep-3, 0x1.27d28418e33f8p-5,
+        -0x1.282fbd7742ef9p-8, 0x1.81e84c0a68db4p-12, -0x1.aa0551f4078d8p-16);
+    const double t7 = FMA(b * b_2, FMA(p4, logarithm_fused(b), p3), 0x1.3eadc7d28c9a8p-5);
+    const double t8 = alpha + -0.5625;
+    const double t9 = t8 + t7;
+    const double t10 = alpha < 0x1.0a3d70a3d70a4p+0;
+    const double t11 = SELECT(t10, t3, t9);
+    const double p5 = POLY3(alpha_4, 0x1.1f7d05c725090p-8, 0x1.1f08775913bf9p-15, 0x1.94639daf30d09p-24,
+        0x1.f07a32b206b19p-34);
+    const double p6 = POLY4(alpha_4, -0x1.f1029e62ca99ep-6, -0x1.d71607b93bd7ep-12, -0x1.0e1fc9002c905p-19,
+        -0x1.eceec88dfdfe1p-29, -0x1.7d8e316ca0cc9p-39);
+    const double t12 = FMA(alpha_2, FMA(alpha_2, p5, p6), 0x1.1e11e11e11e32p-3);
+    const double t13 = FMA(t12, alpha_2, -0x1.999999999999ap-2);
+    const double t14 = FMA(t13, alpha_2, 0x1.5555555555555p-1);
+    const double t15 = FMA(t13, alpha_2, 0x1.5555555555555p-1 - t14) + 0x1.5555555555555p-55;
+    const double t16 = FMA(t5, t13, FMA(alpha_2, FMA(t12, alpha_2, -0x1.999999999999ap-2 - t13), t15));
+    const double p7 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c374p-3, 0x1.3e93e93e8db37p-2,
+        -0x1.0cbb7660ceadep-3, 0x1.e94dfc9b0a6adp-6, -0x1.1e5e04e3dd133p-8, 0x1.d69a035b8852bp-12,
+        -0x1.1e58f354d2ab8p-15, 0x1.fa3bac2f463d3p-20);
+    const double t17 = FMA(b, p7, 0x1.bffffffffffffp-5);
+    const double t18 = 0.5 * alpha + -0x1.c000000000000p-5;
+    const double t19 = t18 + t17;
+    const double t20 = SELECT(t10, t14, t19);
+    const double t21 = 1.0 / t20;
+    const double t22 = t11 * t21;
+    const double t23 = -t22;
+    const double t24 = FMA(t23, t20, t11) + SELECT(t10, t6, t7 - (t9 - t8));
+    return FMA(FMA(t23, SELECT(t10, t16, t17 - (t19 - t18)), t24), t21, t22);
+}
+#define polar_moment_per_inertia_best_fused_KIND whole
+
+/* C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
+ * vanish, 0 <= alpha <= pi/2, best, fused: proved within 0.95 ulp
+ * (certificates/weight_moment_per_radial_weight.json) */
+INLINE double weight_moment_per_radial_weight_best_fused(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double alpha_4 = alpha_2 * alpha_2;
+    const double p1 = POLY3(alpha_4, 0x1.83c8978ec51cep-11, 0x1.eaeaa2c9de7afp-20, 0x1.b59d8e5371c8cp-30,
+        0x1.30db2c751a237p-41);
+    const double p2 = POLY3(alpha_4, -0x1.282ef4b666c9bp-7, -0x1.65f59e30a6c95p-15, -0x1.03e52bbf4db10p-24,
+        -0x1.2a4d5179ccb3bp-35);
+    const double t1 = FMA(alpha_2, FMA(alpha_2, p1, p2), 0x1.27d27d27d27a5p-4);
+    const double t2 = FMA(t1, alpha_2, -0x1.5555555555555p-2);
+    const double t3 = FMA(t2, alpha_2, 0x1.5555555555555p-1);
+    const double t4 = FMA(t2, alpha_2, 0x1.5555555555555p-1 - t3) + 0x1.5555555555555p-55;
+    const double t5 = FMA(alpha, alpha, -alpha_2);
+    const double t6 = FMA(t5, t2, FMA(alpha_2, FMA(t1, alpha_2, -0x1.5555555555555p-2 - t2), t4));
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p3 = POLY7(b_2, -0x1.ffffffffffffep-4, 0x1.2aaaaaaaaaa94p-1, -0x1.5b05b05b042afp-3,
+        0x1.bc8bc8bb3a27ap-6, -0x1.637e09bf1814ap-9, 0x1.83ca7ec09ab67p-13, -0x1.32b73da32d767p-17,
+        0x1.66c6f12e40144p-22);
+    const double t7 = FMA(b_2, p3, FMA(b, -0x1.1a62633145c07p-53, 0x1.5555555555555p-53));
+    const double t8 = FMA(b, FMA(b, -0.875, 0.5), t7);
+    const double t9 = 0.5 * alpha;
+    const double t10 = t9 + -0x1.e652ff776be20p-4;
+    const double t11 = t10 + t8;
+    const double t12 = alpha < 0x1.2147ae147ae14p+0;
+    const double t13 = SELECT(t12, t3, t11);
+    const double p4 = POLY6(alpha_4, -0x1.47d639590fb52p-16, -0x1.01130834deb14p-18, -0x1.0c93c27d943d3p-22,
+        0x1.0242817718f09p-22, 0x1.ae7d3d37478b8p-22, 0x1.7e0d0f92d659ap-23, 0x1.16a51a0466b36p-26);
+    const double p5 = POLY7(alpha_4, -0x1.664f488ec5cd7p-10, -0x1.07da187423fafp-16, -0x1.222d653c72507p-20,
+        -0x1.f5391f483e97bp-23, -0x1.a2047d109e679p-22, -0x1.54ac07dc5767ap-22, -0x1.26e21fc7faf1ep-24,
+        -0x1.f8851683cc319p-30);
+    const double t14 = FMA(alpha_2, FMA(alpha_2, p4, p5), 0x1.2b12b12b184a9p-6);
+    const double t15 = FMA(t14, alpha_2, -0x1.99999999999b7p-3);
+    const double t16 = FMA(t15, alpha_2, 0x1.5555555555555p-1);
+    const double t17 = FMA(t15, alpha_2, 0x1.5555555555555p-1 - t16) + 0x1.5555555555555p-55;
+    const double t18 = FMA(t5, t15, FMA(alpha_2, FMA(t14, alpha_2, -0x1.99999999999b7p-3 - t15), t17));
+    const double p6 = POLY5(b_2, -0x1.7217f7d1ab2e7p-7, 0x1.2c981ff63ec19p-1, -0x1.5fec368b1249bp-4,
+        0x1.c0fa11c3186cdp-8, -0x1.5c79b09b316eap-12, 0x1.5cb02195a47e5p-17);
+    const double p7 = POLY5(b_2, 0x1.0000000000169p+0, -0x1.555555543d7fdp-2, 0x1.6c16c52a07b2ap-5,
+        -0x1.a015173aabdaap-9, 0x1.2910a202b16c5p-13, -0x1.1e2016c290c5cp-18);
+    const double t19 = FMA(b_2, FMA(p7, logarithm_fused(2.0 * b), p6), 0x1.5e04abbbd2e80p-5);
+    const double t20 = FMA(b, FMA(b, -1.875, 0.5), t19);
+    const double t21 = t9 + 0x1.6000000000000p-3;
+    const double t22 = t21 + t20;
+    const double t23 = SELECT(t12, t16, t22);
+    const double t24 = 1.0 / t23;
+    const double t25 = t13 * t24;
+    const double t26 = -t25;
+    const double t27 = FMA(t26, t23, t13) + SELECT(t12, t6, t8 - (t11 - t10));
+    return FMA(FMA(t26, SELECT(t12, t18, t20 - (t22 - t21)), t27), t24, t25);
+}
+#define weight_moment_per_radial_weight_best_fused_KIND whole
 #endif
 
+#undef FMA
+#define FMA(a, b, c) ((a) * (b) + (c))
+
+/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */
+INLINE double logarithm_plain(double b)
+{
+    const double t1 = LARGER(b, 0x1.0000000000000p-60);
+    const double t2 = significand_of(t1) - 1.0;
+    const double t3 = t2 / (t2 + 2.0);
+    const double t4 = t3 * t3;
+    const double p1 = POLY6(t4, 0x1.55555555559d8p-1, 0x1.999999987c7a3p-2, 0x1.249249f1b0e53p-2,
+        0x1.c71be01ef8d7bp-3, 0x1.747966b22b47ep-3, 0x1.3804595ac79edp-3, 0x1.3cda08c7927d8p-3);
+    return t3 * (t4 * p1 - t2) + (exponent_of(t1) * 0x1.62e42fefa39efp-1 + t2);
+}
+
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, best, plain:
+ * proved within 4.17 ulp (certificates/polar_moment.json) */
+/* alpha < 1.08 */
+INLINE double polar_moment_best_plain_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY14(alpha_2, -0x1.9999999999995p-2, 0x1.5f15f15f15910p-4, -0x1.5ac056afbcf5ep-7,
+        0x1.d0042ceea2438p-11, -0x1.8d48bf9429066p-15, 0x1.7aeec3142f738p-19, 0x1.94a27b5610062p-24,
+        0x1.4bf7029ebf7b0p-25, 0x1.7b048f66de39ep-26, -0x1.b48ed20c580cdp-27, 0x1.30673886a4693p-26,
+        -0x1.a7aa6968db29cp-27, 0x1.bb88316c1ae71p-28, -0x1.0ce34647aa48fp-29, 0x1.4e32c0c040253p-32);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
+}
+/* alpha >= 1.08, in b = pi/2 - alpha */
+INLINE double polar_moment_best_plain_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY5(b_2, -0x1.213ce23146d4ep-7, 0x1.94ebfb96f2248p-4, -0x1.0ee089c62234bp-5,
+        0x1.5570c6bf81994p-8, -0x1.057adab8c0352p-11, 0x1.1322fd18fd6adp-15);
+    const double p2 = POLY5(b_2, 0x1.555555555535bp-2, -0x1.55555557cd14ep-3, 0x1.27d27720bb130p-5,
+        -0x1.2834b296ce4d6p-8, 0x1.811b7ecc87ea4p-12, -0x1.ae976a0e5bdb3p-16);
+    const double t1 = b * b_2 * (p2 * logarithm_plain(b) + p1) + -0x1.0548e0b5cd961p-7;
+    return alpha + -0x1.0800000000000p-1 + t1;
+}
 INLINE double polar_moment_best_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.03ba64fc6390ep-29 * v1;
-    const double v5 = v4 + (-0x1.3aec2023926f3p-28);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.ab724f22aa27ep-27;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.d2dbb0cb27f33p-30;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.b149c360dbe22p-25;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.7fd478253df46p-24;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.7b1e61f702731p-19;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.8d4952ec3d425p-15);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + 0x1.d0042e1391951p-11;
-    const double v28 = v26 * v1;
-    const double v29 = v28 + (-0x1.5ac056b1147acp-7);
-    const double v31 = v29 * v1;
-    const double v32 = v31 + 0x1.5f15f15f1726fp-4;
-    const double v34 = v32 * v1;
-    const double v35 = v34 + (-0x1.99999999999aap-2);
-    const double v36 = v35 * v1;
-    const double v37 = v1 * v36;
-    const double v38 = v37 + v1;
-    const double v40 = v38 / 0x1.8000000000000p+0;
-    const double v41 = v40 * alpha;
-    const double v43 = 0x1.921fb54442d18p+0 - alpha;
-    const double v44 = v43 * v43;
-    const double v47 = (-0x1.b16de590ed744p-16) * v44;
-    const double v48 = v47 + 0x1.80dce9acbd0ffp-12;
-    const double v50 = v48 * v44;
-    const double v51 = v50 + (-0x1.2834e1f3e1a60p-8);
-    const double v53 = v51 * v44;
-    const double v54 = v53 + 0x1.27d279e0496b5p-5;
-    const double v56 = v54 * v44;
-    const double v57 = v56 + (-0x1.555555518e7c3p-3);
-    const double v59 = v57 * v44;
-    const double v60 = v59 + 0x1.55555555579d1p-2;
-    const double v62 = v43 > 0x1.0000000000000p-60 ? v43 : 0x1.0000000000000p-60;
-    const double v63 = significand_of(v62);
-    const double v65 = v63 - 0x1.0000000000000p+0;
-    const double v67 = v65 + 0x1.0000000000000p+1;
-    const double v68 = v65 / v67;
-    const double v69 = v68 * v68;
-    const double v72 = 0x1.3cda08c7927d8p-3 * v69;
-    const double v73 = v72 + 0x1.3804595ac79edp-3;
-    const double v75 = v73 * v69;
-    const double v76 = v75 + 0x1.747966b22b47ep-3;
-    const double v78 = v76 * v69;
-    const double v79 = v78 + 0x1.c71be01ef8d7bp-3;
-    const double v81 = v79 * v69;
-    const double v82 = v81 + 0x1.249249f1b0e53p-2;
-    const double v84 = v82 * v69;
-    const double v85 = v84 + 0x1.999999987c7a3p-2;
-    const double v87 = v85 * v69;
-    const double v88 = v87 + 0x1.55555555559d8p-1;
-    const double v89 = v69 * v88;
-    const double v90 = v89 - v65;
-    const double v91 = exponent_of(v62);
-    const double v93 = v91 * 0x1.62e42fefa39efp-1;
-    const double v94 = v93 + v65;
-    const double v95 = v68 * v90;
-    const double v96 = v95 + v94;
-    const double v99 = 0x1.1477caa143cfbp-15 * v44;
-    const double v100 = v99 + (-0x1.058aebdba383ap-11);
-    const double v102 = v100 * v44;
-    const double v103 = v102 + 0x1.556ffb39c3af9p-8;
-    const double v105 = v103 * v44;
-    const double v106 = v105 + (-0x1.0ee086df8c2f9p-5);
-    const double v108 = v106 * v44;
-    const double v109 = v108 + 0x1.94ebfbb2ec66fp-4;
-    const double v111 = v109 * v44;
-    const double v112 = v111 + (-0x1.213ce230290f3p-7);
-    const double v113 = v60 * v96;
-    const double v114 = v113 + v112;
-    const double v116 = alpha + (-0x1.0c152382d7366p-1);
-    const double v117 = v43 * v44;
-    const double v119 = v117 * v114;
-    const double v120 = v119 + 0x1.ee6913347c2a6p-55;
-    const double v121 = v116 + v120;
-    const int v123 = alpha < 0x1.dc28f5c28f5c3p-1;
-    const double v124 = v123 ? v41 : v121;
-    return v124;
+    const double near = polar_moment_best_plain_near(alpha);
+    const double far = polar_moment_best_plain_far(alpha);
+    return SELECT(alpha < 0x1.147ae147ae148p+0, near, far);
 }
 #define polar_moment_best_plain_KIND pieces
-#define polar_moment_best_plain_BELOW_double UINT64_C(0x3fedc28f5c28f5c2)
-#define polar_moment_best_plain_BELOW_float UINT32_C(0x3f6e147a)
-INLINE double polar_moment_best_plain_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.03ba64fc6390ep-29 * v1;
-    const double v5 = v4 + (-0x1.3aec2023926f3p-28);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.ab724f22aa27ep-27;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.d2dbb0cb27f33p-30;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.b149c360dbe22p-25;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.7fd478253df46p-24;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.7b1e61f702731p-19;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.8d4952ec3d425p-15);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + 0x1.d0042e1391951p-11;
-    const double v28 = v26 * v1;
-    const double v29 = v28 + (-0x1.5ac056b1147acp-7);
-    const double v31 = v29 * v1;
-    const double v32 = v31 + 0x1.5f15f15f1726fp-4;
-    const double v34 = v32 * v1;
-    const double v35 = v34 + (-0x1.99999999999aap-2);
-    const double v36 = v35 * v1;
-    const double v37 = v1 * v36;
-    const double v38 = v37 + v1;
-    const double v40 = v38 / 0x1.8000000000000p+0;
-    const double v41 = v40 * alpha;
-    return v41;
-}
+#define polar_moment_best_plain_BELOW_double UINT64_C(0x3ff147ae147ae147)
+#define polar_moment_best_plain_BELOW_float UINT32_C(0x3f8a3d70)
 
-INLINE double moment_of_inertia_best_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.06aa0de1b2785p-38) * v1;
-    const double v5 = v4 + 0x1.701f99390685dp-33;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.715e85182e3c6p-28);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.2f46f95e97102p-23;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.952f78d94e8b4p-19);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.ae8cb1283bb0dp-15;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + (-0x1.615085c00e86dp-11);
-    const double v22 = v20 * v1;
-    const double v23 = v22 + 0x1.af3b88aa68aebp-8;
-    const double v25 = v23 * v1;
-    const double v26 = v25 + (-0x1.74c1f6ca16a80p-5);
-    const double v28 = v26 * v1;
-    const double v29 = v28 + 0x1.ad1ad1ad1acf4p-3;
-    const double v31 = v29 * v1;
-    const double v32 = v31 + (-0x1.3333333333333p-1);
-    const double v33 = v32 * v1;
-    const double v34 = v1 * v33;
-    const double v35 = v34 + v1;
-    const double v37 = v35 / 0x1.8000000000000p+0;
-    const double v38 = v37 * alpha;
-    const double v40 = 0x1.921fb54442d18p+0 - alpha;
-    const double v41 = v40 * v40;
-    const double v44 = (-0x1.00589fe65ed98p-23) * v41;
-    const double v45 = v44 + 0x1.1425220d45aaap-19;
-    const double v47 = v45 * v41;
-    const double v48 = v47 + (-0x1.1f397f95f7403p-15);
-    const double v50 = v48 * v41;
-    const double v51 = v50 + 0x1.d6a371cc475cdp-12;
-    const double v53 = v51 * v41;
-    const double v54 = v53 + (-0x1.1e5e23528aa32p-8);
-    const double v56 = v54 * v41;
-    const double v57 = v56 + 0x1.e94dfd8b6e6d2p-6;
-    const double v59 = v57 * v41;
-    const double v60 = v59 + (-0x1.0cbb76630619cp-3);
-    const double v62 = v60 * v41;
-    const double v63 = v62 + 0x1.3e93e93e9959dp-2;
-    const double v65 = v63 * v41;
-    const double v66 = v65 + (-0x1.c71c71c71cad2p-3);
-    const double v68 = v66 * v41;
-    const double v69 = v68 + (-0x1.555555555554ep-3);
-    const double v71 = v40 * v69;
-    const double v72 = v71 + 0x1.dffffffffffffp-4;
-    const double v74 = 0x1.0000000000000p-1 * alpha;
-    const double v76 = v74 + (-0x1.e000000000000p-4);
-    const double v77 = v76 + v72;
-    const int v79 = alpha < 0x1.0000000000000p+0;
-    const double v80 = v79 ? v38 : v77;
-    return v80;
-}
-#define moment_of_inertia_best_plain_KIND pieces
-#define moment_of_inertia_best_plain_BELOW_double UINT64_C(0x3fefffffffffffff)
-#define moment_of_inertia_best_plain_BELOW_float UINT32_C(0x3f7fffff)
-INLINE double moment_of_inertia_best_plain_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.06aa0de1b2785p-38) * v1;
-    const double v5 = v4 + 0x1.701f99390685dp-33;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.715e85182e3c6p-28);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.2f46f95e97102p-23;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.952f78d94e8b4p-19);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.ae8cb1283bb0dp-15;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + (-0x1.615085c00e86dp-11);
-    const double v22 = v20 * v1;
-    const double v23 = v22 + 0x1.af3b88aa68aebp-8;
-    const double v25 = v23 * v1;
-    const double v26 = v25 + (-0x1.74c1f6ca16a80p-5);
-    const double v28 = v26 * v1;
-    const double v29 = v28 + 0x1.ad1ad1ad1acf4p-3;
-    const double v31 = v29 * v1;
-    const double v32 = v31 + (-0x1.3333333333333p-1);
-    const double v33 = v32 * v1;
-    const double v34 = v1 * v33;
-    const double v35 = v34 + v1;
-    const double v37 = v35 / 0x1.8000000000000p+0;
-    const double v38 = v37 * alpha;
-    return v38;
-}
-
-INLINE double radial_weight_amplitude_best_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.3687c8bf5bfd6p-28) * v1;
-    const double v5 = v4 + 0x1.ad9efb842aa75p-26;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.3b05aafac3a90p-24);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.045647ffefdb9p-23;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.59a98a325cbd4p-23);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.5d27070391f4dp-24;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + (-0x1.c4fd9a7c6da80p-23);
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.cab1aff185f12p-22);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + (-0x1.af675dca502fcp-20);
-    const double v28 = v26 * v1;
-    const double v29 = v28 + (-0x1.81ce091eaad43p-18);
-    const double v31 = v29 * v1;
-    const double v32 = v31 + (-0x1.8bc56a975512cp-16);
-    const double v34 = v32 * v1;
-    const double v35 = v34 + (-0x1.ebc17ea4438d8p-16);
-    const double v37 = v35 * v1;
-    const double v38 = v37 + (-0x1.0cbb766699a91p-9);
-    const double v40 = v38 * v1;
-    const double v41 = v40 + 0x1.c09c09c0a0697p-6;
-    const double v43 = v41 * v1;
-    const double v44 = v43 + (-0x1.333333333333fp-2);
-    const double v45 = v44 * v1;
-    const double v46 = v1 * v45;
-    const double v47 = v46 + v1;
-    const double v49 = v47 / 0x1.8000000000000p+0;
-    const double v50 = v49 * alpha;
-    const double v53 = 0x1.921fb54442d18p+0 - alpha;
-    const double v54 = v53 * v53;
-    const double v57 = (-0x1.4b80ca7eaf925p-18) * v54;
-    const double v58 = v57 + 0x1.26ecb6ae67667p-13;
-    const double v60 = v58 * v54;
-    const double v61 = v60 + (-0x1.a01c15d7033acp-9);
-    const double v63 = v61 * v54;
-    const double v64 = v63 + 0x1.6c16c0a0e6534p-5;
-    const double v66 = v64 * v54;
-    const double v67 = v66 + (-0x1.555555554900ap-2);
-    const double v69 = v67 * v54;
-    const double v70 = v69 + 0x1.00000000000b6p+0;
-    const double v72 = 0x1.0000000000000p+1 * v53;
-    const double v74 = v72 > 0x1.0000000000000p-60 ? v72 : 0x1.0000000000000p-60;
-    const double v75 = significand_of(v74);
-    const double v76 = v75 - 0x1.0000000000000p+0;
-    const double v77 = v76 + 0x1.0000000000000p+1;
-    const double v78 = v76 / v77;
-    const double v79 = v78 * v78;
-    const double v82 = 0x1.3cda08c7927d8p-3 * v79;
-    const double v83 = v82 + 0x1.3804595ac79edp-3;
-    const double v85 = v83 * v79;
-    const double v86 = v85 + 0x1.747966b22b47ep-3;
-    const double v88 = v86 * v79;
-    const double v89 = v88 + 0x1.c71be01ef8d7bp-3;
-    const double v91 = v89 * v79;
-    const double v92 = v91 + 0x1.249249f1b0e53p-2;
-    const double v94 = v92 * v79;
-    const double v95 = v94 + 0x1.999999987c7a3p-2;
-    const double v97 = v95 * v79;
-    const double v98 = v97 + 0x1.55555555559d8p-1;
-    const double v99 = v79 * v98;
-    const double v100 = v99 - v76;
-    const double v101 = exponent_of(v74);
-    const double v103 = v101 * 0x1.62e42fefa39efp-1;
-    const double v104 = v103 + v76;
-    const double v105 = v78 * v100;
-    const double v106 = v105 + v104;
-    const double v109 = 0x1.8128754f493fdp-17 * v54;
-    const double v110 = v109 + (-0x1.5c1de3bda9c32p-12);
-    const double v112 = v110 * v54;
-    const double v113 = v112 + 0x1.c0f84768fd081p-8;
-    const double v115 = v113 * v54;
-    const double v116 = v115 + (-0x1.5fec3987413d3p-4);
-    const double v118 = v116 * v54;
-    const double v119 = v118 + 0x1.2c981ff50df71p-1;
-    const double v121 = v119 * v54;
-    const double v122 = v121 + (-0x1.7217f7d1c0c33p-7);
-    const double v123 = v70 * v106;
-    const double v124 = v123 + v122;
-    const double v125 = 0x1.0000000000000p+0 - v53;
-    const double v127 = v53 * (-0x1.e000000000000p+0);
-    const double v128 = v127 + 0x1.0000000000000p+0;
-    const double v129 = v54 * v124;
-    const double v130 = v53 * v128;
-    const double v131 = v130 + v129;
-    const double v132 = v125 + v131;
-    const int v134 = alpha < 0x1.051eb851eb852p+0;
-    const double v135 = v134 ? v50 : v132;
-    return v135;
-}
-#define radial_weight_amplitude_best_plain_KIND pieces
-#define radial_weight_amplitude_best_plain_BELOW_double UINT64_C(0x3ff051eb851eb851)
-#define radial_weight_amplitude_best_plain_BELOW_float UINT32_C(0x3f828f5c)
-INLINE double radial_weight_amplitude_best_plain_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.3687c8bf5bfd6p-28) * v1;
-    const double v5 = v4 + 0x1.ad9efb842aa75p-26;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.3b05aafac3a90p-24);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.045647ffefdb9p-23;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.59a98a325cbd4p-23);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.5d27070391f4dp-24;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + (-0x1.c4fd9a7c6da80p-23);
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.cab1aff185f12p-22);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + (-0x1.af675dca502fcp-20);
-    const double v28 = v26 * v1;
-    const double v29 = v28 + (-0x1.81ce091eaad43p-18);
-    const double v31 = v29 * v1;
-    const double v32 = v31 + (-0x1.8bc56a975512cp-16);
-    const double v34 = v32 * v1;
-    const double v35 = v34 + (-0x1.ebc17ea4438d8p-16);
-    const double v37 = v35 * v1;
-    const double v38 = v37 + (-0x1.0cbb766699a91p-9);
-    const double v40 = v38 * v1;
-    const double v41 = v40 + 0x1.c09c09c0a0697p-6;
-    const double v43 = v41 * v1;
-    const double v44 = v43 + (-0x1.333333333333fp-2);
-    const double v45 = v44 * v1;
-    const double v46 = v1 * v45;
-    const double v47 = v46 + v1;
-    const double v49 = v47 / 0x1.8000000000000p+0;
-    const double v50 = v49 * alpha;
-    return v50;
-}
-
-INLINE double weight_moment_amplitude_best_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.cce3e7c2893efp-41 * v1;
-    const double v5 = v4 + (-0x1.bfd1bed6f6a7dp-35);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.483a398c06abcp-29;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + (-0x1.85d7f38d0863bp-24);
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.702ffb8c1bae1p-19;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + (-0x1.0c7836ab3f49dp-14);
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.22d671ab3a415p-10;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.bc466f119b2adp-7);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + 0x1.bbbbbbbbbbbacp-4;
-    const double v28 = v26 * v1;
-    const double v29 = v28 + (-0x1.0000000000000p-1);
-    const double v30 = v29 * v1;
-    const double v31 = v1 * v30;
-    const double v32 = v31 + v1;
-    const double v34 = v32 / 0x1.8000000000000p+0;
-    const double v35 = v34 * alpha;
-    const double v37 = 0x1.921fb54442d18p+0 - alpha;
-    const double v38 = v37 * v37;
-    const double v42 = (-0x1.b75240e8c1b90p-22) * v38;
-    const double v43 = v42 + (-0x1.200f7807f7c5cp-17);
-    const double v45 = v43 * v38;
-    const double v46 = v45 + 0x1.836fb52a981c1p-13;
-    const double v48 = v46 * v38;
-    const double v49 = v48 + (-0x1.637d23719afdep-9);
-    const double v51 = v49 * v38;
-    const double v52 = v51 + 0x1.bc8bc63347c1bp-6;
-    const double v54 = v52 * v38;
-    const double v55 = v54 + (-0x1.5b05b05725bf8p-3);
-    const double v57 = v55 * v38;
-    const double v58 = v57 + 0x1.2aaaaaaaa4de1p-1;
-    const double v60 = v58 * v38;
-    const double v61 = v60 + (-0x1.fffffffffff33p-1);
-    const double v62 = v38 * v61;
-    const double v63 = 0x1.5555555555555p-1 + v62;
-    const int v65 = alpha < 0x1.23d70a3d70a3dp+0;
-    const double v66 = v65 ? v35 : v63;
-    return v66;
-}
-#define weight_moment_amplitude_best_plain_KIND pieces
-#define weight_moment_amplitude_best_plain_BELOW_double UINT64_C(0x3ff23d70a3d70a3c)
-#define weight_moment_amplitude_best_plain_BELOW_float UINT32_C(0x3f91eb85)
-INLINE double weight_moment_amplitude_best_plain_below(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.cce3e7c2893efp-41 * v1;
-    const double v5 = v4 + (-0x1.bfd1bed6f6a7dp-35);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.483a398c06abcp-29;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + (-0x1.85d7f38d0863bp-24);
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.702ffb8c1bae1p-19;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + (-0x1.0c7836ab3f49dp-14);
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.22d671ab3a415p-10;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.bc466f119b2adp-7);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + 0x1.bbbbbbbbbbbacp-4;
-    const double v28 = v26 * v1;
-    const double v29 = v28 + (-0x1.0000000000000p-1);
-    const double v30 = v29 * v1;
-    const double v31 = v1 * v30;
-    const double v32 = v31 + v1;
-    const double v34 = v32 / 0x1.8000000000000p+0;
-    const double v35 = v34 * alpha;
-    return v35;
-}
-
-INLINE double resistance_factor_best_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.5aeb95ee17e27p-52 * v1;
-    const double v5 = v4 + (-0x1.ae33aea2b0d55p-44);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.93966653151c3p-36;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + (-0x1.1eed8d7449e95p-28);
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.27e4fb7471f25p-21;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + (-0x1.a01a01a0132c2p-15);
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.6c16c16c16ba2p-9;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.5555555555555p-4);
-    const double v24 = v23 * v1;
-    const double v25 = v1 * v24;
-    const double v26 = v25 + v1;
-    const double v27 = v26 * alpha;
-    return v27;
-}
-#define resistance_factor_best_plain_KIND whole
-
-INLINE double dynamic_coefficient_best_plain(double alpha)
-{
-    const double v2 = alpha * alpha;
-    const double v5 = 0x1.03ba64fc6390ep-29 * v2;
-    const double v6 = v5 + (-0x1.3aec2023926f3p-28);
-    const double v8 = v6 * v2;
-    const double v9 = v8 + 0x1.ab724f22aa27ep-27;
-    const double v11 = v9 * v2;
-    const double v12 = v11 + 0x1.d2dbb0cb27f33p-30;
-    const double v14 = v12 * v2;
-    const double v15 = v14 + 0x1.b149c360dbe22p-25;
-    const double v17 = v15 * v2;
-    const double v18 = v17 + 0x1.7fd478253df46p-24;
-    const double v20 = v18 * v2;
-    const double v21 = v20 + 0x1.7b1e61f702731p-19;
-    const double v23 = v21 * v2;
-    const double v24 = v23 + (-0x1.8d4952ec3d425p-15);
-    const double v26 = v24 * v2;
-    const double v27 = v26 + 0x1.d0042e1391951p-11;
-    const double v29 = v27 * v2;
-    const double v30 = v29 + (-0x1.5ac056b1147acp-7);
-    const double v32 = v30 * v2;
-    const double v33 = v32 + 0x1.5f15f15f1726fp-4;
-    const double v35 = v33 * v2;
-    const double v36 = v35 + (-0x1.99999999999aap-2);
-    const double v37 = v36 * v2;
-    const double v38 = 0x1.0000000000000p+0 + v37;
-    const double v40 = 0x1.921fb54442d18p+0 - alpha;
-    const double v41 = v40 * v40;
-    const double v44 = (-0x1.b16de590ed744p-16) * v41;
-    const double v45 = v44 + 0x1.80dce9acbd0ffp-12;
-    const double v47 = v45 * v41;
-    const double v48 = v47 + (-0x1.2834e1f3e1a60p-8);
-    const double v50 = v48 * v41;
-    const double v51 = v50 + 0x1.27d279e0496b5p-5;
-    const double v53 = v51 * v41;
-    const double v54 = v53 + (-0x1.555555518e7c3p-3);
-    const double v56 = v54 * v41;
-    const double v57 = v56 + 0x1.55555555579d1p-2;
-    const double v59 = v40 > 0x1.0000000000000p-60 ? v40 : 0x1.0000000000000p-60;
-    const double v60 = significand_of(v59);
-    const double v61 = v60 - 0x1.0000000000000p+0;
-    const double v63 = v61 + 0x1.0000000000000p+1;
-    const double v64 = v61 / v63;
-    const double v65 = v64 * v64;
-    const double v68 = 0x1.3cda08c7927d8p-3 * v65;
-    const double v69 = v68 + 0x1.3804595ac79edp-3;
-    const double v71 = v69 * v65;
-    const double v72 = v71 + 0x1.747966b22b47ep-3;
-    const double v74 = v72 * v65;
-    const double v75 = v74 + 0x1.c71be01ef8d7bp-3;
-    const double v77 = v75 * v65;
-    const double v78 = v77 + 0x1.249249f1b0e53p-2;
-    const double v80 = v78 * v65;
-    const double v81 = v80 + 0x1.999999987c7a3p-2;
-    const double v83 = v81 * v65;
-    const double v84 = v83 + 0x1.55555555559d8p-1;
-    const double v85 = v65 * v84;
-    const double v86 = v85 - v61;
-    const double v87 = exponent_of(v59);
-    const double v89 = v87 * 0x1.62e42fefa39efp-1;
-    const double v90 = v89 + v61;
-    const double v91 = v64 * v86;
-    const double v92 = v91 + v90;
-    const double v95 = 0x1.1477caa143cfbp-15 * v41;
-    const double v96 = v95 + (-0x1.058aebdba383ap-11);
-    const double v98 = v96 * v41;
-    const double v99 = v98 + 0x1.556ffb39c3af9p-8;
-    const double v101 = v99 * v41;
-    const double v102 = v101 + (-0x1.0ee086df8c2f9p-5);
-    const double v104 = v102 * v41;
-    const double v105 = v104 + 0x1.94ebfbb2ec66fp-4;
-    const double v107 = v105 * v41;
-    const double v108 = v107 + (-0x1.213ce230290f3p-7);
-    const double v109 = v57 * v92;
-    const double v110 = v109 + v108;
-    const double v112 = alpha + (-0x1.0c152382d7366p-1);
-    const double v113 = v40 * v41;
-    const double v115 = v113 * v110;
-    const double v116 = v115 + 0x1.ee6913347c2a6p-55;
-    const double v117 = v112 + v116;
-    const int v119 = alpha < 0x1.dc28f5c28f5c3p-1;
-    const double v120 = v119 ? v38 : v117;
-    const double v123 = 0x1.5aeb95ee17e27p-52 * v2;
-    const double v124 = v123 + (-0x1.ae33aea2b0d55p-44);
-    const double v126 = v124 * v2;
-    const double v127 = v126 + 0x1.93966653151c3p-36;
-    const double v129 = v127 * v2;
-    const double v130 = v129 + (-0x1.1eed8d7449e95p-28);
-    const double v132 = v130 * v2;
-    const double v133 = v132 + 0x1.27e4fb7471f25p-21;
-    const double v135 = v133 * v2;
-    const double v136 = v135 + (-0x1.a01a01a0132c2p-15);
-    const double v138 = v136 * v2;
-    const double v139 = v138 + 0x1.6c16c16c16ba2p-9;
-    const double v141 = v139 * v2;
-    const double v142 = v141 + (-0x1.5555555555555p-4);
-    const double v143 = v142 * v2;
-    const double v144 = 0x1.0000000000000p+0 + v143;
-    const double v145 = v2 * v143;
-    const double v146 = v145 + v2;
-    const double v147 = v146 * alpha;
-    const double v148 = v119 ? v144 : v147;
-    const double v150 = v120 / 0x1.8000000000000p+0;
-    const double v151 = v119 ? v150 : v120;
-    const double v152 = v151 / v148;
-    return v152;
-}
-#define dynamic_coefficient_best_plain_KIND whole
-
-INLINE double weight_moment_per_inertia_best_plain(double alpha)
-{
-    const double v2 = alpha * alpha;
-    const double v5 = 0x1.d7b62978183c7p-41 * v2;
-    const double v6 = v5 + (-0x1.c0bbf1cdc35f2p-35);
-    const double v8 = v6 * v2;
-    const double v9 = v8 + 0x1.48429a5c8ff5ep-29;
-    const double v11 = v9 * v2;
-    const double v12 = v11 + (-0x1.85d847d52bd84p-24);
-    const double v14 = v12 * v2;
-    const double v15 = v14 + 0x1.702ffd855872fp-19;
-    const double v17 = v15 * v2;
-    const double v18 = v17 + (-0x1.0c7836b2641bdp-14);
-    const double v20 = v18 * v2;
-    const double v21 = v20 + 0x1.22d671ab58528p-10;
-    const double v23 = v21 * v2;
-    const double v24 = v23 + (-0x1.bc466f119baebp-7);
-    const double v26 = v24 * v2;
-    const double v27 = v26 + 0x1.bbbbbbbbbbbbap-4;
-    const double v29 = v27 * v2;
-    const double v30 = v29 + (-0x1.0000000000000p-1);
-    const double v31 = v30 * v2;
-    const double v32 = 0x1.0000000000000p+0 + v31;
-    const double v34 = 0x1.921fb54442d18p+0 - alpha;
-    const double v35 = v34 * v34;
-    const double v39 = 0x1.58b634f524f45p-22 * v35;
-    const double v40 = v39 + (-0x1.3233f64cde615p-17);
-    const double v42 = v40 * v35;
-    const double v43 = v42 + 0x1.83c680f9980fdp-13;
-    const double v45 = v43 * v35;
-    const double v46 = v45 + (-0x1.637df93a2b515p-9);
-    const double v48 = v46 * v35;
-    const double v49 = v48 + 0x1.bc8bc86e383e0p-6;
-    const double v51 = v49 * v35;
-    const double v52 = v51 + (-0x1.5b05b05a3eddfp-3);
-    const double v54 = v52 * v35;
-    const double v55 = v54 + 0x1.2aaaaaaaa8b64p-1;
-    const double v57 = v55 * v35;
-    const double v58 = v57 + (-0x1.fffffffffff8cp-1);
-    const double v59 = v35 * v58;
-    const double v60 = 0x1.5555555555555p-1 + v59;
-    const int v61 = alpha < 0x1.0000000000000p+0;
-    const double v62 = v61 ? v32 : v60;
-    const double v65 = (-0x1.06aa0de1b2785p-38) * v2;
-    const double v66 = v65 + 0x1.701f99390685dp-33;
-    const double v68 = v66 * v2;
-    const double v69 = v68 + (-0x1.715e85182e3c6p-28);
-    const double v71 = v69 * v2;
-    const double v72 = v71 + 0x1.2f46f95e97102p-23;
-    const double v74 = v72 * v2;
-    const double v75 = v74 + (-0x1.952f78d94e8b4p-19);
-    const double v77 = v75 * v2;
-    const double v78 = v77 + 0x1.ae8cb1283bb0dp-15;
-    const double v80 = v78 * v2;
-    const double v81 = v80 + (-0x1.615085c00e86dp-11);
-    const double v83 = v81 * v2;
-    const double v84 = v83 + 0x1.af3b88aa68aebp-8;
-    const double v86 = v84 * v2;
-    const double v87 = v86 + (-0x1.74c1f6ca16a80p-5);
-    const double v89 = v87 * v2;
-    const double v90 = v89 + 0x1.ad1ad1ad1acf4p-3;
-    const double v92 = v90 * v2;
-    const double v93 = v92 + (-0x1.3333333333333p-1);
-    const double v94 = v93 * v2;
-    const double v95 = 0x1.0000000000000p+0 + v94;
-    const double v98 = (-0x1.00589fe65ed98p-23) * v35;
-    const double v99 = v98 + 0x1.1425220d45aaap-19;
-    const double v101 = v99 * v35;
-    const double v102 = v101 + (-0x1.1f397f95f7403p-15);
-    const double v104 = v102 * v35;
-    const double v105 = v104 + 0x1.d6a371cc475cdp-12;
-    const double v107 = v105 * v35;
-    const double v108 = v107 + (-0x1.1e5e23528aa32p-8);
-    const double v110 = v108 * v35;
-    const double v111 = v110 + 0x1.e94dfd8b6e6d2p-6;
-    const double v113 = v111 * v35;
-    const double v114 = v113 + (-0x1.0cbb76630619cp-3);
-    const double v116 = v114 * v35;
-    const double v117 = v116 + 0x1.3e93e93e9959dp-2;
-    const double v119 = v117 * v35;
-    const double v120 = v119 + (-0x1.c71c71c71cad2p-3);
-    const double v122 = v120 * v35;
-    const double v123 = v122 + (-0x1.555555555554ep-3);
-    const double v125 = v34 * v123;
-    const double v126 = v125 + 0x1.dffffffffffffp-4;
-    const double v128 = 0x1.0000000000000p-1 * alpha;
-    const double v130 = v128 + (-0x1.e000000000000p-4);
-    const double v131 = v130 + v126;
-    const double v132 = v61 ? v95 : v131;
-    const double v133 = v62 / v132;
-    return v133;
-}
-#define weight_moment_per_inertia_best_plain_KIND whole
-
-INLINE double radial_weight_per_inertia_best_plain(double alpha)
-{
-    const double v2 = alpha * alpha;
-    const double v5 = (-0x1.2602c2b4216f8p-29) * v2;
-    const double v6 = v5 + 0x1.cbd5f63622b49p-27;
-    const double v8 = v6 * v2;
-    const double v9 = v8 + (-0x1.707239a982081p-25);
-    const double v11 = v9 * v2;
-    const double v12 = v11 + 0x1.5c0717fe10388p-24;
-    const double v14 = v12 * v2;
-    const double v15 = v14 + (-0x1.e6629131fe7cep-24);
-    const double v17 = v15 * v2;
-    const double v18 = v17 + 0x1.8284b98d3ef10p-24;
-    const double v20 = v18 * v2;
-    const double v21 = v20 + (-0x1.e67c4929e3d9ap-24);
-    const double v23 = v21 * v2;
-    const double v24 = v23 + (-0x1.aef8388bf9a7dp-24);
-    const double v26 = v24 * v2;
-    const double v27 = v26 + (-0x1.fc3a7b71ed83bp-22);
-    const double v29 = v27 * v2;
-    const double v30 = v29 + (-0x1.aba5f589eb2edp-20);
-    const double v32 = v30 * v2;
-    const double v33 = v32 + (-0x1.8201fa45d5e98p-18);
-    const double v35 = v33 * v2;
-    const double v36 = v35 + (-0x1.8bc37ba4a9e9cp-16);
-    const double v38 = v36 * v2;
-    const double v39 = v38 + (-0x1.ebc1aebec88f9p-16);
-    const double v41 = v39 * v2;
-    const double v42 = v41 + (-0x1.0cbb7661039a4p-9);
-    const double v44 = v42 * v2;
-    const double v45 = v44 + 0x1.c09c09c09b21ap-6;
-    const double v47 = v45 * v2;
-    const double v48 = v47 + (-0x1.3333333333331p-2);
-    const double v49 = v48 * v2;
-    const double v50 = 0x1.0000000000000p+0 + v49;
-    const double v52 = 0x1.921fb54442d18p+0 - alpha;
-    const double v53 = v52 * v52;
-    const double v56 = (-0x1.49f6ab92b4903p-18) * v53;
-    const double v57 = v56 + 0x1.2705f10ad2bc9p-13;
-    const double v59 = v57 * v53;
-    const double v60 = v59 + (-0x1.a01ba6f54a2d2p-9);
-    const double v62 = v60 * v53;
-    const double v63 = v62 + 0x1.6c16c100ecd3dp-5;
-    const double v65 = v63 * v53;
-    const double v66 = v65 + (-0x1.555555552b82cp-2);
-    const double v68 = v66 * v53;
-    const double v69 = v68 + 0x1.00000000000d1p+0;
-    const double v71 = 0x1.0000000000000p+1 * v52;
-    const double v73 = v71 > 0x1.0000000000000p-60 ? v71 : 0x1.0000000000000p-60;
-    const double v74 = significand_of(v73);
-    const double v75 = v74 - 0x1.0000000000000p+0;
-    const double v76 = v75 + 0x1.0000000000000p+1;
-    const double v77 = v75 / v76;
-    const double v78 = v77 * v77;
-    const double v81 = 0x1.3cda08c7927d8p-3 * v78;
-    const double v82 = v81 + 0x1.3804595ac79edp-3;
-    const double v84 = v82 * v78;
-    const double v85 = v84 + 0x1.747966b22b47ep-3;
-    const double v87 = v85 * v78;
-    const double v88 = v87 + 0x1.c71be01ef8d7bp-3;
-    const double v90 = v88 * v78;
-    const double v91 = v90 + 0x1.249249f1b0e53p-2;
-    const double v93 = v91 * v78;
-    const double v94 = v93 + 0x1.999999987c7a3p-2;
-    const double v96 = v94 * v78;
-    const double v97 = v96 + 0x1.55555555559d8p-1;
-    const double v98 = v78 * v97;
-    const double v99 = v98 - v75;
-    const double v100 = exponent_of(v73);
-    const double v102 = v100 * 0x1.62e42fefa39efp-1;
-    const double v103 = v102 + v75;
-    const double v104 = v77 * v99;
-    const double v105 = v104 + v103;
-    const double v108 = 0x1.7fcd25610a7bep-17 * v53;
-    const double v109 = v108 + (-0x1.5c240340d7499p-12);
-    const double v111 = v109 * v53;
-    const double v112 = v111 + 0x1.c0f85bb0bd6d8p-8;
-    const double v114 = v112 * v53;
-    const double v115 = v114 + (-0x1.5fec394ef3093p-4);
-    const double v117 = v115 * v53;
-    const double v118 = v117 + 0x1.2c981ff52d6d6p-1;
-    const double v120 = v118 * v53;
-    const double v121 = v120 + (-0x1.7217f7d1bdaacp-7);
-    const double v122 = v69 * v105;
-    const double v123 = v122 + v121;
-    const double v124 = 0x1.0000000000000p+0 - v52;
-    const double v126 = v52 * (-0x1.e000000000000p+0);
-    const double v127 = v126 + 0x1.0000000000000p+0;
-    const double v128 = v53 * v123;
-    const double v129 = v52 * v127;
-    const double v130 = v129 + v128;
-    const double v131 = v124 + v130;
-    const int v133 = alpha < 0x1.07ae147ae147bp+0;
-    const double v134 = v133 ? v50 : v131;
-    const double v137 = (-0x1.45b05b2cc572fp-42) * v2;
-    const double v138 = v137 + (-0x1.21425b193f4e3p-39);
-    const double v140 = v138 * v2;
-    const double v141 = v140 + 0x1.66d4d675032fdp-33;
-    const double v143 = v141 * v2;
-    const double v144 = v143 + (-0x1.70f3f2a6450f9p-28);
-    const double v146 = v144 * v2;
-    const double v147 = v146 + 0x1.2f43fc0f3b961p-23;
-    const double v149 = v147 * v2;
-    const double v150 = v149 + (-0x1.952f5cfde36d4p-19);
-    const double v152 = v150 * v2;
-    const double v153 = v152 + 0x1.ae8cb07f844bap-15;
-    const double v155 = v153 * v2;
-    const double v156 = v155 + (-0x1.615085bd8844bp-11);
-    const double v158 = v156 * v2;
-    const double v159 = v158 + 0x1.af3b88aa5d36ep-8;
-    const double v161 = v159 * v2;
-    const double v162 = v161 + (-0x1.74c1f6ca168cfp-5);
-    const double v164 = v162 * v2;
-    const double v165 = v164 + 0x1.ad1ad1ad1acf1p-3;
-    const double v167 = v165 * v2;
-    const double v168 = v167 + (-0x1.3333333333333p-1);
-    const double v169 = v168 * v2;
-    const double v170 = 0x1.0000000000000p+0 + v169;
-    const double v173 = (-0x1.6de90fa3c36d1p-23) * v53;
-    const double v174 = v173 + 0x1.1d2bdb6e180adp-19;
-    const double v176 = v174 * v53;
-    const double v177 = v176 + (-0x1.1f88aff83463bp-15);
-    const double v179 = v177 * v53;
-    const double v180 = v179 + 0x1.d6a65d5d8efd9p-12;
-    const double v182 = v180 * v53;
-    const double v183 = v182 + (-0x1.1e5e2b53ee8f7p-8);
-    const double v185 = v183 * v53;
-    const double v186 = v185 + 0x1.e94dfdbeb29efp-6;
-    const double v188 = v186 * v53;
-    const double v189 = v188 + (-0x1.0cbb76636144ep-3);
-    const double v191 = v189 * v53;
-    const double v192 = v191 + 0x1.3e93e93e9a95cp-2;
-    const double v194 = v192 * v53;
-    const double v195 = v194 + (-0x1.c71c71c71cb31p-3);
-    const double v197 = v195 * v53;
-    const double v198 = v197 + (-0x1.555555555554ep-3);
-    const double v200 = v52 * v198;
-    const double v201 = v200 + 0x1.dffffffffffffp-4;
-    const double v203 = 0x1.0000000000000p-1 * alpha;
-    const double v205 = v203 + (-0x1.e000000000000p-4);
-    const double v206 = v205 + v201;
-    const double v207 = v133 ? v170 : v206;
-    const double v208 = v134 / v207;
-    return v208;
-}
-#define radial_weight_per_inertia_best_plain_KIND whole
-
-INLINE double polar_moment_per_inertia_best_plain(double alpha)
-{
-    const double v2 = alpha * alpha;
-    const double v5 = 0x1.b9b42a5028f70p-32 * v2;
-    const double v6 = v5 + (-0x1.ec80049fb3d54p-30);
-    const double v8 = v6 * v2;
-    const double v9 = v8 + 0x1.4c5bfe80b82dfp-28;
-    const double v11 = v9 * v2;
-    const double v12 = v11 + (-0x1.9941b41d0cf69p-28);
-    const double v14 = v12 * v2;
-    const double v15 = v14 + 0x1.59b16de1aa5bbp-27;
-    const double v17 = v15 * v2;
-    const double v18 = v17 + 0x1.b88d2a10b198ep-28;
-    const double v20 = v18 * v2;
-    const double v21 = v20 + 0x1.8e96ce5791a84p-25;
-    const double v23 = v21 * v2;
-    const double v24 = v23 + 0x1.88c9611a62aaap-24;
-    const double v26 = v24 * v2;
-    const double v27 = v26 + 0x1.7b068d35efb42p-19;
-    const double v29 = v27 * v2;
-    const double v30 = v29 + (-0x1.8d4900e22cd37p-15);
-    const double v32 = v30 * v2;
-    const double v33 = v32 + 0x1.d0042d62d5390p-11;
-    const double v35 = v33 * v2;
-    const double v36 = v35 + (-0x1.5ac056b03787fp-7);
-    const double v38 = v36 * v2;
-    const double v39 = v38 + 0x1.5f15f15f16133p-4;
-    const double v41 = v39 * v2;
-    const double v42 = v41 + (-0x1.999999999999bp-2);
-    const double v43 = v42 * v2;
-    const double v44 = 0x1.0000000000000p+0 + v43;
-    const double v46 = 0x1.921fb54442d18p+0 - alpha;
-    const double v47 = v46 * v46;
-    const double v50 = (-0x1.b34a574a5ccacp-16) * v47;
-    const double v51 = v50 + 0x1.807b27aa47e52p-12;
-    const double v53 = v51 * v47;
-    const double v54 = v53 + (-0x1.2837b580b3980p-8);
-    const double v56 = v54 * v47;
-    const double v57 = v56 + 0x1.27d270f96a29bp-5;
-    const double v59 = v57 * v47;
-    const double v60 = v59 + (-0x1.5555555ce08d5p-3);
-    const double v62 = v60 * v47;
-    const double v63 = v62 + 0x1.555555555434bp-2;
-    const double v65 = v46 > 0x1.0000000000000p-60 ? v46 : 0x1.0000000000000p-60;
-    const double v66 = significand_of(v65);
-    const double v67 = v66 - 0x1.0000000000000p+0;
-    const double v69 = v67 + 0x1.0000000000000p+1;
-    const double v70 = v67 / v69;
-    const double v71 = v70 * v70;
-    const double v74 = 0x1.3cda08c7927d8p-3 * v71;
-    const double v75 = v74 + 0x1.3804595ac79edp-3;
-    const double v77 = v75 * v71;
-    const double v78 = v77 + 0x1.747966b22b47ep-3;
-    const double v80 = v78 * v71;
-    const double v81 = v80 + 0x1.c71be01ef8d7bp-3;
-    const double v83 = v81 * v71;
-    const double v84 = v83 + 0x1.249249f1b0e53p-2;
-    const double v86 = v84 * v71;
-    const double v87 = v86 + 0x1.999999987c7a3p-2;
-    const double v89 = v87 * v71;
-    const double v90 = v89 + 0x1.55555555559d8p-1;
-    const double v91 = v71 * v90;
-    const double v92 = v91 - v67;
-    const double v93 = exponent_of(v65);
-    const double v95 = v93 * 0x1.62e42fefa39efp-1;
-    const double v96 = v95 + v67;
-    const double v97 = v70 * v92;
-    const double v98 = v97 + v96;
-    const double v101 = 0x1.15ac79423b8b0p-15 * v47;
-    const double v102 = v101 + (-0x1.0589062751e4cp-11);
-    const double v104 = v102 * v47;
-    const double v105 = v104 + 0x1.556dc54d73912p-8;
-    const double v107 = v105 * v47;
-    const double v108 = v107 + (-0x1.0ee09496505b1p-5);
-    const double v110 = v108 * v47;
-    const double v111 = v110 + 0x1.94ebfb7c3ce42p-4;
-    const double v113 = v111 * v47;
-    const double v114 = v113 + (-0x1.213ce231c73c8p-7);
-    const double v115 = v63 * v98;
-    const double v116 = v115 + v114;
-    const double v118 = alpha + (-0x1.0c152382d7366p-1);
-    const double v119 = v46 * v47;
-    const double v121 = v119 * v116;
-    const double v122 = v121 + 0x1.ee6913347c2a6p-55;
-    const double v123 = v118 + v122;
-    const int v124 = alpha < 0x1.0000000000000p+0;
-    const double v125 = v124 ? v44 : v123;
-    const double v128 = (-0x1.06aa0de1b2785p-38) * v2;
-    const double v129 = v128 + 0x1.701f99390685dp-33;
-    const double v131 = v129 * v2;
-    const double v132 = v131 + (-0x1.715e85182e3c6p-28);
-    const double v134 = v132 * v2;
-    const double v135 = v134 + 0x1.2f46f95e97102p-23;
-    const double v137 = v135 * v2;
-    const double v138 = v137 + (-0x1.952f78d94e8b4p-19);
-    const double v140 = v138 * v2;
-    const double v141 = v140 + 0x1.ae8cb1283bb0dp-15;
-    const double v143 = v141 * v2;
-    const double v144 = v143 + (-0x1.615085c00e86dp-11);
-    const double v146 = v144 * v2;
-    const double v147 = v146 + 0x1.af3b88aa68aebp-8;
-    const double v149 = v147 * v2;
-    const double v150 = v149 + (-0x1.74c1f6ca16a80p-5);
-    const double v152 = v150 * v2;
-    const double v153 = v152 + 0x1.ad1ad1ad1acf4p-3;
-    const double v155 = v153 * v2;
-    const double v156 = v155 + (-0x1.3333333333333p-1);
-    const double v157 = v156 * v2;
-    const double v158 = 0x1.0000000000000p+0 + v157;
-    const double v161 = (-0x1.00589fe65ed98p-23) * v47;
-    const double v162 = v161 + 0x1.1425220d45aaap-19;
-    const double v164 = v162 * v47;
-    const double v165 = v164 + (-0x1.1f397f95f7403p-15);
-    const double v167 = v165 * v47;
-    const double v168 = v167 + 0x1.d6a371cc475cdp-12;
-    const double v170 = v168 * v47;
-    const double v171 = v170 + (-0x1.1e5e23528aa32p-8);
-    const double v173 = v171 * v47;
-    const double v174 = v173 + 0x1.e94dfd8b6e6d2p-6;
-    const double v176 = v174 * v47;
-    const double v177 = v176 + (-0x1.0cbb76630619cp-3);
-    const double v179 = v177 * v47;
-    const double v180 = v179 + 0x1.3e93e93e9959dp-2;
-    const double v182 = v180 * v47;
-    const double v183 = v182 + (-0x1.c71c71c71cad2p-3);
-    const double v185 = v183 * v47;
-    const double v186 = v185 + (-0x1.555555555554ep-3);
-    const double v188 = v46 * v186;
-    const double v189 = v188 + 0x1.dffffffffffffp-4;
-    const double v191 = 0x1.0000000000000p-1 * alpha;
-    const double v193 = v191 + (-0x1.e000000000000p-4);
-    const double v194 = v193 + v189;
-    const double v195 = v124 ? v158 : v194;
-    const double v196 = v125 / v195;
-    return v196;
-}
-#define polar_moment_per_inertia_best_plain_KIND whole
-
-INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
-{
-    const double v2 = alpha * alpha;
-    const double v5 = 0x1.d5a4e25649554p-41 * v2;
-    const double v6 = v5 + (-0x1.c093be0569f32p-35);
-    const double v8 = v6 * v2;
-    const double v9 = v8 + 0x1.48415120bdd7dp-29;
-    const double v11 = v9 * v2;
-    const double v12 = v11 + (-0x1.85d83c514d29ap-24);
-    const double v14 = v12 * v2;
-    const double v15 = v14 + 0x1.702ffd482ffbdp-19;
-    const double v17 = v15 * v2;
-    const double v18 = v17 + (-0x1.0c7836b1a0daep-14);
-    const double v20 = v18 * v2;
-    const double v21 = v20 + 0x1.22d671ab5580dp-10;
-    const double v23 = v21 * v2;
-    const double v24 = v23 + (-0x1.bc466f119ba3ep-7);
-    const double v26 = v24 * v2;
-    const double v27 = v26 + 0x1.bbbbbbbbbbbb9p-4;
-    const double v29 = v27 * v2;
-    const double v30 = v29 + (-0x1.0000000000000p-1);
-    const double v31 = v30 * v2;
-    const double v32 = 0x1.0000000000000p+0 + v31;
-    const double v34 = 0x1.921fb54442d18p+0 - alpha;
-    const double v35 = v34 * v34;
-    const double v39 = 0x1.4edde2a2fe592p-22 * v35;
-    const double v40 = v39 + (-0x1.31defbecf388fp-17);
-    const double v42 = v40 * v35;
-    const double v43 = v42 + 0x1.83c438231323ep-13;
-    const double v45 = v43 * v35;
-    const double v46 = v45 + (-0x1.637df140a6f7bp-9);
-    const double v48 = v46 * v35;
-    const double v49 = v48 + 0x1.bc8bc8508d3eap-6;
-    const double v51 = v49 * v35;
-    const double v52 = v51 + (-0x1.5b05b05a0692cp-3);
-    const double v54 = v52 * v35;
-    const double v55 = v54 + 0x1.2aaaaaaaa858fp-1;
-    const double v57 = v55 * v35;
-    const double v58 = v57 + (-0x1.fffffffffff81p-1);
-    const double v59 = v35 * v58;
-    const double v60 = 0x1.5555555555555p-1 + v59;
-    const int v62 = alpha < 0x1.07ae147ae147bp+0;
-    const double v63 = v62 ? v32 : v60;
-    const double v66 = (-0x1.2602c2b4216f8p-29) * v2;
-    const double v67 = v66 + 0x1.cbd5f63622b49p-27;
-    const double v69 = v67 * v2;
-    const double v70 = v69 + (-0x1.707239a982081p-25);
-    const double v72 = v70 * v2;
-    const double v73 = v72 + 0x1.5c0717fe10388p-24;
-    const double v75 = v73 * v2;
-    const double v76 = v75 + (-0x1.e6629131fe7cep-24);
-    const double v78 = v76 * v2;
-    const double v79 = v78 + 0x1.8284b98d3ef10p-24;
-    const double v81 = v79 * v2;
-    const double v82 = v81 + (-0x1.e67c4929e3d9ap-24);
-    const double v84 = v82 * v2;
-    const double v85 = v84 + (-0x1.aef8388bf9a7dp-24);
-    const double v87 = v85 * v2;
-    const double v88 = v87 + (-0x1.fc3a7b71ed83bp-22);
-    const double v90 = v88 * v2;
-    const double v91 = v90 + (-0x1.aba5f589eb2edp-20);
-    const double v93 = v91 * v2;
-    const double v94 = v93 + (-0x1.8201fa45d5e98p-18);
-    const double v96 = v94 * v2;
-    const double v97 = v96 + (-0x1.8bc37ba4a9e9cp-16);
-    const double v99 = v97 * v2;
-    const double v100 = v99 + (-0x1.ebc1aebec88f9p-16);
-    const double v102 = v100 * v2;
-    const double v103 = v102 + (-0x1.0cbb7661039a4p-9);
-    const double v105 = v103 * v2;
-    const double v106 = v105 + 0x1.c09c09c09b21ap-6;
-    const double v108 = v106 * v2;
-    const double v109 = v108 + (-0x1.3333333333331p-2);
-    const double v110 = v109 * v2;
-    const double v111 = 0x1.0000000000000p+0 + v110;
-    const double v114 = (-0x1.49f6ab92b4903p-18) * v35;
-    const double v115 = v114 + 0x1.2705f10ad2bc9p-13;
-    const double v117 = v115 * v35;
-    const double v118 = v117 + (-0x1.a01ba6f54a2d2p-9);
-    const double v120 = v118 * v35;
-    const double v121 = v120 + 0x1.6c16c100ecd3dp-5;
-    const double v123 = v121 * v35;
-    const double v124 = v123 + (-0x1.555555552b82cp-2);
-    const double v126 = v124 * v35;
-    const double v127 = v126 + 0x1.00000000000d1p+0;
-    const double v129 = 0x1.0000000000000p+1 * v34;
-    const double v131 = v129 > 0x1.0000000000000p-60 ? v129 : 0x1.0000000000000p-60;
-    const double v132 = significand_of(v131);
-    const double v133 = v132 - 0x1.0000000000000p+0;
-    const double v134 = v133 + 0x1.0000000000000p+1;
-    const double v135 = v133 / v134;
-    const double v136 = v135 * v135;
-    const double v139 = 0x1.3cda08c7927d8p-3 * v136;
-    const double v140 = v139 + 0x1.3804595ac79edp-3;
-    const double v142 = v140 * v136;
-    const double v143 = v142 + 0x1.747966b22b47ep-3;
-    const double v145 = v143 * v136;
-    const double v146 = v145 + 0x1.c71be01ef8d7bp-3;
-    const double v148 = v146 * v136;
-    const double v149 = v148 + 0x1.249249f1b0e53p-2;
-    const double v151 = v149 * v136;
-    const double v152 = v151 + 0x1.999999987c7a3p-2;
-    const double v154 = v152 * v136;
-    const double v155 = v154 + 0x1.55555555559d8p-1;
-    const double v156 = v136 * v155;
-    const double v157 = v156 - v133;
-    const double v158 = exponent_of(v131);
-    const double v160 = v158 * 0x1.62e42fefa39efp-1;
-    const double v161 = v160 + v133;
-    const double v162 = v135 * v157;
-    const double v163 = v162 + v161;
-    const double v166 = 0x1.7fcd25610a7bep-17 * v35;
-    const double v167 = v166 + (-0x1.5c240340d7499p-12);
-    const double v169 = v167 * v35;
-    const double v170 = v169 + 0x1.c0f85bb0bd6d8p-8;
-    const double v172 = v170 * v35;
-    const double v173 = v172 + (-0x1.5fec394ef3093p-4);
-    const double v175 = v173 * v35;
-    const double v176 = v175 + 0x1.2c981ff52d6d6p-1;
-    const double v178 = v176 * v35;
-    const double v179 = v178 + (-0x1.7217f7d1bdaacp-7);
-    const double v180 = v127 * v163;
-    const double v181 = v180 + v179;
-    const double v182 = 0x1.0000000000000p+0 - v34;
-    const double v184 = v34 * (-0x1.e000000000000p+0);
-    const double v185 = v184 + 0x1.0000000000000p+0;
-    const double v186 = v35 * v181;
-    const double v187 = v34 * v185;
-    const double v188 = v187 + v186;
-    const double v189 = v182 + v188;
-    const double v190 = v62 ? v111 : v189;
-    const double v191 = v63 / v190;
-    return v191;
-}
-#define weight_moment_per_radial_weight_best_plain_KIND whole
-
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-10, plain:
+ * proved within 6.69e-11 relative (certificates/polar_moment.json) */
 INLINE double polar_moment_1e_10_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = 0x1.e250654a0fa79p-5 * v3;
-    const double v7 = v6 + 0x1.764b4fd12c227p+1;
-    const double v9 = v7 * v3;
-    const double v10 = v9 + 0x1.15f5651c6c2b6p+4;
-    const double v12 = v10 * v3;
-    const double v13 = v12 + 0x1.97881d28eb78fp+6;
-    const double v15 = v13 * v3;
-    const double v16 = v15 + 0x1.781f38b2a68b0p+7;
-    const double v18 = v16 * v3;
-    const double v19 = v18 + 0x1.705f937528711p+6;
-    const double v21 = v19 * v3;
-    const double v22 = v21 + 0x1.6f67e48f11997p+3;
-    const double v24 = v22 * v3;
-    const double v25 = v24 + 0x1.14aca4167a07fp-2;
-    const double v26 = v25 * v1;
-    const double v29 = (-0x1.efcbe37812bdfp-4) * v3;
-    const double v30 = v29 + 0x1.b9bc468114fd2p+1;
-    const double v32 = v30 * v3;
-    const double v33 = v32 + (-0x1.444345493560ap+5);
-    const double v35 = v33 * v3;
-    const double v36 = v35 + 0x1.4ea305d69d8f6p+7;
-    const double v38 = v36 * v3;
-    const double v39 = v38 + 0x1.283ecbb1b4392p+9;
-    const double v41 = v39 * v3;
-    const double v42 = v41 + 0x1.47ee26059427dp+8;
-    const double v44 = v42 * v3;
-    const double v45 = v44 + 0x1.5185165bf6bccp+5;
-    const double v47 = v45 * v3;
-    const double v48 = v47 + 0x1.0000000000000p+0;
-    const double v49 = v26 / v48;
-    const double v50 = v49 * alpha;
-    return v50;
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY7(t1, 0x1.14aca4167a07fp-2, 0x1.6f67e48f11997p+3, 0x1.705f937528711p+6,
+        0x1.781f38b2a68b0p+7, 0x1.97881d28eb78fp+6, 0x1.15f5651c6c2b6p+4, 0x1.764b4fd12c227p+1,
+        0x1.e250654a0fa79p-5);
+    const double p2 = POLY7(t1, 1.0, 0x1.5185165bf6bccp+5, 0x1.47ee26059427dp+8, 0x1.283ecbb1b4392p+9,
+        0x1.4ea305d69d8f6p+7, -0x1.444345493560ap+5, 0x1.b9bc468114fd2p+1, -0x1.efcbe37812bdfp-4);
+    return p1 * alpha_2 / p2 * alpha;
 }
 #define polar_moment_1e_10_plain_KIND whole
 
-INLINE double moment_of_inertia_1e_10_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.4936e56328342p-29) * v1;
-    const double v5 = v4 + 0x1.7a7cb07e3408cp-24;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.0bc4e9f8c08c4p-19);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.1ec4f59c801cbp-15;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.d70c8c3356105p-12);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.1f7c9cb90ff08p-8;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + (-0x1.f10293cdf1d20p-6);
-    const double v22 = v20 * v1;
-    const double v23 = v22 + 0x1.1e11e0d7b66ffp-3;
-    const double v25 = v23 * v1;
-    const double v26 = v25 + (-0x1.99999996b5367p-2);
-    const double v28 = v26 * v1;
-    const double v29 = v28 + 0x1.55555555502c0p-1;
-    const double v30 = v29 * v1;
-    const double v31 = v30 * alpha;
-    return v31;
-}
-#define moment_of_inertia_1e_10_plain_KIND whole
-
-INLINE double radial_weight_amplitude_1e_10_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = 0x1.04f7df6595ca2p+25 * v3;
-    const double v7 = v6 + 0x1.83d173767ec99p+29;
-    const double v9 = v7 * v3;
-    const double v10 = v9 + 0x1.508e0e40facb6p+32;
-    const double v12 = v10 * v3;
-    const double v13 = v12 + 0x1.8da34cb08e1f0p+33;
-    const double v15 = v13 * v3;
-    const double v16 = v15 + 0x1.6259be601aeb1p+33;
-    const double v18 = v16 * v3;
-    const double v19 = v18 + 0x1.dda5739c64a89p+31;
-    const double v21 = v19 * v3;
-    const double v22 = v21 + 0x1.d131baf022e41p+28;
-    const double v24 = v22 * v3;
-    const double v25 = v24 + 0x1.2d9988866fd53p+24;
-    const double v27 = v25 * v3;
-    const double v28 = v27 + 0x1.c7fae97af9e1fp+17;
-    const double v30 = v28 * v3;
-    const double v31 = v30 + 0x1.40cc71ab82b17p+9;
-    const double v33 = v31 * v3;
-    const double v34 = v33 + 0x1.08345eb49dfa4p-2;
-    const double v35 = v34 * v1;
-    const double v38 = 0x1.aed60df82a50dp+23 * v3;
-    const double v39 = v38 + (-0x1.cb6e4518cfd29p+28);
-    const double v41 = v39 * v3;
-    const double v42 = v41 + 0x1.1ea89b013008dp+32;
-    const double v44 = v42 * v3;
-    const double v45 = v44 + 0x1.c5d99f7e12cd1p+34;
-    const double v47 = v45 * v3;
-    const double v48 = v47 + 0x1.18d58653a0677p+35;
-    const double v50 = v48 * v3;
-    const double v51 = v50 + 0x1.ae1c93f2d7caep+33;
-    const double v53 = v51 * v3;
-    const double v54 = v53 + 0x1.b7d217ea325d6p+30;
-    const double v56 = v54 * v3;
-    const double v57 = v56 + 0x1.22251312f6b79p+26;
-    const double v59 = v57 * v3;
-    const double v60 = v59 + 0x1.b915276826f3cp+19;
-    const double v62 = v60 * v3;
-    const double v63 = v62 + 0x1.36c2b5ccd0c1fp+11;
-    const double v65 = v63 * v3;
-    const double v66 = v65 + 0x1.0000000000000p+0;
-    const double v67 = v35 / v66;
-    const double v68 = v67 * alpha;
-    return v68;
-}
-#define radial_weight_amplitude_1e_10_plain_KIND whole
-
-INLINE double weight_moment_amplitude_1e_10_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.55b68304dda03p-30 * v1;
-    const double v5 = v4 + (-0x1.f9e9d8d248bfcp-25);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.e9ce55f457fb1p-20;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + (-0x1.65e8281936887p-15);
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.83c7d5627d1d1p-11;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + (-0x1.282eee7b92cf7p-7);
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.27d27cf3b8112p-4;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.55555553fea4bp-2);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + 0x1.555555555259dp-1;
-    const double v27 = v26 * v1;
-    const double v28 = v27 * alpha;
-    return v28;
-}
-#define weight_moment_amplitude_1e_10_plain_KIND whole
-
-INLINE double resistance_factor_1e_10_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.1363823d24666p-28) * v1;
-    const double v5 = v4 + 0x1.27a4afc560ce7p-21;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.a018b5707a92dp-15);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.6c16be606925bp-9;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.55555550127aap-4);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.fffffffffa0fbp-1;
-    const double v18 = v17 * v1;
-    const double v19 = v18 * alpha;
-    return v19;
-}
-#define resistance_factor_1e_10_plain_KIND short
-
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, 1e-6, plain:
+ * proved within 6.63e-07 relative (certificates/polar_moment.json) */
 INLINE double polar_moment_1e_6_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.c6cb40d04487cp-17 * v1;
-    const double v5 = v4 + (-0x1.01f8715011affp-13);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.e6addd2fd57c1p-12;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + (-0x1.f017539ffdb0bp-11);
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.a45a7a5b48d87p-10;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + (-0x1.f6c43e68063fbp-8);
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.d5a56118ff0cbp-5;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.1116d4346c2b7p-2);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + 0x1.555563e45ba3ep-1;
-    const double v27 = v26 * v1;
-    const double v28 = v27 * alpha;
-    return v28;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555563e45ba3ep-1, -0x1.1116d4346c2b7p-2, 0x1.d5a56118ff0cbp-5,
+        -0x1.f6c43e68063fbp-8, 0x1.a45a7a5b48d87p-10, -0x1.f017539ffdb0bp-11, 0x1.e6addd2fd57c1p-12,
+        -0x1.01f8715011affp-13, 0x1.c6cb40d04487cp-17);
+    return p1 * alpha_2 * alpha;
 }
 #define polar_moment_1e_6_plain_KIND whole
 
-INLINE double moment_of_inertia_1e_6_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.50ef7c600437bp-16 * v1;
-    const double v5 = v4 + (-0x1.a6e3a2c99c515p-12);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.1a5c427a6780ap-8;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + (-0x1.efda754ae7b31p-6);
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.1e017fc24dd09p-3;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + (-0x1.999830f1f6825p-2);
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.55554ffb45dfap-1;
-    const double v21 = v20 * v1;
-    const double v22 = v21 * alpha;
-    return v22;
-}
-#define moment_of_inertia_1e_6_plain_KIND short
-
-INLINE double radial_weight_amplitude_1e_6_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = 0x1.cc8a8141fa745p+2 * v3;
-    const double v7 = v6 + 0x1.16253f17550d1p+5;
-    const double v9 = v7 * v3;
-    const double v10 = v9 + 0x1.24ceea0f4ee36p+5;
-    const double v12 = v10 * v3;
-    const double v13 = v12 + 0x1.072fc483044bbp+3;
-    const double v15 = v13 * v3;
-    const double v16 = v15 + 0x1.083464838a5a9p-2;
-    const double v17 = v16 * v1;
-    const double v20 = 0x1.32c3a7d534520p-2 * v3;
-    const double v21 = v20 + (-0x1.f40a4101ee07ep+2);
-    const double v23 = v21 * v3;
-    const double v24 = v23 + 0x1.0589e6f9d3ef3p+6;
-    const double v26 = v24 * v3;
-    const double v27 = v26 + 0x1.ed09359bb409ap+6;
-    const double v29 = v27 * v3;
-    const double v30 = v29 + 0x1.f44f9842d233ap+4;
-    const double v32 = v30 * v3;
-    const double v33 = v32 + 0x1.0000000000000p+0;
-    const double v34 = v17 / v33;
-    const double v35 = v34 * alpha;
-    return v35;
-}
-#define radial_weight_amplitude_1e_6_plain_KIND whole
-
-INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.ff7dbdabc38e7p-16) * v1;
-    const double v5 = v4 + 0x1.71e62473ed8bap-11;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.26ad631e2f9a1p-7);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.27b41ec7abd41p-4;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.555382cc0e3b7p-2);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.55554ba99af07p-1;
-    const double v18 = v17 * v1;
-    const double v19 = v18 * alpha;
-    return v19;
-}
-#define weight_moment_amplitude_1e_6_plain_KIND short
-
-INLINE double resistance_factor_1e_6_plain(double alpha)
-{
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.899d6d596ca14p-15) * v1;
-    const double v5 = v4 + 0x1.6b8afbde89795p-9;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.5553226831932p-4);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.fffffa5b957a5p-1;
-    const double v12 = v11 * v1;
-    const double v13 = v12 * alpha;
-    return v13;
-}
-#define resistance_factor_1e_6_plain_KIND short
-
+/* I_p* = (2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3, 0 <= alpha <= pi/2, float32,
+ * plain: proved within 0.504 ulp (certificates/polar_moment.json) */
 INLINE double polar_moment_float32_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = 0x1.06bac513c89bdp-4 * v3;
-    const double v7 = v6 + 0x1.dc0d095bd83c1p-1;
-    const double v9 = v7 * v3;
-    const double v10 = v9 + 0x1.933d9ee3bc318p+2;
-    const double v12 = v10 * v3;
-    const double v13 = v12 + 0x1.db1c7a52b7740p+4;
-    const double v15 = v13 * v3;
-    const double v16 = v15 + 0x1.1699441fb3d7bp+6;
-    const double v18 = v16 * v3;
-    const double v19 = v18 + 0x1.7e9225dc641bdp+5;
-    const double v21 = v19 * v3;
-    const double v22 = v21 + 0x1.0a493d7acae63p+3;
-    const double v24 = v22 * v3;
-    const double v25 = v24 + 0x1.14aca415ff9bep-2;
-    const double v26 = v25 * v1;
-    const double v29 = 0x1.d7d31fc8e0f2ap-3 * v3;
-    const double v30 = v29 + (-0x1.62e6200f03a08p+2);
-    const double v32 = v30 * v3;
-    const double v33 = v32 + 0x1.060efdd46e2e3p+5;
-    const double v35 = v33 * v3;
-    const double v36 = v35 + 0x1.981502230ec47p+7;
-    const double v38 = v36 * v3;
-    const double v39 = v38 + 0x1.4f42aae35dcb3p+7;
-    const double v41 = v39 * v3;
-    const double v42 = v41 + 0x1.e7e99b90416b4p+4;
-    const double v44 = v42 * v3;
-    const double v45 = v44 + 0x1.0000000000000p+0;
-    const double v46 = v26 / v45;
-    const double v47 = v46 * alpha;
-    return v47;
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY6(t1, 0x1.14aca417a239bp-2, 0x1.5384cfe10aef2p+4, 0x1.d4d925be9e601p+7,
+        0x1.224f4633c128ap+9, 0x1.58e5567df501bp+8, 0x1.acda0d7b62a91p+5, 0x1.30eaab2c53271p+3);
+    const double p2 = POLY7(t1, 1.0, 0x1.38eebb0ae320ep+6, 0x1.a5e0a607f1290p+9, 0x1.d751af11b201fp+10,
+        0x1.397b496bf1ee1p+9, -0x1.4589cfe116047p+7, 0x1.dd0e84590a12cp+3, -0x1.1db164265e701p-1);
+    return p1 * alpha_2 / p2 * alpha;
 }
 #define polar_moment_float32_plain_KIND whole
 
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, best, plain: proved within 3.92 ulp
+ * (certificates/moment_of_inertia.json) */
+/* alpha < 0.98 */
+INLINE double moment_of_inertia_best_plain_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, -0x1.3333333333331p-1, 0x1.ad1ad1ad1ab64p-3, -0x1.74c1f6ca0fef0p-5,
+        0x1.af3b88a89e917p-8, -0x1.61508579e8d6ap-11, 0x1.ae8ca3d9cd5e3p-15, -0x1.952ddb2f5ccf0p-19,
+        0x1.2f26c194f3d0dp-23, -0x1.6e41645a185e3p-28, 0x1.4499f95e1b7eep-33);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
+}
+/* alpha >= 0.98, in b = pi/2 - alpha */
+INLINE double moment_of_inertia_best_plain_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY9(b_2, -0x1.555555555554fp-3, -0x1.c71c71c71c9d1p-3, 0x1.3e93e93e974c4p-2,
+        -0x1.0cbb766293955p-3, 0x1.e94dfd574ccc8p-6, -0x1.1e5e1c82f59e1p-8, 0x1.d6a153b5d88acp-12,
+        -0x1.1f07fbda0bf19p-15, 0x1.0f3d73ce0e4d0p-19, -0x1.989edb1ab88c8p-24);
+    return 0.5 * alpha + -0.125 + (b * p1 + 0x1.fffffffffffffp-4);
+}
+INLINE double moment_of_inertia_best_plain(double alpha)
+{
+    const double near = moment_of_inertia_best_plain_near(alpha);
+    const double far = moment_of_inertia_best_plain_far(alpha);
+    return SELECT(alpha < 0x1.f5c28f5c28f5cp-1, near, far);
+}
+#define moment_of_inertia_best_plain_KIND pieces
+#define moment_of_inertia_best_plain_BELOW_double UINT64_C(0x3fef5c28f5c28f5b)
+#define moment_of_inertia_best_plain_BELOW_float UINT32_C(0x3f7ae147)
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-10, plain: proved within 3.57e-12
+ * relative (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_1e_10_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, 0x1.55555555502c0p-1, -0x1.99999996b5367p-2, 0x1.1e11e0d7b66ffp-3,
+        -0x1.f10293cdf1d20p-6, 0x1.1f7c9cb90ff08p-8, -0x1.d70c8c3356105p-12, 0x1.1ec4f59c801cbp-15,
+        -0x1.0bc4e9f8c08c4p-19, 0x1.7a7cb07e3408cp-24, -0x1.4936e56328342p-29);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_1e_10_plain_KIND whole
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, 1e-6, plain: proved within 2.42e-07
+ * relative (certificates/moment_of_inertia.json) */
+INLINE double moment_of_inertia_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY6(alpha_2, 0x1.55554ffb45dfap-1, -0x1.999830f1f6825p-2, 0x1.1e017fc24dd09p-3,
+        -0x1.efda754ae7b31p-6, 0x1.1a5c427a6780ap-8, -0x1.a6e3a2c99c515p-12, 0x1.50ef7c600437bp-16);
+    return p1 * alpha_2 * alpha;
+}
+#define moment_of_inertia_1e_6_plain_KIND short
+
+/* Theta* = alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
+ * (certificates/moment_of_inertia.json) */
 INLINE double moment_of_inertia_float32_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = 0x1.049a5be9eb92ap-24 * v1;
-    const double v5 = v4 + (-0x1.f4342ef238f03p-20);
-    const double v7 = v5 * v1;
-    const double v8 = v7 + 0x1.1be5d7f6ae24dp-15;
-    const double v10 = v8 * v1;
-    const double v11 = v10 + (-0x1.d6804e76da319p-12);
-    const double v13 = v11 * v1;
-    const double v14 = v13 + 0x1.1f74af1fc94e4p-8;
-    const double v16 = v14 * v1;
-    const double v17 = v16 + (-0x1.f1018ef94d003p-6);
-    const double v19 = v17 * v1;
-    const double v20 = v19 + 0x1.1e11d8503acb9p-3;
-    const double v22 = v20 * v1;
-    const double v23 = v22 + (-0x1.9999992647539p-2);
-    const double v25 = v23 * v1;
-    const double v26 = v25 + 0x1.55555554542e9p-1;
-    const double v27 = v26 * v1;
-    const double v28 = v27 * alpha;
-    return v28;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.55555554542e9p-1, -0x1.9999992647539p-2, 0x1.1e11d8503acb9p-3,
+        -0x1.f1018ef94d003p-6, 0x1.1f74af1fc94e4p-8, -0x1.d6804e76da319p-12, 0x1.1be5d7f6ae24dp-15,
+        -0x1.f4342ef238f03p-20, 0x1.049a5be9eb92ap-24);
+    return p1 * alpha_2 * alpha;
 }
 #define moment_of_inertia_float32_plain_KIND whole
 
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 4.05 ulp
+ * (certificates/radial_weight_amplitude.json) */
+/* alpha < 1.16 */
+INLINE double radial_weight_amplitude_best_plain_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY16(alpha_2, -0x1.3333333333383p-2, 0x1.c09c09c0b8cbcp-6, -0x1.0cbb767f40d18p-9,
+        -0x1.ebc0b36b0755dp-16, -0x1.8bcd43bc47722p-16, -0x1.810221195af71p-18, -0x1.bdcbdbf69a94dp-20,
+        -0x1.0efc5badda29fp-22, -0x1.537b583a7cf3cp-21, 0x1.c48c1d72a57b9p-21, -0x1.41d77a9ad2eecp-20,
+        0x1.3df82e6545294p-20, -0x1.d8f5fbd55b945p-21, 0x1.f561f3da58400p-22, -0x1.6c0d7c83eaea4p-23,
+        0x1.43a87fdd03e21p-25, -0x1.11149d9c88803p-28);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
+}
+/* alpha >= 1.16, in b = pi/2 - alpha */
+INLINE double radial_weight_amplitude_best_plain_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY5(b_2, 0x1.d1bd0105cb2e0p-4, 0x1.2c981ff6a61a1p-1, -0x1.5fec3504ee171p-4,
+        0x1.c0fb866c21493p-8, -0x1.5ca68c3cf25f9p-12, 0x1.37f1000d20ec1p-17);
+    const double p2 = POLY5(b_2, 0x1.000000000018dp+0, -0x1.55555553ea141p-2, 0x1.6c16c7361cfd2p-5,
+        -0x1.a010b7f783d5ep-9, 0x1.2adbbfd3a71d1p-13, -0x1.d8e0e3d8e3d1ep-19);
+    const double t1 = b * (b * -2.0 + 0.5) + (b_2 * (p2 * logarithm_plain(2.0 * b) + p1) + 0x1.1e04abbbd2e80p-5);
+    return 0.5 * alpha + 0x1.7000000000000p-3 + t1;
+}
+INLINE double radial_weight_amplitude_best_plain(double alpha)
+{
+    const double near = radial_weight_amplitude_best_plain_near(alpha);
+    const double far = radial_weight_amplitude_best_plain_far(alpha);
+    return SELECT(alpha < 0x1.28f5c28f5c28fp+0, near, far);
+}
+#define radial_weight_amplitude_best_plain_KIND pieces
+#define radial_weight_amplitude_best_plain_BELOW_double UINT64_C(0x3ff28f5c28f5c28e)
+#define radial_weight_amplitude_best_plain_BELOW_float UINT32_C(0x3f947ae1)
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-10, plain: proved within 5.86e-11
+ * relative (certificates/radial_weight_amplitude.json) */
+INLINE double radial_weight_amplitude_1e_10_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY10(t1, 0x1.08345eb49dfa4p-2, 0x1.40cc71ab82b17p+9, 0x1.c7fae97af9e1fp+17,
+        0x1.2d9988866fd53p+24, 0x1.d131baf022e41p+28, 0x1.dda5739c64a89p+31, 0x1.6259be601aeb1p+33,
+        0x1.8da34cb08e1f0p+33, 0x1.508e0e40facb6p+32, 0x1.83d173767ec99p+29, 0x1.04f7df6595ca2p+25);
+    const double p2 = POLY10(t1, 1.0, 0x1.36c2b5ccd0c1fp+11, 0x1.b915276826f3cp+19, 0x1.22251312f6b79p+26,
+        0x1.b7d217ea325d6p+30, 0x1.ae1c93f2d7caep+33, 0x1.18d58653a0677p+35, 0x1.c5d99f7e12cd1p+34,
+        0x1.1ea89b013008dp+32, -0x1.cb6e4518cfd29p+28, 0x1.aed60df82a50dp+23);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define radial_weight_amplitude_1e_10_plain_KIND whole
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 3.41e-07
+ * relative (certificates/radial_weight_amplitude.json) */
+INLINE double radial_weight_amplitude_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY4(t1, 0x1.083464838a5a9p-2, 0x1.072fc483044bbp+3, 0x1.24ceea0f4ee36p+5,
+        0x1.16253f17550d1p+5, 0x1.cc8a8141fa745p+2);
+    const double p2 = POLY5(t1, 1.0, 0x1.f44f9842d233ap+4, 0x1.ed09359bb409ap+6, 0x1.0589e6f9d3ef3p+6,
+        -0x1.f40a4101ee07ep+2, 0x1.32c3a7d534520p-2);
+    return p1 * alpha_2 / p2 * alpha;
+}
+#define radial_weight_amplitude_1e_6_plain_KIND whole
+
+/* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.505 ulp
+ * (certificates/radial_weight_amplitude.json) */
 INLINE double radial_weight_amplitude_float32_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v3 = 0x1.3bd3cc9be45dep+1 - v1;
-    const double v6 = 0x1.a41276abb9bcap+18 * v3;
-    const double v7 = v6 + 0x1.5866e2818eb1dp+23;
-    const double v9 = v7 * v3;
-    const double v10 = v9 + 0x1.146d584af00dcp+26;
-    const double v12 = v10 * v3;
-    const double v13 = v12 + 0x1.1b0db627b1ac4p+27;
-    const double v15 = v13 * v3;
-    const double v16 = v15 + 0x1.9d535830bdb5cp+26;
-    const double v18 = v16 * v3;
-    const double v19 = v18 + 0x1.a80171a3e90ffp+24;
-    const double v21 = v19 * v3;
-    const double v22 = v21 + 0x1.1c70adff422e7p+21;
-    const double v24 = v22 * v3;
-    const double v25 = v24 + 0x1.b837b6270ce48p+15;
-    const double v27 = v25 * v3;
-    const double v28 = v27 + 0x1.3b6600d74bccbp+8;
-    const double v30 = v28 * v3;
-    const double v31 = v30 + 0x1.08345eb56857ap-2;
-    const double v32 = v31 * v1;
-    const double v35 = 0x1.c1ec6782b793bp+17 * v3;
-    const double v36 = v35 + (-0x1.c99f8ffd771f7p+22);
-    const double v38 = v36 * v3;
-    const double v39 = v38 + 0x1.1d5c0538d4588p+26;
-    const double v41 = v39 * v3;
-    const double v42 = v41 + 0x1.61a66a4a4b7dfp+28;
-    const double v44 = v42 * v3;
-    const double v45 = v44 + 0x1.573eb93a9e7aap+28;
-    const double v47 = v45 * v3;
-    const double v48 = v47 + 0x1.86838e8dc8106p+26;
-    const double v50 = v48 * v3;
-    const double v51 = v50 + 0x1.0f96e362556bdp+23;
-    const double v53 = v51 * v3;
-    const double v54 = v53 + 0x1.a919145cb9bd0p+17;
-    const double v56 = v54 * v3;
-    const double v57 = v56 + 0x1.3173bf280d278p+10;
-    const double v59 = v57 * v3;
-    const double v60 = v59 + 0x1.0000000000000p+0;
-    const double v61 = v32 / v60;
-    const double v62 = v61 * alpha;
-    return v62;
+    const double alpha_2 = alpha * alpha;
+    const double t1 = 0x1.3bd3cc9be45dep+1 - alpha_2;
+    const double p1 = POLY9(t1, 0x1.08345eb56857ap-2, 0x1.3b6600d74bccbp+8, 0x1.b837b6270ce48p+15,
+        0x1.1c70adff422e7p+21, 0x1.a80171a3e90ffp+24, 0x1.9d535830bdb5cp+26, 0x1.1b0db627b1ac4p+27,
+        0x1.146d584af00dcp+26, 0x1.5866e2818eb1dp+23, 0x1.a41276abb9bcap+18);
+    const double p2 = POLY9(t1, 1.0, 0x1.3173bf280d278p+10, 0x1.a919145cb9bd0p+17, 0x1.0f96e362556bdp+23,
+        0x1.86838e8dc8106p+26, 0x1.573eb93a9e7aap+28, 0x1.61a66a4a4b7dfp+28, 0x1.1d5c0538d4588p+26,
+        -0x1.c99f8ffd771f7p+22, 0x1.c1ec6782b793bp+17);
+    return p1 * alpha_2 / p2 * alpha;
 }
 #define radial_weight_amplitude_float32_plain_KIND whole
 
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, best, plain: proved within 3.82 ulp
+ * (certificates/weight_moment_amplitude.json) */
+/* alpha < 1.03 */
+INLINE double weight_moment_amplitude_best_plain_near(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, -0x1.ffffffffffff8p-2, 0x1.bbbbbbbbbb725p-4, -0x1.bc466f117eb54p-7,
+        0x1.22d671a5b693ep-10, -0x1.0c7835746195ep-14, 0x1.702fa8923cc3bp-19, -0x1.85ca453341102p-24,
+        0x1.46dd87d4b9155p-29, -0x1.99632dc542be7p-35);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) / 1.5 * alpha;
+}
+/* alpha >= 1.03, in b = pi/2 - alpha */
+INLINE double weight_moment_amplitude_best_plain_far(double alpha)
+{
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p1 = POLY7(b_2, -0x1.fffffffffffedp-3, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t1 = b * (b * -0.75 + 0.5) + (b_2 * p1 + (b * -0x1.1a62633145c07p-53 + 0x1.5555555555555p-53));
+    return 0.5 * alpha + -0x1.e652ff776be20p-4 + t1;
+}
+INLINE double weight_moment_amplitude_best_plain(double alpha)
+{
+    const double near = weight_moment_amplitude_best_plain_near(alpha);
+    const double far = weight_moment_amplitude_best_plain_far(alpha);
+    return SELECT(alpha < 0x1.07ae147ae147bp+0, near, far);
+}
+#define weight_moment_amplitude_best_plain_KIND pieces
+#define weight_moment_amplitude_best_plain_BELOW_double UINT64_C(0x3ff07ae147ae147a)
+#define weight_moment_amplitude_best_plain_BELOW_float UINT32_C(0x3f83d70a)
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-10, plain: proved within 2.07e-12 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_10_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, 0x1.555555555259dp-1, -0x1.55555553fea4bp-2, 0x1.27d27cf3b8112p-4,
+        -0x1.282eee7b92cf7p-7, 0x1.83c7d5627d1d1p-11, -0x1.65e8281936887p-15, 0x1.e9ce55f457fb1p-20,
+        -0x1.f9e9d8d248bfcp-25, 0x1.55b68304dda03p-30);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_10_plain_KIND whole
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, 1e-6, plain: proved within 4.38e-07 relative
+ * (certificates/weight_moment_amplitude.json) */
+INLINE double weight_moment_amplitude_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.55554ba99af07p-1, -0x1.555382cc0e3b7p-2, 0x1.27b41ec7abd41p-4,
+        -0x1.26ad631e2f9a1p-7, 0x1.71e62473ed8bap-11, -0x1.ff7dbdabc38e7p-16);
+    return p1 * alpha_2 * alpha;
+}
+#define weight_moment_amplitude_1e_6_plain_KIND short
+
+/* C_theta = 2*sin(alpha)**3/3, 0 <= alpha <= pi/2, float32, plain: proved within 0.503 ulp
+ * (certificates/weight_moment_amplitude.json) */
 INLINE double weight_moment_amplitude_float32_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.8c2a65eb3fec2p-25) * v1;
-    const double v5 = v4 + 0x1.db665517a168ep-20;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.64ea296a14023p-15);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.83b443c4ba8e3p-11;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.282e1a3d0c0eep-7);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.27d273f81480bp-4;
-    const double v19 = v17 * v1;
-    const double v20 = v19 + (-0x1.555555080b38cp-2);
-    const double v22 = v20 * v1;
-    const double v23 = v22 + 0x1.5555555478204p-1;
-    const double v24 = v23 * v1;
-    const double v25 = v24 * alpha;
-    return v25;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY7(alpha_2, 0x1.5555555478204p-1, -0x1.555555080b38cp-2, 0x1.27d273f81480bp-4,
+        -0x1.282e1a3d0c0eep-7, 0x1.83b443c4ba8e3p-11, -0x1.64ea296a14023p-15, 0x1.db665517a168ep-20,
+        -0x1.8c2a65eb3fec2p-25);
+    return p1 * alpha_2 * alpha;
 }
 #define weight_moment_amplitude_float32_plain_KIND whole
 
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, best, plain: proved within 3.01 ulp
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY7(alpha_2, -0x1.5555555555555p-4, 0x1.6c16c16c16ba2p-9, -0x1.a01a01a0132c2p-15,
+        0x1.27e4fb7471f25p-21, -0x1.1eed8d7449e95p-28, 0x1.93966653151c3p-36, -0x1.ae33aea2b0d55p-44,
+        0x1.5aeb95ee17e27p-52);
+    return (alpha_2 * (p1 * alpha_2) + alpha_2) * alpha;
+}
+#define resistance_factor_best_plain_KIND whole
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-10, plain: proved within 2.74e-12 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_10_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
+        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_10_plain_KIND short
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, 1e-6, plain: proved within 1.71e-07 relative
+ * (certificates/resistance_factor.json) */
+INLINE double resistance_factor_1e_6_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY3(alpha_2, 0x1.fffffa5b957a5p-1, -0x1.5553226831932p-4, 0x1.6b8afbde89795p-9,
+        -0x1.899d6d596ca14p-15);
+    return p1 * alpha_2 * alpha;
+}
+#define resistance_factor_1e_6_plain_KIND short
+
+/* lambda = 2*alpha*(1 - cos(alpha)), 0 <= alpha <= pi/2, float32, plain: proved within 0.501 ulp
+ * (certificates/resistance_factor.json) */
 INLINE double resistance_factor_float32_plain(double alpha)
 {
-    const double v1 = alpha * alpha;
-    const double v4 = (-0x1.1363823d24666p-28) * v1;
-    const double v5 = v4 + 0x1.27a4afc560ce7p-21;
-    const double v7 = v5 * v1;
-    const double v8 = v7 + (-0x1.a018b5707a92dp-15);
-    const double v10 = v8 * v1;
-    const double v11 = v10 + 0x1.6c16be606925bp-9;
-    const double v13 = v11 * v1;
-    const double v14 = v13 + (-0x1.55555550127aap-4);
-    const double v16 = v14 * v1;
-    const double v17 = v16 + 0x1.fffffffffa0fbp-1;
-    const double v18 = v17 * v1;
-    const double v19 = v18 * alpha;
-    return v19;
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY5(alpha_2, 0x1.fffffffffa0fbp-1, -0x1.55555550127aap-4, 0x1.6c16be606925bp-9,
+        -0x1.a018b5707a92dp-15, 0x1.27a4afc560ce7p-21, -0x1.1363823d24666p-28);
+    return p1 * alpha_2 * alpha;
 }
 #define resistance_factor_float32_plain_KIND short
+
+/* A = polar_moment(alpha)/resistance_factor(alpha), finite at alpha = 0 where both vanish, 0 <= alpha <= pi/2,
+ * best, plain: proved within 3.98 ulp (certificates/dynamic_coefficient.json) */
+INLINE double dynamic_coefficient_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY15(alpha_2, -0x1.99999999999a0p-2, 0x1.5f15f15f167b2p-4, -0x1.5ac056b0973c3p-7,
+        0x1.d0042dbcdffa5p-11, -0x1.8d4933ba928afp-15, 0x1.7b19698e39021p-19, 0x1.7f10bf4b711dcp-24,
+        0x1.c8525b3f1aa7ep-25, -0x1.1c993d5132144p-27, 0x1.23dbe3ccce4b8p-25, -0x1.2c3d26964272fp-25,
+        0x1.07fc9de8a4877p-25, -0x1.3b7f323007ecfp-26, 0x1.053a2984b6846p-27, -0x1.05ad856991be7p-29,
+        0x1.fc7efeb9c41e3p-33);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY5(b_2, -0x1.213ce230dbeefp-7, 0x1.94ebfbb754504p-4, -0x1.0ee077691b943p-5,
+        0x1.5578045f5fe35p-8, -0x1.0533239fbfa2ep-11, 0x1.0aedde3663fc9p-15);
+    const double p3 = POLY5(b_2, 0x1.5555555556010p-2, -0x1.5555555202e7cp-3, 0x1.27d280bf8021ep-5,
+        -0x1.282e5dae893d2p-8, 0x1.82dcf0100d8aep-12, -0x1.9d1d2c7ac5e77p-16);
+    const double t1 = b * b_2 * (p3 * logarithm_plain(b) + p2) + 0x1.fab71f4a3269fp-7;
+    const double t2 = alpha < 0x1.23d70a3d70a3dp+0;
+    const double t3 = SELECT(t2, 1.0 + p1 * alpha_2, alpha + -0x1.1400000000000p-1 + t1);
+    const double p4 = POLY7(alpha_2, -0x1.5555555555555p-4, 0x1.6c16c16c16ba2p-9, -0x1.a01a01a0132c2p-15,
+        0x1.27e4fb7471f25p-21, -0x1.1eed8d7449e95p-28, 0x1.93966653151c3p-36, -0x1.ae33aea2b0d55p-44,
+        0x1.5aeb95ee17e27p-52);
+    const double t4 = p4 * alpha_2;
+    const double t5 = SELECT(t2, 1.0 + t4, (alpha_2 * t4 + alpha_2) * alpha);
+    return SELECT(t2, t3 / 1.5, t3) / SELECT(t2, t5, t5);
+}
+#define dynamic_coefficient_best_plain_KIND whole
+
+/* C_theta/Theta* = weight_moment_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish,
+ * 0 <= alpha <= pi/2, best, plain: proved within 3.25 ulp (certificates/weight_moment_per_inertia.json) */
+INLINE double weight_moment_per_inertia_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY8(alpha_2, -0x1.ffffffffffff8p-2, 0x1.bbbbbbbbbb725p-4, -0x1.bc466f117eb54p-7,
+        0x1.22d671a5b693ep-10, -0x1.0c7835746195ep-14, 0x1.702fa8923cc3bp-19, -0x1.85ca453341102p-24,
+        0x1.46dd87d4b9155p-29, -0x1.99632dc542be7p-35);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY7(b_2, -0x1.fffffffffffdap-4, 0x1.2aaaaaaaaa8bcp-1, -0x1.5b05b05af3bb4p-3,
+        0x1.bc8bc8b27c25fp-6, -0x1.637e073d46fc3p-9, 0x1.83c9b28c7277ap-13, -0x1.329537d00329ap-17,
+        0x1.62222bcf50f00p-22);
+    const double t1 = b * (b * -0.875 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + 0x1.5555555555555p-53));
+    const double t2 = 0.5 * alpha;
+    const double t3 = alpha < 0x1.07ae147ae147bp+0;
+    const double p3 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf5p-3, -0x1.74c1f6ca16b0dp-5,
+        0x1.af3b88aa6c2b4p-8, -0x1.615085c0c02b4p-11, 0x1.ae8cb150e8a75p-15, -0x1.952f7e89a051cp-19,
+        0x1.2f4777d3dfa8ep-23, -0x1.716bd39848b1fp-28, 0x1.70e6770e0b3aap-33, -0x1.0b9b37dbbf868p-38);
+    const double p4 = POLY8(b_2, -0x1.555555555555dp-3, -0x1.c71c71c71c2cbp-3, 0x1.3e93e93e8caaap-2,
+        -0x1.0cbb76609fd02p-3, 0x1.e94dfc8968252p-6, -0x1.1e5e0301d5402p-8, 0x1.d6998e219ebbfp-12,
+        -0x1.1e5164529e7c6p-15, 0x1.f96e579402ac4p-20);
+    const double t4 = SELECT(t3, 1.0 + p3 * alpha_2, t2 + -0x1.c000000000000p-5 + (b * p4 + 0x1.bffffffffffffp-5));
+    return SELECT(t3, 1.0 + p1 * alpha_2, t2 + -0x1.e652ff776be20p-4 + t1) / t4;
+}
+#define weight_moment_per_inertia_best_plain_KIND whole
+
+/* C_r/Theta* = radial_weight_amplitude(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0
+ * <= alpha <= pi/2, best, plain: proved within 3.68 ulp (certificates/radial_weight_per_inertia.json) */
+INLINE double radial_weight_per_inertia_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY16(alpha_2, -0x1.333333333333cp-2, 0x1.c09c09c09f946p-6, -0x1.0cbb76660cc70p-9,
+        -0x1.ebc1806d47c3ep-16, -0x1.8bc5790dff6e4p-16, -0x1.81c8a638bd0cbp-18, -0x1.b01e41cc999d3p-20,
+        -0x1.bc216b0bfd2fep-22, -0x1.14a99db0c048cp-22, 0x1.a3cf250e83400p-23, -0x1.86118d5d57200p-22,
+        0x1.9a909763ecf3bp-22, -0x1.540d1d354489fp-22, 0x1.8c50fa9a056b8p-23, -0x1.3f4df89ed2466p-24,
+        0x1.3aa9b361a458fp-26, -0x1.2b536e83664f5p-29);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY5(b_2, -0x1.7217f7d1ae2b5p-7, 0x1.2c981ff605456p-1, -0x1.5fec37466d3d8p-4,
+        0x1.c0f97cefd9809p-8, -0x1.5c629576dda1ep-12, 0x1.69d163753cfb6p-17);
+    const double p3 = POLY5(b_2, 0x1.0000000000151p+0, -0x1.555555546d298p-2, 0x1.6c16c422fd14bp-5,
+        -0x1.a017058253bf2p-9, 0x1.285e13327bf2cp-13, -0x1.2f2674152353dp-18);
+    const double t1 = b * (b * -1.875 + 0.5) + (b_2 * (p3 * logarithm_plain(2.0 * b) + p2) + 0x1.5e04abbbd2e80p-5);
+    const double t2 = 0.5 * alpha;
+    const double t3 = alpha < 0x1.1c28f5c28f5c3p+0;
+    const double p4 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf4p-3, -0x1.74c1f6ca16ad7p-5,
+        0x1.af3b88aa6beb1p-8, -0x1.615085c0d2b9fp-11, 0x1.ae8cb15975580p-15, -0x1.952f8019da705p-19,
+        0x1.2f479f83cb2a1p-23, -0x1.71704c97ba462p-28, 0x1.712b7f47bc98fp-33, -0x1.0d567fd8486dep-38);
+    const double p5 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c372p-3, 0x1.3e93e93e8dae1p-2,
+        -0x1.0cbb7660cde68p-3, 0x1.e94dfc9b43c2dp-6, -0x1.1e5e050e2d7b2p-8, 0x1.d69a1f44ba292p-12,
+        -0x1.1e5cc6e589d22p-15, 0x1.faff5e49e839dp-20);
+    const double t4 = SELECT(t3, 1.0 + p4 * alpha_2, t2 + -0x1.c000000000000p-5 + (b * p5 + 0x1.bffffffffffffp-5));
+    return SELECT(t3, 1.0 + p1 * alpha_2, t2 + 0x1.6000000000000p-3 + t1) / t4;
+}
+#define radial_weight_per_inertia_best_plain_KIND whole
+
+/* I_p* /Theta* = polar_moment(alpha)/moment_of_inertia(alpha), finite at alpha = 0 where both vanish, 0 <= alpha
+ * <= pi/2, best, plain: proved within 3.2 ulp (certificates/polar_moment_per_inertia.json) */
+INLINE double polar_moment_per_inertia_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY13(alpha_2, -0x1.99999999999a1p-2, 0x1.5f15f15f16867p-4, -0x1.5ac056b098c3ep-7,
+        0x1.d0042db5aaf81p-11, -0x1.8d492a8f799c7p-15, 0x1.7b140904c908bp-19, 0x1.82e428a71e1d0p-24,
+        0x1.ab3e88a49fd1dp-25, 0x1.874cebeb20ce7p-31, 0x1.2209d73b424dfp-26, -0x1.8d10189b6754cp-27,
+        0x1.0d68c0b762145p-27, -0x1.7898ba0293282p-29, 0x1.264b7838724abp-31);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY5(b_2, -0x1.213ce22f8ace3p-7, 0x1.94ebfbdbd73afp-4, -0x1.0ee07496f41fcp-5,
+        0x1.55751bc3c375dp-8, -0x1.05761dc378033p-11, 0x1.10577530f2d3dp-15);
+    const double p3 = POLY5(b_2, 0x1.5555555558d28p-2, -0x1.5555554a056aep-3, 0x1.27d28418e33f8p-5,
+        -0x1.282fbd7742ef9p-8, 0x1.81e84c0a68db4p-12, -0x1.aa0551f4078d8p-16);
+    const double t1 = alpha + -0.5625 + (b * b_2 * (p3 * logarithm_plain(b) + p2) + 0x1.3eadc7d28c9a8p-5);
+    const double t2 = alpha < 0x1.0a3d70a3d70a4p+0;
+    const double p4 = POLY10(alpha_2, -0x1.3333333333333p-1, 0x1.ad1ad1ad1acf6p-3, -0x1.74c1f6ca16b7dp-5,
+        0x1.af3b88aa6e88cp-8, -0x1.615085c12b0aap-11, 0x1.ae8cb16716e95p-15, -0x1.952f816363ee5p-19,
+        0x1.2f47b296c4e1fp-23, -0x1.7171988899170p-28, 0x1.7137440b96e6dp-33, -0x1.0d7e731b16450p-38);
+    const double p5 = POLY8(b_2, -0x1.555555555555cp-3, -0x1.c71c71c71c374p-3, 0x1.3e93e93e8db37p-2,
+        -0x1.0cbb7660ceadep-3, 0x1.e94dfc9b0a6adp-6, -0x1.1e5e04e3dd133p-8, 0x1.d69a035b8852bp-12,
+        -0x1.1e58f354d2ab8p-15, 0x1.fa3bac2f463d3p-20);
+    const double t3 = 0.5 * alpha + -0x1.c000000000000p-5 + (b * p5 + 0x1.bffffffffffffp-5);
+    return SELECT(t2, 1.0 + p1 * alpha_2, t1) / SELECT(t2, 1.0 + p4 * alpha_2, t3);
+}
+#define polar_moment_per_inertia_best_plain_KIND whole
+
+/* C_theta/C_r = weight_moment_amplitude(alpha)/radial_weight_amplitude(alpha), finite at alpha = 0 where both
+ * vanish, 0 <= alpha <= pi/2, best, plain: proved within 4 ulp (certificates/weight_moment_per_radial_weight.json) */
+INLINE double weight_moment_per_radial_weight_best_plain(double alpha)
+{
+    const double alpha_2 = alpha * alpha;
+    const double p1 = POLY9(alpha_2, -0.5, 0x1.bbbbbbbbbbbafp-4, -0x1.bc466f119b448p-7, 0x1.22d671ab3f983p-10,
+        -0x1.0c7836ac674c6p-14, 0x1.702ffbd6802c0p-19, -0x1.85d7fece9ce4fp-24, 0x1.483b3c6f03034p-29,
+        -0x1.bfeb30e74d917p-35, 0x1.cdf1a753f4825p-41);
+    const double b = 0x1.921fb54442d18p+0 - alpha;
+    const double b_2 = b * b;
+    const double p2 = POLY7(b_2, -0x1.ffffffffffffep-4, 0x1.2aaaaaaaaaa94p-1, -0x1.5b05b05b042afp-3,
+        0x1.bc8bc8bb3a27ap-6, -0x1.637e09bf1814ap-9, 0x1.83ca7ec09ab67p-13, -0x1.32b73da32d767p-17,
+        0x1.66c6f12e40144p-22);
+    const double t1 = b * (b * -0.875 + 0.5) + (b_2 * p2 + (b * -0x1.1a62633145c07p-53 + 0x1.5555555555555p-53));
+    const double t2 = 0.5 * alpha;
+    const double t3 = alpha < 0x1.2147ae147ae14p+0;
+    const double p3 = POLY16(alpha_2, -0x1.3333333333349p-2, 0x1.c09c09c0a459dp-6, -0x1.0cbb766afe79ap-9,
+        -0x1.ebc156b09ffa0p-16, -0x1.8bc71e89b0d50p-16, -0x1.819d1f4cc4434p-18, -0x1.b33a96b385a3ap-20,
+        -0x1.934ebccf8890ep-22, -0x1.76f325364bf99p-22, 0x1.81cf0f1950821p-22, -0x1.388ba79ae4b66p-21,
+        0x1.41fbbd705974ep-21, -0x1.fdd2802ad00e9p-22, 0x1.1df88390028d7p-22, -0x1.b99771f548ac0p-24,
+        0x1.a164ea493de27p-26, -0x1.79fb0a146f1a6p-29);
+    const double p4 = POLY5(b_2, -0x1.7217f7d1ab2e7p-7, 0x1.2c981ff63ec19p-1, -0x1.5fec368b1249bp-4,
+        0x1.c0fa11c3186cdp-8, -0x1.5c79b09b316eap-12, 0x1.5cb02195a47e5p-17);
+    const double p5 = POLY5(b_2, 0x1.0000000000169p+0, -0x1.555555543d7fdp-2, 0x1.6c16c52a07b2ap-5,
+        -0x1.a015173aabdaap-9, 0x1.2910a202b16c5p-13, -0x1.1e2016c290c5cp-18);
+    const double t4 = b * (b * -1.875 + 0.5) + (b_2 * (p5 * logarithm_plain(2.0 * b) + p4) + 0x1.5e04abbbd2e80p-5);
+    const double t5 = SELECT(t3, 1.0 + p1 * alpha_2, t2 + -0x1.e652ff776be20p-4 + t1);
+    return t5 / SELECT(t3, 1.0 + p3 * alpha_2, t2 + 0x1.6000000000000p-3 + t4);
+}
+#define weight_moment_per_radial_weight_best_plain_KIND whole
 
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
  * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
@@ -2862,7 +1279,7 @@ INLINE double resistance_factor_float32_plain(double alpha)
 #define ABOVE_pieces(T, PROGRAM, pattern) PROGRAM##_BELOW_##T - pattern
 #define ABOVE_whole(T, PROGRAM, pattern) 0
 #define ABOVE_short(T, PROGRAM, pattern) 0
-#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) BARE(T, PROGRAM) else BARE(T, PROGRAM##_below)
+#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) BARE(T, PROGRAM) else BARE(T, PROGRAM##_near)
 #define RUN_whole(T, PROGRAM) BARE(T, PROGRAM)
 #define RUN_short(T, PROGRAM) BARE(T, PROGRAM)
 #define LOOP(T, NAME, FORM, LEVEL) LOOP_OF(T, NAME##_##FORM##_KIND, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)
@@ -2894,25 +1311,25 @@ INLINE double resistance_factor_float32_plain(double alpha)
 
 #define LOOPS(LEVEL, FORM) \
     LOOP(double, polar_moment_best, FORM, LEVEL) \
+    LOOP(double, polar_moment_1e_10, FORM, LEVEL) \
+    LOOP(double, polar_moment_1e_6, FORM, LEVEL) \
     LOOP(double, moment_of_inertia_best, FORM, LEVEL) \
+    LOOP(double, moment_of_inertia_1e_10, FORM, LEVEL) \
+    LOOP(double, moment_of_inertia_1e_6, FORM, LEVEL) \
     LOOP(double, radial_weight_amplitude_best, FORM, LEVEL) \
+    LOOP(double, radial_weight_amplitude_1e_10, FORM, LEVEL) \
+    LOOP(double, radial_weight_amplitude_1e_6, FORM, LEVEL) \
     LOOP(double, weight_moment_amplitude_best, FORM, LEVEL) \
+    LOOP(double, weight_moment_amplitude_1e_10, FORM, LEVEL) \
+    LOOP(double, weight_moment_amplitude_1e_6, FORM, LEVEL) \
     LOOP(double, resistance_factor_best, FORM, LEVEL) \
+    LOOP(double, resistance_factor_1e_10, FORM, LEVEL) \
+    LOOP(double, resistance_factor_1e_6, FORM, LEVEL) \
     LOOP(double, dynamic_coefficient_best, FORM, LEVEL) \
     LOOP(double, weight_moment_per_inertia_best, FORM, LEVEL) \
     LOOP(double, radial_weight_per_inertia_best, FORM, LEVEL) \
     LOOP(double, polar_moment_per_inertia_best, FORM, LEVEL) \
     LOOP(double, weight_moment_per_radial_weight_best, FORM, LEVEL) \
-    LOOP(double, polar_moment_1e_10, FORM, LEVEL) \
-    LOOP(double, moment_of_inertia_1e_10, FORM, LEVEL) \
-    LOOP(double, radial_weight_amplitude_1e_10, FORM, LEVEL) \
-    LOOP(double, weight_moment_amplitude_1e_10, FORM, LEVEL) \
-    LOOP(double, resistance_factor_1e_10, FORM, LEVEL) \
-    LOOP(double, polar_moment_1e_6, FORM, LEVEL) \
-    LOOP(double, moment_of_inertia_1e_6, FORM, LEVEL) \
-    LOOP(double, radial_weight_amplitude_1e_6, FORM, LEVEL) \
-    LOOP(double, weight_moment_amplitude_1e_6, FORM, LEVEL) \
-    LOOP(double, resistance_factor_1e_6, FORM, LEVEL) \
     LOOP(float, polar_moment_float32, FORM, LEVEL) \
     LOOP(float, moment_of_inertia_float32, FORM, LEVEL) \
     LOOP(float, radial_weight_amplitude_float32, FORM, LEVEL) \
@@ -2988,25 +1405,25 @@ typedef struct { const char *kernel, *tier; void *loops[2]; } Ufunc;
 #define UFUNCS(LEVEL, FORM) \
     static Ufunc ufuncs_##LEVEL[] = { \
     {"polar_moment", "best", {(void *)polar_moment_float32_##LEVEL##_float, (void *)polar_moment_best_##LEVEL##_double}}, \
+    {"polar_moment", "1e-10", {NULL, (void *)polar_moment_1e_10_##LEVEL##_double}}, \
+    {"polar_moment", "1e-6", {NULL, (void *)polar_moment_1e_6_##LEVEL##_double}}, \
     {"moment_of_inertia", "best", {(void *)moment_of_inertia_float32_##LEVEL##_float, (void *)moment_of_inertia_best_##LEVEL##_double}}, \
+    {"moment_of_inertia", "1e-10", {NULL, (void *)moment_of_inertia_1e_10_##LEVEL##_double}}, \
+    {"moment_of_inertia", "1e-6", {NULL, (void *)moment_of_inertia_1e_6_##LEVEL##_double}}, \
     {"radial_weight_amplitude", "best", {(void *)radial_weight_amplitude_float32_##LEVEL##_float, (void *)radial_weight_amplitude_best_##LEVEL##_double}}, \
+    {"radial_weight_amplitude", "1e-10", {NULL, (void *)radial_weight_amplitude_1e_10_##LEVEL##_double}}, \
+    {"radial_weight_amplitude", "1e-6", {NULL, (void *)radial_weight_amplitude_1e_6_##LEVEL##_double}}, \
     {"weight_moment_amplitude", "best", {(void *)weight_moment_amplitude_float32_##LEVEL##_float, (void *)weight_moment_amplitude_best_##LEVEL##_double}}, \
+    {"weight_moment_amplitude", "1e-10", {NULL, (void *)weight_moment_amplitude_1e_10_##LEVEL##_double}}, \
+    {"weight_moment_amplitude", "1e-6", {NULL, (void *)weight_moment_amplitude_1e_6_##LEVEL##_double}}, \
     {"resistance_factor", "best", {(void *)resistance_factor_float32_##LEVEL##_float, (void *)resistance_factor_best_##LEVEL##_double}}, \
+    {"resistance_factor", "1e-10", {NULL, (void *)resistance_factor_1e_10_##LEVEL##_double}}, \
+    {"resistance_factor", "1e-6", {NULL, (void *)resistance_factor_1e_6_##LEVEL##_double}}, \
     {"dynamic_coefficient", "best", {(void *)dynamic_coefficient_best_##LEVEL##_float, (void *)dynamic_coefficient_best_##LEVEL##_double}}, \
     {"weight_moment_per_inertia", "best", {(void *)weight_moment_per_inertia_best_##LEVEL##_float, (void *)weight_moment_per_inertia_best_##LEVEL##_double}}, \
     {"radial_weight_per_inertia", "best", {(void *)radial_weight_per_inertia_best_##LEVEL##_float, (void *)radial_weight_per_inertia_best_##LEVEL##_double}}, \
     {"polar_moment_per_inertia", "best", {(void *)polar_moment_per_inertia_best_##LEVEL##_float, (void *)polar_moment_per_inertia_best_##LEVEL##_double}}, \
     {"weight_moment_per_radial_weight", "best", {(void *)weight_moment_per_radial_weight_best_##LEVEL##_float, (void *)weight_moment_per_radial_weight_best_##LEVEL##_double}}, \
-    {"polar_moment", "1e-10", {NULL, (void *)polar_moment_1e_10_##LEVEL##_double}}, \
-    {"moment_of_inertia", "1e-10", {NULL, (void *)moment_of_inertia_1e_10_##LEVEL##_double}}, \
-    {"radial_weight_amplitude", "1e-10", {NULL, (void *)radial_weight_amplitude_1e_10_##LEVEL##_double}}, \
-    {"weight_moment_amplitude", "1e-10", {NULL, (void *)weight_moment_amplitude_1e_10_##LEVEL##_double}}, \
-    {"resistance_factor", "1e-10", {NULL, (void *)resistance_factor_1e_10_##LEVEL##_double}}, \
-    {"polar_moment", "1e-6", {NULL, (void *)polar_moment_1e_6_##LEVEL##_double}}, \
-    {"moment_of_inertia", "1e-6", {NULL, (void *)moment_of_inertia_1e_6_##LEVEL##_double}}, \
-    {"radial_weight_amplitude", "1e-6", {NULL, (void *)radial_weight_amplitude_1e_6_##LEVEL##_double}}, \
-    {"weight_moment_amplitude", "1e-6", {NULL, (void *)weight_moment_amplitude_1e_6_##LEVEL##_double}}, \
-    {"resistance_factor", "1e-6", {NULL, (void *)resistance_factor_1e_6_##LEVEL##_double}}, \
     {NULL, NULL, {NULL, NULL}}};
 LEVELS(UFUNCS)
 

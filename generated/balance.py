@@ -1,10 +1,12 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4a113266f7003bdc349cf7d224cf992d9d7eabb0d382eed2b720aad173d145e0
+# sha256 of the text below: 7bfed4135f9b71252db170603118a1157558416c6e1994631a7316319a6c8c69
 """The balance of momentum and the energy in the phase plane, specialised to the effects that are present."""
 
 from typing import Any
 
 import numpy as np
+
+from generated._evaluate import horner
 
 __all__ = [
     "brake_centripetal",
@@ -229,17 +231,25 @@ __all__ = [
     "tilt_shaking",
 ]
 
+SERIES_1 = (-0.16666666666666666, 0.008333333333333333, -0.0001984126984126984,
+        2.7557319223985893e-06, -2.505210838544172e-08, 1.6059043836821613e-10, -7.647163731819816e-13,
+        2.8114572543455206e-15, -8.22063524662433e-18, 1.9572941063391263e-20, -3.868170170630684e-23,
+        6.446950284384474e-26, -9.183689863795546e-29)
+SERIES_2 = (0.5, 0.16666666666666666, 0.041666666666666664, 0.008333333333333333, 0.001388888888888889,
+        0.0001984126984126984, 2.48015873015873e-05, 2.7557319223985893e-06, 2.755731922398589e-07,
+        2.505210838544172e-08, 2.08767569878681e-09, 1.6059043836821613e-10, 1.1470745597729725e-11,
+        7.647163731819816e-13, 4.779477332387385e-14, 2.8114572543455206e-15, 1.5619206968586225e-16,
+        8.22063524662433e-18)
+
 
 def brake_centripetal(polar: Any, mu: Any) -> Any:
     """Brake. Operations: 1 mul."""
-    v2 = mu * polar
-    return v2
+    return mu * polar
 
 
 def brake_centripetal_drag(polar: Any, mu: Any, drag: Any) -> Any:
     """Brake. Operations: 1 mul, 1 add."""
-    v4 = drag + mu * polar
-    return v4
+    return drag + mu * polar
 
 
 def brake_drag(drag: Any) -> Any:
@@ -249,44 +259,38 @@ def brake_drag(drag: Any) -> Any:
 
 def constant_cohesion(level: Any, cohesion: Any) -> Any:
     """Constant. Operations: 1 mul."""
-    v2 = cohesion * level
-    return v2
+    return cohesion * level
 
 
 def constant_cohesion_thermal_pressurisation(level: Any, mu: Any, cohesion: Any, excess: Any) -> Any:
     """Constant. Operations: 2 mul, 1 sub."""
-    v6 = (cohesion - excess * mu) * level
-    return v6
+    return (cohesion - excess * mu) * level
 
 
 def constant_pore_pressure(level: Any, mu: Any, pore_pressure: Any) -> Any:
     """Constant. Operations: 2 mul, 1 neg."""
-    v5 = -(level * mu * pore_pressure)
-    return v5
+    return -(level * mu * pore_pressure)
 
 
 def constant_pore_pressure_cohesion(level: Any, mu: Any, pore_pressure: Any, cohesion: Any) -> Any:
     """Constant. Operations: 2 mul, 1 sub."""
-    v6 = (cohesion - mu * pore_pressure) * level
-    return v6
+    return (cohesion - mu * pore_pressure) * level
 
 
-def constant_pore_pressure_cohesion_thermal_pressurisation(level: Any, mu: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
+def constant_pore_pressure_cohesion_thermal_pressurisation(level: Any, mu: Any, pore_pressure: Any, cohesion: Any,
+        excess: Any) -> Any:
     """Constant. Operations: 3 mul, 2 sub."""
-    v9 = (cohesion - excess * mu - mu * pore_pressure) * level
-    return v9
+    return (cohesion - excess * mu - mu * pore_pressure) * level
 
 
 def constant_pore_pressure_thermal_pressurisation(level: Any, mu: Any, pore_pressure: Any, excess: Any) -> Any:
     """Constant. Operations: 2 mul, 1 add, 1 neg."""
-    v7 = -((excess + pore_pressure) * level * mu)
-    return v7
+    return -((excess + pore_pressure) * level * mu)
 
 
 def constant_thermal_pressurisation(level: Any, mu: Any, excess: Any) -> Any:
     """Constant. Operations: 2 mul, 1 neg."""
-    v5 = -(excess * level * mu)
-    return v5
+    return -(excess * level * mu)
 
 
 def damping_viscosity(viscosity: Any) -> Any:
@@ -296,520 +300,522 @@ def damping_viscosity(viscosity: Any) -> Any:
 
 def drive(press: Any, mu: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 1 mul, 1 sub."""
-    v4 = (limit_friction - mu) * press
-    return v4
+    return (limit_friction - mu) * press
 
 
-def drive_pore_pressure(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, limit_friction: Any) -> Any:
+def drive_pore_pressure(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any,
+        limit_friction: Any) -> Any:
     """Drive. Operations: 3 mul, 3 sub."""
-    v12 = (limit_friction - mu) * ((1.0 - pore_ratio) * press - level * pore_pressure)
-    return v12
+    b = 1.0 - pore_ratio
+    return (limit_friction - mu) * (b * press - level * pore_pressure)
 
 
-def drive_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
+def drive_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any,
+        k_h: Any, k_v: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 4 mul, 1 add, 4 sub."""
-    v18 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure)
-    return v18
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure
+    return (limit_friction - mu) * t1
 
 
-def drive_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any, limit_friction: Any) -> Any:
+def drive_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 5 mul, 1 add, 5 sub."""
-    v21 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
-    return v21
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return (limit_friction - mu) * t1
 
 
-def drive_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any, limit_friction: Any) -> Any:
+def drive_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any,
+        excess: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 4 mul, 4 sub."""
-    v15 = (limit_friction - mu) * ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure)
-    return v15
+    b = 1.0 - pore_ratio
+    return (limit_friction - mu) * (b * press - excess * level - level * pore_pressure)
 
 
 def drive_shaking(press: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 3 mul, 1 add, 2 sub."""
-    v12 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v) * press)
-    return v12
+    b = 1.0 - k_v
+    return (limit_friction - mu) * (k_h * press_slope + b * press)
 
 
-def drive_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any, excess: Any, limit_friction: Any) -> Any:
+def drive_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any,
+        excess: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 4 mul, 1 add, 3 sub."""
-    v16 = (limit_friction - mu) * (k_h * press_slope + (1.0 - k_v) * press - excess * level)
-    return v16
+    b = 1.0 - k_v
+    return (limit_friction - mu) * (k_h * press_slope + b * press - excess * level)
 
 
 def drive_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any, limit_friction: Any) -> Any:
     """Drive. Operations: 2 mul, 2 sub."""
-    v8 = (limit_friction - mu) * (press - excess * level)
-    return v8
+    return (limit_friction - mu) * (press - excess * level)
 
 
 def drop_exponential(slip: Any, more: Any, peak: Any, residual: Any, length: Any) -> Any:
     """Its fall over `more` slip, from `slip`. Operations: 2 mul, 1 sub, 2 div, 3 neg, 1 exp, 1 expm1."""
-    v14 = -((peak - residual) * np.exp(-(slip / length)) * np.expm1(-(more / length)))
-    return v14
+    t1 = (peak - residual) * np.exp(-(slip / length)) * np.expm1(-(more / length))
+    return -t1
 
 
 def drop_hyperbolic(slip: Any, more: Any, peak: Any, residual: Any, length: Any) -> Any:
-    """Its fall over `more` slip, from `slip`. Operations: 3 mul, 3 add, 1 sub, 3 div."""
-    v15 = (peak - residual) / (length * (1.0 + slip / length) * (1.0 + (more + slip) / length)) * more
-    return v15
+    """Its fall over `more` slip, from `slip`. Operations: 3 mul, 3 add, 1 sub, 1 div."""
+    return (peak - residual) / ((length + slip) * (length + more + slip)) * length * more
 
 
 def drop_linear(slip: Any, more: Any, peak: Any, residual: Any, length: Any) -> Any:
     """Its fall over `more` slip, from `slip`. Operations: 1 mul, 1 add, 2 sub, 2 div, 2 min."""
-    v13 = (peak - residual) * (np.minimum(1.0, (more + slip) / length) - np.minimum(1.0, slip / length))
-    return v13
+    t1 = slip / length
+    return (peak - residual) * (np.minimum(1.0, more / length + t1) - np.minimum(1.0, t1))
 
 
 def effective_stress(press: Any, level: Any) -> Any:
-    """Effective_stress. Operations: 1 div."""
-    v2 = press / level
-    return v2
+    """effective_stress. Operations: 1 div."""
+    return press / level
 
 
 def effective_stress_centripetal(press: Any, level: Any, polar: Any, omega_2: Any) -> Any:
-    """Effective_stress. Operations: 1 mul, 1 add, 1 div."""
-    v6 = (press + omega_2 * polar) / level
-    return v6
+    """effective_stress. Operations: 1 mul, 1 add, 1 div."""
+    return (press + omega_2 * polar) / level
 
 
-def effective_stress_centripetal_pore_pressure(press: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
-    """Effective_stress. Operations: 3 mul, 1 add, 2 sub, 1 div."""
-    v13 = (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) / level
-    return v13
+def effective_stress_centripetal_pore_pressure(press: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any,
+        pore_pressure: Any) -> Any:
+    """effective_stress. Operations: 3 mul, 1 add, 2 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    return (omega_2 * polar + b * press - level * pore_pressure) / level
 
 
-def effective_stress_centripetal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
-    """Effective_stress. Operations: 4 mul, 2 add, 3 sub, 1 div."""
-    v19 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) / level
-    return v19
+def effective_stress_centripetal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, polar: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """effective_stress. Operations: 4 mul, 2 add, 3 sub, 1 div."""
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return t1 / level
 
 
-def effective_stress_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 5 mul, 2 add, 4 sub, 1 div."""
-    v21 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v22 = v21 / level
-    return v22
+def effective_stress_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+    """effective_stress. Operations: 5 mul, 2 add, 4 sub, 1 div."""
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return (t1 - level * pore_pressure) / level
 
 
-def effective_stress_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 4 mul, 1 add, 3 sub, 1 div."""
-    v16 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level
-    return v16
+def effective_stress_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+    """effective_stress. Operations: 4 mul, 1 add, 3 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    return (omega_2 * polar + b * press - excess * level - level * pore_pressure) / level
 
 
-def effective_stress_centripetal_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any, k_v: Any) -> Any:
-    """Effective_stress. Operations: 3 mul, 2 add, 1 sub, 1 div."""
-    v14 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) / level
-    return v14
+def effective_stress_centripetal_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any,
+        k_v: Any) -> Any:
+    """effective_stress. Operations: 3 mul, 2 add, 1 sub, 1 div."""
+    b = 1.0 - k_v
+    return (k_h * press_slope + omega_2 * polar + b * press) / level
 
 
-def effective_stress_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 4 mul, 2 add, 2 sub, 1 div."""
-    v17 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) / level
-    return v17
+def effective_stress_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any,
+        omega_2: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+    """effective_stress. Operations: 4 mul, 2 add, 2 sub, 1 div."""
+    b = 1.0 - k_v
+    return (k_h * press_slope + omega_2 * polar + b * press - excess * level) / level
 
 
-def effective_stress_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, omega_2: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
-    v9 = (press + omega_2 * polar - excess * level) / level
-    return v9
+def effective_stress_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, omega_2: Any,
+        excess: Any) -> Any:
+    """effective_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
+    return (press + omega_2 * polar - excess * level) / level
 
 
 def effective_stress_pore_pressure(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
-    """Effective_stress. Operations: 2 mul, 2 sub, 1 div."""
-    v9 = ((1.0 - pore_ratio) * press - level * pore_pressure) / level
-    return v9
+    """effective_stress. Operations: 2 mul, 2 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    return (b * press - level * pore_pressure) / level
 
 
-def effective_stress_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
-    """Effective_stress. Operations: 3 mul, 1 add, 3 sub, 1 div."""
-    v15 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) / level
-    return v15
+def effective_stress_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, pore_ratio: Any,
+        pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """effective_stress. Operations: 3 mul, 1 add, 3 sub, 1 div."""
+    b = 1.0 - k_v
+    return (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) / level
 
 
-def effective_stress_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 4 mul, 1 add, 4 sub, 1 div."""
-    v18 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) / level
-    return v18
+def effective_stress_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+    """effective_stress. Operations: 4 mul, 1 add, 4 sub, 1 div."""
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return t1 / level
 
 
-def effective_stress_pore_pressure_thermal_pressurisation(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 3 mul, 3 sub, 1 div."""
-    v12 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level
-    return v12
+def effective_stress_pore_pressure_thermal_pressurisation(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any,
+        excess: Any) -> Any:
+    """effective_stress. Operations: 3 mul, 3 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    return (b * press - excess * level - level * pore_pressure) / level
 
 
 def effective_stress_shaking(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any) -> Any:
-    """Effective_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
-    v10 = (k_h * press_slope + (1.0 - k_v) * press) / level
-    return v10
+    """effective_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press) / level
 
 
-def effective_stress_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 3 mul, 1 add, 2 sub, 1 div."""
-    v13 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) / level
-    return v13
+def effective_stress_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
+    """effective_stress. Operations: 3 mul, 1 add, 2 sub, 1 div."""
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press - excess * level) / level
 
 
 def effective_stress_thermal_pressurisation(press: Any, level: Any, excess: Any) -> Any:
-    """Effective_stress. Operations: 1 mul, 1 sub, 1 div."""
-    v5 = (press - excess * level) / level
-    return v5
+    """effective_stress. Operations: 1 mul, 1 sub, 1 div."""
+    return (press - excess * level) / level
 
 
 def energy(x: Any, start: Any, drive: Any, tilt: Any) -> Any:
     """Constant friction, nothing that grows with the speed. Operations: 6 mul, 1 add, 1 sub, 2 sin."""
-    v12 = np.sin(0.5 * x)
-    v16 = start + 2.0 * np.sin(x) * drive - 4.0 * (v12 * v12) * tilt
-    return v16
+    t1 = np.sin(0.5 * x)
+    return start + 2.0 * np.sin(x) * drive - 4.0 * (t1 * t1) * tilt
 
 
 def energy_braked(x: Any, start: Any, drive: Any, tilt: Any, brake: Any) -> Any:
-    """Constant friction, centripetal stress or drag. Operations: 59 mul, 34 add, 3 sub, 3 div, 4 neg, 1 min, 1 max, 2 less, 3 select, 1 abs, 1 exp, 2 expm1, 2 sin."""
-    v7 = 2.0 * brake * x
-    v13 = 2.0 * np.abs(brake * x)
-    v16 = np.where(v13 < 1e-300, 1e-300, v7)
-    v26 = np.sin(0.5 * x)
-    v28 = 2.0 * (v26 * v26)
-    v39 = np.maximum(-1.0, np.minimum(1.0, v7))
-    v49 = ((-8.22063524662433e-18 * v39 + 1.5619206968586225e-16) * v39 + -2.8114572543455206e-15) * v39 + 4.779477332387385e-14
-    v58 = ((v49 * v39 + -7.647163731819816e-13) * v39 + 1.1470745597729725e-11) * v39 + -1.6059043836821613e-10
-    v67 = ((v58 * v39 + 2.08767569878681e-09) * v39 + -2.505210838544172e-08) * v39 + 2.755731922398589e-07
-    v76 = ((v67 * v39 + -2.7557319223985893e-06) * v39 + 2.48015873015873e-05) * v39 + -0.0001984126984126984
-    v86 = (((v76 * v39 + 0.001388888888888889) * v39 + -0.008333333333333333) * v39 + 0.041666666666666664) * v39
-    v91 = v13 < 1.0
-    v92 = np.where(v91, 1.0, v7)
-    v99 = 4.0 * np.where(v91, (v86 + -0.16666666666666666) * v39 + 0.5, (np.expm1(-v92) + v92) / (v92 * v92))
-    v105 = x * x
-    v115 = ((9.183689863795546e-29 * v105 + -6.446950284384474e-26) * v105 + 3.868170170630684e-23) * v105 + -1.9572941063391263e-20
-    v123 = ((v115 * v105 + 8.22063524662433e-18) * v105 + -2.8114572543455206e-15) * v105 + 7.647163731819816e-13
-    v130 = ((v123 * v105 + -1.6059043836821613e-10) * v105 + 2.505210838544172e-08) * v105 + -2.7557319223985893e-06
-    v138 = ((v130 * v105 + 0.0001984126984126984) * v105 + -0.008333333333333333) * v105 + 0.16666666666666666
-    v146 = (2.0 * (2.0 * (-(np.expm1(-v16) / v16)) * brake * x - v28) * brake + np.sin(x)) * drive - (v99 * brake * brake * x * x + v28 - 2.0 * v138 * brake * x * x * x) * tilt
-    v152 = np.exp(-v7) * start + 2.0 * v146 / (1.0 + 4.0 * brake * brake)
-    return v152
+    """Constant friction, centripetal stress or drag. Operations: 59 mul, 34 add, 4 sub, 3 div, 1 neg, 1 min, 1
+    max, 2 less, 4 select, 1 abs, 2 exp, 1 expm1, 2 sin."""
+    t1 = -(2.0 * brake * x)
+    t2 = 2.0 * np.abs(brake * x)
+    t3 = t2 < 8.673617379884035e-19
+    t4 = np.where(t3, 1.0, t1)
+    t5 = np.sin(0.5 * x)
+    t6 = 2.0 * (t5 * t5)
+    t7 = 2.0 * (2.0 * np.where(t3, 1.0, np.expm1(t4) / t4) * brake * x - t6) * brake
+    x_2 = x * x
+    p1 = horner(x_2, SERIES_1)
+    t8 = np.maximum(-1.0, np.minimum(1.0, t1))
+    p2 = horner(t8, SERIES_2)
+    t9 = t2 < 1.0
+    t10 = np.where(t9, 1.0, t1)
+    t11 = 4.0 * np.where(t9, p2, (np.exp(t10) - 1.0 - t10) / (t10 * t10)) * brake * brake
+    t12 = (t7 + np.sin(x)) * drive - (2.0 * p1 * brake * x * x * x + t11 * x * x + t6) * tilt
+    return np.exp(t1) * start + 2.0 * t12 / (1.0 + 4.0 * brake * brake)
 
 
 def energy_braked_constant(x: Any, start: Any, drive: Any, tilt: Any, constant: Any, brake: Any) -> Any:
-    """Constant friction, centripetal stress or drag. Operations: 69 mul, 35 add, 5 sub, 3 div, 4 neg, 1 min, 1 max, 2 less, 3 select, 1 abs, 1 exp, 2 expm1, 2 sin."""
-    v8 = 2.0 * brake * x
-    v14 = 2.0 * np.abs(brake * x)
-    v18 = np.maximum(-1.0, np.minimum(1.0, v8))
-    v28 = ((-8.22063524662433e-18 * v18 + 1.5619206968586225e-16) * v18 + -2.8114572543455206e-15) * v18 + 4.779477332387385e-14
-    v37 = ((v28 * v18 + -7.647163731819816e-13) * v18 + 1.1470745597729725e-11) * v18 + -1.6059043836821613e-10
-    v46 = ((v37 * v18 + 2.08767569878681e-09) * v18 + -2.505210838544172e-08) * v18 + 2.755731922398589e-07
-    v55 = ((v46 * v18 + -2.7557319223985893e-06) * v18 + 2.48015873015873e-05) * v18 + -0.0001984126984126984
-    v65 = (((v55 * v18 + 0.001388888888888889) * v18 + -0.008333333333333333) * v18 + 0.041666666666666664) * v18
-    v71 = v14 < 1.0
-    v72 = np.where(v71, 1.0, v8)
-    v78 = np.where(v71, (v65 + -0.16666666666666666) * v18 + 0.5, (np.expm1(-v72) + v72) / (v72 * v72))
-    v85 = np.sin(0.5 * x)
-    v86 = v85 * v85
-    v90 = x * x
-    v100 = ((9.183689863795546e-29 * v90 + -6.446950284384474e-26) * v90 + 3.868170170630684e-23) * v90 + -1.9572941063391263e-20
-    v108 = ((v100 * v90 + 8.22063524662433e-18) * v90 + -2.8114572543455206e-15) * v90 + 7.647163731819816e-13
-    v115 = ((v108 * v90 + -1.6059043836821613e-10) * v90 + 2.505210838544172e-08) * v90 + -2.7557319223985893e-06
-    v123 = ((v115 * v90 + 0.0001984126984126984) * v90 + -0.008333333333333333) * v90 + 0.16666666666666666
-    v131 = np.where(v14 < 1e-300, 1e-300, v8)
-    v139 = 2.0 * v86
-    v146 = (2.0 * v78 * brake * x * x - 4.0 * v86 * brake - v123 * x * x * x) * constant + (2.0 * (2.0 * (-(np.expm1(-v131) / v131)) * brake * x - v139) * brake + np.sin(x)) * drive
-    v161 = 2.0 * (v146 - (4.0 * v78 * brake * brake * x * x + v139 - 2.0 * v123 * brake * x * x * x) * tilt)
-    v166 = np.exp(-v8) * start + v161 / (1.0 + 4.0 * brake * brake)
-    return v166
+    """Constant friction, centripetal stress or drag. Operations: 69 mul, 36 add, 5 sub, 3 div, 1 neg, 1 min, 1
+    max, 2 less, 4 select, 1 abs, 2 exp, 1 expm1, 2 sin."""
+    t1 = -(2.0 * brake * x)
+    x_2 = x * x
+    p1 = horner(x_2, SERIES_1)
+    t2 = 2.0 * np.abs(brake * x)
+    t3 = np.maximum(-1.0, np.minimum(1.0, t1))
+    p2 = horner(t3, SERIES_2)
+    t4 = t2 < 1.0
+    t5 = np.where(t4, 1.0, t1)
+    t6 = np.where(t4, p2, (np.exp(t5) - 1.0 - t5) / (t5 * t5))
+    t7 = np.sin(0.5 * x)
+    t8 = t7 * t7
+    t9 = (p1 * x * x * x + 2.0 * t6 * brake * x * x - 4.0 * t8 * brake) * constant
+    t10 = t2 < 8.673617379884035e-19
+    t11 = np.where(t10, 1.0, t1)
+    t12 = 2.0 * t8
+    t13 = 2.0 * (2.0 * np.where(t10, 1.0, np.expm1(t11) / t11) * brake * x - t12) * brake
+    t14 = (2.0 * p1 * brake * x * x * x + 4.0 * t6 * brake * brake * x * x + t12) * tilt
+    t15 = 2.0 * (t9 + (t13 + np.sin(x)) * drive - t14) / (1.0 + 4.0 * brake * brake)
+    return np.exp(t1) * start + t15
 
 
 def energy_constant(x: Any, start: Any, drive: Any, tilt: Any, constant: Any) -> Any:
-    """Constant friction, nothing that grows with the speed. Operations: 24 mul, 13 add, 2 sub, 2 sin."""
-    v13 = np.sin(0.5 * x)
-    v18 = x * x
-    v28 = ((9.183689863795546e-29 * v18 + -6.446950284384474e-26) * v18 + 3.868170170630684e-23) * v18 + -1.9572941063391263e-20
-    v37 = ((v28 * v18 + 8.22063524662433e-18) * v18 + -2.8114572543455206e-15) * v18 + 7.647163731819816e-13
-    v46 = ((v37 * v18 + -1.6059043836821613e-10) * v18 + 2.505210838544172e-08) * v18 + -2.7557319223985893e-06
-    v56 = 2.0 * (((v46 * v18 + 0.0001984126984126984) * v18 + -0.008333333333333333) * v18 + 0.16666666666666666)
-    v61 = start + 2.0 * np.sin(x) * drive - 4.0 * (v13 * v13) * tilt - v56 * constant * x * x * x
-    return v61
+    """Constant friction, nothing that grows with the speed. Operations: 23 mul, 14 add, 1 sub, 2 sin."""
+    x_2 = x * x
+    p1 = horner(x_2, SERIES_1)
+    t1 = np.sin(0.5 * x)
+    t2 = 2.0 * (np.sin(x) * drive + p1 * constant * x * x * x - 2.0 * (t1 * t1) * tilt)
+    return start + t2
 
 
-def energy_softening(x: Any, start: Any, drive: Any, tilt: Any, drop: Any, decay: Any, press: Any, press_rise: Any) -> Any:
-    """Exponential softening, no brake. Operations: 73 mul, 37 add, 5 sub, 4 div, 4 neg, 1 min, 1 max, 2 less, 3 select, 1 abs, 1 exp, 2 expm1, 2 sin."""
-    v9 = np.sin(x)
-    v13 = decay * x
-    v14 = np.abs(v13)
-    v18 = np.maximum(-1.0, np.minimum(1.0, v13))
-    v28 = ((-8.22063524662433e-18 * v18 + 1.5619206968586225e-16) * v18 + -2.8114572543455206e-15) * v18 + 4.779477332387385e-14
-    v37 = ((v28 * v18 + -7.647163731819816e-13) * v18 + 1.1470745597729725e-11) * v18 + -1.6059043836821613e-10
-    v46 = ((v37 * v18 + 2.08767569878681e-09) * v18 + -2.505210838544172e-08) * v18 + 2.755731922398589e-07
-    v55 = ((v46 * v18 + -2.7557319223985893e-06) * v18 + 2.48015873015873e-05) * v18 + -0.0001984126984126984
-    v65 = (((v55 * v18 + 0.001388888888888889) * v18 + -0.008333333333333333) * v18 + 0.041666666666666664) * v18
-    v71 = v14 < 1.0
-    v72 = np.where(v71, 1.0, v13)
-    v79 = np.where(v71, (v65 + -0.16666666666666666) * v18 + 0.5, (np.expm1(-v72) + v72) / (v72 * v72)) * decay
-    v80 = v79 * decay
-    v86 = np.where(v14 < 1e-300, 1e-300, v13)
-    v90 = -(np.expm1(-v86) / v86)
-    v96 = np.exp(-v13)
-    v98 = np.sin(0.5 * x)
-    v99 = v98 * v98
-    v104 = x * x
-    v114 = ((9.183689863795546e-29 * v104 + -6.446950284384474e-26) * v104 + 3.868170170630684e-23) * v104 + -1.9572941063391263e-20
-    v122 = ((v114 * v104 + 8.22063524662433e-18) * v104 + -2.8114572543455206e-15) * v104 + 7.647163731819816e-13
-    v129 = ((v122 * v104 + -1.6059043836821613e-10) * v104 + 2.505210838544172e-08) * v104 + -2.7557319223985893e-06
-    v137 = ((v129 * v104 + 0.0001984126984126984) * v104 + -0.008333333333333333) * v104 + 0.16666666666666666
-    v143 = v80 * decay * x * x + v9 * v90 * decay * x - 2.0 * v96 * v99 * decay - v137 * decay * decay * x * x * x
-    v144 = decay * decay
-    v145 = 1.0 + v144
-    v148 = v90 * decay
-    v165 = 2.0 * (v144 + v148 * x) * v99 + v80 * x * x - v148 * decay * x * x - v96 * v137 * decay * x * x * x
-    v175 = start + 2.0 * v9 * drive + 2.0 * (v143 / v145 * press + v165 / v145 * press_rise) * drop - 4.0 * v99 * tilt
-    return v175
+def energy_softening(x: Any, start: Any, drive: Any, tilt: Any, drop: Any, decay: Any, press: Any,
+        press_rise: Any) -> Any:
+    """Exponential softening, no brake. Operations: 73 mul, 38 add, 5 sub, 4 div, 1 neg, 1 min, 1 max, 2 less, 4
+    select, 1 abs, 2 exp, 1 expm1, 2 sin."""
+    t1 = np.sin(x)
+    x_2 = x * x
+    p1 = horner(x_2, SERIES_1)
+    t2 = decay * x
+    t3 = np.abs(t2)
+    t4 = -t2
+    t5 = np.maximum(-1.0, np.minimum(1.0, t4))
+    p2 = horner(t5, SERIES_2)
+    t6 = t3 < 1.0
+    t7 = np.where(t6, 1.0, t4)
+    t8 = np.where(t6, p2, (np.exp(t7) - 1.0 - t7) / (t7 * t7)) * decay * decay
+    t9 = t3 < 8.673617379884035e-19
+    t10 = np.where(t9, 1.0, t4)
+    t11 = np.where(t9, 1.0, np.expm1(t10) / t10)
+    t12 = p1 * decay * decay * x * x * x + t8 * decay * x * x + t1 * t11 * decay * x
+    t13 = np.exp(t4)
+    t14 = np.sin(0.5 * x)
+    t15 = t14 * t14
+    decay_2 = decay * decay
+    t16 = 1.0 + decay_2
+    t17 = t11 * decay
+    t18 = 2.0 * (decay_2 + t17 * x) * t15 + t8 * x * x + t13 * p1 * decay * x * x * x
+    t19 = (t18 - t17 * decay * x * x) / t16 * press_rise
+    t20 = 2.0 * ((t12 - 2.0 * t13 * t15 * decay) / t16 * press + t19) * drop
+    return start + 2.0 * t1 * drive + t20 - 4.0 * t15 * tilt
 
 
-def energy_softening_constant(x: Any, start: Any, drive: Any, tilt: Any, constant: Any, drop: Any, decay: Any, press: Any, press_rise: Any) -> Any:
-    """Exponential softening, no brake. Operations: 78 mul, 37 add, 6 sub, 4 div, 4 neg, 1 min, 1 max, 2 less, 3 select, 1 abs, 1 exp, 2 expm1, 2 sin."""
-    v10 = np.sin(x)
-    v14 = decay * x
-    v15 = np.abs(v14)
-    v19 = np.maximum(-1.0, np.minimum(1.0, v14))
-    v29 = ((-8.22063524662433e-18 * v19 + 1.5619206968586225e-16) * v19 + -2.8114572543455206e-15) * v19 + 4.779477332387385e-14
-    v38 = ((v29 * v19 + -7.647163731819816e-13) * v19 + 1.1470745597729725e-11) * v19 + -1.6059043836821613e-10
-    v47 = ((v38 * v19 + 2.08767569878681e-09) * v19 + -2.505210838544172e-08) * v19 + 2.755731922398589e-07
-    v56 = ((v47 * v19 + -2.7557319223985893e-06) * v19 + 2.48015873015873e-05) * v19 + -0.0001984126984126984
-    v66 = (((v56 * v19 + 0.001388888888888889) * v19 + -0.008333333333333333) * v19 + 0.041666666666666664) * v19
-    v72 = v15 < 1.0
-    v73 = np.where(v72, 1.0, v14)
-    v80 = np.where(v72, (v66 + -0.16666666666666666) * v19 + 0.5, (np.expm1(-v73) + v73) / (v73 * v73)) * decay
-    v81 = v80 * decay
-    v87 = np.where(v15 < 1e-300, 1e-300, v14)
-    v91 = -(np.expm1(-v87) / v87)
-    v97 = np.exp(-v14)
-    v99 = np.sin(0.5 * x)
-    v100 = v99 * v99
-    v105 = x * x
-    v115 = ((9.183689863795546e-29 * v105 + -6.446950284384474e-26) * v105 + 3.868170170630684e-23) * v105 + -1.9572941063391263e-20
-    v123 = ((v115 * v105 + 8.22063524662433e-18) * v105 + -2.8114572543455206e-15) * v105 + 7.647163731819816e-13
-    v130 = ((v123 * v105 + -1.6059043836821613e-10) * v105 + 2.505210838544172e-08) * v105 + -2.7557319223985893e-06
-    v138 = ((v130 * v105 + 0.0001984126984126984) * v105 + -0.008333333333333333) * v105 + 0.16666666666666666
-    v144 = v81 * decay * x * x + v10 * v91 * decay * x - 2.0 * v97 * v100 * decay - v138 * decay * decay * x * x * x
-    v145 = decay * decay
-    v146 = 1.0 + v145
-    v149 = v91 * decay
-    v166 = 2.0 * (v145 + v149 * x) * v100 + v81 * x * x - v149 * decay * x * x - v97 * v138 * decay * x * x * x
-    v176 = start + 2.0 * v10 * drive + 2.0 * (v144 / v146 * press + v166 / v146 * press_rise) * drop - 4.0 * v100 * tilt
-    v182 = v176 - 2.0 * v138 * constant * x * x * x
-    return v182
+def energy_softening_constant(x: Any, start: Any, drive: Any, tilt: Any, constant: Any, drop: Any, decay: Any,
+        press: Any, press_rise: Any) -> Any:
+    """Exponential softening, no brake. Operations: 77 mul, 39 add, 5 sub, 4 div, 1 neg, 1 min, 1 max, 2 less, 4
+    select, 1 abs, 2 exp, 1 expm1, 2 sin."""
+    x_2 = x * x
+    p1 = horner(x_2, SERIES_1)
+    t1 = decay * x
+    t2 = np.abs(t1)
+    t3 = -t1
+    t4 = np.maximum(-1.0, np.minimum(1.0, t3))
+    p2 = horner(t4, SERIES_2)
+    t5 = t2 < 1.0
+    t6 = np.where(t5, 1.0, t3)
+    t7 = np.where(t5, p2, (np.exp(t6) - 1.0 - t6) / (t6 * t6)) * decay * decay
+    t8 = np.sin(x)
+    t9 = t2 < 8.673617379884035e-19
+    t10 = np.where(t9, 1.0, t3)
+    t11 = np.where(t9, 1.0, np.expm1(t10) / t10)
+    t12 = p1 * decay * decay * x * x * x + t7 * decay * x * x + t8 * t11 * decay * x
+    t13 = np.exp(t3)
+    t14 = np.sin(0.5 * x)
+    t15 = t14 * t14
+    decay_2 = decay * decay
+    t16 = 1.0 + decay_2
+    t17 = t11 * decay
+    t18 = 2.0 * (decay_2 + t17 * x) * t15 + t7 * x * x + t13 * p1 * decay * x * x * x
+    t19 = (t18 - t17 * decay * x * x) / t16 * press_rise
+    t20 = start + 2.0 * ((t12 - 2.0 * t13 * t15 * decay) / t16 * press + t19) * drop
+    return t20 + 2.0 * (t8 * drive + p1 * constant * x * x * x - 2.0 * t15 * tilt)
 
 
-def energy_softening_constant_water(x: Any, start: Any, drive: Any, tilt: Any, constant: Any, drop: Any, decay: Any, press: Any, press_rise: Any, water: Any) -> Any:
-    """Exponential softening, no brake. Operations: 81 mul, 37 add, 7 sub, 4 div, 4 neg, 1 min, 1 max, 2 less, 3 select, 1 abs, 1 exp, 2 expm1, 2 sin."""
-    v11 = np.sin(x)
-    v15 = decay * x
-    v16 = np.abs(v15)
-    v20 = np.maximum(-1.0, np.minimum(1.0, v15))
-    v30 = ((-8.22063524662433e-18 * v20 + 1.5619206968586225e-16) * v20 + -2.8114572543455206e-15) * v20 + 4.779477332387385e-14
-    v39 = ((v30 * v20 + -7.647163731819816e-13) * v20 + 1.1470745597729725e-11) * v20 + -1.6059043836821613e-10
-    v48 = ((v39 * v20 + 2.08767569878681e-09) * v20 + -2.505210838544172e-08) * v20 + 2.755731922398589e-07
-    v57 = ((v48 * v20 + -2.7557319223985893e-06) * v20 + 2.48015873015873e-05) * v20 + -0.0001984126984126984
-    v67 = (((v57 * v20 + 0.001388888888888889) * v20 + -0.008333333333333333) * v20 + 0.041666666666666664) * v20
-    v73 = v16 < 1.0
-    v74 = np.where(v73, 1.0, v15)
-    v81 = np.where(v73, (v67 + -0.16666666666666666) * v20 + 0.5, (np.expm1(-v74) + v74) / (v74 * v74)) * decay
-    v82 = v81 * decay
-    v88 = np.where(v16 < 1e-300, 1e-300, v15)
-    v92 = -(np.expm1(-v88) / v88)
-    v98 = np.exp(-v15)
-    v100 = np.sin(0.5 * x)
-    v101 = v100 * v100
-    v106 = x * x
-    v116 = ((9.183689863795546e-29 * v106 + -6.446950284384474e-26) * v106 + 3.868170170630684e-23) * v106 + -1.9572941063391263e-20
-    v124 = ((v116 * v106 + 8.22063524662433e-18) * v106 + -2.8114572543455206e-15) * v106 + 7.647163731819816e-13
-    v131 = ((v124 * v106 + -1.6059043836821613e-10) * v106 + 2.505210838544172e-08) * v106 + -2.7557319223985893e-06
-    v139 = ((v131 * v106 + 0.0001984126984126984) * v106 + -0.008333333333333333) * v106 + 0.16666666666666666
-    v145 = v82 * decay * x * x + v11 * v92 * decay * x - 2.0 * v98 * v101 * decay - v139 * decay * decay * x * x * x
-    v146 = decay * decay
-    v147 = 1.0 + v146
-    v150 = v92 * decay
-    v167 = 2.0 * (v146 + v150 * x) * v101 + v82 * x * x - v150 * decay * x * x - v98 * v139 * decay * x * x * x
-    v177 = start + 2.0 * v11 * drive + 2.0 * (v145 / v147 * press + v167 / v147 * press_rise - v81 * water * x * x) * drop
-    v187 = v177 - 4.0 * v101 * tilt - 2.0 * v139 * constant * x * x * x
-    return v187
+def energy_softening_constant_water(x: Any, start: Any, drive: Any, tilt: Any, constant: Any, drop: Any, decay: Any,
+        press: Any, press_rise: Any, water: Any) -> Any:
+    """Exponential softening, no brake. Operations: 80 mul, 39 add, 6 sub, 4 div, 1 neg, 1 min, 1 max, 2 less, 4
+    select, 1 abs, 2 exp, 1 expm1, 2 sin."""
+    x_2 = x * x
+    p1 = horner(x_2, SERIES_1)
+    t1 = decay * x
+    t2 = np.abs(t1)
+    t3 = -t1
+    t4 = np.maximum(-1.0, np.minimum(1.0, t3))
+    p2 = horner(t4, SERIES_2)
+    t5 = t2 < 1.0
+    t6 = np.where(t5, 1.0, t3)
+    t7 = np.where(t5, p2, (np.exp(t6) - 1.0 - t6) / (t6 * t6)) * decay
+    t8 = t7 * decay
+    t9 = np.sin(x)
+    t10 = t2 < 8.673617379884035e-19
+    t11 = np.where(t10, 1.0, t3)
+    t12 = np.where(t10, 1.0, np.expm1(t11) / t11)
+    t13 = p1 * decay * decay * x * x * x + t8 * decay * x * x + t9 * t12 * decay * x
+    t14 = np.exp(t3)
+    t15 = np.sin(0.5 * x)
+    t16 = t15 * t15
+    decay_2 = decay * decay
+    t17 = 1.0 + decay_2
+    t18 = t12 * decay
+    t19 = 2.0 * (decay_2 + t18 * x) * t16 + t8 * x * x + t14 * p1 * decay * x * x * x
+    t20 = (t19 - t18 * decay * x * x) / t17 * press_rise
+    t21 = 2.0 * ((t13 - 2.0 * t14 * t16 * decay) / t17 * press + t20 - t7 * water * x * x)
+    return start + t21 * drop + 2.0 * (t9 * drive + p1 * constant * x * x * x - 2.0 * t16 * tilt)
 
 
 def fall_shaking(fall: Any, fall_slope: Any, k_h: Any, k_v: Any) -> Any:
     """Fall. Operations: 2 mul, 1 add, 1 sub."""
-    v8 = (1.0 - k_v) * fall + fall_slope * k_h
-    return v8
+    b = 1.0 - k_v
+    return b * fall + fall_slope * k_h
 
 
 def friction_exponential(slip: Any, peak: Any, residual: Any, length: Any) -> Any:
-    """Friction: residual + (peak - residual) exp(-slip/length). Operations: 1 mul, 1 add, 1 sub, 1 div, 1 neg, 1 exp."""
-    v9 = residual + (peak - residual) * np.exp(-(slip / length))
-    return v9
+    """Friction: residual + (peak - residual) exp(-slip/length). Operations: 1 mul, 1 add, 1 sub, 1 div, 1 neg,
+    1 exp."""
+    return residual + (peak - residual) * np.exp(-(slip / length))
 
 
 def friction_hyperbolic(slip: Any, peak: Any, residual: Any, length: Any) -> Any:
     """Friction: residual + (peak - residual)/(1 + slip/length). Operations: 2 add, 1 sub, 2 div."""
-    v9 = residual + (peak - residual) / (1.0 + slip / length)
-    return v9
+    return residual + (peak - residual) / (1.0 + slip / length)
 
 
 def friction_linear(slip: Any, peak: Any, residual: Any, length: Any) -> Any:
-    """Friction: falls from peak to residual over the length, then stays. Operations: 1 mul, 1 add, 1 sub, 1 div, 1 min."""
-    v9 = peak + (residual - peak) * np.minimum(1.0, slip / length)
-    return v9
+    """Friction: falls from peak to residual over the length, then stays. Operations: 1 mul, 1 add, 1 sub, 1
+    div, 1 min."""
+    return peak + (residual - peak) * np.minimum(1.0, slip / length)
 
 
 def friction_rate_weakening(speed: Any, peak: Any, residual: Any, velocity: Any) -> Any:
     """Friction: residual + (peak - residual)/(1 + speed/velocity). Operations: 2 add, 1 sub, 2 div."""
-    v9 = residual + (peak - residual) / (1.0 + speed / velocity)
-    return v9
+    return residual + (peak - residual) / (1.0 + speed / velocity)
 
 
 def frozen_braked_state(a: Any, b: Any, omega_0: Any, t: Any) -> tuple[Any, Any, Any]:
-    """Rotation, velocity and acceleration at a time. Operations: 56 mul, 35 add, 3 sub, 8 div, 1 neg, 4 min, 3 max, 4 less, 18 select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt."""
-    v8 = np.sqrt(np.abs(a)) * np.sqrt(np.abs(b))
-    v14 = np.minimum(t, 800.0 / np.maximum(1e-300, v8)) * v8
-    v19 = np.sign(a) * np.sign(b) * v14 * v14
-    v23 = np.maximum(-9.869604401089358, np.minimum(1.0, v19))
-    v25 = 1.0 < v19
-    v26 = np.where(v25, 0.0, t)
-    v28 = np.exp(-v14)
-    v30 = b * omega_0
-    v31 = v8 + v30
-    v32 = v8 - v30
-    v35 = 0.25 * v23
-    v45 = ((9.183689863795546e-29 * v35 + 6.446950284384474e-26) * v35 + 3.868170170630684e-23) * v35 + 1.9572941063391263e-20
-    v54 = ((v45 * v35 + 8.22063524662433e-18) * v35 + 2.8114572543455206e-15) * v35 + 7.647163731819816e-13
-    v63 = ((v54 * v35 + 1.6059043836821613e-10) * v35 + 2.505210838544172e-08) * v35 + 2.7557319223985893e-06
-    v73 = (((v63 * v35 + 0.0001984126984126984) * v35 + 0.008333333333333333) * v35 + 0.16666666666666666) * v35
-    v74 = v73 + 1.0
-    v76 = 0.5 * (v74 * v74)
-    v78 = 1.0 + v76 * v23
-    v84 = ((9.183689863795546e-29 * v23 + 6.446950284384474e-26) * v23 + 3.868170170630684e-23) * v23 + 1.9572941063391263e-20
-    v90 = ((v84 * v23 + 8.22063524662433e-18) * v23 + 2.8114572543455206e-15) * v23 + 7.647163731819816e-13
-    v96 = ((v90 * v23 + 1.6059043836821613e-10) * v23 + 2.505210838544172e-08) * v23 + 2.7557319223985893e-06
-    v103 = (((v96 * v23 + 0.0001984126984126984) * v23 + 0.008333333333333333) * v23 + 0.16666666666666666) * v23
-    v105 = (v103 + 1.0) * v26
-    v106 = v32 * (v28 * v28)
-    v114 = np.where(v25, 0.5 * (v31 + v106) / np.where(v25, v8, 1.0), v78 + v105 * b * omega_0)
-    v119 = v76 * a * v26 * v26 + v105 * omega_0
-    v120 = v119 * b
-    v122 = np.where(v25, v114, 1.0 + v120)
-    v125 = 9.869604401089358 + v19
-    v127 = 0.0 < np.minimum(v114, v125)
-    v128 = np.where(v127, v114, 1.0)
-    v129 = np.where(v25, v28, 1.0) / v128
-    v133 = 0.0 < np.minimum(v122, v125)
-    v137 = np.where(v25, b, 1.0)
-    v141 = np.where(v25, 0.0, np.maximum(-0.9999999999999999, v120))
-    v144 = np.abs(v141) < 8.673617379884035e-19
-    v145 = np.where(v144, 1.0, v141)
-    v150 = np.where(v25, (np.where(v25, t, 0.0) * v8 + np.log(np.where(v133, v122, 1.0))) / v137, np.where(v144, 1.0, np.log1p(v145) / v145) * v119)
-    v152 = np.where(v133, v150, np.nan)
-    v161 = np.where(v127, np.where(v25, 0.5 * (v31 - v106) / v137, v78 * omega_0 + v105 * a) / v128, np.nan)
-    v169 = np.where(v127, np.where(v25, v32 / v137 * v31, a - v30 * omega_0) * v129 * v129, np.nan)
-    return v152, v161, v169
+    """Rotation, velocity and acceleration at a time. Operations: 55 mul, 36 add, 3 sub, 8 div, 1 neg, 4 min, 3
+    max, 4 less, 18 select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt."""
+    k = np.sqrt(np.abs(a)) * np.sqrt(np.abs(b))
+    x = np.minimum(t, 800.0 / np.maximum(1e-300, k)) * k
+    z = np.sign(a) * np.sign(b) * x * x
+    near = np.maximum(-9.869604401089358, np.minimum(1.0, z))
+    t1 = 1.0 < z
+    far = np.where(t1, 0.0, t)
+    e = np.exp(-x)
+    q = e * e
+    t2 = b * omega_0
+    P = k + t2
+    M = k - t2
+    t3 = M * q
+    p1 = horner(near, (0.5, 0.041666666666666664, 0.001388888888888889, 2.48015873015873e-05,
+        2.755731922398589e-07, 2.08767569878681e-09, 1.1470745597729725e-11, 4.779477332387385e-14,
+        1.5619206968586225e-16, 4.110317623312165e-19, 8.896791392450574e-22, 1.6117375710961184e-24,
+        2.4795962632247976e-27, 3.279889237069838e-30))
+    t4 = p1 * near
+    p2 = horner(near, (1.0, 0.16666666666666666, 0.008333333333333333, 0.0001984126984126984,
+        2.7557319223985893e-06, 2.505210838544172e-08, 1.6059043836821613e-10, 7.647163731819816e-13,
+        2.8114572543455206e-15, 8.22063524662433e-18, 1.9572941063391263e-20, 3.868170170630684e-23,
+        6.446950284384474e-26, 9.183689863795546e-29))
+    y = np.where(t1, 0.5 * (P + t3) / np.where(t1, k, 1.0), 1.0 + t4 + p2 * b * far * omega_0)
+    G = p1 * a * far * far + p2 * far * omega_0
+    t5 = G * b
+    y_near = np.where(t1, y, 1.0 + t5)
+    t6 = 9.869604401089358 + z
+    t7 = 0.0 < np.minimum(y, t6)
+    t8 = np.where(t7, y, 1.0)
+    decay = np.where(t1, e, 1.0) / t8
+    t9 = 0.0 < np.minimum(y_near, t6)
+    t10 = np.where(t1, b, 1.0)
+    t11 = np.where(t1, 0.0, np.maximum(-0.9999999999999999, t5))
+    t12 = np.abs(t11) < 8.673617379884035e-19
+    t13 = np.where(t12, 1.0, t11)
+    t14 = (np.where(t1, t, 0.0) * k + np.log(np.where(t9, y_near, 1.0))) / t10
+    t15 = np.where(t1, 0.5 * (P - t3) / t10, omega_0 + p2 * a * far + t4 * omega_0)
+    return (np.where(t9, np.where(t1, t14, np.where(t12, 1.0, np.log1p(t13) / t13) * G), np.nan), np.where(t7, t15 / t8,
+        np.nan), np.where(t7, np.where(t1, M / t10 * P, a - t2 * omega_0) * decay * decay, np.nan))
 
 
 def frozen_state(a: Any, omega_0: Any, t: Any) -> tuple[Any, Any, Any]:
     """Rotation, velocity and acceleration at a time. Operations: 4 mul, 2 add."""
-    v7 = (omega_0 + 0.5 * a * t) * t
-    v9 = omega_0 + a * t
-    return v7, v9, a
+    return (omega_0 + 0.5 * a * t) * t, omega_0 + a * t, a
 
 
 def limit_friction(static_limit: Any) -> Any:
-    """Limit_friction. Operations: none."""
+    """limit_friction. Operations: none."""
     return static_limit
 
 
 def limit_friction_cohesion(static_limit: Any, press: Any, level: Any, cohesion: Any) -> Any:
-    """Limit_friction. Operations: 2 mul, 1 sub, 1 div."""
-    v7 = (press * static_limit - cohesion * level) / press
-    return v7
+    """limit_friction. Operations: 2 mul, 1 sub, 1 div."""
+    return (press * static_limit - cohesion * level) / press
 
 
-def limit_friction_cohesion_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
-    """Limit_friction. Operations: 7 mul, 2 add, 3 sub, 1 div."""
-    v21 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press)
-    return v21
+def limit_friction_cohesion_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any,
+        cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """limit_friction. Operations: 7 mul, 2 add, 3 sub, 1 div."""
+    t1 = fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit
+    b = 1.0 - k_v
+    return t1 / (k_h * press_slope + b * press)
 
 
-def limit_friction_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 8 mul, 2 add, 4 sub, 1 div."""
-    v24 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press - excess * level)
-    return v24
+def limit_friction_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any,
+        press_slope: Any, level: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+    """limit_friction. Operations: 8 mul, 2 add, 4 sub, 1 div."""
+    t1 = fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit
+    b = 1.0 - k_v
+    return t1 / (k_h * press_slope + b * press - excess * level)
 
 
-def limit_friction_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, cohesion: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 3 mul, 2 sub, 1 div."""
-    v10 = (press * static_limit - cohesion * level) / (press - excess * level)
-    return v10
+def limit_friction_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, cohesion: Any,
+        excess: Any) -> Any:
+    """limit_friction. Operations: 3 mul, 2 sub, 1 div."""
+    return (press * static_limit - cohesion * level) / (press - excess * level)
 
 
 def limit_friction_pore_pressure(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
-    """Limit_friction. Operations: 3 mul, 2 sub, 1 div."""
-    v11 = press / ((1.0 - pore_ratio) * press - level * pore_pressure) * static_limit
-    return v11
+    """limit_friction. Operations: 3 mul, 2 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    return press / (b * press - level * pore_pressure) * static_limit
 
 
-def limit_friction_pore_pressure_cohesion(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any) -> Any:
-    """Limit_friction. Operations: 4 mul, 3 sub, 1 div."""
-    v14 = (press * static_limit - cohesion * level) / ((1.0 - pore_ratio) * press - level * pore_pressure)
-    return v14
+def limit_friction_pore_pressure_cohesion(static_limit: Any, press: Any, level: Any, pore_ratio: Any,
+        pore_pressure: Any, cohesion: Any) -> Any:
+    """limit_friction. Operations: 4 mul, 3 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    return (press * static_limit - cohesion * level) / (b * press - level * pore_pressure)
 
 
-def limit_friction_pore_pressure_cohesion_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
-    """Limit_friction. Operations: 8 mul, 2 add, 5 sub, 1 div."""
-    v26 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure)
-    return v26
+def limit_friction_pore_pressure_cohesion_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any,
+        level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+    """limit_friction. Operations: 8 mul, 2 add, 5 sub, 1 div."""
+    t1 = fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit
+    b = 1.0 - k_v
+    return t1 / (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure)
 
 
-def limit_friction_pore_pressure_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 9 mul, 2 add, 6 sub, 1 div."""
-    v29 = (fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
-    return v29
+def limit_friction_pore_pressure_cohesion_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any,
+        press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
+    """limit_friction. Operations: 9 mul, 2 add, 6 sub, 1 div."""
+    t1 = fall_slope * k_h + press * static_limit - cohesion * level - k_v * press * static_limit
+    b = 1.0 - k_v
+    t2 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return t1 / t2
 
 
-def limit_friction_pore_pressure_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 5 mul, 4 sub, 1 div."""
-    v17 = (press * static_limit - cohesion * level) / ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure)
-    return v17
+def limit_friction_pore_pressure_cohesion_thermal_pressurisation(static_limit: Any, press: Any, level: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
+    """limit_friction. Operations: 5 mul, 4 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    t1 = b * press - excess * level - level * pore_pressure
+    return (press * static_limit - cohesion * level) / t1
 
 
-def limit_friction_pore_pressure_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
-    """Limit_friction. Operations: 7 mul, 2 add, 4 sub, 1 div."""
-    v23 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure)
-    return v23
+def limit_friction_pore_pressure_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any,
+        pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+    """limit_friction. Operations: 7 mul, 2 add, 4 sub, 1 div."""
+    b = 1.0 - k_v
+    t1 = fall_slope * k_h + press * static_limit - k_v * press * static_limit
+    return t1 / (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure)
 
 
-def limit_friction_pore_pressure_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 8 mul, 2 add, 5 sub, 1 div."""
-    v26 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure)
-    return v26
+def limit_friction_pore_pressure_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any,
+        press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+    """limit_friction. Operations: 8 mul, 2 add, 5 sub, 1 div."""
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / t1
 
 
-def limit_friction_pore_pressure_thermal_pressurisation(static_limit: Any, press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 4 mul, 3 sub, 1 div."""
-    v14 = press / ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * static_limit
-    return v14
+def limit_friction_pore_pressure_thermal_pressurisation(static_limit: Any, press: Any, level: Any, pore_ratio: Any,
+        pore_pressure: Any, excess: Any) -> Any:
+    """limit_friction. Operations: 4 mul, 3 sub, 1 div."""
+    b = 1.0 - pore_ratio
+    return press / (b * press - excess * level - level * pore_pressure) * static_limit
 
 
 def limit_friction_shaking(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, k_h: Any, k_v: Any) -> Any:
-    """Limit_friction. Operations: 6 mul, 2 add, 2 sub, 1 div."""
-    v17 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press)
-    return v17
+    """limit_friction. Operations: 6 mul, 2 add, 2 sub, 1 div."""
+    b = 1.0 - k_v
+    t1 = fall_slope * k_h + press * static_limit - k_v * press * static_limit
+    return t1 / (k_h * press_slope + b * press)
 
 
-def limit_friction_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 7 mul, 2 add, 3 sub, 1 div."""
-    v21 = (fall_slope * k_h + press * static_limit - k_v * press * static_limit) / (k_h * press_slope + (1.0 - k_v) * press - excess * level)
-    return v21
+def limit_friction_shaking_thermal_pressurisation(static_limit: Any, press: Any, fall_slope: Any, press_slope: Any,
+        level: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+    """limit_friction. Operations: 7 mul, 2 add, 3 sub, 1 div."""
+    b = 1.0 - k_v
+    t1 = fall_slope * k_h + press * static_limit - k_v * press * static_limit
+    return t1 / (k_h * press_slope + b * press - excess * level)
 
 
 def limit_friction_thermal_pressurisation(static_limit: Any, press: Any, level: Any, excess: Any) -> Any:
-    """Limit_friction. Operations: 2 mul, 1 sub, 1 div."""
-    v7 = press / (press - excess * level) * static_limit
-    return v7
+    """limit_friction. Operations: 2 mul, 1 sub, 1 div."""
+    return press / (press - excess * level) * static_limit
 
 
 def normal(press: Any) -> Any:
@@ -819,943 +825,1076 @@ def normal(press: Any) -> Any:
 
 def normal_pore_pressure(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
     """Normal. Operations: 2 mul, 2 sub."""
-    v8 = (1.0 - pore_ratio) * press - level * pore_pressure
-    return v8
+    b = 1.0 - pore_ratio
+    return b * press - level * pore_pressure
 
 
-def normal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+def normal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any,
+        k_h: Any, k_v: Any) -> Any:
     """Normal. Operations: 3 mul, 1 add, 3 sub."""
-    v14 = k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure
-    return v14
+    b = 1.0 - k_v
+    return k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure
 
 
-def normal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def normal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, pore_ratio: Any,
+        pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Normal. Operations: 4 mul, 1 add, 4 sub."""
-    v17 = k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    return v17
+    b = 1.0 - k_v
+    return k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
 
 
-def normal_pore_pressure_thermal_pressurisation(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+def normal_pore_pressure_thermal_pressurisation(press: Any, level: Any, pore_ratio: Any, pore_pressure: Any,
+        excess: Any) -> Any:
     """Normal. Operations: 3 mul, 3 sub."""
-    v11 = (1.0 - pore_ratio) * press - excess * level - level * pore_pressure
-    return v11
+    b = 1.0 - pore_ratio
+    return b * press - excess * level - level * pore_pressure
 
 
 def normal_shaking(press: Any, press_slope: Any, k_h: Any, k_v: Any) -> Any:
     """Normal. Operations: 2 mul, 1 add, 1 sub."""
-    v8 = k_h * press_slope + (1.0 - k_v) * press
-    return v8
+    b = 1.0 - k_v
+    return k_h * press_slope + b * press
 
 
-def normal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def normal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
     """Normal. Operations: 3 mul, 1 add, 2 sub."""
-    v12 = k_h * press_slope + (1.0 - k_v) * press - excess * level
-    return v12
+    b = 1.0 - k_v
+    return k_h * press_slope + b * press - excess * level
 
 
 def normal_stress(press: Any, level: Any) -> Any:
-    """Normal_stress. Operations: 1 div."""
-    v2 = press / level
-    return v2
+    """normal_stress. Operations: 1 div."""
+    return press / level
 
 
 def normal_stress_centripetal(press: Any, level: Any, polar: Any, omega_2: Any) -> Any:
-    """Normal_stress. Operations: 1 mul, 1 add, 1 div."""
-    v6 = (press + omega_2 * polar) / level
-    return v6
+    """normal_stress. Operations: 1 mul, 1 add, 1 div."""
+    return (press + omega_2 * polar) / level
 
 
-def normal_stress_centripetal_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any, k_v: Any) -> Any:
-    """Normal_stress. Operations: 3 mul, 2 add, 1 sub, 1 div."""
-    v14 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) / level
-    return v14
+def normal_stress_centripetal_shaking(press: Any, press_slope: Any, level: Any, polar: Any, omega_2: Any, k_h: Any,
+        k_v: Any) -> Any:
+    """normal_stress. Operations: 3 mul, 2 add, 1 sub, 1 div."""
+    b = 1.0 - k_v
+    return (k_h * press_slope + omega_2 * polar + b * press) / level
 
 
 def normal_stress_shaking(press: Any, press_slope: Any, level: Any, k_h: Any, k_v: Any) -> Any:
-    """Normal_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
-    v10 = (k_h * press_slope + (1.0 - k_v) * press) / level
-    return v10
+    """normal_stress. Operations: 2 mul, 1 add, 1 sub, 1 div."""
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press) / level
 
 
 def normal_thermal_pressurisation(press: Any, level: Any, excess: Any) -> Any:
     """Normal. Operations: 1 mul, 1 sub."""
-    v4 = press - excess * level
-    return v4
+    return press - excess * level
 
 
-def pressurisation_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
+def pressurisation_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, kappa: Any,
+        excess: Any) -> Any:
     """Pressurisation. Operations: 7 mul, 2 add, 4 sub, 1 div."""
-    v23 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v26 = v23 / level * kappa * mu
-    return v26
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return (t1 - level * pore_pressure) / level * kappa * mu
 
 
-def pressurisation_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, kappa: Any, excess: Any) -> Any:
+def pressurisation_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 6 mul, 1 add, 3 sub, 1 div."""
-    v19 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level * kappa
-    v20 = v19 * mu
-    return v20
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) / level
+    return t1 * kappa * mu
 
 
-def pressurisation_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
+def pressurisation_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any,
+        mu: Any, omega_2: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 6 mul, 2 add, 2 sub, 1 div."""
-    v21 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) / level * kappa * mu
-    return v21
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + omega_2 * polar + b * press - excess * level) / level
+    return t1 * kappa * mu
 
 
-def pressurisation_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, kappa: Any, excess: Any) -> Any:
+def pressurisation_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 4 mul, 1 add, 1 sub, 1 div."""
-    v13 = (press + omega_2 * polar - excess * level) / level * kappa * mu
-    return v13
+    return (press + omega_2 * polar - excess * level) / level * kappa * mu
 
 
-def pressurisation_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
+def pressurisation_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 6 mul, 1 add, 4 sub, 1 div."""
-    v20 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) / level
-    v22 = v20 * kappa * mu
-    return v22
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return t1 / level * kappa * mu
 
 
-def pressurisation_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, kappa: Any, excess: Any) -> Any:
+def pressurisation_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any,
+        pore_pressure: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 5 mul, 3 sub, 1 div."""
-    v16 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) / level * kappa * mu
-    return v16
+    b = 1.0 - pore_ratio
+    return (b * press - excess * level - level * pore_pressure) / level * kappa * mu
 
 
-def pressurisation_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any, kappa: Any, excess: Any) -> Any:
+def pressurisation_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any,
+        kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 5 mul, 1 add, 2 sub, 1 div."""
-    v17 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) / level * kappa * mu
-    return v17
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press - excess * level) / level * kappa * mu
 
 
 def pressurisation_thermal_pressurisation(press: Any, level: Any, mu: Any, kappa: Any, excess: Any) -> Any:
     """Pressurisation. Operations: 3 mul, 1 sub, 1 div."""
-    v9 = (press - excess * level) / level * kappa * mu
-    return v9
+    return (press - excess * level) / level * kappa * mu
 
 
 def resistance(press: Any, mu: Any) -> Any:
     """Resistance. Operations: 1 mul."""
-    v2 = mu * press
-    return v2
+    return mu * press
 
 
 def resistance_centripetal(press: Any, polar: Any, mu: Any, omega_2: Any) -> Any:
     """Resistance. Operations: 2 mul, 1 add."""
-    v6 = (press + omega_2 * polar) * mu
-    return v6
+    return (press + omega_2 * polar) * mu
 
 
 def resistance_centripetal_cohesion(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 add."""
-    v10 = cohesion * level + (press + omega_2 * polar) * mu
-    return v10
+    return cohesion * level + (press + omega_2 * polar) * mu
 
 
-def resistance_centripetal_cohesion_drag(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any) -> Any:
+def resistance_centripetal_cohesion_drag(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any,
+        drag: Any) -> Any:
     """Resistance. Operations: 4 mul, 3 add."""
-    v13 = cohesion * level + drag * omega_2 + (press + omega_2 * polar) * mu
-    return v13
+    return cohesion * level + drag * omega_2 + (press + omega_2 * polar) * mu
 
 
-def resistance_centripetal_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 4 add, 1 sub."""
-    v21 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
-    return v21
+    b = 1.0 - k_v
+    return cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + b * press) * mu
 
 
-def resistance_centripetal_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
-    v24 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
-    return v24
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu
+    return cohesion * level + drag * omega_2 + t1
 
 
-def resistance_centripetal_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v16 = cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
-    return v16
+    return cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
 
 
-def resistance_centripetal_cohesion_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_cohesion_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any,
+        omega_2: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 5 mul, 4 add."""
-    v17 = cohesion * level + drag * omega_2 + (press + omega_2 * polar) * mu + omega * viscosity
-    return v17
+    return cohesion * level + drag * omega_2 + (press + omega_2 * polar) * mu + omega * viscosity
 
 
-def resistance_centripetal_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any,
+        mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 7 mul, 5 add, 1 sub."""
-    v23 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
-    v25 = v23 + omega * viscosity
-    return v25
+    b = 1.0 - k_v
+    t1 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + b * press) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any,
+        level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any,
+        k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 5 add, 2 sub."""
-    v26 = cohesion * level + drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
-    v28 = v26 + omega * viscosity
-    return v28
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu
+    return cohesion * level + drag * omega_2 + t1 + omega * viscosity
 
 
-def resistance_centripetal_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 4 add, 1 sub."""
-    v20 = cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
-    return v20
+    t1 = cohesion * level + drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_cohesion_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        cohesion: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v18 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
-    return v18
+    b = 1.0 - k_v
+    return cohesion * level + (k_h * press_slope + omega_2 * polar + b * press) * mu
 
 
-def resistance_centripetal_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any,
+        mu: Any, omega_2: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v21 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
-    return v21
+    b = 1.0 - k_v
+    return cohesion * level + (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu
 
 
-def resistance_centripetal_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, cohesion: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v13 = cohesion * level + (press + omega_2 * polar - excess * level) * mu
-    return v13
+    return cohesion * level + (press + omega_2 * polar - excess * level) * mu
 
 
-def resistance_centripetal_cohesion_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any) -> Any:
+def resistance_centripetal_cohesion_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any,
+        cohesion: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 4 mul, 3 add."""
-    v14 = cohesion * level + (press + omega_2 * polar) * mu + omega * viscosity
-    return v14
+    return cohesion * level + (press + omega_2 * polar) * mu + omega * viscosity
 
 
-def resistance_centripetal_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any,
+        omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 4 add, 1 sub."""
-    v22 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu + omega * viscosity
-    return v22
+    b = 1.0 - k_v
+    t1 = cohesion * level + (k_h * press_slope + omega_2 * polar + b * press) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
-    v23 = cohesion * level + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
-    v25 = v23 + omega * viscosity
-    return v25
+    b = 1.0 - k_v
+    t1 = cohesion * level + (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega: Any, omega_2: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v17 = cohesion * level + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
-    return v17
+    return cohesion * level + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
 
 
 def resistance_centripetal_drag(press: Any, polar: Any, mu: Any, omega_2: Any, drag: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 add."""
-    v9 = drag * omega_2 + (press + omega_2 * polar) * mu
-    return v9
+    return drag * omega_2 + (press + omega_2 * polar) * mu
 
 
-def resistance_centripetal_drag_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_drag_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega_2: Any, drag: Any,
+        k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v17 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
-    return v17
+    b = 1.0 - k_v
+    return drag * omega_2 + (k_h * press_slope + omega_2 * polar + b * press) * mu
 
 
-def resistance_centripetal_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any,
+        mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v21 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
-    return v21
+    b = 1.0 - k_v
+    return drag * omega_2 + (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu
 
 
-def resistance_centripetal_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, drag: Any, excess: Any) -> Any:
+def resistance_centripetal_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v13 = drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
-    return v13
+    return drag * omega_2 + (press + omega_2 * polar - excess * level) * mu
 
 
-def resistance_centripetal_drag_viscosity(press: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_drag_viscosity(press: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any,
+        viscosity: Any) -> Any:
     """Resistance. Operations: 4 mul, 3 add."""
-    v13 = drag * omega_2 + (press + omega_2 * polar) * mu + omega * viscosity
-    return v13
+    return drag * omega_2 + (press + omega_2 * polar) * mu + omega * viscosity
 
 
-def resistance_centripetal_drag_viscosity_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_drag_viscosity_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega: Any,
+        omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 4 add, 1 sub."""
-    v21 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu + omega * viscosity
-    return v21
+    b = 1.0 - k_v
+    return drag * omega_2 + (k_h * press_slope + omega_2 * polar + b * press) * mu + omega * viscosity
 
 
-def resistance_centripetal_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
-    v23 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
-    v25 = v23 + omega * viscosity
-    return v25
+    b = 1.0 - k_v
+    t1 = drag * omega_2 + (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega: Any, omega_2: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v17 = drag * omega_2 + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
-    return v17
+    return drag * omega_2 + (press + omega_2 * polar - excess * level) * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
+def resistance_centripetal_pore_pressure(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any,
+        pore_pressure: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 2 sub."""
-    v14 = (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v14
+    b = 1.0 - pore_ratio
+    return (omega_2 * polar + b * press - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_cohesion(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v17 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v17
+    b = 1.0 - pore_ratio
+    return cohesion * level + (omega_2 * polar + b * press - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v20 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v20
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any,
+        mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any,
+        k_v: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 3 sub."""
-    v25 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v26 = cohesion * level + drag * omega_2 + v25
-    return v26
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return cohesion * level + drag * omega_2 + t1 * mu
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any,
+        level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any,
+        k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
-    v27 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v29 = cohesion * level + drag * omega_2 + v27 * mu
-    return v29
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return cohesion * level + drag * omega_2 + (t1 - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, polar: Any,
+        mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
-    v23 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v23
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any,
+        omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
-    v22 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    v24 = v22 + omega * viscosity
-    return v24
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1 + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any,
+        viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 8 mul, 5 add, 3 sub."""
-    v27 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v30 = cohesion * level + drag * omega_2 + v27 + omega * viscosity
-    return v30
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return cohesion * level + drag * omega_2 + t1 * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any,
+        press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any,
+        pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 9 mul, 5 add, 4 sub."""
-    v29 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v33 = cohesion * level + drag * omega_2 + v29 * mu + omega * viscosity
-    return v33
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return cohesion * level + drag * omega_2 + (t1 - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any,
+        polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any,
+        viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 3 sub."""
-    v25 = cohesion * level + drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v27 = v25 + omega * viscosity
-    return v27
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1 + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_cohesion_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 3 sub."""
-    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v23 = cohesion * level + v22
-    return v23
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return cohesion * level + t1 * mu
 
 
-def resistance_centripetal_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any,
+        level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any,
+        k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
-    v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v26 = cohesion * level + v24 * mu
-    return v26
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return cohesion * level + (t1 - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
-    v20 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v20
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
+    return cohesion * level + t1
 
 
-def resistance_centripetal_pore_pressure_cohesion_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v21 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v21
+    b = 1.0 - pore_ratio
+    t1 = cohesion * level + (omega_2 * polar + b * press - level * pore_pressure) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any,
+        viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 3 sub."""
-    v24 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v27 = cohesion * level + v24 + omega * viscosity
-    return v27
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return cohesion * level + t1 * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any,
+        level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any,
+        viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
-    v26 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v30 = cohesion * level + v26 * mu + omega * viscosity
-    return v30
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return cohesion * level + (t1 - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any,
+        mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
-    v22 = cohesion * level + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v24 = v22 + omega * viscosity
-    return v24
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
+    return cohesion * level + t1 + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_drag(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, drag: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v17 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v17
+    b = 1.0 - pore_ratio
+    return drag * omega_2 + (omega_2 * polar + b * press - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 3 sub."""
-    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v23 = drag * omega_2 + v22
-    return v23
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return drag * omega_2 + t1 * mu
 
 
-def resistance_centripetal_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
-    v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v26 = drag * omega_2 + v24 * mu
-    return v26
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return drag * omega_2 + (t1 - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
-    v20 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v20
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
+    return drag * omega_2 + t1
 
 
-def resistance_centripetal_pore_pressure_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v21 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v21
+    b = 1.0 - pore_ratio
+    t1 = drag * omega_2 + (omega_2 * polar + b * press - level * pore_pressure) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any,
+        mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any,
+        k_v: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 3 sub."""
-    v24 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v27 = drag * omega_2 + v24 + omega * viscosity
-    return v27
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return drag * omega_2 + t1 * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any,
+        level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any,
+        viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
-    v26 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v30 = drag * omega_2 + v26 * mu + omega * viscosity
-    return v30
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return drag * omega_2 + (t1 - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any,
+        mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
-    v22 = drag * omega_2 + (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v24 = v22 + omega * viscosity
-    return v24
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
+    return drag * omega_2 + t1 + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 3 sub."""
-    v20 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    return v20
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return t1 * mu
 
 
-def resistance_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
-    v22 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v23 = v22 * mu
-    return v23
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return (t1 - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 3 sub."""
-    v17 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v17
+    b = 1.0 - pore_ratio
+    return (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
 
 
-def resistance_centripetal_pore_pressure_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any) -> Any:
+def resistance_centripetal_pore_pressure_viscosity(press: Any, level: Any, polar: Any, mu: Any, omega: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v18 = (omega_2 * polar + (1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v18
+    b = 1.0 - pore_ratio
+    return (omega_2 * polar + b * press - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_pore_pressure_viscosity_shaking(press: Any, press_slope: Any, level: Any, polar: Any,
+        mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any,
+        k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 3 sub."""
-    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v24 = v22 + omega * viscosity
-    return v24
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - level * pore_pressure
+    return t1 * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any,
+        level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any,
+        k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
-    v24 = k_h * press_slope + omega_2 * polar + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure
-    v27 = v24 * mu + omega * viscosity
-    return v27
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + omega_2 * polar + (b - pore_ratio) * press - excess * level
+    return (t1 - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_centripetal_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any,
+        omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
-    v21 = (omega_2 * polar + (1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
-    return v21
+    b = 1.0 - pore_ratio
+    t1 = (omega_2 * polar + b * press - excess * level - level * pore_pressure) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_centripetal_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega_2: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega_2: Any, k_h: Any,
+        k_v: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v14 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu
-    return v14
+    b = 1.0 - k_v
+    return (k_h * press_slope + omega_2 * polar + b * press) * mu
 
 
-def resistance_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega_2: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any,
+        omega_2: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v18 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu
-    return v18
+    b = 1.0 - k_v
+    return (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu
 
 
-def resistance_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any, excess: Any) -> Any:
+def resistance_centripetal_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega_2: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
-    v10 = (press + omega_2 * polar - excess * level) * mu
-    return v10
+    return (press + omega_2 * polar - excess * level) * mu
 
 
 def resistance_centripetal_viscosity(press: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 add."""
-    v10 = (press + omega_2 * polar) * mu + omega * viscosity
-    return v10
+    return (press + omega_2 * polar) * mu + omega * viscosity
 
 
-def resistance_centripetal_viscosity_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_centripetal_viscosity_shaking(press: Any, press_slope: Any, polar: Any, mu: Any, omega: Any,
+        omega_2: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v18 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press) * mu + omega * viscosity
-    return v18
+    b = 1.0 - k_v
+    return (k_h * press_slope + omega_2 * polar + b * press) * mu + omega * viscosity
 
 
-def resistance_centripetal_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_centripetal_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v22 = (k_h * press_slope + omega_2 * polar + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
-    return v22
+    b = 1.0 - k_v
+    return (k_h * press_slope + omega_2 * polar + b * press - excess * level) * mu + omega * viscosity
 
 
-def resistance_centripetal_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any, omega_2: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_centripetal_viscosity_thermal_pressurisation(press: Any, level: Any, polar: Any, mu: Any, omega: Any,
+        omega_2: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v14 = (press + omega_2 * polar - excess * level) * mu + omega * viscosity
-    return v14
+    return (press + omega_2 * polar - excess * level) * mu + omega * viscosity
 
 
 def resistance_cohesion(press: Any, level: Any, mu: Any, cohesion: Any) -> Any:
     """Resistance. Operations: 2 mul, 1 add."""
-    v6 = cohesion * level + mu * press
-    return v6
+    return cohesion * level + mu * press
 
 
 def resistance_cohesion_drag(press: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 add."""
-    v10 = cohesion * level + drag * omega_2 + mu * press
-    return v10
+    return cohesion * level + drag * omega_2 + mu * press
 
 
-def resistance_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any,
+        drag: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v18 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu
-    return v18
+    b = 1.0 - k_v
+    return cohesion * level + drag * omega_2 + (k_h * press_slope + b * press) * mu
 
 
-def resistance_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        omega_2: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v21 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
-    return v21
+    b = 1.0 - k_v
+    return cohesion * level + drag * omega_2 + (k_h * press_slope + b * press - excess * level) * mu
 
 
-def resistance_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
+def resistance_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, cohesion: Any,
+        drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v13 = cohesion * level + drag * omega_2 + (press - excess * level) * mu
-    return v13
+    return cohesion * level + drag * omega_2 + (press - excess * level) * mu
 
 
-def resistance_cohesion_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_cohesion_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any,
+        drag: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 4 mul, 3 add."""
-    v14 = cohesion * level + drag * omega_2 + mu * press + omega * viscosity
-    return v14
+    return cohesion * level + drag * omega_2 + mu * press + omega * viscosity
 
 
-def resistance_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any,
+        omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 4 add, 1 sub."""
-    v22 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
-    return v22
+    b = 1.0 - k_v
+    return cohesion * level + drag * omega_2 + (k_h * press_slope + b * press) * mu + omega * viscosity
 
 
-def resistance_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 2 sub."""
-    v23 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
-    v25 = v23 + omega * viscosity
-    return v25
+    b = 1.0 - k_v
+    t1 = cohesion * level + drag * omega_2 + (k_h * press_slope + b * press - excess * level) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any,
+        cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v17 = cohesion * level + drag * omega_2 + (press - excess * level) * mu + omega * viscosity
-    return v17
+    return cohesion * level + drag * omega_2 + (press - excess * level) * mu + omega * viscosity
 
 
-def resistance_cohesion_shaking(press: Any, press_slope: Any, level: Any, mu: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_shaking(press: Any, press_slope: Any, level: Any, mu: Any, cohesion: Any, k_h: Any,
+        k_v: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v14 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press) * mu
-    return v14
+    b = 1.0 - k_v
+    return cohesion * level + (k_h * press_slope + b * press) * mu
 
 
-def resistance_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, cohesion: Any,
+        k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v17 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
-    return v17
+    b = 1.0 - k_v
+    return cohesion * level + (k_h * press_slope + b * press - excess * level) * mu
 
 
 def resistance_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
-    v9 = cohesion * level + (press - excess * level) * mu
-    return v9
+    return cohesion * level + (press - excess * level) * mu
 
 
 def resistance_cohesion_viscosity(press: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 add."""
-    v10 = cohesion * level + mu * press + omega * viscosity
-    return v10
+    return cohesion * level + mu * press + omega * viscosity
 
 
-def resistance_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, cohesion: Any,
+        viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v18 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
-    return v18
+    b = 1.0 - k_v
+    return cohesion * level + (k_h * press_slope + b * press) * mu + omega * viscosity
 
 
-def resistance_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        omega: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v21 = cohesion * level + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
-    return v21
+    b = 1.0 - k_v
+    return cohesion * level + (k_h * press_slope + b * press - excess * level) * mu + omega * viscosity
 
 
-def resistance_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, cohesion: Any,
+        viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v13 = cohesion * level + (press - excess * level) * mu + omega * viscosity
-    return v13
+    return cohesion * level + (press - excess * level) * mu + omega * viscosity
 
 
 def resistance_drag(press: Any, mu: Any, omega_2: Any, drag: Any) -> Any:
     """Resistance. Operations: 2 mul, 1 add."""
-    v6 = drag * omega_2 + mu * press
-    return v6
+    return drag * omega_2 + mu * press
 
 
 def resistance_drag_shaking(press: Any, press_slope: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v14 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu
-    return v14
+    b = 1.0 - k_v
+    return drag * omega_2 + (k_h * press_slope + b * press) * mu
 
 
-def resistance_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any,
+        drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v18 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
-    return v18
+    b = 1.0 - k_v
+    return drag * omega_2 + (k_h * press_slope + b * press - excess * level) * mu
 
 
-def resistance_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, drag: Any, excess: Any) -> Any:
+def resistance_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, drag: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
-    v10 = drag * omega_2 + (press - excess * level) * mu
-    return v10
+    return drag * omega_2 + (press - excess * level) * mu
 
 
 def resistance_drag_viscosity(press: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 add."""
-    v10 = drag * omega_2 + mu * press + omega * viscosity
-    return v10
+    return drag * omega_2 + mu * press + omega * viscosity
 
 
-def resistance_drag_viscosity_shaking(press: Any, press_slope: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_drag_viscosity_shaking(press: Any, press_slope: Any, mu: Any, omega: Any, omega_2: Any, drag: Any,
+        viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 3 add, 1 sub."""
-    v18 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
-    return v18
+    b = 1.0 - k_v
+    return drag * omega_2 + (k_h * press_slope + b * press) * mu + omega * viscosity
 
 
-def resistance_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        omega: Any, omega_2: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v22 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
-    return v22
+    b = 1.0 - k_v
+    return drag * omega_2 + (k_h * press_slope + b * press - excess * level) * mu + omega * viscosity
 
 
-def resistance_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any,
+        drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v14 = drag * omega_2 + (press - excess * level) * mu + omega * viscosity
-    return v14
+    return drag * omega_2 + (press - excess * level) * mu + omega * viscosity
 
 
 def resistance_pore_pressure(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any) -> Any:
     """Resistance. Operations: 3 mul, 2 sub."""
-    v10 = ((1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v10
+    b = 1.0 - pore_ratio
+    return (b * press - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_cohesion(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any) -> Any:
+def resistance_pore_pressure_cohesion(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any,
+        cohesion: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 2 sub."""
-    v13 = cohesion * level + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v13
+    b = 1.0 - pore_ratio
+    return cohesion * level + (b * press - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_cohesion_drag(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any,
+        pore_pressure: Any, cohesion: Any, drag: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v17 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v17
+    b = 1.0 - pore_ratio
+    return cohesion * level + drag * omega_2 + (b * press - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 3 sub."""
-    v23 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    return v23
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1
 
 
-def resistance_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
-    v25 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v26 = cohesion * level + drag * omega_2 + v25
-    return v26
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return cohesion * level + drag * omega_2 + t1 * mu
 
 
-def resistance_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
-    v20 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v20
+    b = 1.0 - pore_ratio
+    t1 = (b * press - excess * level - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1
 
 
-def resistance_pore_pressure_cohesion_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 2 sub."""
-    v21 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v21
+    b = 1.0 - pore_ratio
+    t1 = cohesion * level + drag * omega_2 + (b * press - level * pore_pressure) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_pore_pressure_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any,
+        omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any,
+        k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 7 mul, 4 add, 3 sub."""
-    v25 = cohesion * level + drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v27 = v25 + omega * viscosity
-    return v27
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1 + omega * viscosity
 
 
-def resistance_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any,
+        level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any,
+        viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 8 mul, 4 add, 4 sub."""
-    v27 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v30 = cohesion * level + drag * omega_2 + v27 + omega * viscosity
-    return v30
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return cohesion * level + drag * omega_2 + t1 * mu + omega * viscosity
 
 
-def resistance_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, drag: Any, viscosity: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 3 sub."""
-    v22 = cohesion * level + drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v24 = v22 + omega * viscosity
-    return v24
+    b = 1.0 - pore_ratio
+    t1 = (b * press - excess * level - level * pore_pressure) * mu
+    return cohesion * level + drag * omega_2 + t1 + omega * viscosity
 
 
-def resistance_pore_pressure_cohesion_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any,
+        pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 3 sub."""
-    v19 = cohesion * level + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    return v19
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
+    return cohesion * level + t1
 
 
-def resistance_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
-    v21 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v22 = cohesion * level + v21
-    return v22
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return cohesion * level + t1 * mu
 
 
-def resistance_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any,
+        pore_pressure: Any, cohesion: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 3 sub."""
-    v16 = cohesion * level + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v16
+    b = 1.0 - pore_ratio
+    return cohesion * level + (b * press - excess * level - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_cohesion_viscosity(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_cohesion_viscosity(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any,
+        pore_pressure: Any, cohesion: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v17 = cohesion * level + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v17
+    b = 1.0 - pore_ratio
+    return cohesion * level + (b * press - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_pore_pressure_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_cohesion_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 3 sub."""
-    v21 = cohesion * level + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v23 = v21 + omega * viscosity
-    return v23
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
+    return cohesion * level + t1 + omega * viscosity
 
 
-def resistance_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
-    v23 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v26 = cohesion * level + v23 + omega * viscosity
-    return v26
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return cohesion * level + t1 * mu + omega * viscosity
 
 
-def resistance_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_pore_pressure_cohesion_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any,
+        pore_ratio: Any, pore_pressure: Any, cohesion: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
-    v20 = cohesion * level + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
-    return v20
+    b = 1.0 - pore_ratio
+    t1 = cohesion * level + (b * press - excess * level - level * pore_pressure) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_pore_pressure_drag(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any) -> Any:
+def resistance_pore_pressure_drag(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any,
+        drag: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 2 sub."""
-    v14 = drag * omega_2 + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu
-    return v14
+    b = 1.0 - pore_ratio
+    return drag * omega_2 + (b * press - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_drag_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any,
+        pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 3 sub."""
-    v20 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    return v20
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
+    return drag * omega_2 + t1
 
 
-def resistance_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_drag_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
-    v22 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v23 = drag * omega_2 + v22
-    return v23
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return drag * omega_2 + t1 * mu
 
 
-def resistance_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, excess: Any) -> Any:
+def resistance_pore_pressure_drag_thermal_pressurisation(press: Any, level: Any, mu: Any, omega_2: Any, pore_ratio: Any,
+        pore_pressure: Any, drag: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 3 sub."""
-    v17 = drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v17
+    b = 1.0 - pore_ratio
+    return drag * omega_2 + (b * press - excess * level - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_drag_viscosity(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any,
+        pore_pressure: Any, drag: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v18 = drag * omega_2 + ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v18
+    b = 1.0 - pore_ratio
+    return drag * omega_2 + (b * press - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_pore_pressure_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_drag_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 6 mul, 3 add, 3 sub."""
-    v22 = drag * omega_2 + (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    v24 = v22 + omega * viscosity
-    return v24
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
+    return drag * omega_2 + t1 + omega * viscosity
 
 
-def resistance_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_drag_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any,
+        mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, k_h: Any,
+        k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 7 mul, 3 add, 4 sub."""
-    v24 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v27 = drag * omega_2 + v24 + omega * viscosity
-    return v27
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return drag * omega_2 + t1 * mu + omega * viscosity
 
 
-def resistance_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_pore_pressure_drag_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any,
+        omega_2: Any, pore_ratio: Any, pore_pressure: Any, drag: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 3 sub."""
-    v21 = drag * omega_2 + ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
-    return v21
+    b = 1.0 - pore_ratio
+    t1 = drag * omega_2 + (b * press - excess * level - level * pore_pressure) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_shaking(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any,
+        pore_pressure: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 3 sub."""
-    v16 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu
-    return v16
+    b = 1.0 - k_v
+    return (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        pore_ratio: Any, pore_pressure: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 4 sub."""
-    v19 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v19
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return t1 * mu
 
 
-def resistance_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any, pore_pressure: Any, excess: Any) -> Any:
+def resistance_pore_pressure_thermal_pressurisation(press: Any, level: Any, mu: Any, pore_ratio: Any,
+        pore_pressure: Any, excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 3 sub."""
-    v13 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    return v13
+    b = 1.0 - pore_ratio
+    return (b * press - excess * level - level * pore_pressure) * mu
 
 
-def resistance_pore_pressure_viscosity(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any) -> Any:
+def resistance_pore_pressure_viscosity(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any,
+        viscosity: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 2 sub."""
-    v14 = ((1.0 - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v14
+    b = 1.0 - pore_ratio
+    return (b * press - level * pore_pressure) * mu + omega * viscosity
 
 
-def resistance_pore_pressure_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_pore_pressure_viscosity_shaking(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any,
+        pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 3 sub."""
-    v20 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - level * pore_pressure) * mu + omega * viscosity
-    return v20
+    b = 1.0 - k_v
+    t1 = (k_h * press_slope + (b - pore_ratio) * press - level * pore_pressure) * mu
+    return t1 + omega * viscosity
 
 
-def resistance_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_pore_pressure_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any,
+        omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 6 mul, 2 add, 4 sub."""
-    v21 = (k_h * press_slope + (1.0 - k_v - pore_ratio) * press - excess * level - level * pore_pressure) * mu
-    v23 = v21 + omega * viscosity
-    return v23
+    b = 1.0 - k_v
+    t1 = k_h * press_slope + (b - pore_ratio) * press - excess * level - level * pore_pressure
+    return t1 * mu + omega * viscosity
 
 
-def resistance_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, pore_ratio: Any, pore_pressure: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_pore_pressure_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any,
+        pore_ratio: Any, pore_pressure: Any, viscosity: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 1 add, 3 sub."""
-    v17 = ((1.0 - pore_ratio) * press - excess * level - level * pore_pressure) * mu + omega * viscosity
-    return v17
+    b = 1.0 - pore_ratio
+    return (b * press - excess * level - level * pore_pressure) * mu + omega * viscosity
 
 
 def resistance_shaking(press: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
-    v10 = (k_h * press_slope + (1.0 - k_v) * press) * mu
-    return v10
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press) * mu
 
 
-def resistance_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, k_h: Any, k_v: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 4 mul, 1 add, 2 sub."""
-    v14 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu
-    return v14
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press - excess * level) * mu
 
 
 def resistance_thermal_pressurisation(press: Any, level: Any, mu: Any, excess: Any) -> Any:
     """Resistance. Operations: 2 mul, 1 sub."""
-    v6 = (press - excess * level) * mu
-    return v6
+    return (press - excess * level) * mu
 
 
 def resistance_viscosity(press: Any, mu: Any, omega: Any, viscosity: Any) -> Any:
     """Resistance. Operations: 2 mul, 1 add."""
-    v6 = mu * press + omega * viscosity
-    return v6
+    return mu * press + omega * viscosity
 
 
-def resistance_viscosity_shaking(press: Any, press_slope: Any, mu: Any, omega: Any, viscosity: Any, k_h: Any, k_v: Any) -> Any:
+def resistance_viscosity_shaking(press: Any, press_slope: Any, mu: Any, omega: Any, viscosity: Any, k_h: Any,
+        k_v: Any) -> Any:
     """Resistance. Operations: 4 mul, 2 add, 1 sub."""
-    v14 = (k_h * press_slope + (1.0 - k_v) * press) * mu + omega * viscosity
-    return v14
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press) * mu + omega * viscosity
 
 
-def resistance_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any, viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
+def resistance_viscosity_shaking_thermal_pressurisation(press: Any, press_slope: Any, level: Any, mu: Any, omega: Any,
+        viscosity: Any, k_h: Any, k_v: Any, excess: Any) -> Any:
     """Resistance. Operations: 5 mul, 2 add, 2 sub."""
-    v18 = (k_h * press_slope + (1.0 - k_v) * press - excess * level) * mu + omega * viscosity
-    return v18
+    b = 1.0 - k_v
+    return (k_h * press_slope + b * press - excess * level) * mu + omega * viscosity
 
 
-def resistance_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, viscosity: Any, excess: Any) -> Any:
+def resistance_viscosity_thermal_pressurisation(press: Any, level: Any, mu: Any, omega: Any, viscosity: Any,
+        excess: Any) -> Any:
     """Resistance. Operations: 3 mul, 1 add, 1 sub."""
-    v10 = (press - excess * level) * mu + omega * viscosity
-    return v10
+    return (press - excess * level) * mu + omega * viscosity
 
 
 def tilt(fall_slope: Any, press_slope: Any, mu: Any) -> Any:
     """Tilt. Operations: 1 mul, 1 sub."""
-    v4 = fall_slope - mu * press_slope
-    return v4
+    return fall_slope - mu * press_slope
 
 
 def tilt_pore_pressure(fall_slope: Any, press_slope: Any, mu: Any, pore_ratio: Any) -> Any:
     """Tilt. Operations: 2 mul, 1 add, 1 sub."""
-    v8 = fall_slope + (pore_ratio - 1.0) * mu * press_slope
-    return v8
+    return fall_slope + (pore_ratio - 1.0) * mu * press_slope
 
 
-def tilt_pore_pressure_shaking(fall: Any, press: Any, fall_slope: Any, press_slope: Any, mu: Any, pore_ratio: Any, k_h: Any, k_v: Any) -> Any:
+def tilt_pore_pressure_shaking(fall: Any, press: Any, fall_slope: Any, press_slope: Any, mu: Any, pore_ratio: Any,
+        k_h: Any, k_v: Any) -> Any:
     """Tilt. Operations: 6 mul, 3 add, 3 sub."""
-    v20 = (1.0 - k_v) * fall_slope + k_h * mu * press + (k_v + pore_ratio - 1.0) * mu * press_slope - fall * k_h
-    return v20
+    b = 1.0 - k_v
+    t1 = b * fall_slope + k_h * mu * press + (k_v + pore_ratio - 1.0) * mu * press_slope
+    return t1 - fall * k_h
 
 
 def tilt_shaking(fall: Any, press: Any, fall_slope: Any, press_slope: Any, mu: Any, k_h: Any, k_v: Any) -> Any:
     """Tilt. Operations: 6 mul, 2 add, 3 sub."""
-    v18 = (1.0 - k_v) * fall_slope + k_h * mu * press + (k_v - 1.0) * mu * press_slope - fall * k_h
-    return v18
+    b = 1.0 - k_v
+    return b * fall_slope + k_h * mu * press + (k_v - 1.0) * mu * press_slope - fall * k_h

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b3ab9730df6e6e46c3d232c549c4b3cb4330d609fae580cbab4cae2844a34d56
+# sha256 of the text below: 357a165b1fd7a771d966afcd9c016aea50e817307a58d043708ce280c4d1446a
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -89,18 +89,23 @@ PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
 CELL_TANGENTS: dict[str, Tangents] = {
     'add': (('d', 'a', 'b', 'e'), (('add', "d'", "a'", "b'"),)),
     'sub': (('d', 'a', 'b', 'e'), (('sub', "d'", "a'", "b'"),)),
-    'mul': (('d', 'a', 'b', 'e'), (('mul', '*.t4', 'a', "b'"), ('mul', '*.t5', "a'", 'b'), ('add', "d'", '*.t4', '*.t5'))),
-    'div': (('d', 'a', 'b', 'e'), (('div', '*.t4', "a'", 'b'), ('mul', '*.t5', 'b', 'b'), ('div', '*.t6', 'a', '*.t5'), ('mul', '*.t7', '*.t6', "b'"), ('sub', "d'", '*.t4', '*.t7'))),
+    'mul': (('d', 'a', 'b', 'e'), (('mul', '*.t4', 'a', "b'"), ('mul', '*.t5', "a'", 'b'), ('add', "d'", '*.t4',
+        '*.t5'))),
+    'div': (('d', 'a', 'b', 'e'), (('div', '*.t4', "a'", 'b'), ('mul', '*.t5', 'b', 'b'), ('div', '*.t6', 'a', '*.t5'),
+        ('mul', '*.t7', '*.t6', "b'"), ('sub', "d'", '*.t4', '*.t7'))),
     'neg': (('d', 'a', 'b', 'e'), (('neg', "d'", "a'"),)),
     'sin': (('d', 'a', 'b', 'e'), (('cos', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
     'cos': (('d', 'a', 'b', 'e'), (('sin', '*.t2', 'a'), ('mul', '*.t3', '*.t2', "a'"), ('neg', "d'", '*.t3'))),
-    'tan': (('d', 'a', 'b', 'e'), (('tan', '*.t3', 'a'), ('mul', '*.t4', '*.t3', '*.t3'), ('add', '*.t5', '=1.0', '*.t4'), ('mul', "d'", '*.t5', "a'"))),
+    'tan': (('d', 'a', 'b', 'e'), (('tan', '*.t3', 'a'), ('mul', '*.t4', '*.t3', '*.t3'), ('add', '*.t5', '=1.0',
+        '*.t4'), ('mul', "d'", '*.t5', "a'"))),
     'exp': (('d', 'a', 'b', 'e'), (('exp', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
     'expm1': (('d', 'a', 'b', 'e'), (('exp', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
     'log': (('d', 'a', 'b', 'e'), (('div', "d'", "a'", 'a'),)),
     'log1p': (('d', 'a', 'b', 'e'), (('add', '*.t3', '=1.0', 'a'), ('div', "d'", "a'", '*.t3'))),
-    'sqrt': (('d', 'a', 'b', 'e'), (('sqrt', '*.t3', 'a'), ('div', '*.t4', '=0.5', '*.t3'), ('mul', "d'", '*.t4', "a'"))),
-    'abs': (('d', 'a', 'b', 'e'), (('neg', '*.t3', "a'"), ('less', '*.t4', 'a', '=0.0'), ('select', "d'", '*.t4', '*.t3', "a'"))),
+    'sqrt': (('d', 'a', 'b', 'e'), (('sqrt', '*.t3', 'a'), ('div', '*.t4', '=0.5', '*.t3'), ('mul', "d'", '*.t4',
+        "a'"))),
+    'abs': (('d', 'a', 'b', 'e'), (('neg', '*.t3', "a'"), ('less', '*.t4', 'a', '=0.0'), ('select', "d'", '*.t4',
+        '*.t3', "a'"))),
     'min': (('d', 'a', 'b', 'e'), (('less', '*.t4', 'a', 'b'), ('select', "d'", '*.t4', "a'", "b'"))),
     'max': (('d', 'a', 'b', 'e'), (('less', '*.t4', 'a', 'b'), ('select', "d'", '*.t4', "b'", "a'"))),
     'less': (('d', 'a', 'b', 'e'), (('less', '*.t3', 'a', 'b'), ('select', "d'", '*.t3', '=0.0', '=0.0'))),
@@ -109,14 +114,21 @@ CELL_TANGENTS: dict[str, Tangents] = {
 
 # Operations that make the tangents of a register.
 SERIES_TANGENTS: dict[str, Tangents] = {
-    'mul': (('d', 'a', 'b'), (('mul', "a*b'", 'a', "b'"), ('mul', "a'*b", "a'", 'b'), ('lin', "d'", '', (('=1.0', "a*b'"), ('=1.0', "a'*b"))))),
+    'mul': (('d', 'a', 'b'), (('mul', "a*b'", 'a', "b'"), ('mul', "a'*b", "a'", 'b'), ('lin', "d'", '', (('=1.0',
+        "a*b'"), ('=1.0', "a'*b"))))),
     'sqr': (('d', 'a'), (('mul', "a*a'", 'a', "a'"), ('lin', "d'", '', (('=2.0', "a*a'"),)))),
     'tim': (('q', 'a'), (('tim', "q'", "a'"),)),
-    'turn': (('s', 'v', 'q', 'x'), (('mul', "v*x'", 'v', "x'"), ('lin', "s'", '', (('=-1.0', "v*x'"), ('=1.0', "x'"))), ('mul', "s*x'", 's', "x'"), ('lin', "v'", '', (('=1.0', "s*x'"),)))),
-    'exp': (('e', 'm', 'q', 'z'), (('mul', "e*z'", 'e', "z'"), ('lin', "e'", '', (('=1.0', "e*z'"),)), ('lin', "m'", '', (('=1.0', "e*z'"),)))),
-    'rec': (('h', 'm', 'z'), (('sqr', 'h*h', 'h'), ('mul', "h*h*z'", 'h*h', "z'"), ('lin', "h'", '', (('=-1.0', "h*h*z'"),)), ('lin', "m'", '', (('=-1.0', "h*h*z'"),)))),
-    'log': (('l', 'z'), (('rec', 'h', '*.h_less_1', 'z'), ('mul', "h*z'", 'h', "z'"), ('lin', "l'", '', (('=1.0', "h*z'"),)))),
-    'pow': (('p', 'm', 'z', 'power'), (('rec', 'h', '*.h_less_1', 'z'), ('log', 'l', 'z'), ('mul', 'h*p', 'h', 'p'), ('mul', "h*p*z'", 'h*p', "z'"), ('mul', 'l*p', 'l', 'p'), ('lin', "p'", '', (('power', "h*p*z'"), ("power'", 'l*p'))), ('lin', "m'", '', (('power', "h*p*z'"), ("power'", 'l*p'))))),
+    'turn': (('s', 'v', 'q', 'x'), (('mul', "v*x'", 'v', "x'"), ('lin', "s'", '', (('=-1.0', "v*x'"), ('=1.0', "x'"))),
+        ('mul', "s*x'", 's', "x'"), ('lin', "v'", '', (('=1.0', "s*x'"),)))),
+    'exp': (('e', 'm', 'q', 'z'), (('mul', "e*z'", 'e', "z'"), ('lin', "e'", '', (('=1.0', "e*z'"),)), ('lin', "m'", '',
+        (('=1.0', "e*z'"),)))),
+    'rec': (('h', 'm', 'z'), (('sqr', 'h*h', 'h'), ('mul', "h*h*z'", 'h*h', "z'"), ('lin', "h'", '', (('=-1.0',
+        "h*h*z'"),)), ('lin', "m'", '', (('=-1.0', "h*h*z'"),)))),
+    'log': (('l', 'z'), (('rec', 'h', '*.h_less_1', 'z'), ('mul', "h*z'", 'h', "z'"), ('lin', "l'", '', (('=1.0',
+        "h*z'"),)))),
+    'pow': (('p', 'm', 'z', 'power'), (('rec', 'h', '*.h_less_1', 'z'), ('log', 'l', 'z'), ('mul', 'h*p', 'h', 'p'),
+        ('mul', "h*p*z'", 'h*p', "z'"), ('mul', 'l*p', 'l', 'p'), ('lin', "p'", '', (('power', "h*p*z'"), ("power'",
+        'l*p'))), ('lin', "m'", '', (('power', "h*p*z'"), ("power'", 'l*p'))))),
 }
 
 # Parts of programs.
@@ -144,7 +156,8 @@ FRAGMENTS: dict[str, Fragment] = {
         series=(),
         adds={
             'driving': ('gravity.driving', 'gravity.driving_size', (('gravity.6', 'sin(x)'), ('gravity.7', 'vers(x)'))),
-            'pressing': ('gravity.pressing', 'gravity.pressing_size', (('gravity.10', 'sin(x)'), ('gravity.11', 'vers(x)'))),
+            'pressing': ('gravity.pressing', 'gravity.pressing_size', (('gravity.10', 'sin(x)'), ('gravity.11',
+                'vers(x)'))),
         },
         states=(),
         table=None,
@@ -232,7 +245,9 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'dpore_ratio*vers(x)', 'dpore_ratio', 'vers(x)'),
         ),
         adds={
-            'lifting': ('pore_pressure.lifting', 'pore_pressure.lifting_size', (('level', 'dpore_pressure'), ('press_0', 'dpore_ratio'), ('pore_pressure.2', 'dpore_ratio*sin(x)'), ('pore_pressure.3', 'dpore_ratio*vers(x)'), ('pore_pressure.4', 'sin(x)'), ('pore_pressure.5', 'vers(x)'))),
+            'lifting': ('pore_pressure.lifting', 'pore_pressure.lifting_size', (('level', 'dpore_pressure'), ('press_0',
+                'dpore_ratio'), ('pore_pressure.2', 'dpore_ratio*sin(x)'), ('pore_pressure.3', 'dpore_ratio*vers(x)'),
+                ('pore_pressure.4', 'sin(x)'), ('pore_pressure.5', 'vers(x)'))),
         },
         states=(),
         table=None,
@@ -342,15 +357,21 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'dk_v*vers(x)', 'dk_v', 'vers(x)'),
         ),
         adds={
-            'driving': ('shaking.driving', 'shaking.driving_size', (('shaking.2', 'dk_h'), ('shaking.3', 'dk_h*sin(x)'), ('shaking.4', 'dk_h*vers(x)'), ('shaking.5', 'dk_v'), ('fall_slope_0', 'dk_v*sin(x)'), ('fall_0', 'dk_v*vers(x)'), ('shaking.6', 'sin(x)'), ('shaking.7', 'vers(x)'))),
-            'pressing': ('shaking.pressing', 'shaking.pressing_size', (('shaking.10', 'dk_h'), ('shaking.11', 'dk_h*sin(x)'), ('shaking.12', 'dk_h*vers(x)'), ('shaking.13', 'dk_v'), ('press_slope_0', 'dk_v*sin(x)'), ('press_0', 'dk_v*vers(x)'), ('shaking.14', 'sin(x)'), ('shaking.15', 'vers(x)'))),
+            'driving': ('shaking.driving', 'shaking.driving_size', (('shaking.2', 'dk_h'), ('shaking.3', 'dk_h*sin(x)'),
+                ('shaking.4', 'dk_h*vers(x)'), ('shaking.5', 'dk_v'), ('fall_slope_0', 'dk_v*sin(x)'), ('fall_0',
+                'dk_v*vers(x)'), ('shaking.6', 'sin(x)'), ('shaking.7', 'vers(x)'))),
+            'pressing': ('shaking.pressing', 'shaking.pressing_size', (('shaking.10', 'dk_h'), ('shaking.11',
+                'dk_h*sin(x)'), ('shaking.12', 'dk_h*vers(x)'), ('shaking.13', 'dk_v'), ('press_slope_0',
+                'dk_v*sin(x)'), ('press_0', 'dk_v*vers(x)'), ('shaking.14', 'sin(x)'), ('shaking.15', 'vers(x)'))),
         },
         states=(),
         table=None,
     ),
     'thermal_pressurisation': Fragment(
         words=(
-            '(3.11) friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay or more; one mean pressure and temperature, constant Lambda, and all work of friction is heat',
+            '(3.11) friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves '
+                'the layer) and adiabatic (no heat does), as in a slide of seconds to minutes on millimetres of clay '
+                'or more; one mean pressure and temperature, constant Lambda, and all work of friction is heat',
             'adds excess to u',
             "dexcess/dphi = kappa* mu sigma'",
             'kappa* = R pressurisation/(heat_capacity thickness)',
@@ -370,7 +391,8 @@ FRAGMENTS: dict[str, Fragment] = {
             ('lin', 'thermal_pressurisation.sum1', '', (('thermal_pressurisation.4', 'friction*omega'),)),
         ),
         adds={
-            'lifting': ('thermal_pressurisation.lifting', 'thermal_pressurisation.lifting_size', (('level', 'dexcess'),)),
+            'lifting': ('thermal_pressurisation.lifting', 'thermal_pressurisation.lifting_size', (('level',
+                'dexcess'),)),
         },
         states=(('excess', 'thermal_pressurisation.sum1'),),
         table=None,
@@ -513,7 +535,8 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'x*x*x', 'x*x', 'x'),
         ),
         adds={
-            'mu': ('tabulated.mu', 'tabulated.mu_size', (('tabulated.Q1', 'x'), ('tabulated.Q2', 'x*x'), ('tabulated.Q3', 'x*x*x'))),
+            'mu': ('tabulated.mu', 'tabulated.mu_size', (('tabulated.Q1', 'x'), ('tabulated.Q2', 'x*x'),
+                ('tabulated.Q3', 'x*x*x'))),
         },
         states=(),
         table=('slip', 'x', 3),
@@ -536,7 +559,8 @@ FRAGMENTS: dict[str, Fragment] = {
             ('rec', 'rate_weakening.rec2', 'rate_weakening.rec2_less_1', 'rate_weakening.sum1'),
         ),
         adds={
-            'mu': ('rate_weakening.mu', 'rate_weakening.mu_size', (('rate_weakening.3', 'rate_weakening.rec2_less_1'),)),
+            'mu': ('rate_weakening.mu', 'rate_weakening.mu_size', (('rate_weakening.3',
+                'rate_weakening.rec2_less_1'),)),
         },
         states=(),
         table=None,
@@ -565,7 +589,8 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'log_speed*log_speed*log_speed', 'log_speed*log_speed', 'log_speed'),
         ),
         adds={
-            'mu': ('rate_tabulated.mu', 'rate_tabulated.mu_size', (('rate_tabulated.Q1', 'log_speed'), ('rate_tabulated.Q2', 'log_speed*log_speed'), ('rate_tabulated.Q3', 'log_speed*log_speed*log_speed'))),
+            'mu': ('rate_tabulated.mu', 'rate_tabulated.mu_size', (('rate_tabulated.Q1', 'log_speed'),
+                ('rate_tabulated.Q2', 'log_speed*log_speed'), ('rate_tabulated.Q3', 'log_speed*log_speed*log_speed'))),
         },
         states=(),
         table=('speed', 'log_speed', 3),
@@ -607,7 +632,9 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'x*x*x*x*x*x*x', 'x*x*x*x*x*x', 'x'),
         ),
         adds={
-            'mu': ('callable.mu', 'callable.mu_size', (('callable.Q1', 'x'), ('callable.Q2', 'x*x'), ('callable.Q3', 'x*x*x'), ('callable.Q4', 'x*x*x*x'), ('callable.Q5', 'x*x*x*x*x'), ('callable.Q6', 'x*x*x*x*x*x'), ('callable.Q7', 'x*x*x*x*x*x*x'))),
+            'mu': ('callable.mu', 'callable.mu_size', (('callable.Q1', 'x'), ('callable.Q2', 'x*x'), ('callable.Q3',
+                'x*x*x'), ('callable.Q4', 'x*x*x*x'), ('callable.Q5', 'x*x*x*x*x'), ('callable.Q6', 'x*x*x*x*x*x'),
+                ('callable.Q7', 'x*x*x*x*x*x*x'))),
         },
         states=(),
         table=('slip', 'x', 7),
@@ -626,14 +653,16 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'drate_mu*dslip_mu', 'drate_mu', 'dslip_mu'),
         ),
         adds={
-            'mu': ('product.mu', 'product.mu_size', (('slip_mu_0', 'drate_mu'), ('=1.0', 'drate_mu*dslip_mu'), ('rate_mu_0', 'dslip_mu'))),
+            'mu': ('product.mu', 'product.mu_size', (('slip_mu_0', 'drate_mu'), ('=1.0', 'drate_mu*dslip_mu'),
+                ('rate_mu_0', 'dslip_mu'))),
         },
         states=(),
         table=None,
     ),
     'balance': Fragment(
         words=(
-            '(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted',
+            '(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is '
+                'lifted',
             'normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed',
             'drive = normal ((limit - mu) + limit_low) as at the start; drive_scale is the rounding of its terms',
         ),

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 6174f3fd7073f2788626f9c8497345291d1efafa2ffc15a5d0843bd4b05a75e6
+# sha256 of the text below: 8b8d3333c0400c28d1e0ce4ade5dbd2e4209854f1daed6be93b503c8ed9322f2
 """The paper's own forms, as printed, for comparison only: they cancel and overflow."""
 
 import numpy as np
@@ -21,10 +21,9 @@ __all__ = [
 
 
 def _polar_moment(alpha: Array) -> Array:
-    v10 = np.cos(alpha)
-    v16 = 0.6666666666666666 * alpha - np.log(np.abs(np.tan(0.7853981633974483 + 0.5 * alpha))) * (v10 * (v10 * v10)) / 3.0
-    v22 = v16 - np.sin(2.0 * alpha) / 6.0
-    return v22
+    t1 = np.cos(alpha)
+    t2 = np.log(np.abs(np.tan(0.7853981633974483 + 0.5 * alpha))) * (t1 * (t1 * t1))
+    return 0.6666666666666666 * alpha - t2 / 3.0 - np.sin(2.0 * alpha) / 6.0
 
 
 def polar_moment(alpha: Array) -> Array:
@@ -37,9 +36,8 @@ def polar_moment(alpha: Array) -> Array:
 
 
 def _moment_of_inertia(alpha: Array) -> Array:
-    v5 = np.cos(alpha)
-    v14 = 0.5 * alpha - (1.0 + 2.0 * (v5 * v5)) * np.sin(2.0 * alpha) / 12.0
-    return v14
+    t1 = np.cos(alpha)
+    return 0.5 * alpha - (1.0 + 2.0 * (t1 * t1)) * np.sin(2.0 * alpha) / 12.0
 
 
 def moment_of_inertia(alpha: Array) -> Array:
@@ -52,10 +50,9 @@ def moment_of_inertia(alpha: Array) -> Array:
 
 
 def _radial_weight_amplitude(alpha: Array) -> Array:
-    v1 = np.sin(alpha)
-    v2 = np.cos(alpha)
-    v6 = v1 - v2 * v2 * np.arctanh(v1)
-    return v6
+    t1 = np.sin(alpha)
+    t2 = np.cos(alpha)
+    return t1 - t2 * t2 * np.arctanh(t1)
 
 
 def radial_weight_amplitude(alpha: Array) -> Array:
@@ -68,10 +65,9 @@ def radial_weight_amplitude(alpha: Array) -> Array:
 
 
 def _weight_moment_amplitude(alpha: Array) -> Array:
-    v3 = 0.6666666666666666 * np.sin(alpha)
-    v4 = np.cos(alpha)
-    v7 = v3 - v3 * (v4 * v4)
-    return v7
+    t1 = 0.6666666666666666 * np.sin(alpha)
+    t2 = np.cos(alpha)
+    return t1 - t1 * (t2 * t2)
 
 
 def weight_moment_amplitude(alpha: Array) -> Array:
@@ -84,8 +80,7 @@ def weight_moment_amplitude(alpha: Array) -> Array:
 
 
 def _resistance_factor(alpha: Array) -> Array:
-    v6 = 2.0 * (1.0 - np.cos(alpha)) * alpha
-    return v6
+    return 2.0 * (1.0 - np.cos(alpha)) * alpha
 
 
 def resistance_factor(alpha: Array) -> Array:
@@ -98,10 +93,7 @@ def resistance_factor(alpha: Array) -> Array:
 
 
 def _dynamic_coefficient(alpha: Array) -> Array:
-    v10 = np.cos(alpha)
-    v16 = 0.6666666666666666 * alpha - np.log(np.abs(np.tan(0.7853981633974483 + 0.5 * alpha))) * (v10 * (v10 * v10)) / 3.0
-    v27 = 0.5 * (v16 - np.sin(2.0 * alpha) / 6.0) / (alpha * (1.0 - v10))
-    return v27
+    return 0.5 * _polar_moment(alpha) / (alpha * (1.0 - np.cos(alpha)))
 
 
 def dynamic_coefficient(alpha: Array) -> Array:
@@ -114,47 +106,47 @@ def dynamic_coefficient(alpha: Array) -> Array:
 
 
 def _appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
-    v4 = np.cos(alpha)
-    v5 = np.cos(theta_2)
-    v6 = 0.5 * v4
-    v8 = np.sin(alpha)
-    v9 = np.sin(theta_1)
-    v10 = v4 * v4
-    v11 = 0.5 * v8
-    v12 = v11 * v9
-    v15 = v5 * v5
-    v18 = np.sin(theta_2)
-    v19 = np.cos(theta_1)
-    v20 = v19 * v19
-    v21 = v11 * v18
-    v24 = v4 * v10
-    v28 = v8 * v18
-    v32 = v8 * v9
-    v34 = v4 * v19
-    v37 = np.arctanh((v32 + v4 - v34) / v9)
-    v39 = v8 * v24 * v5
-    v42 = v32 * v5
-    v45 = v28 * v19
-    v47 = v9 * v18
-    v48 = v47 * v4
-    v50 = v34 * v5
-    v53 = np.arctanh((v34 + v42 - v32 - v45 - v48 - v50) / v18)
-    v55 = v6 * v5 + v12 * v10 + v12 * v15 + v21 * v20 + v24 * v20 * v5 + v28 * v10 * v20 + v39 * v37 + v39 * v53
-    v60 = v10 * v10
-    v63 = 2.0 * v18 * v60 * v20
-    v70 = v9 * v10 * v19 * v5
-    v75 = 0.5 * v24
-    v81 = v55 + v47 * v24 * v19 + v63 * v37 + v63 * v53 + v70 * v37 + v70 * v53 - v75 * v19 - v75 * v5 - v21 * v10
-    v82 = v18 * v60
-    v100 = v81 - v82 * v37 - v82 * v53 - v6 * v19 * v15 - v12 * v19 * v5 - v21 * v19 * v5 - 0.5 * v9 * v18 * v4 * v5
-    v102 = v18 * v10 * v20
-    v111 = 2.0 * v8
-    v114 = v111 * v24 * v20 * v5
-    v122 = 2.0 * v9 * v60 * v19 * v5
-    v126 = v100 - v102 * v37 - v102 * v53 - v32 * v10 * v19 * v5 - v114 * v37 - v114 * v53 - v122 * v37 - v122 * v53
-    v130 = v111 * v9 * v18 * v24 * v19
-    v138 = (v126 - v130 * v37 - v130 * v53) / (v42 - v45 - v48 - v50)
-    return v138
+    t1 = np.cos(alpha)
+    t2 = np.cos(theta_2)
+    t3 = 0.5 * t1
+    t4 = np.sin(alpha)
+    t5 = np.sin(theta_1)
+    t6 = t1 * t1
+    t7 = 0.5 * t4
+    t8 = t7 * t5
+    t9 = t2 * t2
+    t10 = np.sin(theta_2)
+    t11 = np.cos(theta_1)
+    t12 = t11 * t11
+    t13 = t7 * t10
+    t14 = t1 * t6
+    t15 = t4 * t10
+    t16 = t3 * t2 + t8 * t6 + t8 * t9 + t13 * t12 + t14 * t12 * t2 + t15 * t6 * t12
+    t17 = t4 * t5
+    t18 = t1 * t11
+    t19 = np.arctanh((t17 + t1 - t18) / t5)
+    t20 = t4 * t14 * t2
+    t21 = t17 * t2
+    t22 = t15 * t11
+    t23 = t5 * t10
+    t24 = t23 * t1
+    t25 = t18 * t2
+    t26 = np.arctanh((t18 + t21 - t17 - t22 - t24 - t25) / t10)
+    t27 = t6 * t6
+    t28 = 2.0 * t10 * t27 * t12
+    t29 = t5 * t6 * t11 * t2
+    t30 = t16 + t20 * t19 + t20 * t26 + t23 * t14 * t11 + t28 * t19 + t28 * t26 + t29 * t19
+    t31 = 0.5 * t14
+    t32 = t10 * t27
+    t33 = t30 + t29 * t26 - t31 * t11 - t31 * t2 - t13 * t6 - t32 * t19 - t32 * t26
+    t34 = t33 - t3 * t11 * t9 - t8 * t11 * t2 - t13 * t11 * t2 - 0.5 * t5 * t10 * t1 * t2
+    t35 = t10 * t6 * t12
+    t36 = 2.0 * t4
+    t37 = t36 * t14 * t12 * t2
+    t38 = t34 - t35 * t19 - t35 * t26 - t17 * t6 * t11 * t2 - t37 * t19 - t37 * t26
+    t39 = 2.0 * t5 * t27 * t11 * t2
+    t40 = t36 * t5 * t10 * t14 * t11
+    return (t38 - t39 * t19 - t39 * t26 - t40 * t19 - t40 * t26) / (t21 - t22 - t24 - t25)
 
 
 def appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
@@ -167,51 +159,52 @@ def appendix_I(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
 
 
 def _appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
-    v4 = np.sin(alpha)
-    v5 = np.cos(theta_1)
-    v6 = 0.5 * v4
-    v7 = v6 * v5
-    v8 = np.cos(theta_2)
-    v11 = np.sin(theta_1)
-    v12 = np.cos(alpha)
-    v13 = 0.5 * v11
-    v14 = v13 * v12
-    v16 = v12 * v12
-    v17 = v12 * v16
-    v20 = v6 * v16
-    v25 = np.sin(theta_2)
-    v26 = v5 * v5
-    v30 = v16 * v16
-    v31 = v4 * v11
-    v33 = v12 * v5
-    v36 = np.arctanh((v31 + v12 - v33) / v11)
-    v37 = v30 * v8
-    v40 = v31 * v8
-    v43 = v4 * v25
-    v44 = v43 * v5
-    v46 = v11 * v25
-    v47 = v46 * v12
-    v49 = v33 * v8
-    v52 = np.arctanh((v33 + v40 - v31 - v44 - v47 - v49) / v25)
-    v55 = v43 * v17
-    v57 = v7 + v6 * v8 + v14 + v13 * v17 + v20 * v5 + v20 * v8 + v25 * v17 * v26 + v37 * v36 + v37 * v52 + v55 * v36
-    v60 = 0.5 * v25
-    v61 = v60 * v12
-    v66 = v16 * v26 * v8
-    v72 = v46 * v16 * v5
-    v78 = 2.0 * v4
-    v82 = v78 * v11 * v17 * v5 * v8
-    v86 = v57 + v55 * v52 + v61 * v5 * v8 + v66 * v36 + v66 * v52 + v72 * v36 + v72 * v52 + v82 * v36 + v82 * v52
-    v90 = v8 * v8
-    v98 = v16 * v8
-    v104 = v6 * v11 * v25
-    v106 = v86 - v61 - v60 * v17 - v7 * v90 - v6 * v26 * v8 - v14 * v90 - v98 * v36 - v98 * v52 - v104 * v5
-    v119 = 2.0 * v30 * v26 * v8
-    v127 = v106 - v104 * v8 - v4 * v16 * v26 * v8 - v11 * v17 * v5 * v8 - v119 * v36 - v119 * v52 - v31 * v25 * v16 * v5
-    v130 = v78 * v25 * v17 * v26
-    v138 = 2.0 * v11 * v25 * v30 * v5
-    v146 = (v127 - v130 * v36 - v130 * v52 - v138 * v36 - v138 * v52) / (v40 - v44 - v47 - v49)
-    return v146
+    t1 = np.sin(alpha)
+    t2 = np.cos(theta_1)
+    t3 = 0.5 * t1
+    t4 = t3 * t2
+    t5 = np.cos(theta_2)
+    t6 = np.sin(theta_1)
+    t7 = np.cos(alpha)
+    t8 = 0.5 * t6
+    t9 = t8 * t7
+    t10 = t7 * t7
+    t11 = t7 * t10
+    t12 = t3 * t10
+    t13 = np.sin(theta_2)
+    t14 = t2 * t2
+    t15 = t10 * t10
+    t16 = t1 * t6
+    t17 = t7 * t2
+    t18 = np.arctanh((t16 + t7 - t17) / t6)
+    t19 = t15 * t5
+    t20 = t4 + t3 * t5 + t9 + t8 * t11 + t12 * t2 + t12 * t5 + t13 * t11 * t14 + t19 * t18
+    t21 = t16 * t5
+    t22 = t1 * t13
+    t23 = t22 * t2
+    t24 = t6 * t13
+    t25 = t24 * t7
+    t26 = t17 * t5
+    t27 = np.arctanh((t17 + t21 - t16 - t23 - t25 - t26) / t13)
+    t28 = t22 * t11
+    t29 = 0.5 * t13
+    t30 = t29 * t7
+    t31 = t10 * t14 * t5
+    t32 = t20 + t19 * t27 + t28 * t18 + t28 * t27 + t30 * t2 * t5 + t31 * t18 + t31 * t27
+    t33 = t24 * t10 * t2
+    t34 = 2.0 * t1
+    t35 = t34 * t6 * t11 * t2 * t5
+    t36 = t5 * t5
+    t37 = t32 + t33 * t18 + t33 * t27 + t35 * t18 + t35 * t27 - t30 - t29 * t11 - t4 * t36
+    t38 = t10 * t5
+    t39 = t3 * t6 * t13
+    t40 = t37 - t3 * t14 * t5 - t9 * t36 - t38 * t18 - t38 * t27 - t39 * t2 - t39 * t5
+    t41 = 2.0 * t15 * t14 * t5
+    t42 = t40 - t1 * t10 * t14 * t5 - t6 * t11 * t2 * t5 - t41 * t18 - t41 * t27
+    t43 = t34 * t13 * t11 * t14
+    t44 = 2.0 * t6 * t13 * t15 * t2
+    t45 = t42 - t16 * t13 * t10 * t2 - t43 * t18 - t43 * t27 - t44 * t18 - t44 * t27
+    return t45 / (t21 - t23 - t25 - t26)
 
 
 def appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
@@ -224,8 +217,7 @@ def appendix_II(theta_1: Array, theta_2: Array, alpha: Array) -> Array:
 
 
 def _angular_velocity(a: Array, b: Array, t: Array) -> Array:
-    v9 = np.sqrt(a / b) * np.tanh(np.sqrt(a * b) * t)
-    return v9
+    return np.sqrt(a / b) * np.tanh(np.sqrt(a * b) * t)
 
 
 def angular_velocity(a: Array, b: Array, t: Array) -> Array:
@@ -238,8 +230,7 @@ def angular_velocity(a: Array, b: Array, t: Array) -> Array:
 
 
 def _rotation(a: Array, b: Array, t: Array) -> Array:
-    v8 = np.log(np.cosh(np.sqrt(a * b) * t)) / b
-    return v8
+    return np.log(np.cosh(np.sqrt(a * b) * t)) / b
 
 
 def rotation(a: Array, b: Array, t: Array) -> Array:

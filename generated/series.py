@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cabbc45bc6a3dc34cf56d69fe54cdc145bb82e653bc04fcc2d8797940b15c69a
+# sha256 of the text below: c6b857e87b901254af05674cdd15ff719c92c3a3ff3b70e15c1c0db292b9dc11
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -12,7 +12,8 @@ Floats = NDArray[np.float64]
 
 # Codes of the operations on series and on cells, as the compiled walk knows them.
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
-SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9, 'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
+SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
+    'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -1,32 +1,34 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 4e3316c605da293199277722fd7f7952be9fee4c3b519c7a75d142fee8388eec
+# sha256 of the text below: b071cd3f2396ab4a2ec58f5ded70f27844ff752fa9e3ac1b82b1f514f509c23d
 """Proved error bounds of the kernels, and the digest of the C source that they speak of."""
 
-DIGEST = "aae2a083edbcae9ff941526ffa831343bccf463ace4fd836fc6abf8cf432d23e"
+DIGEST = "9fe99c1c85468c6c2101dbf04afc2a112c6d523351ae72dec7d50177987a2040"
 
 # kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).
 # What is not here is sampled only.
 BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {
     'polar_moment': {
-        'best': {'fused': (1.8429702208777598e-16, 0.83), 'plain': (8.260059303211165e-16, 3.72), 'numpy': (8.260059303211165e-16, 3.72)},
+        'best': {'fused': (1.4055423491754482e-16, 0.633), 'plain': (9.259260025373805e-16, 4.17),
+            'numpy': (9.259260025373805e-16, 4.17)},
         '1e-10': {'fused': (6.69e-11, None), 'plain': (6.69e-11, None)},
         '1e-6': {'fused': (6.63e-07, None), 'plain': (6.63e-07, None)},
-        'float32': {'fused': (5.996227264404297e-08, 0.503), 'plain': (5.996227264404297e-08, 0.503)},
+        'float32': {'fused': (6.008148193359375e-08, 0.504), 'plain': (6.008148193359375e-08, 0.504)},
     },
     'moment_of_inertia': {
-        'best': {'fused': (1.7386092565629952e-16, 0.783), 'plain': (8.659739592076221e-16, 3.9)},
+        'best': {'fused': (1.7408297026122455e-16, 0.784), 'plain': (8.704148513061227e-16, 3.92)},
         '1e-10': {'fused': (3.57e-12, None), 'plain': (3.57e-12, None)},
         '1e-6': {'fused': (2.42e-07, None), 'plain': (2.42e-07, None)},
         'float32': {'fused': (5.996227264404297e-08, 0.503), 'plain': (5.996227264404297e-08, 0.503)},
     },
     'radial_weight_amplitude': {
-        'best': {'fused': (1.9739765377835284e-16, 0.889), 'plain': (8.726352973553731e-16, 3.93), 'numpy': (8.726352973553731e-16, 3.93)},
+        'best': {'fused': (1.5787371410169725e-16, 0.711), 'plain': (8.992806499463768e-16, 4.05),
+            'numpy': (8.992806499463768e-16, 4.05)},
         '1e-10': {'fused': (5.86e-11, None), 'plain': (5.86e-11, None)},
         '1e-6': {'fused': (3.41e-07, None), 'plain': (3.41e-07, None)},
         'float32': {'fused': (6.020069122314453e-08, 0.505), 'plain': (6.020069122314453e-08, 0.505)},
     },
     'weight_moment_amplitude': {
-        'best': {'fused': (1.829647544582258e-16, 0.824), 'plain': (1.092459456231154e-15, 4.92)},
+        'best': {'fused': (1.6564527527407336e-16, 0.746), 'plain': (8.482103908136196e-16, 3.82)},
         '1e-10': {'fused': (2.07e-12, None), 'plain': (2.07e-12, None)},
         '1e-6': {'fused': (4.38e-07, None), 'plain': (4.38e-07, None)},
         'float32': {'fused': (5.996227264404297e-08, 0.503), 'plain': (5.996227264404297e-08, 0.503)},
@@ -38,18 +40,22 @@ BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {
         'float32': {'fused': (5.97238540649414e-08, 0.501), 'plain': (5.97238540649414e-08, 0.501)},
     },
     'dynamic_coefficient': {
-        'best': {'fused': (2.0516921495072894e-16, 0.924), 'plain': (1.0258460747536447e-15, 4.62), 'numpy': (1.0880185641326535e-15, 4.9)},
+        'best': {'fused': (1.7563728249569977e-16, 0.791), 'plain': (8.837375276016246e-16, 3.98),
+            'numpy': (8.837375276016246e-16, 3.98)},
     },
     'weight_moment_per_inertia': {
-        'best': {'fused': (2.2870594307278225e-16, 1.03), 'plain': (7.993605777301127e-16, 3.6)},
+        'best': {'fused': (1.8851586958135158e-16, 0.849), 'plain': (7.216449660063518e-16, 3.25)},
     },
     'radial_weight_per_inertia': {
-        'best': {'fused': (2.5091040356528535e-16, 1.13), 'plain': (7.01660951563099e-16, 3.16), 'numpy': (7.038813976123492e-16, 3.17)},
+        'best': {'fused': (2.353672812205332e-16, 1.06), 'plain': (8.171241461241152e-16, 3.68),
+            'numpy': (8.171241461241152e-16, 3.68)},
     },
     'polar_moment_per_inertia': {
-        'best': {'fused': (1.965094753586527e-16, 0.885), 'plain': (6.683542608243442e-16, 3.01), 'numpy': (6.683542608243442e-16, 3.01)},
+        'best': {'fused': (1.907363156306019e-16, 0.859), 'plain': (7.105427357601002e-16, 3.2),
+            'numpy': (7.105427357601002e-16, 3.2)},
     },
     'weight_moment_per_radial_weight': {
-        'best': {'fused': (2.55351295663786e-16, 1.15), 'plain': (1.1080025785759063e-15, 4.99), 'numpy': (1.0769163338864018e-15, 4.85)},
+        'best': {'fused': (2.1094237467877973e-16, 0.95), 'plain': (8.881784197001252e-16, 4.0),
+            'numpy': (8.881784197001252e-16, 4.0)},
     },
 }

@@ -1,7 +1,7 @@
 """Independent references: quadrature of the raw definitions in ball arithmetic, and the equation of motion in mpmath.
 
-Nothing here knows a closed form, a stable form or a line of generated text. Arguments are floats, taken as the exact
-numbers that they are.
+Nothing here knows more than the declared weights: no closed form, no stable form, no line of generated text. Arguments
+are floats, taken as the exact numbers that they are.
 """
 
 from collections.abc import Callable
@@ -11,25 +11,20 @@ from typing import NamedTuple
 
 import mpmath
 import numpy as np
+import sympy as sp
 from flint import acb, arb, ctx, fmpq
 from mpmath import mpf
 
+from derive.declare import quantities as declared
+from derive.declare.quantities import MOMENTS, RESISTANCE
+from derive.declare.symbols import r, theta
+
 BITS = 200  # about 60 digits
-WEIGHTS: dict[str, Callable[[acb, acb], acb]] = {
-    "polar_moment": lambda r, u: r * r,
-    "moment_of_inertia": lambda r, u: r * r * r,
-    "radial_weight_amplitude": lambda r, u: r * u.cos(),
-    "weight_moment_amplitude": lambda r, u: r * r * u.cos(),
-}
-BASE = (*WEIGHTS, "resistance_factor")
-QUOTIENTS = {
-    "dynamic_coefficient": ("polar_moment", "resistance_factor"),
-    "weight_moment_per_inertia": ("weight_moment_amplitude", "moment_of_inertia"),
-    "radial_weight_per_inertia": ("radial_weight_amplitude", "moment_of_inertia"),
-    "polar_moment_per_inertia": ("polar_moment", "moment_of_inertia"),
-    "weight_moment_per_radial_weight": ("weight_moment_amplitude", "radial_weight_amplitude"),
-}
-WHOLE = {"radial_weight": "radial_weight_amplitude", "weight_moment": "weight_moment_amplitude"}
+# Of each moment its function of alpha, with what the declared weight says: the power of r, and whether cos(u) turns it.
+WEIGHTS = {(m.amplitude or (m.name,))[0]: (int(sp.degree(m.weight, r)), m.weight.has(theta)) for m in MOMENTS}
+BASE = (*WEIGHTS, RESISTANCE.name)
+QUOTIENTS = {q.name: (q.numerator, q.denominator) for q in declared.QUOTIENTS}
+WHOLE = {m.name: m.amplitude[0] for m in MOMENTS if m.amplitude}
 
 
 # --- the moments ---------------------------------------------------------------------------------------------------
@@ -50,23 +45,24 @@ def radians(alpha: Fraction) -> arb:
 def over_cube(name: str, alpha: Fraction) -> arb:
     """A base quantity over alpha**3, by rigorous quadrature over r and u of its double integrand, 0 < alpha.
 
-    The exact inner rule is Gauss-Legendre's with two points: the integrands are cubic in r at most. The outer variable
+    The exact inner rule is Gauss-Legendre's with three points, for up to the fifth power of r. The outer variable
     is x = u/alpha. Over a thin arc 1 - chord is of order alpha**2, and gets the extra bits for that.
     """
     thin = max(0, alpha.denominator.bit_length() - alpha.numerator.bit_length())
     with ctx.workprec(BITS + 40 + 4 * thin):
         half = radians(alpha)
-        if name == "resistance_factor":
+        if name == RESISTANCE.name:
             value = 2 * half * (1 - half.cos()) / half**3
         else:
-            weight, root = WEIGHTS[name], 1 / arb(3).sqrt()
+            (power, turned), root = WEIGHTS[name], (arb(3) / 5).sqrt()
             disc = half.cos().contains(0)
 
             def ring(x: acb, _: bool) -> acb:
                 u = x * half
                 chord = acb(0) if disc else half.cos() / u.cos()
                 middle, reach = (1 + chord) / 2, (1 - chord) / 2
-                return reach * (weight(middle + reach * root, u) + weight(middle - reach * root, u)) / half**2
+                outer = (middle + reach * root) ** power + (middle - reach * root) ** power
+                return reach * (5 * outer + 8 * middle**power) / 9 * (u.cos() if turned else 1) / half**2
 
             tolerance = arb(2) ** -(BITS - 20)
             value = 2 * acb.integral(ring, 0, 1, rel_tol=tolerance, abs_tol=tolerance).real
@@ -86,13 +82,14 @@ def kernel(name: str, alpha: float | Fraction) -> arb:
 
 
 def whole(name: str, theta_1: float, theta_2: float) -> tuple[arb, arb]:
-    """J_r or J_theta of the exact two angles, and its amplitude: r cos(u), r**2 cos(u), turned to the bisector."""
+    """A moment of the exact two angles, such as J_r, and its amplitude: of theta_m + u the part even in u is left."""
     half, middle = (Fraction(theta_2) - Fraction(theta_1)) / 2, (Fraction(theta_1) + Fraction(theta_2)) / 2
     amplitude = kernel(WHOLE[name], half)
     with ctx.workprec(BITS + 1100):  # of an angle near a multiple of pi/2, all that is left
-        direction = exact(middle).sin() if name == "radial_weight" else exact(middle).cos()
+        (weight,) = [m.weight for m in MOMENTS if m.name == name]
+        direction = exact(middle).sin() if weight.has(sp.sin) else exact(middle).cos()
     with ctx.workprec(BITS + 40):
-        return -amplitude * direction, amplitude
+        return (-1 if weight.could_extract_minus_sign() else 1) * amplitude * direction, amplitude
 
 
 def limit_friction(theta_1: float, theta_2: float) -> arb:

@@ -20,17 +20,20 @@ import numpy as np
 from flint import arb
 from numpy.typing import NDArray
 
-from derive.approximate.approximants import variants
-from derive.check import certify, exact, truth
-from derive.check.certify import QUARTER, SMALL, UNDERFLOW, UNITS
-from derive.check.rounding import Record
+from derive.approximate.programs import variants
+from derive.approximate.shapes import kernels as kernels_of_alpha
+from derive.check import exact, truth
+from derive.check.certify import QUARTER, SMALL, UNDERFLOW
+from derive.check.records import TIERS, Record, read
 from derive.check.truth import SEGMENTS, TOP
 from generated import _compiled, kernels
 
 Floats = NDArray[np.float64]
 Numbers = NDArray[Any]  # of float64 or float32
 
-KERNELS = (*truth.KERNELS, *truth.QUOTIENTS)
+DEFINITIONS = {kernel.name: kernel.definition for kernel in kernels_of_alpha()}
+KERNELS = tuple(DEFINITIONS)
+BASES = tuple(name for name, definition in DEFINITIONS.items() if len(definition) == 1)
 CHEAP = ("1e-10", "1e-6")
 INTERPRETED = 10  # the exact interpreter, which serves where there is no binary, takes every tenth input
 
@@ -38,7 +41,7 @@ INTERPRETED = 10  # the exact interpreter, which serves where there is no binary
 @cache
 def records() -> tuple[Record, ...]:
     """All certificates."""
-    return tuple(r for path in sorted(certify.FOLDER.glob("*.json")) for r in certify.read(path))
+    return tuple(read())
 
 
 # --- inputs ----------------------------------------------------------------------------------------------------------
@@ -130,9 +133,7 @@ def reference(alpha: Floats, names: Sequence[str] = KERNELS, processes: int = 1)
 
 def _exact(alpha: Floats, scale: NDArray[np.int64], names: Sequence[str]) -> Floats:
     """High and low part of every kernel, a row for an input."""
-    bases = [
-        n for n in truth.KERNELS if n in names or any(n in truth.QUOTIENTS[q] for q in names if q in truth.QUOTIENTS)
-    ]
+    bases = sorted({statement for name in names for statement in DEFINITIONS[name]})
     rows = []
     with truth.working(truth.BITS):
         half_pi = arb.pi() / 2
@@ -146,14 +147,11 @@ def _exact(alpha: Floats, scale: NDArray[np.int64], names: Sequence[str]) -> Flo
                 end = number > TOP
                 s, c = (arb(1), arb(0)) if end else x.sin_cos()
                 h = arb(0) if end else -((half_pi - x) / 2).tan().log()
-                found = {name: truth.KERNELS[name](half_pi if end else x, s, c, h) for name in bases}
+                found = {name: truth.exactly(name, half_pi if end else x, s, c, h) for name in bases}
                 factor = arb(2) ** -exponent
             for name in names:
-                if name in truth.QUOTIENTS:
-                    above, below = truth.QUOTIENTS[name]
-                    value = found[above] / found[below]
-                else:
-                    value = found[name] * factor
+                above, *below = DEFINITIONS[name]
+                value = found[above] / found[below[0]] if below else found[above] * factor
                 assert number == 0 or value.rel_accuracy_bits() > 110
                 high = float(value)
                 row += [high, float(value - high)]
@@ -164,7 +162,7 @@ def _exact(alpha: Floats, scale: NDArray[np.int64], names: Sequence[str]) -> Flo
 def errors(record: Record, values: Numbers, at: Reference) -> Floats:
     """Signed errors in the unit of the certificate's claims: as `derive.check.certify` means them."""
     high, low = at.values[record["kernel"]]
-    scale = np.zeros_like(at.scale) if record["kernel"] in truth.QUOTIENTS else at.scale
+    scale = np.zeros_like(at.scale) if len(record["definition"]) > 1 else at.scale
     distance = np.ldexp(values.astype(np.float64), -scale) - high - low
     single = record["tier"] == "float32"
     least = np.ldexp(1.0, (-149 if single else -1074) - scale)
@@ -297,7 +295,7 @@ def measure(run: Run, at: Reference, even: NDArray[np.bool_]) -> Seen:
 def rounded(run: Run, at: Reference) -> Numbers:
     """The exact values, rounded correctly; where they do not underflow."""
     high, _ = at.values[run.record["kernel"]]
-    scale = 0 if run.record["kernel"] in truth.QUOTIENTS else at.scale
+    scale = 0 if len(run.record["definition"]) > 1 else at.scale
     return np.ldexp(high, scale).astype(run.kind)
 
 
@@ -368,7 +366,7 @@ def table(names: Iterable[str], at: Reference, even: NDArray[np.bool_]) -> Itera
             (
                 f"{r['kernel']:<31} {r['tier']:<7} {r['form']:<5} {run.level:<8} {seen.worst['bound'][0]:>9.4g} "
                 f"{r['bound']:>8.3g} {seen.worst['bound'][1].hex():<22} {seen.worst['bound_to_quarter_pi'][0]:>9.4g} "
-                f"{r['bound_to_quarter_pi']:>8.3g} {underflow:<15}  {bias:<15}  {UNITS[r['tier']]}"
+                f"{r['bound_to_quarter_pi']:>8.3g} {underflow:<15}  {bias:<15}  {TIERS[r['tier']].unit}"
             ),
             seen.faults,
         )
@@ -417,7 +415,7 @@ class Single:
         r = self.run.record
         name = f"{r['kernel']}, float32, {r['form']}, {self.run.level}"
         found = [] if self.worst <= min(r["bound"], GOAL) else [f"{name}: {self.worst:.6g} ulp at {self.alpha.hex()}"]
-        return found + ([f"{name}: falls {self.falls} times"] if self.falls and r["kernel"] in truth.KERNELS else [])
+        return found + ([f"{name}: falls {self.falls} times"] if self.falls and len(r["definition"]) == 1 else [])
 
 
 def float32_runs(kernel: str) -> Iterator[Run]:
@@ -425,7 +423,7 @@ def float32_runs(kernel: str) -> Iterator[Run]:
     mine = list(runs(kernel))
     for run in mine:
         record = run.record
-        if kernel in truth.QUOTIENTS:
+        if kernel not in BASES:
             record = record | {"tier": "float32", "bound": 0.5 + record["bound"] * 2.0**-29}
         if (
             record["tier"] == "float32"
@@ -462,7 +460,7 @@ def float32_table(names: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
         yield (
             (
                 f"{r['kernel']:<31} {r['form']:<5} {single.run.level:<8} {single.worst:>9.6f} {r['bound']:>9.6g} "
-                f"{single.alpha.hex():<22} {single.falls if r['kernel'] in truth.KERNELS else '':>8}"
+                f"{single.alpha.hex():<22} {single.falls if len(r['definition']) == 1 else '':>8}"
             ),
             single.faults,
         )

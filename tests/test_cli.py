@@ -384,7 +384,7 @@ def test_cost(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
 
 
 def test_without_matplotlib_cost_says_what_to_type() -> None:
-    hidden = "sys.modules['matplotlib'] = None; from slipcircle.prices import cost; cost.measure = lambda *a, **k: []"
+    hidden = "sys.modules['matplotlib'] = None; from slipcircle.cost import cost; cost.measure = lambda *a, **k: []"
     done = python(f"{hidden}; {MAIN}; sys.exit(status)", "cost", "--plot", "cost.png")
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == "slipcircle: pictures need matplotlib: pip install 'slipcircle[plot]'\n"

@@ -21,9 +21,10 @@ import pytest
 from numpy.typing import NDArray
 
 from derive import build
-from derive.approximate.approximants import Variant, variants
+from derive.approximate.programs import Variant, variants
 from derive.check import exact
 from derive.code import emit_c, write
+from derive.code.text import seam
 from generated import _compiled, kernels
 
 Floats = NDArray[np.float64]
@@ -74,15 +75,15 @@ def test_the_same_bits_as_exact_arithmetic(variant: Variant) -> None:
     with np.errstate(all="ignore"):
         expected = exact.run(variant.program, np.minimum(alpha.astype(float), HALF_PI)).astype(alpha.dtype)
     order = np.argsort(alpha)  # whole blocks below a seam, and above
-    pieces = emit_c.below(variant.program)
-    seam = np.repeat(np.nextafter(pieces[0], [0, pieces[0], 9]) if pieces else [], 128)
-    at_seam = exact.run(variant.program, seam)
+    pieces = seam(variant.program)
+    around = np.repeat(np.nextafter(pieces[0], [0, pieces[0], 9]) if pieces else [], 128)
+    at_seam = exact.run(variant.program, around)
     for form, loops in (LEVELS[x] for x in COMPILED):
         if form == variant.form:
             loop = loops["best" if single else variant.tier][variant.kernel]
             np.testing.assert_array_equal(bits(loop(alpha)), bits(expected))
             np.testing.assert_array_equal(bits(loop(alpha[order])), bits(expected[order]))
-            np.testing.assert_array_equal(bits(loop(seam)), bits(at_seam))
+            np.testing.assert_array_equal(bits(loop(around)), bits(at_seam))
 
 
 @needs_binary

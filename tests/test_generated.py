@@ -32,7 +32,7 @@ WHOLE = {"theta_1": 4, "theta_2": 5, "alpha": 1, "a": -1, "t": 0}
 
 
 @cache
-def derived() -> dict[str, str]:
+def derived(*_: bool) -> dict[str, str]:
     """What `python -m derive` would write."""
     return derive_all()
 
@@ -124,8 +124,8 @@ def run_main(argv: list[str], folder: Path, monkeypatch: pytest.MonkeyPatch) -> 
     difference, write_files = write.difference, write.write
     with monkeypatch.context() as m:
         m.setattr("derive.__main__.derive_all", derived)
-        m.setattr(write, "difference", lambda texts: difference(texts, folder))
-        m.setattr(write, "write", lambda texts: write_files(texts, folder))
+        m.setattr(write, "difference", lambda texts, other=folder: difference(texts, other))
+        m.setattr(write, "write", lambda texts, other=folder: write_files(texts, other))
         return main(argv)
 
 

@@ -7,15 +7,17 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+import oracle
 import pytest
 import sympy as sp
 import test_generated
 import test_kernels
 import test_motion_formulas
 
-from derive.algebra import dynamics, integrate, stable
-from derive.algebra.integrate import PSI, Derivation, ProofError
-from derive.code import functions, write
+from derive.algebra import dynamics, integrate, rules
+from derive.algebra.integrate import PSI, Derivation
+from derive.check.proof import ProofError
+from derive.code import write
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS
 from derive.declare.symbols import a, alpha, omega_0, r
@@ -69,7 +71,7 @@ domain = test_generated.check_domain
 BUGS = (
     Bug("a sign", "moment_of_inertia", r"1\.5707963267948966 - alpha", "alpha - 1.5707963267948966", accurate),
     Bug("a coefficient's last digits", "weight_moment_amplitude", r"(0\.10833333)\d+", r"\1", accurate),
-    Bug("a series cut short", "weight_moment_amplitude", r"( = \(+)-?\d\S+", r"\g<1>0.0", accurate),
+    Bug("a series cut short", "weight_moment_amplitude", r",\s+-?[\d.e-]+\)\)", "))", accurate),
     Bug("swapped branches", "radial_weight_amplitude", PIECES, r"xp.where(\1 >= \2, ", accurate),
     Bug("a seam out of place", "polar_moment", PIECES, r"xp.where(\1 < 1.4, ", accurate),
     Bug("2 alpha for alpha", "radial_weight_amplitude", r"alpha \* alpha", "2.0 * alpha * alpha", accurate),
@@ -77,14 +79,14 @@ BUGS = (
     Bug("alpha not clipped at pi/2", "moment_of_inertia", r"np\.minimum\(.*\)\)", "alpha)", has_limits, "clipped"),
     Bug("negative alpha let in", "polar_moment", r"alpha >= 0\.0", "alpha >= -2.0", domain, "inside"),
     Bug("too large an alpha let in", "polar_moment", r"4\.0 \* eps", "64.0 * eps", domain, "inside"),
-    Bug("theta_1 for theta_m, J_r", "radial_weight", r"np\.sin\(v\d+\)", "np.sin(theta_1)", weighs_right),
-    Bug("theta_1 for theta_m, J_theta", "weight_moment", r"np\.cos\(v\d+\) -", "np.cos(theta_1) -", weighs_right),
-    Bug("the sign of J_theta", "weight_moment", r"return (v\d+)", r"return -\1", weighs_right),
+    Bug("theta_1 for theta_m, J_r", "radial_weight", r"np\.sin\(theta_m\)", "np.sin(theta_1)", weighs_right),
+    Bug("theta_1 for theta_m, J_theta", "weight_moment", r"np\.cos\(theta_m\) -", "np.cos(theta_1) -", weighs_right),
+    Bug("the sign of J_theta", "weight_moment", r"return (-?\()", r"return -\1", weighs_right),
     Bug("theta_m's rounding error lost", "weight_moment", r"0\.5 \* \(theta_1 - ", "0.0 * (theta_1 - ", weighs_right),
-    Bug("a sign of b", VELOCITY, r"(v\d+ = b) \* omega_0", r"\1 * -omega_0", moves_right),
-    Bug("swapped branches, a b t**2 = 1", ROTATION, r"(v\d+) = 1\.0 < (v\d+)", r"\1 = 1.0 >= \2", moves_right),
+    Bug("a sign of b", VELOCITY, r"(t\d+ = b) \* omega_0", r"\1 * -omega_0", moves_right),
+    Bug("swapped branches, a b t**2 = 1", ROTATION, r"(t\d+) = 1\.0 < z", r"\1 = 1.0 >= z", moves_right),
     Bug("a sign, omega_0**2", ACCELERATION, r"a - (\w+) \* omega_0", r"a + \1 * omega_0", moves_right),
-    Bug("the pole overlooked", VELOCITY, r"(v\d+) = 0\.0 < np\.minimum\((v\d+), .*\)$", r"\1 = 1e9 > \2", ends),
+    Bug("the pole overlooked", VELOCITY, r"(t\d+) = 0\.0 < np\.minimum\(y, .*\)$", r"\1 = 1e9 > y", ends),
     Bug("half the arrest", "frozen_centripetal_arrest_rotation", r"-\(0\.5 \* ", "-(", moves_right),
     Bug("t for -t", "frozen_arrest_time", r"-\(omega_0 / a\)", "omega_0 / a", moves_right),
 )
@@ -128,10 +130,10 @@ def test_a_bug_in_the_text_turns_its_check_red(bug: Bug) -> None:
 
 
 @pytest.mark.parametrize("bug", [
-    Bug("a coefficient's last bit", "polar_moment", "5.360408832255455e-17", "5.360408832255456e-17", accurate),
+    Bug("the last bit of pi/2", "polar_moment", "1.5707963267948966", "1.5707963267948968", accurate),
     # alpha's rounding error is worth 1.5 ulp of the amplitude at most, less than the bound allows for.
     Bug("alpha's rounding error dropped", "radial_weight", r"0\.5 \* \(theta_2 - ", "0.0 * (theta_2 - ", weighs_right),
-    Bug("a coefficient's last bit", VELOCITY, "0.16666666666666666", "0.1666666666666667", moves_right),
+    Bug("a coefficient's last bit", VELOCITY, r"9\.869604401089358 \+", "9.86960440108936 +", moves_right),
     Bug("a word of a docstring", "weight_moment", "Domain: 0 <=", "Domain: 0 <", accurate),
 ], ids=lambda b: f"{b.what}, {b.function}")  # fmt: skip
 def test_what_stays_within_the_bounds_is_still_found(bug: Bug, tmp_path: Path) -> None:
@@ -150,30 +152,21 @@ def test_what_stays_within_the_bounds_is_still_found(bug: Bug, tmp_path: Path) -
 # --- before the text: the derivation -------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", stable.BASE_NAMES)
-def test_a_wrong_stable_form_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    closed = functions.closed_amplitudes([integrate.derive(m) for m in MOMENTS])[name]
-    stable.prove_kernel(name, closed)
-    right = stable.REDUCED[name]
+@pytest.mark.parametrize("name", oracle.BASE)
+def test_a_wrong_stable_form_is_not_proved(name: str) -> None:
+    closed = integrate.closed_forms()[name]
+    right = rules.stable(closed).form
+    rules.prove_equal(right, closed, name)
     for wrong in (-right, right.subs(alpha, 2 * alpha), right + alpha**2 / 10**6, right * sp.cos(alpha)):
-        monkeypatch.setitem(stable.REDUCED, name, wrong)
         with pytest.raises(ProofError, match=name):
-            stable.prove_kernel(name, closed)
-
-
-@pytest.mark.parametrize("name", sorted(stable.SLOPES))
-def test_a_wrong_slope_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    closed = functions.closed_amplitudes([integrate.derive(m) for m in MOMENTS])[name]
-    monkeypatch.setitem(stable.SLOPES, name, stable.SLOPES[name] * 2)
-    with pytest.raises(ProofError, match="slope"):
-        stable.prove_kernel(name, closed)
+            rules.prove_equal(wrong, closed, name)
 
 
 def test_a_wrong_antiderivative_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     right: Callable[..., Any] = sp.integrate
     monkeypatch.setattr(sp, "integrate", lambda e, x: right(e, x) + x)
     with pytest.raises(ProofError, match="antiderivative"):
-        integrate.derive(MOMENTS[0])
+        integrate.derive.__wrapped__(MOMENTS[0])
 
 
 @pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)

@@ -10,18 +10,21 @@ import oracle
 import pytest
 import seen
 from flint import arb, ctx
-from seen import KERNELS, LAST_SINGLE, Inputs, Numbers, Reference, Run, Seen
-from slipcircle.balance import Balance
+from seen import BASES, DEFINITIONS, KERNELS, LAST_SINGLE, Inputs, Numbers, Reference, Run, Seen
 
-from derive.approximate.approximants import SHAPES, variants
-from derive.approximate.fit import LIMIT, near_fit
-from derive.check import certificates, exact, truth
+from derive.approximate import certificates
+from derive.approximate.programs import variants
+from derive.approximate.shapes import kernels as kernels_of_alpha
+from derive.approximate.shapes import limit as limit_at_0
+from derive.approximate.shapes import near_fit, records
+from derive.check import exact, truth
 from derive.check.truth import TOP
 from derive.code.program import Op, Program
 from generated import _compiled, kernels
 
 each_kernel = pytest.mark.parametrize("kernel", KERNELS)
-each_base = pytest.mark.parametrize("kernel", truth.KERNELS)
+each_base = pytest.mark.parametrize("kernel", BASES)
+SEAMS = {kernel: records()[DEFINITIONS[kernel]].best[0].seam for kernel in BASES}
 each_level = pytest.mark.parametrize("level", _compiled.LEVELS)
 
 
@@ -92,7 +95,7 @@ def test_the_reference_is_the_integral_of_the_definition(kernel: str) -> None:
     high, low = at.values[kernel]
     for i, x in enumerate(at.alpha.tolist()):
         with ctx.workprec(oracle.BITS):
-            scale = 0 if kernel in truth.QUOTIENTS else int(at.scale[i])
+            scale = 0 if kernel not in BASES else int(at.scale[i])
             exact_one = oracle.kernel(kernel, x) * arb(2) ** -scale
             assert abs((arb(high[i]) + arb(low[i])) / exact_one - 1) < arb(2) ** -100, x
 
@@ -127,8 +130,9 @@ def changed(kernel: str, old: float, new: float) -> Callable[[Numbers], Numbers]
 
 @each_base
 def test_a_coefficient_off_in_its_14th_digit_is_seen(kernel: str) -> None:
-    seam, degree, _ = SHAPES[kernel]
-    old = near_fit(kernel, seam, degree, LIMIT[kernel])[0]
+    ((closed,),) = [k.closed for k in kernels_of_alpha() if k.name == kernel]
+    shape = records()[DEFINITIONS[kernel]].best[0]
+    old = near_fit(closed, shape.seam, shape.count, limit_at_0(closed))[0]
     run = replace(find(kernel, form="fused"), level="exact")
     assert not some(replace(run, call=changed(kernel, old, old))).faults
     faults = some(replace(run, call=changed(kernel, old, old * (1 + 1e-14)))).faults
@@ -185,7 +189,7 @@ def at_level(kernel: str, level: str) -> Callable[..., Any]:
 @each_kernel
 def test_zero_at_zero(kernel: str, level: str) -> None:
     """Exactly; a quotient's limit, 1 or 2/3, rounded."""
-    limit = {"dynamic_coefficient": 2 / 3}.get(kernel, 1.0) if kernel in truth.QUOTIENTS else 0.0
+    limit = {"dynamic_coefficient": 2 / 3}.get(kernel, 1.0) if kernel not in BASES else 0.0
     function = at_level(kernel, level)
     for kind in (np.float64, np.float32):
         assert function(kind(0)) == kind(limit)
@@ -196,8 +200,7 @@ def test_zero_at_zero(kernel: str, level: str) -> None:
 @each_base
 def test_the_limit_at_a_right_angle(kernel: str, level: str) -> None:
     """Rounded; also at the numbers above pi/2 that the domain takes in."""
-    half, function = arb.pi() / 2, at_level(kernel, level)
-    limit = float(truth.KERNELS[kernel](half, arb(1), arb(0), arb(0)))
+    function, limit = at_level(kernel, level), float(truth.limit(DEFINITIONS[kernel]))
     for kind in (np.float64, np.float32):
         alpha = [kind(TOP)]
         while float(further := np.nextafter(alpha[-1], kind(2))) <= TOP * (1 + 4 * float(np.finfo(kind).eps)):
@@ -211,7 +214,7 @@ def test_the_limit_at_a_right_angle(kernel: str, level: str) -> None:
 @each_base
 def test_monotone_across_the_seam(kernel: str, level: str) -> None:
     """Never down from one double to the next where pieces meet; fused none anywhere near; and up over larger steps."""
-    function, seam = at_level(kernel, level), SHAPES[kernel][0]
+    function, seam = at_level(kernel, level), SEAMS[kernel]
     below, above = function(np.array([np.nextafter(seam, 0), min(seam, TOP)]))
     assert below <= above
     steps = seam + np.arange(-500, 501) * 2.0**-48
@@ -231,13 +234,7 @@ def test_monotone_in_float32_and_within_its_bound_up_to_the_end(kernel: str) -> 
 
 @each_level
 def test_weight_moment_is_odd_in_the_dip(level: str) -> None:
-    """J_theta(-psi) = -J_theta(psi) exactly, also seen from a slide that goes the other way."""
+    """J_theta(-psi) = -J_theta(psi) exactly; that motions mirror is `test_physics`'."""
     psi = np.random.default_rng(10).uniform(0, np.pi / 2, 1000)
     moment = at_level("weight_moment_amplitude", level)(psi[::-1].copy())
     np.testing.assert_array_equal(moment * np.sin(-psi), -(moment * np.sin(psi)))
-    make = partial(Balance, {}, {}, 0.7, 0.9, turns=True, radius=1.0)
-    for dip in psi[:100].tolist():
-        fall, press, limit = 0.7 * np.sin(dip), 0.9 * np.cos(dip), 0.7 / 0.9 * np.tan(dip)
-        forth = make(dip, fall, press, limit).position(0.2, 1)
-        back = make(-dip, -fall, press, -limit).position(-0.2, -1)
-        assert forth == back

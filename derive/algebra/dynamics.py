@@ -6,12 +6,12 @@ S0(z) = sinh(sqrt z)/sqrt z, an entire function, at z = a b t**2, and decaying e
 """
 
 from dataclasses import dataclass, replace
-from fractions import Fraction
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
-from derive.algebra.stable import Horner, Log1p, Select, Stable, even_series, unfold
+from derive.algebra.prove import prove_zero
+from derive.algebra.remainders import Log1p, Remainder, Select, unfold
+from derive.algebra.rules import heads
 from derive.declare.symbols import a, b, omega_0, t
 
 # Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
@@ -96,17 +96,15 @@ def solution() -> dict[str, sp.Expr]:
         If a solution does not satisfy its equation.
     """
     y = sp.Function("y")
-    k = sp.Symbol("k", positive=True)  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
+    k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     conditions = {y(0): 1, y(t).diff(t).subs(t, 0): b * omega_0}
     linear = sp.dsolve(y(t).diff(t, 2) - k**2 * y(t), y(t), ics=conditions).rhs
-    cosine, sine = sp.cosh(k * t), sp.sinh(k * t) / k
-    prove_zero((linear - (cosine + b * omega_0 * sine)).rewrite(sp.exp), "y = cosh(kt) + b omega_0 sinh(kt)/k")
-    y_of_t = cosine + b * omega_0 * sine
+    prove_zero((linear - Y).rewrite(sp.exp), "y = cosh(kt) + b omega_0 sinh(kt)/k")
     ways = {
-        "y": y_of_t,
-        "angular_velocity": (omega_0 * cosine + a * sine) / y_of_t,
-        "rotation": sp.log(y_of_t) / b,
-        "angular_acceleration": (a - b * omega_0**2) / y_of_t**2,
+        "y": Y,
+        "angular_velocity": (omega_0 * sp.cosh(k * t) + a * sp.sinh(k * t) / k) / Y,
+        "rotation": sp.log(Y) / b,
+        "angular_acceleration": (a - b * omega_0**2) / Y**2,
     }
     omega = ways["angular_velocity"]
     on_shell = {a: k**2 / b}
@@ -121,70 +119,82 @@ def solution() -> dict[str, sp.Expr]:
     return ways
 
 
-class Cardinal(Stable):
-    """sinh(sqrt z)/sqrt z, for -pi**2 <= z <= 1; sin(sqrt -z)/sqrt -z where z < 0."""
+@dataclass(frozen=True)
+class Argument:
+    """What an input of the motion means, its domain in Python, and a point inside."""
 
-    def definition(self) -> sp.Expr:
-        root = sp.sqrt(self.args[0])
-        return sp.sinh(root) / root
-
-    def lower(self) -> sp.Expr:
-        # The series of sin x/x with alternating signs undone: sum z**k/(2k + 1)!
-        terms = even_series("sin", 1, Fraction(10))
-        return Horner.of((c * (-1) ** n for n, c in enumerate(terms)), self.args[0])
+    words: str
+    inside: str
+    safe: float
 
 
-class Log1pRatio(Stable):
-    """log(1 + x)/x, 1 at x = 0."""
-
-    def definition(self) -> sp.Expr:
-        return sp.log(1 + self.args[0]) / self.args[0]
-
-    def lower(self) -> sp.Expr:
-        return _filled_at_zero(Log1p, self.args[0])
-
-
-class ArctanRatio(Stable):
-    """arctan(x)/x, 1 at x = 0."""
-
-    def definition(self) -> sp.Expr:
-        return sp.atan(self.args[0]) / self.args[0]
-
-    def lower(self) -> sp.Expr:
-        return _filled_at_zero(sp.atan, self.args[0])
-
-
-def _filled_at_zero(function: type[sp.Function], x: sp.Expr) -> sp.Expr:
-    """function(x)/x, whose limit 1 is exact to the last bit for |x| < 2**-60."""
-    size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
-    away = Select(size, tiny, one, x)
-    return Select(size, tiny, one, function(away) / away)
+ARGUMENTS = {
+    a: Argument("Drive, (J_theta - mu J_r)/Theta* (3.17).", "np.isfinite(a)", 1.0),
+    b: Argument("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
+    omega_0: Argument("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
+    t: Argument("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
+}
+# Of what comes to rest.
+BRAKED = {
+    a: Argument(ARGUMENTS[a].words, "(a < 0.0) & np.isfinite(a)", -1.0),
+    b: Argument(ARGUMENTS[b].words, "(b >= 0.0) & np.isfinite(b)", 1.0),
+    omega_0: Argument(ARGUMENTS[omega_0].words, "(omega_0 >= 0.0) & np.isfinite(omega_0)", 0.0),
+}
+ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no certificate)."
 
 
 @dataclass(frozen=True)
 class MotionForm:
-    """A stable formula of the motion: inputs, intermediate values in order, result, and the equation it comes from."""
+    """A stable formula of the motion: inputs, intermediate values in order, result, the textbook's form and its number.
+
+    A formula without time is of the arrest, of a motion that is braked.
+    """
 
     name: str
     inputs: tuple[sp.Symbol, ...]
     let: dict[sp.Symbol, sp.Expr]
     result: sp.Expr
+    formula: str
     equation: str
     summary: str
 
+    def arguments(self) -> list[Argument]:
+        """What is said of its inputs."""
+        return [(ARGUMENTS if t in self.inputs else BRAKED)[x] for x in self.inputs]
+
+    def domain(self) -> str:
+        """In words."""
+        if t in self.inputs:
+            return "t >= 0" + (", until the solution runs to infinity" if b in self.inputs else "")
+        return "a < 0, b >= 0, omega_0 >= 0" if b in self.inputs else "a < 0, omega_0 >= 0"
+
 
 _X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)
-_P, _M, _C, _S, _Y = sp.symbols("P M C S y", real=True)
+_P, _M, _Y = sp.symbols("P M y", real=True)
 _G, _PHI_Y = sp.symbols("G y_near", real=True)
+
+
+# (3.16) made linear: omega = y'/(b y) with y'' = a b y, y(0) = 1; `solution` proves it. k = sqrt(a b).
+_ROOT = sp.Symbol("k", positive=True)
+Y = sp.cosh(_ROOT * t) + b * omega_0 * sp.sinh(_ROOT * t) / _ROOT
+Y_RATE = sp.diff(Y, t)
+
+
+def _near(expression: sp.Expr) -> sp.Expr:
+    """Where z <= 1: cosh and sinh by their heads and remainders, which are series in z = k**2 t**2 = a b t**2."""
+    split = heads(expression, {sp.cosh(_ROOT * t): 2, sp.sinh(_ROOT * t): 1})
+    series = {r: r.func(r.args[0], r.args[1], sp.sqrt(_NEAR)) for r in split.atoms(Remainder)}
+    return split.subs(series).subs(_ROOT**2 / b, a).subs(_ROOT**2 * t**2, _NEAR).subs(t, _FAR)
 
 
 def _piece(large: sp.Expr, small: sp.Expr) -> sp.Expr:
     return Select(1, _Z, large, small)
 
 
-# k = sqrt|a b| without overflow; z = a b t**2, clipped. Where z <= 1, y = C + b omega_0 S with C = cosh(kt) and
-# S = sinh(kt)/k. Where z > 1, y is divided by exp(kt), so that nothing overflows, and split into its growing and its
-# decaying part, P and M exp(-2kt), so that a start near P = 0 costs no digits of what it ends in.
+# k = sqrt|a b| without overflow; z = a b t**2, clipped. Where z > 1, y is divided by exp(kt), so that nothing
+# overflows, and split into its growing and its decaying part, P and M exp(-2kt), so that a start near P = 0 costs no
+# digits of what it ends in. That is typed, as are the guards (no rule knows which exponential overflows, nor where a
+# solution ends), and proved by `prove_forms`.
 # exp(-2kt) is 0 long before kt = 800, and no solution is left beyond kt = pi where a b < 0.
 _COMMON = {
     _K: sp.sqrt(sp.Abs(a)) * sp.sqrt(sp.Abs(b)),
@@ -196,9 +206,7 @@ _COMMON = {
     _Q: _E**2,
     _P: _K + b * omega_0,
     _M: _K - b * omega_0,
-    _C: 1 + 2 * _NEAR * (Cardinal(_NEAR / 4) / 2) ** 2,
-    _S: _FAR * Cardinal(_NEAR),
-    _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, sp.Integer(1))), _C + b * omega_0 * _S),
+    _Y: _piece((_P + _M * _Q) / (2 * _piece(_K, sp.Integer(1))), _near(Y)),
 }
 
 
@@ -213,12 +221,12 @@ def _guarded(y: sp.Symbol) -> sp.Expr:
 
 # y = 1 + b G where z <= 1, so that phi = log1p(b G)/b loses nothing as t -> 0 or b -> 0.
 _ROTATION = {
-    _G: 2 * a * (_FAR / 2 * Cardinal(_NEAR / 4)) ** 2 + omega_0 * _FAR * Cardinal(_NEAR),
+    _G: _near((Y - 1) / b),
     _PHI_Y: _piece(_Y, 1 + b * _G),
 }
 _ROTATION_RESULT = _piece(
     (_K * _piece(t, sp.Integer(0)) + sp.log(_PHI_Y)) / _piece(b, sp.Integer(1)),
-    _G * Log1pRatio(_piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
+    _G * Remainder(Log1p, 1, _piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
 )
 # 1/y, multiplied by twice: its square leaves the range of numbers long before the acceleration does.
 _DECAY = {_D: _piece(_E, sp.Integer(1)) / _guarded(_Y)}
@@ -226,30 +234,40 @@ _BRAKE = -a  # positive in the domain of the arrest
 _CENTRIPETAL = (a, b, omega_0)
 
 FORMS = (
-    MotionForm("frozen_angular_velocity", (a, omega_0, t), {}, omega_0 + a * t, "3.16",
+    MotionForm("frozen_angular_velocity", (a, omega_0, t), {}, omega_0 + a * t,
+               "omega = omega_0 + a t", "3.16",
                "Angular velocity under a constant drive, without centripetal stress."),
-    MotionForm("frozen_rotation", (a, omega_0, t), {}, t * (omega_0 + a * t / 2), "1.3",
+    MotionForm("frozen_rotation", (a, omega_0, t), {}, t * (omega_0 + a * t / 2),
+               "phi = omega_0 t + a t**2/2", "1.3",
                "Rotation under a constant drive, without centripetal stress."),
-    MotionForm("frozen_angular_acceleration", (a, omega_0, t), {}, a, "3.16",
+    MotionForm("frozen_angular_acceleration", (a, omega_0, t), {}, a,
+               "d(omega)/dt = a", "3.16",
                "Angular acceleration under a constant drive, without centripetal stress."),
-    MotionForm("frozen_arrest_time", (a, omega_0), {}, omega_0 / _BRAKE, "3.16",
+    MotionForm("frozen_arrest_time", (a, omega_0), {}, omega_0 / _BRAKE,
+               "t = omega_0/(-a)", "3.16",
                "Time at which a braked motion stands still, without centripetal stress."),
-    MotionForm("frozen_arrest_rotation", (a, omega_0), {}, omega_0 * (omega_0 / _BRAKE / 2), "1.3",
+    MotionForm("frozen_arrest_rotation", (a, omega_0), {}, omega_0 * (omega_0 / _BRAKE / 2),
+               "phi = omega_0**2/(-2 a)", "1.3",
                "Rotation at which a braked motion stands still, without centripetal stress."),
     MotionForm("frozen_centripetal_angular_velocity", (*_CENTRIPETAL, t), _COMMON,
-               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), omega_0 * _C + a * _S) / _Y), "3.20",
+               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), _near(Y_RATE / b)) / _Y),
+               "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)", "3.20",
                "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_rotation", (*_CENTRIPETAL, t), _COMMON | _ROTATION,
-               _alive(_PHI_Y, _ROTATION_RESULT), "4.3",
+               _alive(_PHI_Y, _ROTATION_RESULT),
+               "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)", "4.3",
                "Rotation of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_angular_acceleration", (*_CENTRIPETAL, t), _COMMON | _DECAY,
-               _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2), "3.16",
+               _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2),
+               "(a - b omega_0**2)/y**2 with y = exp(b phi)", "3.16",
                "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity."),
     MotionForm("frozen_centripetal_arrest_time", _CENTRIPETAL, {},
-               omega_0 / _BRAKE * ArctanRatio(omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))), "3.20",
+               omega_0 / _BRAKE * Remainder(sp.atan, 1, omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))),
+               "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)", "3.20",
                "Time at which a braked motion stands still."),
     MotionForm("frozen_centripetal_arrest_rotation", _CENTRIPETAL, {},
-               omega_0 * (omega_0 / _BRAKE / 2) * Log1pRatio(omega_0 * (omega_0 / _BRAKE) * b), "4.3",
+               omega_0 * (omega_0 / _BRAKE / 2) * Remainder(Log1p, 1, omega_0 * (omega_0 / _BRAKE) * b),
+               "phi = ln(1 + b omega_0**2/(-a))/(2 b)", "4.3",
                "Rotation at which a braked motion stands still."),
 )  # fmt: skip
 

@@ -5,58 +5,17 @@ result is compared with quadrature of the raw double integrand, in r and theta o
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import mpmath
 import sympy as sp
 
-from derive.declare.quantities import CHORD, Moment
+from derive.algebra.prove import prove_zero, trig_normal
+from derive.check.proof import ProofError
+from derive.declare.quantities import CHORD, MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta, theta_1, theta_m, u
 
 PSI = sp.Symbol("psi", real=True)
-
-
-class ProofError(AssertionError):
-    """A step of the derivation did not hold."""
-
-
-def refute(expression: sp.Expr, claim: str) -> None:
-    """Raise `ProofError` where one point shows another number than zero: SymPy may simplify for minutes what is not."""
-    symbols = sorted(expression.free_symbols, key=sp.default_sort_key)
-    point = {x: sp.Rational(2 * i + 3, 2 * i + 7) for i, x in enumerate(symbols)}
-    value = sp.N(expression, 30, subs=point)
-    if value.is_Number and abs(value) > sp.Rational(1, 10**20):
-        raise ProofError(f"{claim}: {value} at {point}")
-
-
-def prove_zero(expression: sp.Expr, claim: str) -> None:
-    """Raise `ProofError` unless SymPy reduces the expression to zero."""
-    refute(expression, claim)
-    for reduce in (sp.expand, trig_normal, sp.simplify, lambda e: sp.simplify(e.rewrite(sp.exp).expand())):
-        expression = reduce(expression)
-        if expression == 0:
-            return
-    raise ProofError(f"{claim}: left with {expression}")
-
-
-def trig_normal(expression: sp.Expr) -> sp.Expr:
-    """Canonical form of a rational function in sines and cosines: sin**2 -> 1 - cos**2, then cancel."""
-    expression = sp.expand_trig(expression)
-    swaps = {f: sp.Dummy(str(f)) for f in sorted(expression.atoms(sp.sin, sp.cos), key=sp.default_sort_key)}
-    relations = [
-        swaps[sp.sin(x)] ** 2 + swaps[sp.cos(x)] ** 2 - 1
-        for x in sorted({f.args[0] for f in swaps}, key=sp.default_sort_key)
-        if sp.sin(x) in swaps and sp.cos(x) in swaps
-    ]
-    sines = [swaps[f] for f in swaps if isinstance(f, sp.sin)]
-    cosines = [swaps[f] for f in swaps if isinstance(f, sp.cos)]
-
-    def reduced(polynomial: sp.Expr) -> sp.Expr:
-        polynomial = sp.expand(polynomial)
-        return sp.reduced(polynomial, relations, *sines, *cosines)[1] if relations else polynomial
-
-    parts = sp.fraction(sp.together(expression.subs(swaps)))
-    ratio = sp.cancel(reduced(parts[0]) / reduced(parts[1]))
-    return sp.expand(ratio).subs({v: k for k, v in swaps.items()})
 
 
 def logs_to_artanh(expression: sp.Expr) -> sp.Expr:
@@ -91,8 +50,8 @@ class Derivation:
     moment: Moment
     inner: sp.Expr  # integrated over r, between the chord and the arc
     even: sp.Expr  # in u = theta - theta_m, odd part dropped
-    amplitude: sp.Expr  # closed form in alpha
-    direction: sp.Expr  # 1, cos(psi) or sin(psi)
+    amplitude: sp.Expr  # closed form in alpha, positive
+    direction: sp.Expr  # 1, or cos(psi) or sin(psi) with a sign
     operations: tuple[int, int]  # of the definition's integrand between its limits, and of the closed form
 
     @property
@@ -101,6 +60,7 @@ class Derivation:
         return self.amplitude * self.direction
 
 
+@cache
 def derive(moment: Moment) -> Derivation:
     """Integrate one definition, proving each step.
 
@@ -121,7 +81,9 @@ def derive(moment: Moment) -> Derivation:
     direction = next((f for f in (sp.cos(PSI), sp.sin(PSI)) if closed.has(f)), sp.Integer(1))
     amplitude = shortest(sp.expand(closed / direction))
     if amplitude.has(PSI):
-        raise ProofError(f"{moment.name}: the direction does not separate from the amplitude: {amplitude}")
+        raise ProofError(f"{moment.name}: amplitude", amplitude, "a function of alpha alone")
+    if moment.amplitude and amplitude.subs(alpha, 1).evalf() < 0:  # as in the integral of +r**n cos(u)
+        amplitude, direction = -amplitude, -direction
     prove_zero(amplitude * direction - closed, f"{moment.name}: simplification")
     return Derivation(
         moment, inner, even, amplitude, direction, (int(sp.count_ops(outer)), int(sp.count_ops(amplitude)))
@@ -142,6 +104,11 @@ def normal_artanh(expression: sp.Expr) -> sp.Expr:
     return trig_normal(expression.subs(kept)).subs({v: k for k, v in kept.items()})
 
 
+def closed_forms() -> dict[str, sp.Expr]:
+    """Closed forms of the base quantities in alpha, by the names of their functions."""
+    return {m.kernel[0]: derive(m).amplitude for m in MOMENTS} | {RESISTANCE.name: RESISTANCE.form}
+
+
 def quadrature(weight: sp.Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpmath.mpf:
     """The raw double integral by nested Gauss-Legendre quadrature, in r and theta, over the uncentred chord.
 
@@ -157,12 +124,10 @@ def quadrature(weight: sp.Expr, theta_1_value: object, alpha_value: object, digi
     function = sp.lambdify((r, theta), weight, "mpmath")
     with mpmath.workdps(digits + 15):
         first, half = mpmath.mpf(theta_1_value), mpmath.mpf(alpha_value)
-        nodes = gauss_legendre(4, mpmath.mp.prec)  # exact: the weights are polynomials of degree <= 3 in r
 
         def ring(angle: mpmath.mpf) -> mpmath.mpf:
-            chord = mpmath.cos(half) / mpmath.cos(angle - first - half)
-            middle, reach = (1 + chord) / 2, (1 - chord) / 2
-            return reach * mpmath.fsum(w * function(middle + reach * x, angle) for x, w in nodes)
+            chord = mpmath.cos(half) / mpmath.cos(angle - first - half)  # 6 nodes are exact for r**11
+            return mpmath.quad(lambda x: function(x, angle), [chord, 1], method="gauss-legendre", maxdegree=2)
 
         total = mpmath.quad(ring, [first, first + half, first + 2 * half])
     with mpmath.workdps(digits):
@@ -182,19 +147,8 @@ def compare(derivation: Derivation, digits: int) -> str:
     worst = mpmath.mpf(0)
     with mpmath.workdps(digits + 15):
         for arc in ((mpmath.mpf("3.75"), mpmath.mpf("0.55")), (mpmath.mpf("4.5"), mpmath.mpf("1.3"))):
-            value = function(*arc)
-            worst = max(worst, abs(quadrature(derivation.moment.weight, *arc, digits) - value) / abs(value))
-        if worst > mpmath.mpf(10) ** -(digits - 1):
-            raise ProofError(f"{derivation.moment.name}: closed form and quadrature differ by {mpmath.nstr(worst, 3)}")
+            value, raw = function(*arc), quadrature(derivation.moment.weight, *arc, digits)
+            worst = max(worst, abs(raw - value) / abs(value))
+            if worst > mpmath.mpf(10) ** -(digits - 1):
+                raise ProofError(f"{derivation.moment.name}: closed form against quadrature", value, raw)
         return f"{mpmath.nstr(worst, 2)} at {digits} digits"
-
-
-def gauss_legendre(count: int, precision: int) -> list[tuple[mpmath.mpf, mpmath.mpf]]:
-    """Nodes and weights of a Gauss-Legendre rule on [-1, 1] at a binary precision."""
-    with mpmath.workprec(precision):
-        roots = mpmath.polyroots(
-            [mpmath.mpf(int(c)) for c in (sp.legendre_poly(count, r, polys=True) * 8 * 2**count).all_coeffs()],
-            maxsteps=200, extraprec=precision,
-        )  # fmt: skip
-        slope = sp.lambdify(r, sp.diff(sp.legendre(count, r), r), "mpmath")
-        return [(x, 2 / ((1 - x**2) * slope(x) ** 2)) for x in roots]

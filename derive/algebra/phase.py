@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
-from derive.algebra.stable import Expm1, Horner, Select, SineDefect, Stable, exp_series, unfold
+from derive.algebra.prove import prove_zero
+from derive.algebra.remainders import Remainder, sine_defect, unfold
 
 X = sp.Symbol("x", real=True)
 DRIVE, TILT, CONSTANT, BRAKE, START = sp.symbols("drive tilt constant brake start", real=True)
@@ -18,30 +18,6 @@ DRIVE, TILT, CONSTANT, BRAKE, START = sp.symbols("drive tilt constant brake star
 # drop (1 - exp(-p x)) (press cos x + press_rise sin x - water), press and its rise with x relieved by r_u.
 DROP, DECAY, PRESS, PRESS_RISE, WATER = sp.symbols("drop decay press press_rise water", real=True)
 _HALF_SINE = sp.sin(X / 2)
-
-
-class ExpDefect(Stable):
-    """(exp(-x) - 1 + x)/x**2."""
-
-    def definition(self) -> sp.Expr:
-        x = self.args[0]
-        return (sp.exp(-x) - 1 + x) / x**2
-
-    def lower(self) -> sp.Expr:
-        x = self.args[0]
-        near, far = sp.Max(sp.Min(x, 1), -1), Select(sp.Abs(x), 1, sp.Integer(1), x)
-        return Select(sp.Abs(x), 1, Horner.of(exp_series(2), near), (Expm1(-far) + far) / far**2)
-
-
-class ExpRatio(Stable):
-    """(1 - exp(-x))/x, 1 at x = 0."""
-
-    def definition(self) -> sp.Expr:
-        return (1 - sp.exp(-self.args[0])) / self.args[0]
-
-    def lower(self) -> sp.Expr:
-        x = Select(sp.Abs(self.args[0]), sp.Float("1e-300"), sp.Float("1e-300"), self.args[0])
-        return -Expm1(-x) / x
 
 
 @dataclass(frozen=True)
@@ -56,27 +32,27 @@ class Energy:
 
 
 def _forms() -> tuple[Energy, ...]:
-    sine, defect = sp.sin(X), X**3 * SineDefect(X)
+    sine, defect = sp.sin(X), X**3 * sine_defect(X)
     lift = 2 * _HALF_SINE**2  # 1 - cos x
     q = 2 * BRAKE
-    excess = (q * X) ** 2 * ExpDefect(q * X)  # exp(-qx) - 1 + qx
+    excess = (q * X) ** 2 * Remainder(sp.exp, 2, -q * X)  # exp(-qx) - 1 + qx
     decay = sp.exp(-q * X)
     over = 2 / (1 + q**2)
     turning = 2 * ((DRIVE + CONSTANT) * sp.cos(X) - TILT * sp.sin(X) - CONSTANT)
     plain = START + 2 * (DRIVE * sine - CONSTANT * defect - TILT * lift)
     braked = START * decay + over * (
-        DRIVE * (sine + q * (q * X * ExpRatio(q * X) - lift))
-        + CONSTANT * (q * X**2 * ExpDefect(q * X) - defect - q * lift)
+        DRIVE * (sine + q * (q * X * Remainder(sp.exp, 1, -q * X) - lift))
+        + CONSTANT * (q * X**2 * Remainder(sp.exp, 2, -q * X) - defect - q * lift)
         - TILT * (lift + excess - q * defect)
     )
     # Softening adds 2 drop int (1 - exp(-py)) (press cos y + press_slope sin y - water) dy.
     p, rest = DECAY, sp.exp(-DECAY * X)
     px = p * X
-    gone = px * ExpRatio(px)  # 1 - exp(-px)
-    beyond = px**2 * ExpDefect(px)  # px - (1 - exp(-px))
+    gone = px * Remainder(sp.exp, 1, -px)  # 1 - exp(-px)
+    beyond = px**2 * Remainder(sp.exp, 2, -px)  # px - (1 - exp(-px))
     with_cos = (p * beyond + sine * gone - p**2 * defect - p * rest * lift) / (1 + p**2)
     with_sin = (lift * (p**2 + gone) + beyond - px * gone - p * rest * defect) / (1 + p**2)
-    softened = 2 * DROP * (PRESS * with_cos + PRESS_RISE * with_sin - WATER * px * X * ExpDefect(px))
+    softened = 2 * DROP * (PRESS * with_cos + PRESS_RISE * with_sin - WATER * px * X * Remainder(sp.exp, 2, -px))
     adds = 2 * DROP * (1 - sp.exp(-p * X)) * (PRESS * sp.cos(X) + PRESS_RISE * sp.sin(X) - WATER)
     return (
         Energy("energy", turning, False, plain, "constant friction, nothing that grows with the speed"),

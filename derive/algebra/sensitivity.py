@@ -9,114 +9,59 @@ from functools import cache
 
 import sympy as sp
 
-from derive.algebra.dynamics import Cardinal, solution
-from derive.algebra.integrate import prove_zero
-from derive.algebra.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, ExpDefect, ExpRatio, X
-from derive.algebra.stable import REDUCED, Horner, Log1p, Select, SincSlope, SineDefect, Stable, prove_equal, unfold
+from derive.algebra.dynamics import solution
+from derive.algebra.phase import BRAKE, CONSTANT, DRIVE, ENERGIES, START, TILT, X
+from derive.algebra.prove import prove_zero
+from derive.algebra.remainders import Horner, Log1p, Primitive, Remainder, Select, sine_defect, sinhc, unfold
+from derive.algebra.rules import prove_equal, stable
 from derive.code.program import Program, program
 from derive.declare import effects
 from derive.declare.effects import ALPHA, EFFECTS, GRAVITY, ORDER, REFERENCE, THETA, VALUE, terms
-from derive.declare.quantities import RESISTANCE
 from derive.declare.symbols import a, alpha, b, omega_0, t
 
-_SMALL = sp.Rational(1, 2**57)
 
-
-def _series(coefficient: Callable[[int], sp.Rational]) -> list[sp.Rational]:
-    """Taylor coefficients, as many as count where the argument is at most 1."""
-    found = [coefficient(k) for k in range(30)]
-    return [c for c in found if abs(c) > abs(found[0]) * _SMALL]
-
-
-class _Tail(Stable):
-    """A remainder of exp(-x): its series where |x| < 1, and its definition beyond."""
+class _Rest(Primitive):
+    """What is left of remainders of exp(-x) without their first terms; for |x| < 1 only."""
 
     def lower(self) -> sp.Expr:
-        x = self.args[0]
-        near, far = sp.Max(sp.Min(x, 1), -1), Select(sp.Abs(x), 1, sp.Integer(1), x)
-        return Select(sp.Abs(x), 1, Horner.of(_series(self.coefficient), near), self.func(far).definition())
+        terms = [self.coefficient(k) for k in range(18)]
+        return Horner.of(terms, sp.Max(sp.Min(self.args[0], 1), -1))
 
     def coefficient(self, k: int) -> sp.Rational:
         """Of x**k."""
         raise NotImplementedError
 
 
-class ExpThird(_Tail):
-    """(1 - x + x**2/2 - exp(-x))/x**3."""
+class ExpMeanRest(_Rest):
+    """(exp_mean(x) - 1/2 + x/3)/x**2."""
 
     def definition(self) -> sp.Expr:
         x = self.args[0]
-        return (1 - x + x**2 / 2 - sp.exp(-x)) / x**3
-
-    def coefficient(self, k: int) -> sp.Rational:
-        return sp.Integer(-1) ** k / sp.factorial(k + 3)
-
-
-class ExpMean(_Tail):
-    """(1 - (1 + x) exp(-x))/x**2: (1 - exp(-x))/x falls by this."""
-
-    def definition(self) -> sp.Expr:
-        x = self.args[0]
-        return (1 - (1 + x) * sp.exp(-x)) / x**2
-
-    def coefficient(self, k: int) -> sp.Rational:
-        return sp.Integer(-1) ** k / (sp.factorial(k) * (k + 2))
-
-
-class ExpHump(_Tail):
-    """(x - 2 + (x + 2) exp(-x))/x**3."""
-
-    def definition(self) -> sp.Expr:
-        x = self.args[0]
-        return (x - 2 + (x + 2) * sp.exp(-x)) / x**3
-
-    def coefficient(self, k: int) -> sp.Rational:
-        return sp.Integer(-1) ** k / (sp.factorial(k) * (k + 2) * (k + 3))
-
-
-class _Near(_Tail):
-    """What is left of a remainder of exp(-x) without its first terms; for |x| < 1 only."""
-
-    def lower(self) -> sp.Expr:
-        return Horner.of(_series(self.coefficient), sp.Max(sp.Min(self.args[0], 1), -1))
-
-
-class ExpMeanRest(_Near):
-    """(ExpMean(x) - 1/2 + x/3)/x**2 for |x| < 1."""
-
-    def definition(self) -> sp.Expr:
-        x = self.args[0]
-        return (ExpMean(x) - sp.Rational(1, 2) + x / 3) / x**2
+        return (exp_mean(x) - sp.Rational(1, 2) + x / 3) / x**2
 
     def coefficient(self, k: int) -> sp.Rational:
         return sp.Integer(-1) ** k / (sp.factorial(k + 2) * (k + 4))
 
 
-class ExpMixRest(_Near):
-    """(1/2 - 3 ExpDefect(x) + ExpRatio(x))/x**2 for |x| < 1."""
+class ExpMixRest(_Rest):
+    """(1/2 - 3 X2 + X1)/x**2, Xn = Remainder(exp, n, -x)."""
 
     def definition(self) -> sp.Expr:
         x = self.args[0]
-        return (sp.Rational(1, 2) - 3 * ExpDefect(x) + ExpRatio(x)) / x**2
+        return (sp.Rational(1, 2) - 3 * Remainder(sp.exp, 2, -x) + Remainder(sp.exp, 1, -x)) / x**2
 
     def coefficient(self, k: int) -> sp.Rational:
         return sp.Integer(-1) ** k * (k + 1) / sp.factorial(k + 4)
 
 
-class SineFifth(Stable):
-    """(sin x - x + x**3/6)/x**5 for |x| <= pi."""
-
-    def definition(self) -> sp.Expr:
-        x = self.args[0]
-        return (sp.sin(x) - x + x**3 / 6) / x**5
-
-    def lower(self) -> sp.Expr:
-        return Horner.of([sp.Integer(-1) ** k / sp.factorial(2 * k + 5) for k in range(14)], self.args[0] ** 2)
+def exp_mean(x: sp.Expr) -> sp.Expr:
+    """(1 - (1 + x) exp(-x))/x**2: (1 - exp(-x))/x falls by this."""
+    return Remainder(sp.exp, 1, -x, 1)
 
 
 # --- energy in the phase plane ---------------------------------------------------------------------------------------
 
-_LIFT_DEFECT = 2 * (X / 2) ** 3 * SineDefect(X / 2) * (X / 2 + sp.sin(X / 2))  # x**2/2 - (1 - cos x)
+_LIFT_DEFECT = 2 * (X / 2) ** 3 * sine_defect(X / 2) * (X / 2 + sp.sin(X / 2))  # x**2/2 - (1 - cos x)
 ENERGY_INPUTS = (X, START, DRIVE, TILT, CONSTANT, BRAKE)
 
 
@@ -125,10 +70,10 @@ def _integrals() -> tuple[sp.Expr, ...]:
     """Integrals of exp(-q (x - y)) times cos y, sin y, 1 - cos y from 0 to x, q = 2 brake."""
     q = 2 * BRAKE
     w, half = q * X, X / 2
-    sine, defect, lift = sp.sin(X), X**3 * SineDefect(X), 2 * sp.sin(half) ** 2
-    with_cos = sine + q * (w * ExpRatio(w) - lift)
-    with_sin = lift + w**2 * ExpDefect(w) - q * defect
-    with_lift = defect - q * _LIFT_DEFECT + w**2 * X * ExpThird(w)
+    sine, defect, lift = sp.sin(X), X**3 * sine_defect(X), 2 * sp.sin(half) ** 2
+    with_cos = sine + q * (w * Remainder(sp.exp, 1, -w) - lift)
+    with_sin = lift + w**2 * Remainder(sp.exp, 2, -w) - q * defect
+    with_lift = defect - q * _LIFT_DEFECT + w**2 * X * Remainder(sp.exp, 3, -w)
     return tuple(i / (1 + q**2) for i in (with_cos, with_sin, with_lift))
 
 
@@ -141,13 +86,14 @@ def energy_slopes() -> tuple[sp.Expr, ...]:
     """
     q = 2 * BRAKE
     w, q2 = q * X, q**2
-    defect, lift, over = X**3 * SineDefect(X), 2 * sp.sin(X / 2) ** 2, 1 / (1 + q2)
-    ratio, second, mean = ExpRatio(w), ExpDefect(w), ExpMean(w)
+    defect, lift, over = X**3 * sine_defect(X), 2 * sp.sin(X / 2) ** 2, 1 / (1 + q2)
+    hump, fifth = Remainder(sp.exp, 2, -w, 1), Remainder(sp.sin, 5, X)
+    ratio, second, mean = Remainder(sp.exp, 1, -w), Remainder(sp.exp, 2, -w), exp_mean(w)
     with_cos, with_sin, with_lift = _integrals()
     # Their derivatives by q, all negative.
     of_cos = (q2 * lift - lift + 2 * q * defect - w**2 * (second + ratio) - (q * w) ** 2 * mean) * over**2
-    of_sin = ((q2 - 1) * defect + 2 * q * _LIFT_DEFECT - w**2 * X * second - q * w**3 * ExpHump(w)) * over**2
-    near = (q2 - 1) * _LIFT_DEFECT + 2 * q * X**5 * SineFifth(X) - w**2 * (X**2 * ExpMeanRest(w) + w**2 * ExpMixRest(w))
+    of_sin = ((q2 - 1) * defect + 2 * q * _LIFT_DEFECT - w**2 * X * second - q * w**3 * hump) * over**2
+    near = (q2 - 1) * _LIFT_DEFECT + 2 * q * X**5 * fifth - w**2 * (X**2 * ExpMeanRest(w) + w**2 * ExpMixRest(w))
     far = (1 - q2) * lift - 2 * q * defect - (X**2 + 2 * w**2) * mean + w**2 * (second + ratio)
     of_lift = Select(sp.Abs(w), 1, near, far) * over**2
     decay = sp.exp(-w)
@@ -177,9 +123,10 @@ def energy_growth() -> tuple[sp.Expr, ...]:
     """
     q = 2 * BRAKE
     w = q * X
-    defect, lift = X**3 * SineDefect(X), 2 * sp.sin(X / 2) ** 2
-    of_cos = (q * lift - X**3 * SincSlope(X) - w * sp.sin(X) - q * w**2 * ExpMean(w)) / (1 + q**2)
-    of_sin = (2 + w) * (_LIFT_DEFECT + w**3 * ExpThird(w) + q * defect) / (1 + q**2) - X * (X * w / 2 + defect)
+    defect, lift = X**3 * sine_defect(X), 2 * sp.sin(X / 2) ** 2
+    of_cos = (q * lift + X**3 * Remainder(sp.sin, 1, X, 1) - w * sp.sin(X) - q * w**2 * exp_mean(w)) / (1 + q**2)
+    third = w**3 * Remainder(sp.exp, 3, -w)
+    of_sin = (2 + w) * (_LIFT_DEFECT + third + q * defect) / (1 + q**2) - X * (X * w / 2 + defect)
     return of_cos, of_sin, X * lift - (2 + w) * _integrals()[2]
 
 
@@ -197,46 +144,6 @@ def prove_energy_growth() -> list[str]:
 
 
 # --- the frozen slide in time ----------------------------------------------------------------------------------------
-
-
-class HyperbolicRest(Stable):
-    """(cosh k - sinh(k)/k)/k**2 with k = sqrt z, for -pi**2 <= z <= 1."""
-
-    def definition(self) -> sp.Expr:
-        k = sp.sqrt(self.args[0])
-        return (sp.cosh(k) - sp.sinh(k) / k) / k**2
-
-    def lower(self) -> sp.Expr:
-        terms = [sp.Integer(2 * n + 2) / sp.factorial(2 * n + 3) for n in range(15)]
-        return Horner.of(terms, self.args[0])
-
-
-class VersineSlope(Stable):
-    """The derivative by z of (cosh(sqrt z) - 1)/z, for -pi**2 <= z <= 1."""
-
-    def definition(self) -> sp.Expr:
-        z = self.args[0]
-        k = sp.sqrt(z)
-        return (k * sp.sinh(k) / 2 - sp.cosh(k) + 1) / z**2
-
-    def lower(self) -> sp.Expr:
-        return Horner.of([sp.Integer(n + 1) / sp.factorial(2 * n + 4) for n in range(15)], self.args[0])
-
-
-class Log1pRatioSlope(Stable):
-    """(x/(1 + x) - log(1 + x))/x**2, the derivative of log(1 + x)/x, for x >= 0."""
-
-    SEAM = sp.Rational(1, 8)
-
-    def definition(self) -> sp.Expr:
-        x = self.args[0]
-        return (x / (1 + x) - sp.log(1 + x)) / x**2
-
-    def lower(self) -> sp.Expr:
-        x = self.args[0]
-        near, far = sp.Max(sp.Min(x, self.SEAM), -self.SEAM), sp.Max(x, self.SEAM)
-        terms = [sp.Integer(-1) ** (n + 1) * sp.Rational(n + 1, n + 2) for n in range(19)]
-        return Select(x, self.SEAM, Horner.of(terms, near), (far / (1 + far) - Log1p(far)) / far**2)
 
 
 _K, _KT, _Z, _NEAR, _T = sp.symbols("k kt z near t_near", real=True)
@@ -264,8 +171,8 @@ def frozen_slopes() -> tuple[dict[sp.Symbol, sp.Expr], dict[str, tuple[sp.Expr, 
         _Z: sp.sign(a) * sp.sign(b) * _KT**2,
         _NEAR: sp.Max(sp.Min(_Z, 1), -(sp.pi**2)),
         _T: Select(1, _Z, sp.Integer(0), t),
-        _VERSINE: Cardinal(_NEAR / 4) ** 2 / 2,  # (C - 1)/z
-        _SINE: _T * Cardinal(_NEAR),
+        _VERSINE: sinhc(_NEAR / 4) ** 2 / 2,  # (C - 1)/z
+        _SINE: _T * sinhc(_NEAR),
         _COSINE: 1 + _NEAR * _VERSINE,
         _RATIO: a * _VERSINE * _T**2 + omega_0 * _SINE,  # (y - 1)/b
         _Q: sp.exp(-2 * _KT),
@@ -281,12 +188,12 @@ def _near() -> tuple[sp.Expr, ...]:
     y = 1 + b * _RATIO
     velocity = (omega_0 * _COSINE + a * _SINE) / y
     # C_a = b c, C_b = a c; S_a = b s, S_b = a s.
-    c, s = _T * _SINE / 2, _T**3 * HyperbolicRest(_NEAR) / 2
+    c, s = _T * _SINE / 2, _T**3 * Remainder(sp.sinh, 1, sp.sqrt(_NEAR), 1) / 2
     ratio_a = c + omega_0 * b * s
-    ratio_b = (a * _T**2) ** 2 * VersineSlope(_NEAR) + omega_0 * a * s
+    ratio_b = (a * _T**2) ** 2 * Remainder(sp.cosh, 2, sp.sqrt(_NEAR), 1) / 2 + omega_0 * a * s
     return (
         ratio_a / y,
-        ratio_b / y + _RATIO**2 * Log1pRatioSlope(b * _RATIO),
+        ratio_b / y + _RATIO**2 * Remainder(Log1p, 1, b * _RATIO, 1),
         _SINE / y,
         (omega_0 * b * c + _SINE + a * b * s - velocity * b * (c + b * omega_0 * s)) / y,
         (omega_0 * a * c + a**2 * s - velocity * (a * c + omega_0 * _SINE + b * omega_0 * a * s)) / y,
@@ -418,14 +325,14 @@ def parameter_tangents() -> list[Program]:
 GROWTHS = ("weight_moment_amplitude", "radial_weight_amplitude", "polar_moment", "resistance_factor")
 
 
-def arc_growth() -> tuple[sp.Expr, ...]:
+def arc_growth(closed: dict[str, sp.Expr]) -> tuple[sp.Expr, ...]:
     """Relative derivatives by alpha of C_theta, C_r, I_p*, lambda, all over Theta*, then of Theta* times alpha.
 
     From the reduced functions F/alpha**3, whose slopes are O(alpha) each: nothing cancels in thin arcs.
     """
-    inertia = REDUCED["moment_of_inertia"]
+    inertia = stable(closed["moment_of_inertia"]).reduced
     log_slope = sp.diff(inertia, alpha) / inertia
-    found = [sp.diff(REDUCED[n], alpha) / REDUCED[n] - log_slope for n in GROWTHS]
+    found = [sp.diff(x, alpha) / x - log_slope for x in (stable(closed[n]).reduced for n in GROWTHS)]
     return (*found, 3 + alpha * log_slope)
 
 
@@ -434,11 +341,7 @@ def prove_arc_growth(closed: dict[str, sp.Expr]) -> list[str]:
     claims = []
     for name, form in closed.items():
         claim = f"{name}: slope of the reduced function"
-        slope, wanted = alpha**3 * sp.diff(REDUCED[name], alpha), sp.diff(form, alpha) - 3 * form / alpha
-        if name == RESISTANCE[0]:  # a product of half angles
-            prove_zero((unfold(slope) - wanted).subs(alpha, 2 * alpha), claim)
-        else:
-            prove_equal(slope, wanted, claim)
+        prove_equal(alpha**3 * sp.diff(stable(form).reduced, alpha), sp.diff(form, alpha) - 3 * form / alpha, claim)
         claims.append(claim)
     return claims
 
@@ -446,7 +349,7 @@ def prove_arc_growth(closed: dict[str, sp.Expr]) -> list[str]:
 # --- text ------------------------------------------------------------------------------------------------------------
 
 
-def programs() -> list[tuple[Program, str]]:
+def programs(closed: dict[str, sp.Expr]) -> list[tuple[Program, str]]:
     """What `generated/sensitivity.py` holds, with a sentence for each."""
     let, pieces = frozen_slopes()
     frozen = [Select(1, _Z, far, near) for near, far in zip(pieces["near"], pieces["far"], strict=True)]
@@ -457,7 +360,7 @@ def programs() -> list[tuple[Program, str]]:
          "how the energy of a short motion changes with its length"),
         (program("frozen_slopes", ("a", "b", "omega_0", "t"), *frozen, let=let),
          "derivatives of rotation, then of angular velocity, at a time by a, b and omega_0"),
-        (program("arc_growth", ("alpha",), *arc_growth(), let={alpha: sp.Min(alpha, sp.pi / 2)}),
+        (program("arc_growth", ("alpha",), *arc_growth(closed), let={alpha: sp.Min(alpha, sp.pi / 2)}),
          "relative slopes of C_theta, C_r, I_p*, lambda, all over Theta*, and of Theta* times alpha"),
         (balance_tangent(), "changes of drive, tilt, constant, brake and what presses, lambda sigma/Theta*"),
         (position_tangent(), "changes of J_theta, J_r over Theta* and of their slopes by the dip"),

@@ -1,7 +1,8 @@
 """The checker: proves the error bound of a straight-line float64 program on the whole domain, rounding included.
 
 It reads plain data (`generated/certificates/*.json`) and uses the standard library and python-flint only; of the
-generator it knows nothing, and `derive.check.truth` has the exact functions. Per box of alpha,
+generator it knows nothing: what a kernel is says the certificate itself, by the definition that `derive.check.truth`
+reads. Per box of alpha,
 
     |computed - exact| <= |P - F| + sum_i sup |dP/dn_i| d_i + half an ulp,
 
@@ -11,50 +12,34 @@ within their bounds (mean value theorem, so that nothing of higher order is drop
 an operation that computes the rounding error of another one *is* that n_i, so compensation counts.
 """
 
-import hashlib
 import heapq
-import json
 import math
-import time
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from pathlib import Path
+from typing import Any
 
-from flint import arb
+from flint import arb, arb_series
 
 from derive.check import rounding, truth
+from derive.check.records import TIERS, Record, assumptions, check_goals, digest, rejected
 from derive.check.rounding import (
     DOWN,
-    LOG_ULPS,
     ROUNDING_BITS,
     TINY,
     UP,
-    Record,
+    VALUE,
     Tape,
     Unbounded,
     Undecided,
     specialise,
 )
-from derive.check.truth import BITS, CUBE, QUOTIENTS, SEGMENTS, TOP, Model, Segment, ball, working
-
-FOLDER = Path(__file__).resolve().parent.parent.parent / "generated" / "certificates"
+from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
 
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
 UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds
 VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
-UNITS = {"best": "ulp", "float32": "ulp of float32", "1e-10": "relative", "1e-6": "relative"}
-ASSUMPTIONS = {"log": f"np.log within {LOG_ULPS} ulp"}
-
-
-class Rejected(Exception):
-    """A certificate that is refused, with the name of the check that refuses it."""
-
-    def __init__(self, check: str, record: Record, why: str) -> None:
-        super().__init__(f"{check}: {record['kernel']} {record['tier']} {record['form']}: {why}")
-        self.check = check
 
 
 # --- the parts of the domain ---------------------------------------------------------------------------------------
@@ -66,7 +51,7 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
     Where to cut first is guessed from the constants, which matters for the time only: what is undecided is halved.
     """
     constants = [float.fromhex(v) for kind, _, v in record["operations"] if kind == "const"]
-    guesses = {QUARTER, TOP, *constants, *(TOP - c for c in constants)}
+    guesses = {0.5, 1.0, QUARTER, TOP, *constants, *(TOP - c for c in constants)}
     if any(v == "exponent" for _, _, v in record["operations"]):
         guesses |= {TOP - 0.75 * 2.0**-k for k in range(54)}
     inner = sorted(c for c in guesses if lower < c < upper)
@@ -89,6 +74,19 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
         else:
             found.append((a, b, tape))
     return found
+
+
+def ideal(tape: Tape, centre: arb) -> list[arb]:
+    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
+    done: list[Any] = []
+    for node in tape:
+        if node.kind == "x":
+            done.append(arb_series([centre, 1]))
+        elif node.kind in VALUE:
+            done.append(VALUE[node.kind](*(done[a] for a in node.args)))
+        else:  # a constant, or an error, which there is none of
+            done.append(arb_series([arb(node.value if node.kind == "const" else 0)]))
+    return truth.coefficients(done[-1])
 
 
 @dataclass(frozen=True)
@@ -145,16 +143,15 @@ class Patch:
         return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
 
 
-def patch(kernel: str, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
+def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
     """Models of the program and of the exact function, and of what lies between them."""
-    above, below = QUOTIENTS.get(kernel, (kernel, None))
-    degree = 0 if below else CUBE
-    first = truth.kernel(above, segment)
-    second = truth.kernel(below, segment) if below else None
+    first, *others = (truth.kernel(statement, segment) for statement in definition)
+    second = others[0] if others else None
+    degree = 0 if second else CUBE
     with working(BITS):
         order = degree if segment.lower == 0 else 0
         fat = ball(min(lower, segment.centre), max(upper, segment.centre))
-        own = truth.model(rounding.ideal(tape, arb(segment.centre)), rounding.ideal(tape, fat), order)
+        own = truth.model(ideal(tape, arb(segment.centre)), ideal(tape, fat), order)
         if second is None:
             difference = Model(own.main - first.main, own.last - first.last, own.power)
         else:  # (P - F1/F2) F2
@@ -165,12 +162,12 @@ def patch(kernel: str, tape: Tape, segment: Segment, lower: float, upper: float)
     return Patch(tape, segment, lower, upper, difference, first, second, degree)
 
 
-def fine_patches(kernel: str, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
+def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
     """One patch, or several on shorter segments, until the remainders of the series are far below an ulp."""
     middle = (segment.lower + segment.upper) / 2
     narrow = upper - lower < 2.0**-10 * (TOP - lower)
     try:
-        found = patch(kernel, tape, segment, lower, upper)
+        found = patch(definition, tape, segment, lower, upper)
         if narrow or found.remainder() < 2.0**-64:
             yield found
             return
@@ -179,20 +176,21 @@ def fine_patches(kernel: str, tape: Tape, segment: Segment, lower: float, upper:
             raise
     for part in (Segment(segment.lower, middle), Segment(middle, segment.upper)):
         if max(part.lower, lower) < min(part.upper, upper):
-            yield from fine_patches(kernel, tape, part, max(part.lower, lower), min(part.upper, upper))
+            yield from fine_patches(definition, tape, part, max(part.lower, lower), min(part.upper, upper))
 
 
-def patches(record: Record) -> Iterator[Patch]:
-    """The domain: one window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then all pieces on all segments."""
-    kernel = record["kernel"]
-    near = patch(kernel, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
-    yield near.window(SMALL, UNDERFLOW) if near.degree else near
-    for a, b, tape in pieces(record, SMALL, TOP):
+def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[Patch]:
+    """The domain, or a part: a window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then pieces on segments."""
+    definition = record["definition"]
+    if lower < SMALL:
+        near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
+        yield near.window(SMALL, UNDERFLOW) if near.degree else near
+    for a, b, tape in pieces(record, max(lower, SMALL), upper):
         for segment in SEGMENTS:
             for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):
-                lower, upper = max(a, segment.lower, start), min(b, segment.upper, end)
-                if lower < upper or lower == upper in (a, b):
-                    yield from fine_patches(kernel, tape, segment, lower, upper)
+                left, right = max(a, segment.lower, start), min(b, segment.upper, end)
+                if left < right or left == right in (a, b):
+                    yield from fine_patches(definition, tape, segment, left, right)
 
 
 # --- the proof -----------------------------------------------------------------------------------------------------
@@ -241,10 +239,10 @@ def below_underflow(record: Record, whole: float) -> float:
 
     One window for each s down to VANISHING, and there the absolute error.
     """
-    kernel, tier = record["kernel"], record["tier"]
-    if kernel in QUOTIENTS or tier == "float32":
+    definition, tier = record["definition"], record["tier"]
+    if len(definition) > 1 or tier == "float32":
         return 0.0  # quotients do not underflow, nor does double precision for the least float32
-    near = patch(kernel, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
+    near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
 
     def bound(distance: float, last: float, smallest: float, least: float) -> float:
         if tier == "best":
@@ -261,14 +259,10 @@ def below_underflow(record: Record, whole: float) -> float:
     return worst
 
 
-def limit_at_end(kernel: str) -> float:
+def limit_at_end(definition: Definition) -> float:
     """|F(TOP)/F(pi/2) - 1| in ulp of float32, whose pi/2 lies above pi/2: it is clipped to TOP and stands for pi/2."""
     with working(BITS):
-        half = arb.pi() / 2
-        names = QUOTIENTS.get(kernel, (kernel,))
-        value = [truth.KERNELS[name](half, arb(1), arb(0), arb(0)) for name in names]
-        limit = value[0] / value[1] if len(value) > 1 else value[0]
-        return float((truth.value(kernel, arb(TOP)) / limit - 1).abs_upper()) * 2.0**24 * UP
+        return float((truth.value(definition, arb(TOP)) / truth.limit(definition) - 1).abs_upper()) * 2.0**24 * UP
 
 
 def error(record: Record, part: Patch, lower: float, upper: float) -> float:
@@ -278,15 +272,15 @@ def error(record: Record, part: Patch, lower: float, upper: float) -> float:
     except Unbounded:
         return math.inf
     at_end = record["tier"] == "float32" and upper == TOP
-    return found + limit_at_end(record["kernel"]) if at_end else found
+    return found + limit_at_end(record["definition"]) if at_end else found
 
 
 def check_zero(record: Record) -> None:
     """0 at alpha = 0, exactly; the value of a quotient there is inside the domain like any other."""
     with working(ROUNDING_BITS):
         value = rounding.forward(specialise(record, 0.0, 0.0), arb(0))[0][-1]
-    if record["kernel"] not in QUOTIENTS and not value == 0:
-        raise Rejected("zero", record, "not 0 at alpha = 0")
+    if len(record["definition"]) == 1 and not value == 0:
+        raise rejected("zero", record, f"{value} at alpha = 0", 0)
 
 
 def prove(record: Record) -> Bounds:
@@ -299,23 +293,25 @@ def prove(record: Record) -> Bounds:
 
     Raises
     ------
-    Rejected
-        With the name of the check that failed: digest, assumptions, program, zero, bound or underflow.
+    ProofError
+        With the name of the check that failed: digest, assumptions, program, zero, bound, underflow or goal.
     """
     if record["sha256"] != digest(record):
-        raise Rejected("digest", record, "the operations are not those that were certified")
+        raise rejected("digest", record, digest(record), record["sha256"])
     if record["assumptions"] != assumptions(record):
-        raise Rejected("assumptions", record, "they do not name what the program relies on")
+        raise rejected("assumptions", record, record["assumptions"], assumptions(record))
     try:
-        return _prove(record)
+        bounds = _prove(record)
+        check_goals(record)
+        return bounds
     except Unbounded as fault:
-        raise Rejected("bound", record, f"no finite bound: {fault}") from fault
+        raise rejected("bound", record, f"none, {fault}", record["bound"]) from fault
     except (ArithmeticError, LookupError, TypeError, Undecided, ValueError) as fault:
-        raise Rejected("program", record, f"{type(fault).__name__}: {fault}") from fault
+        raise rejected("program", record, f"{type(fault).__name__}: {fault}", "operations with a meaning") from fault
 
 
 def _prove(record: Record) -> Bounds:
-    if record["tier"] not in UNITS:
+    if record["tier"] not in TIERS:
         raise ValueError(f"no tier is called {record['tier']}")
     if any(not 0 <= a < i for i, (_, args, _) in enumerate(record["operations"]) for a in args):
         raise ValueError("an operation uses a later one")
@@ -333,11 +329,11 @@ def _prove(record: Record) -> Bounds:
             middle = (lower + upper) / 2
             if not lower < middle < upper or upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53):
                 where = f"at {'s ' if part.top else ''}{lower!r}, s any small power of two" if part.top else repr(lower)
-                raise Rejected("bound", record, f"{found:.4g} is not within {record[claim]}, alpha near {where}")
+                raise rejected("bound", record, f"{found:.4g}, alpha near {where}", f"at most {record[claim]}")
             todo += [(lower, middle), (middle, upper)]
     underflow = below_underflow(record, record["bound"])
     if not underflow <= record["bound_underflow"]:
-        raise Rejected("underflow", record, f"{underflow:.4g} is not within {record['bound_underflow']}")
+        raise rejected("underflow", record, f"{underflow:.4g}", f"at most {record['bound_underflow']}")
     return Bounds(max(proved.values()), proved["bound_to_quarter_pi"], underflow)
 
 
@@ -357,8 +353,14 @@ class Worst:
 
 def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]:
     """Find bounds that can be proved: the worst box is halved, again and again. With them the patches' worst boxes."""
+    found, worst = halve(record, list(patches(record)), halvings)
+    whole = max(found.values())
+    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
+
+
+def halve(record: Record, every: list[Patch], halvings: int) -> tuple[dict[str, float], list[Worst]]:
+    """What can be proved on these patches, by claim, and their worst boxes."""
     found = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
-    every = list(patches(record))
     worst = []
     for claim in found:
         heap = [
@@ -367,7 +369,7 @@ def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]
             if claimed(part) == claim
         ]
         heapq.heapify(heap)
-        for _ in range(halvings):
+        for _ in range(halvings if heap else 0):
             _, number, lower, upper = heap[0]
             middle = (lower + upper) / 2
             if not lower < middle < upper:
@@ -376,58 +378,8 @@ def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]
             entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
             heapq.heapreplace(heap, entries[0])
             heapq.heappush(heap, entries[1])
-        found[claim] = -heap[0][0]
+        found[claim] = -heap[0][0] if heap else 0.0
         of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
         for _, number, lower, upper in heapq.nsmallest(16, of_patch.values()):
             worst.append(Worst(lower, upper, every[number].top > 0))
-    whole = max(found.values())
-    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
-
-
-def digest(record: Record) -> str:
-    """sha256 of what is certified: kernel, tier, form, operations and output."""
-    certified = [record[key] for key in ("kernel", "tier", "form", "operations", "output")]
-    return hashlib.sha256(json.dumps(certified, separators=(",", ":")).encode()).hexdigest()
-
-
-def assumptions(record: Record) -> list[str]:
-    """What the proof takes for granted, from the calls that the program makes."""
-    called = {value for kind, _, value in record["operations"] if kind == "call"}
-    return [words for call, words in ASSUMPTIONS.items() if call in called]
-
-
-# --- files and command line ----------------------------------------------------------------------------------------
-
-
-def read(path: Path) -> list[Record]:
-    """The records of one certificate file."""
-    return list(json.loads(path.read_text(encoding="utf-8"))["certificates"])
-
-
-def judge(record: Record) -> tuple[Record, Bounds | Rejected, float]:
-    """A record, what came of its proof, and the seconds that it took."""
-    start = time.perf_counter()
-    try:
-        result: Bounds | Rejected = prove(record)
-    except Rejected as refusal:
-        result = refusal
-    return record, result, time.perf_counter() - start
-
-
-def prove_all(folder: Path = FOLDER, processes: int = 2) -> bool:
-    """Prove every certificate of a folder and print a table; true if none is rejected."""
-    records = [record for path in sorted(folder.glob("*.json")) for record in read(path)]
-    start, accepted = time.perf_counter(), bool(records)
-    print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
-    with ProcessPoolExecutor(processes) as pool:
-        for record, result, seconds in pool.map(judge, records):
-            name = f"{record['kernel']:<32} {record['tier']:<8} {record['form']:<6}"
-            if isinstance(result, Rejected):
-                accepted = False
-                print(f"{name} REJECTED by {result}")
-            else:
-                claimed_too = f"{record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
-                print(f"{name} {result.whole:>9.4g} {claimed_too}  {UNITS[record['tier']]:<14} {seconds:>7.2f}")
-    print(f"{len(records)} certificates, {'all proved' if accepted else 'NOT all proved'}, ", end="")
-    print(f"{time.perf_counter() - start:.1f} s with {processes} processes")
-    return accepted
+    return found, worst

@@ -6,21 +6,19 @@ rounding error are taken backwards over those ranges.
 """
 
 import math
-from collections.abc import Sequence
+import operator
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from flint import arb, arb_series, fmpq
+from flint import arb, fmpq
 
-from derive.check import truth
+from derive.check.records import LOG_ULPS, Record
 from derive.check.truth import ball, working
-
-Record = dict[str, Any]
 
 ROUNDING_BITS = 80  # precision of the balls
 UP, DOWN = 1 + 2.0**-40, 1 - 2.0**-40  # more than all roundings of the float arithmetic done on bounds
 TINY = 2.0**-1074
-LOG_ULPS = 4  # what np.log is assumed to keep
 PRODUCTS = ("mul", "div", "fma", "error", "sqrt", "log")  # what may underflow; sums are exact there
 
 
@@ -53,28 +51,28 @@ class Node(NamedTuple):
 Tape = tuple[Node, ...]
 
 
-def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> arb:
+# What an operation computes, of balls or of series, and its derivatives by its operands, None for 1, from its value
+# and these.
+VALUE: dict[str, Callable[..., Any]] = {
+    "fma": lambda a, b, c: a * b + c, "mul": operator.mul, "add": operator.add, "sub": operator.sub,
+    "div": operator.truediv, "neg": operator.neg, "log": lambda a: a.log(), "sqrt": lambda a: a.sqrt(),
+}  # fmt: skip
+SLOPES: dict[str, Callable[..., tuple[Any, ...]]] = {
+    "fma": lambda y, a, b, c: (b, a, None), "mul": lambda y, a, b: (b, a), "add": lambda y, a, b: (None, None),
+    "sub": lambda y, a, b: (None, -1), "div": lambda y, a, b: (1 / b, -y / b), "neg": lambda y, a: (-1,),
+    "log": lambda y, a: (1 / a,), "sqrt": lambda y, a: (1 / (2 * a.sqrt()),),
+}  # fmt: skip
+
+
+def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
     """Range of the exact result of one operation on ranges; that of an error term is its bound."""
-    kind, args = node.kind, node.args
-    if kind == "fma":
-        return values[args[0]] * values[args[1]] + values[args[2]]
-    if kind == "mul":
-        return values[args[0]] * values[args[1]]
-    if kind == "add":
-        return values[args[0]] + values[args[1]]
-    if kind == "sub":
-        return values[args[0]] - values[args[1]]
-    if kind == "const":
+    if node.kind == "const":
         return arb(node.value)
-    if kind == "error":
-        return arb(0, sum(noise[a] for a in args) * UP)
-    if kind == "div":
-        return values[args[0]] / values[args[1]]
-    if kind == "neg":
-        return -values[args[0]]
-    if kind == "scale":
-        return values[args[0]] * ball(0.0, node.value)
-    return values[args[0]].log() if kind == "log" else values[args[0]].sqrt()
+    if node.kind == "error":
+        return arb(0, sum(noise[a] for a in node.args) * UP)
+    if node.kind == "scale":
+        return values[node.args[0]] * ball(0.0, node.value)
+    return VALUE[node.kind](*[values[a] for a in node.args])
 
 
 def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
@@ -127,33 +125,14 @@ def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
             total += (float(by.abs_upper()) * UP + TINY) * noise[i]
         if w is None:
             continue
-        if kind == "fma":
-            more(args[0], w * values[args[1]])
-            more(args[1], w * values[args[0]])
-            more(args[2], w)
-        elif kind == "mul":
-            more(args[0], w * values[args[1]])
-            more(args[1], w * values[args[0]])
-        elif kind == "add":
-            more(args[0], w)
-            more(args[1], w)
-        elif kind == "sub":
-            more(args[0], w)
-            more(args[1], -w)
-        elif kind == "neg":
-            more(args[0], -w)
-        elif kind == "error":
+        if kind == "error":
             for a, term in zip(args, (-w, w * value) if len(args) == 2 else (w * value,), strict=True):
                 weight[a] = term if weight[a] is None else weight[a] + term
-        elif kind == "div":
-            more(args[0], w / values[args[1]])
-            more(args[1], -w * values[i] / values[args[1]])
         elif kind == "scale":
             more(args[0], w * ball(0.0, value))
-        elif kind == "log":
-            more(args[0], w / values[args[0]])
-        elif kind == "sqrt":
-            more(args[0], w / (2 * values[args[0]].sqrt()))
+        elif kind in SLOPES:
+            for a, slope in zip(args, SLOPES[kind](values[i], *[values[a] for a in args]), strict=True):
+                more(a, w if slope is None else w * slope)
     return total * UP + 2.0**-1000, noise[last]  # 2**-1000: more than what underflowed in this sum
 
 
@@ -216,7 +195,7 @@ class _Specialise:
                 return self.put(Node("const", (), float(k)))
             return self.put(Node("mul", (nodes[0], self.put(Node("const", (), 2.0**-k)))))
         node = Node(str(value) if kind == "call" else kind, nodes)
-        if node.kind not in ("add", "sub", "mul", "div", "neg", "fma", "sqrt", "log"):
+        if node.kind not in VALUE:
             raise ValueError(f"no rule for the operation {node.kind}")
         return self.put(self.compensation(node) or node)
 
@@ -413,36 +392,3 @@ def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
     if degrees[-1] != degree:
         raise Unbounded("near zero the program is not of the order of the kernel")
     return tuple(new)
-
-
-def ideal(tape: Tape, centre: arb) -> list[arb]:
-    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
-    done: list[Any] = []
-    for node in tape:
-        v = [done[a] for a in node.args]
-        match node.kind:
-            case "x":
-                done.append(arb_series([centre, 1]))
-            case "const":
-                done.append(arb_series([arb(node.value)]))
-            case "error":
-                done.append(arb_series([arb(0)]))
-            case "fma":
-                done.append(v[0] * v[1] + v[2])
-            case "add":
-                done.append(v[0] + v[1])
-            case "sub":
-                done.append(v[0] - v[1])
-            case "mul":
-                done.append(v[0] * v[1])
-            case "div":
-                done.append(v[0] / v[1])
-            case "neg":
-                done.append(-v[0])
-            case "log":
-                done.append(v[0].log())
-            case "sqrt":
-                done.append(v[0].sqrt())
-            case kind:
-                raise ValueError(f"no rule for the operation {kind}")
-    return truth.coefficients(done[-1])

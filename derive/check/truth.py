@@ -1,38 +1,54 @@
-"""The five kernels in ball arithmetic: Taylor models with rigorous remainders on [0, pi/2], from the closed forms.
+"""The exact functions in ball arithmetic: Taylor models with rigorous remainders on [0, pi/2], from the definitions.
 
-Standard library and python-flint only: this belongs to the checker (`certify`), which trusts nothing of what
-the generator computed. The closed forms are compared with quadrature of the raw definitions in the tests.
+Standard library and python-flint only: this belongs to the checker (`certify`), which trusts nothing of what the
+generator computed. A certificate says what its kernel is by one statement, or by two for a quotient::
+
+    r^2          the integral of r^2 dr du over the mass, cos(alpha)/cos(u) <= r <= 1, -alpha <= u <= alpha
+    r^2 cos u    of r^2 cos(u) dr du
+    2 alpha f    (3.14): twice alpha times the depth of the chord f = 1 - cos(alpha) (2.12)
+
+With T_k = cos(alpha)^k int_0^alpha du/cos(u)^k the inner integral leaves, for r^n and for r^n cos u,
+
+    2/(n + 1) (alpha - T_(n+1))    and    2/(n + 1) (sin(alpha) - cos(alpha) T_n),
+
+and by parts (k - 1) T_k = sin(alpha) cos(alpha) + (k - 2) cos(alpha)^2 T_(k-2), from T_0 = alpha and
+T_1 = cos(alpha) artanh(sin(alpha)).
 """
 
 import math
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
 
-from flint import arb, arb_poly, arb_series, ctx, fmpq_series
+from flint import arb, arb_poly, arb_series, ctx, fmpq, fmpq_series
 
 TOP = float.fromhex("0x1.921fb54442d18p+0")  # the double nearest to pi/2, and below it
 TERMS = 36  # of every Taylor series; the term that follows bounds the remainder
 BITS = 180
-CUBE = 3  # every kernel is alpha**3 times a function that is analytic and not zero at 0
+CUBE = 3  # every base quantity is alpha**3 times a function that is analytic and not zero at 0
+LEVER = "2 alpha f"
+WEIGHT = re.compile(r"r\^(\d+)( cos u)?")
 
-QUOTIENTS = {
-    "dynamic_coefficient": ("polar_moment", "resistance_factor"),
-    "weight_moment_per_inertia": ("weight_moment_amplitude", "moment_of_inertia"),
-    "radial_weight_per_inertia": ("radial_weight_amplitude", "moment_of_inertia"),
-    "polar_moment_per_inertia": ("polar_moment", "moment_of_inertia"),
-    "weight_moment_per_radial_weight": ("weight_moment_amplitude", "radial_weight_amplitude"),
-}
-# What a kernel is of a, s = sin(a), c = cos(a) and h = artanh(s), for numbers and for series.
-KERNELS = {
-    "polar_moment": lambda a, s, c, h: (2 * a - s * c - c * c * c * h) / 3,
-    "moment_of_inertia": lambda a, s, c, h: a / 2 - s * c / 3 - s * c * (c * c - s * s) / 6,
-    "radial_weight_amplitude": lambda a, s, c, h: s - c * c * h,
-    "weight_moment_amplitude": lambda a, s, c, h: 2 * s * s * s / 3,
-    "resistance_factor": lambda a, s, c, h: 2 * a * (1 - c),
-}
+Definition = Sequence[str]  # one statement, or those of a numerator and a denominator
+
+
+def exactly(statement: str, a: Any, s: Any, c: Any, h: Any) -> Any:
+    """A base quantity of a = alpha, s = sin(a), c = cos(a) and h = artanh(s): numbers or series."""
+    if statement == LEVER:
+        return 2 * a * (1 - c)
+    match = WEIGHT.fullmatch(statement)
+    if not match:
+        raise ValueError(f"no definition reads {statement!r}")
+    power, turned = int(match[1]), bool(match[2])
+    order = power if turned else power + 1
+    depth, term = (1, c * h) if order % 2 else (0, a)
+    while depth < order:
+        depth += 2
+        term = (s * c + (depth - 2) * c * c * term) / (depth - 1)
+    return (s - c * term if turned else a - term) * fmpq(2, power + 1)
 
 
 @contextmanager
@@ -52,22 +68,27 @@ def ball(lower: float | arb, upper: float | arb) -> arb:
     return arb((low + high) / 2, (high - low) / 2)
 
 
-def value(name: str, alpha: arb) -> arb:
-    """A kernel or a quotient at a ball 0 < alpha < pi/2, at the precision in force; it cancels near 0."""
-    if name in QUOTIENTS:
-        above, below = QUOTIENTS[name]
-        return value(above, alpha) / value(below, alpha)
+def value(definition: Definition, alpha: arb) -> arb:
+    """What a definition says at a ball 0 < alpha < pi/2, at the precision in force; it cancels near 0."""
     s, c = alpha.sin_cos()
-    return KERNELS[name](alpha, s, c, -((arb.pi() / 2 - alpha) / 2).tan().log())
+    h = -((arb.pi() / 2 - alpha) / 2).tan().log()
+    found = [exactly(statement, alpha, s, c, h) for statement in definition]
+    return found[0] / found[1] if len(found) > 1 else found[0]
 
 
-def _taylor(name: str, centre: arb) -> list[arb]:
-    """Taylor coefficients of a kernel, for every point of the ball ``centre`` at once."""
+def limit(definition: Definition) -> arb:
+    """Its value at pi/2: what the logarithm is multiplied by vanishes there."""
+    found = [exactly(statement, arb.pi() / 2, arb(1), arb(0), arb(0)) for statement in definition]
+    return found[0] / found[1] if len(found) > 1 else found[0]
+
+
+def _taylor(statement: str, centre: arb) -> list[arb]:
+    """Taylor coefficients of a base quantity, for every point of the ball ``centre`` at once."""
     a = arb_series([centre, 1])
     s, c = a.sin_cos()
     # artanh(sin a) = -ln tan((pi/2 - a)/2), and its derivative is 1/cos a.
     h = (1 / c).integral() - ((arb.pi() / 2 - centre) / 2).tan().log()
-    return coefficients(KERNELS[name](a, s, c, h))
+    return coefficients(exactly(statement, a, s, c, h))
 
 
 def coefficients(series: Any) -> list[arb]:
@@ -81,14 +102,16 @@ def coefficients(series: Any) -> list[arb]:
 
 
 @cache
-def _at_zero(name: str) -> list[arb]:
+def at_zero(statement: str) -> list[fmpq]:
     """Exact Taylor coefficients at 0; that the first three vanish is checked in rational arithmetic."""
-    a = fmpq_series([0, 1])
-    s, c = a.sin(), a.cos()
-    found = KERNELS[name](a, s, c, s.atanh())
-    if any(found[k] != 0 for k in range(CUBE)) or found[CUBE] == 0:
-        raise ArithmeticError(f"{name} is not of order alpha**{CUBE}")
-    return [arb(found[k]) for k in range(TERMS + 1)]
+    with working(BITS):
+        a = fmpq_series([0, 1])
+        s, c = a.sin(), a.cos()
+        series = exactly(statement, a, s, c, s.atanh())
+        found = [series[k] for k in range(TERMS + 1)]
+    if any(x != 0 for x in found[:CUBE]) or found[CUBE] == 0:
+        raise ArithmeticError(f"{statement} is not of order alpha**{CUBE}")
+    return found
 
 
 @dataclass(frozen=True)
@@ -144,10 +167,10 @@ SEGMENTS = _segments()
 
 
 @cache
-def kernel(name: str, segment: Segment) -> Model:
-    """Taylor model of a kernel on a segment; over alpha**3 on the first one."""
+def kernel(statement: str, segment: Segment) -> Model:
+    """Taylor model of a base quantity on a segment; over alpha**3 on the first one."""
     with working(BITS):
-        fat = _taylor(name, ball(segment.lower, segment.upper))
+        fat = _taylor(statement, ball(segment.lower, segment.upper))
         if segment.lower == 0:
-            return model(_at_zero(name), fat, CUBE)
-        return model(_taylor(name, arb(segment.centre)), fat)
+            return model([arb(x) for x in at_zero(statement)], fat, CUBE)
+        return model(_taylor(statement, arb(segment.centre)), fat)

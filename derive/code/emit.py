@@ -1,18 +1,20 @@
 """A `Program` becomes NumPy source: plain operators and calls, so that another library's arrays may pass through."""
 
+import re
+import runpy
 import textwrap
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from types import SimpleNamespace
 
-from derive.code.program import Op, Program, operations
+from derive.code.program import Program, operations
+from derive.code.text import WIDTH, Language, Part, Reader, statements
 
-_INFIX = {"add": ("+", 1), "sub": ("-", 1), "mul": ("*", 2), "div": ("/", 2), "less": ("<", 0)}
-_CALL = {"min": "minimum", "max": "maximum", "select": "where"}
 _ACCURACY = """    accuracy : float, optional
         Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the best tier.
 """
-_LINE = 96  # an expression longer than this gets a name
 
 
 @dataclass(frozen=True)
@@ -32,54 +34,44 @@ class Function:
     tiers: Mapping[str, Program] = field(default_factory=dict)  # a kernel of alpha: what NumPy runs at each tier
 
 
-def body(program: Program, name: str = "", space: str = "np") -> str:
-    """The private function that computes a program, one output or a tuple of them.
-
-    ``space`` is the name of the module of array functions; if it is not NumPy's own, callers may pass another.
-    """
-    uses = Counter(i for op in program.ops for i in op.args) + Counter(program.outputs)
-    text: dict[int, tuple[str, int]] = {}
-    lines: list[str] = []
-    for index, op in enumerate(program.ops):
-        expression, rank = _expression(op, text, space)
-        free = op.kind in ("input", "const")
-        if free or (uses[index] == 1 and len(expression) < _LINE and index not in program.outputs):
-            text[index] = (expression, rank)
-        else:
-            text[index] = (f"v{index}", 9)
-            lines.append(f"v{index} = {expression}")
-    results = ", ".join(text[i][0] for i in program.outputs)
-    signature = ", ".join(f"{x}: Array" for x in program.inputs) + (f", {space}: Any = np" if space != "np" else "")
-    returned = "Array" if len(program.outputs) == 1 else f"tuple[{', '.join(['Array'] * len(program.outputs))}]"
-    code = "\n".join([*lines, f"return {results}"])
-    return f"def _{name or program.name}({signature}) -> {returned}:\n{textwrap.indent(code, '    ')}\n"
+def _number(value: float) -> str:
+    return "np.nan" if value != value else repr(value)
 
 
-def _expression(op: Op, text: dict[int, tuple[str, int]], space: str) -> tuple[str, int]:
-    """Source of one operation, and how tightly it binds."""
-    if op.kind == "input":
-        return str(op.value), 9
-    if op.kind == "const":
-        value = float(op.value)  # type: ignore[arg-type]
-        if value != value:
-            return "np.nan", 9
-        return repr(value), 9 if value >= 0 else 3
-    if op.kind == "neg":
-        inner, rank = text[op.args[0]]
-        return f"-{inner if rank > 2 else f'({inner})'}", 2
-    if op.kind in _INFIX:
-        sign, rank = _INFIX[op.kind]
-        left, right = text[op.args[0]], text[op.args[1]]
-        first = left[0] if left[1] >= rank else f"({left[0]})"
-        second = right[0] if right[1] > rank else f"({right[0]})"
-        return f"{first} {sign} {second}", rank
-    if op.kind == "fma" or op.value in ("exponent", "significand"):
-        raise ValueError(f"NumPy has no {op.value or op.kind}: emit the plain program, or NumPy's own")
-    name = _CALL.get(op.kind) or op.value
-    return f"{space}.{name}({', '.join(text[i][0] for i in op.args)})", 9
+PYTHON = Language("python", "{name} = {text}", _number, "horner({x}, ({coefficients}))")
 
 
-def function(f: Function) -> str:
+class PythonText:
+    """The private functions of a module, as they are written; each is read back, and may call those before it."""
+
+    def __init__(self) -> None:
+        self.reader = Reader("python")
+        functions = SimpleNamespace(**self.reader.functions(), nan=float("nan"))
+        self.reader.scope |= {"Array": None, "Any": None, "np": functions, "horner": HELPERS["horner"]}
+        self.parts: list[Part] = []
+
+    def body(self, program: Program, name: str = "", space: str = "np") -> str:
+        """The function that computes a program, one output or a tuple of them.
+
+        ``space`` is the name of the module of array functions; if it is not NumPy's own, callers may pass another.
+        """
+        name = f"_{name or program.name}"
+        lines, results = statements(program, replace(PYTHON, space=space), self.parts)
+        signature = ", ".join(f"{x}: Array" for x in program.inputs) + (f", {space}: Any = np" if space != "np" else "")
+        returned = "Array" if len(program.outputs) == 1 else f"tuple[{', '.join(['Array'] * len(program.outputs))}]"
+        result = ", ".join(results)
+        code = "\n".join([*lines, f"return ({result})" if len(result) > WIDTH - 8 else f"return {result}"])
+        text = f"def {name}({signature}) -> {returned}:\n{textwrap.indent(code, '    ')}\n"
+        self.reader.check(program, name, text)
+        if len(program.inputs) == len(program.outputs) == 1 and len(program.ops) > 9:
+            self.parts.append(Part(name, program))
+        return text
+
+
+HELPERS = runpy.run_path(str(Path(__file__).resolve().parent / "templates" / "_evaluate.py"))
+
+
+def function(f: Function, text: PythonText) -> str:
     """A public function: signature, numpydoc docstring, and the call of its body."""
     p = f.program
     parameters = "".join(f"    {n} : array_like\n        {words}\n" for n, words in f.parameters)
@@ -108,23 +100,25 @@ def function(f: Function) -> str:
 '''
     doc = "\n".join(_fill(line) for line in doc.splitlines()) + "\n"
     if f.tiers:
-        return _kernel(f, doc)
+        return _kernel(f, doc, text)
     names = ", ".join(p.inputs)
     typed = ", ".join(f"{x}: ArrayLike" for x in p.inputs)
     safe = ", ".join(repr(x) for x in f.safe) + ("," if len(f.safe) == 1 else "")
     args = f"{names}," if len(p.inputs) == 1 else names
+    inside = f.inside.replace(") & ", ")\n            & ")
     return (
-        f"{body(p)}\n\n"
-        f"def {p.name}({typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True) -> Any:\n{doc}"
-        f"    return evaluate(_{p.name}, lambda eps, {names}: {f.inside}, ({safe}), ({args}), out, where)\n"
+        f"{text.body(p)}\n\n"
+        f"def {p.name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
+        f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
+        f"        ({safe}),\n        ({args}),\n        out,\n        where,\n    )\n"
     )
 
 
-def _kernel(f: Function, doc: str) -> str:
+def _kernel(f: Function, doc: str, text: PythonText) -> str:
     """A kernel of alpha: the text of each tier, and a function that leaves the choice to `generated._compiled`."""
     name = f.program.name
     bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
-    texts = "".join(f"{body(p, bodies[tier], 'xp')}\n\n" for tier, p in f.tiers.items())
+    texts = "".join(f"{text.body(p, bodies[tier], 'xp')}\n\n" for tier, p in f.tiers.items())
     listed = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
     return (
         f'{texts}TEXTS["{name}"] = {{{listed}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"])\n\n\n'
@@ -149,48 +143,94 @@ def _fill(line: str) -> str:
 
 def module(docstring: str, functions: Iterable[Function]) -> str:
     """A module of public functions."""
-    functions = list(functions)
-    names = ",\n    ".join(f'"{f.program.name}"' for f in functions)
-    imports, texts = "from generated._evaluate import Array, evaluate\n", ""
-    if any(f.tiers for f in functions):
-        imports = f"from generated._compiled import Text, kernel\n{imports}"
-        texts = "\n# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
-    head = (
-        f'"""{docstring}"""\n\nfrom typing import Any\n\n'
-        "import numpy as np\nfrom numpy.typing import ArrayLike, NDArray\n\n"
-        f"{imports}\n__all__ = [\n    {names},\n]\n{texts}"
-    )
-    return head + "".join(f"\n\n{function(f)}" for f in functions)
+    functions, text = list(functions), PythonText()
+    tables = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
+    code = "".join(f"\n\n{function(f, text)}" for f in functions)
+    return _module(docstring, [f.program.name for f in functions], (tables if "TEXTS[" in code else "") + code)
 
 
 def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
     """A module of bare formulas: no domain, no types, no care, and no warnings."""
-    programs = list(programs)
-    names = ",\n    ".join(f'"{p.name}"' for p, _ in programs)
-    text = (
-        f'"""{docstring}"""\n\nimport numpy as np\n\n'
-        f"from generated._evaluate import Array\n\n__all__ = [\n    {names},\n]\n"
-    )
+    programs, text, code = list(programs), PythonText(), ""
     for p, source in programs:
         typed, names = ", ".join(f"{x}: Array" for x in p.inputs), ", ".join(p.inputs)
-        text += (
-            f"\n\n{body(p)}\n\ndef {p.name}({typed}) -> Array:\n"
+        code += (
+            f"\n\n{text.body(p)}\n\ndef {p.name}({typed}) -> Array:\n"
             f'    """{source}: float64 arrays, no domain check.\n\n'
             f'    Operations: {operations(p.operations())}.\n    """\n'
             f'    with np.errstate(all="ignore"):\n        return _{p.name}({names})\n'
         )
-    return text
+    return _module(docstring, [p.name for p, _ in programs], code)
 
 
 def plain_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
     """A module of functions for callers that know the domain: arrays or floats in, no checks."""
-    programs = sorted(programs, key=lambda p: p[0].name)
-    names = ",\n    ".join(f'"{p.name}"' for p, _ in programs)
-    text = f'"""{docstring}"""\n\nfrom typing import Any\n\nimport numpy as np\n\n__all__ = [\n    {names},\n]\n'
+    programs, code = sorted(programs, key=lambda p: p[0].name), ""
     for p, words in programs:
-        code = body(p).replace("Array", "Any").replace(f"def _{p.name}", f"def {p.name}", 1)
-        head, rest = code.split("\n", 1)
-        text += (
-            f'\n\n{head}\n    """{words.capitalize()}. Operations: {operations(p.operations()) or "none"}."""\n{rest}'
-        )
-    return text
+        head, rest = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
+        doc = _fill(f'    """{sentence(words)} Operations: {operations(p.operations()) or "none"}."""')
+        code += f"\n\n{head}\n{doc}\n{rest}"
+    return _module(docstring, [p.name for p, _ in programs], code)
+
+
+# What a generated module may need, in this order.
+_IMPORTS = (
+    "from typing import Any",
+    "",
+    "import numpy as np",
+    "from numpy.typing import ArrayLike, NDArray",
+    "",
+    "from generated._compiled import Text, kernel",
+    "from generated._evaluate import Array, evaluate, horner",
+)
+
+
+def _module(docstring: str, names: list[str], code: str) -> str:
+    """The whole text, with imports of what it uses, and tables of the coefficients that it uses more than once."""
+    series = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code))
+    tables = {numbers: f"SERIES_{k}" for k, numbers in enumerate((x for x, n in series.items() if n > 1), 1)}
+    for numbers, name in tables.items():
+        code = code.replace(numbers, name)
+    used = set(re.findall(r"\w+", re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)))
+    imports = []
+    for line in _IMPORTS:
+        start, _, wanted = line.rpartition("import ")
+        found = [x for x in wanted.split(", ") if x.split()[-1:] == ["np"] or x in used]
+        imports += [f"{start}import {', '.join(found)}"] if found else [] if line else [""]
+    lines = re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
+    listed = "".join(f'    "{n}",\n' for n in names)
+    data = "".join(f"\n{name} = {numbers}" for numbers, name in tables.items()) + "\n" * bool(tables)
+    head = f'"""{docstring}"""\n\n{lines}\n\n__all__ = [\n{listed}]\n{data}'
+    return head + ("\n" if code[0] == "#" else "") + code
+
+
+def sentence(words: str) -> str:
+    """With a capital and a full stop; a symbol stays as it is."""
+    first = words.split(maxsplit=1)[0].strip(":,")
+    return f"{words[0].upper() if first.isalpha() and first.islower() else words[0]}{words[1:]}."
+
+
+_ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:, ?|$)""")
+
+
+def wrapped(text: str) -> str:
+    """The text with lines of at most 120 columns: longer ones, calls and data, break after commas and in strings."""
+    return "\n".join("\n".join(_wrap(line)) if len(line) > 120 and '"""' not in line else line
+                     for line in text.split("\n"))  # fmt: skip
+
+
+def _wrap(line: str) -> list[str]:
+    indent = " " * (len(line) - len(line.lstrip()) + (8 if line.startswith("def") else 4))
+    lines, last = [], ""
+    for item in _ITEM.findall(line):
+        if last.strip() and len(last + item.rstrip()) > 120:
+            lines.append(last.rstrip())
+            last = indent
+        last += item
+        while len(last.rstrip()) > 120:  # two strings beside each other are one
+            cut = last.rfind(" ", 0, 118) + 1
+            quote = next((q for q in "'\"" if last.count(q, 0, cut) % 2), "")
+            cut = cut if quote else max(last.rfind(sign, 0, 118) for sign in "*/") + 1
+            lines.append(last[:cut] + quote)
+            last = indent + quote + last[cut:]
+    return [*lines, last.rstrip()]

@@ -1,36 +1,83 @@
-"""Programs become C: one inline function each, and the lists from which the template makes loops and ufuncs."""
+"""Programs become C: inline functions of named parts, and the lists from which the template makes loops and ufuncs."""
 
+import re
 import struct
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from derive.approximate.approximants import Variant
+from derive.approximate.programs import Code, Variant, logarithm
 from derive.code.emit import identifier
-from derive.code.program import Op, Program, without_dead
+from derive.code.program import Program, without_dead
+from derive.code.text import Language, Part, Reader, seam, statements
 
 TEMPLATE = Path(__file__).resolve().parent / "templates" / "_kernels.c"
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
 # The largest alpha that is inside: half discs given in degrees land a little above pi/2.
 END = {name: HALF_PI * (1.0 + 4.0 * eps) for name, eps in (("double", 2.0**-52), ("float", 2.0**-23))}
+MOST = 24  # degrees of polynomials are below it
 SHORT = 16  # operations of a program for which it costs more to look at a block than to be careful
-_INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/", "less": "<"}
-_CALLS = {"sqrt": "sqrt", "abs": "fabs", "exponent": "exponent_of", "significand": "significand_of"}
 
 
-def body(name: str, program: Program) -> str:
-    """The inline function of one program; one operation is one statement."""
-    text: list[str] = []
-    lines = []
-    for index, op in enumerate(program.ops):
-        expression = _expression(op, text)
-        if op.kind in ("input", "const"):
-            text.append(expression)
-        else:
-            text.append(f"v{index}")
-            lines.append(f"    const {'int' if op.kind == 'less' else 'double'} v{index} = {expression};\n")
-    (argument,), (output,) = program.inputs, program.outputs
-    return f"INLINE double {name}(double {argument})\n{{\n{''.join(lines)}    return {text[output]};\n}}\n"
+def _number(value: float) -> str:
+    """Small multiples of 1/16 as everybody writes them, others to the last bit."""
+    return repr(value) if abs(value) < 16 and (16 * value).is_integer() else value.hex()
+
+
+C = Language("c", "const double {name} = {text};", _number, "POLY{degree}({x}, {coefficients})")
+FORMS = {"fused": "__builtin_fma(a, b, c)", "plain": "((a) * (b) + (c))"}  # what FMA(a, b, c) is
+
+
+class CText:
+    """The inline functions of one form, as they are written; each is read back, and may call those before it."""
+
+    def __init__(self, form: str) -> None:
+        self.reader = Reader("c")
+        self.reader.scope |= self.reader.functions() | {"hexadecimal": float.fromhex}
+        if form == "plain":
+            self.reader.scope["FMA"] = lambda a, b, c: a * b + c
+        for degree in range(1, MOST):
+            self.reader.scope[f"POLY{degree}"] = self._polynomial
+        code = Code(form)
+        b = code.put("input", value="b")
+        part = Part(f"logarithm_{form}", replace(code.program("logarithm", logarithm(code, b)), inputs=("b",)))
+        self.text = "/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */\n"
+        self.parts: list[Part] = []
+        self.text += self.body(part.name, part.program)
+        self.parts.append(part)
+
+    def _polynomial(self, x: Any, *coefficients: float) -> Any:
+        result: Any = coefficients[-1]
+        for c in coefficients[-2::-1]:
+            result = self.reader.scope["FMA"](result, x, c)
+        return result
+
+    def body(self, name: str, program: Program, parts: Sequence[Part] = ()) -> str:
+        """The inline function of one program."""
+        lines, (result,) = statements(program, C, [*parts, *self.parts])
+        (argument,) = program.inputs
+        code = "".join(f"    {line}\n" for text in (*lines, f"return {result};") for line in text.split("\n"))
+        python = re.sub(r"const double (\w+ = )", r"\1", code).replace(";\n", "\n")
+        python = re.sub(r"-?0x[0-9a-f.]+p[-+]\d+", r"hexadecimal('\g<0>')", python)
+        self.reader.check(program, name, f"def {name}({argument}):\n{python}")
+        return f"INLINE double {name}(double {argument})\n{{\n{code}}}\n"
+
+    def functions(self, name: str, program: Program) -> str:
+        """Those of a program, one for each of its pieces if it has two, and what kind of loop suits it."""
+        pieces = seam(program)
+        if not pieces:
+            kind = "short" if sum(program.operations().values()) <= SHORT else "whole"
+            return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
+        at, *outputs = pieces
+        parts = [Part(f"{name}_{side}", without_dead(replace(program, outputs=(output,))))
+                 for side, output in zip(("near", "far"), outputs, strict=True)]  # fmt: skip
+        where = (f"/* alpha < {at} */\n", f"/* alpha >= {at}, in b = pi/2 - alpha */\n")
+        text = "".join(words + self.body(part.name, part.program) for words, part in zip(where, parts, strict=True))
+        text += self.body(name, program, parts)
+        limits = "".join(f"#define {name}_BELOW_{t} {pattern(at, t, False)}\n" for t in ("double", "float"))
+        return f"{text}#define {name}_KIND pieces\n{limits}"
 
 
 def pattern(limit: float, number: str, included: bool = True) -> str:
@@ -41,52 +88,19 @@ def pattern(limit: float, number: str, included: bool = True) -> str:
     return f"UINT{width}_C({bits if nearest < limit or (included and nearest == limit) else bits - 1:#x})"
 
 
-def below(program: Program) -> tuple[float, Program] | None:
-    """Where the result is a choice between two pieces at a seam: the seam, and the first piece alone."""
-    output = program.ops[program.outputs[0]]
-    if output.kind != "select":
-        return None
-    less = program.ops[output.args[0]]
-    if less.kind != "less" or [program.ops[i].kind for i in less.args] != ["input", "const"]:
-        return None
-    return float(program.ops[less.args[1]].value), without_dead(replace(program, outputs=output.args[1:2]))  # type: ignore[arg-type]
-
-
-def _expression(op: Op, text: Sequence[str]) -> str:
-    args = [text[i] for i in op.args]
-    match op.kind:
-        case "input":
-            return str(op.value)
-        case "const":
-            value = float(op.value)  # type: ignore[arg-type]
-            return value.hex() if value >= 0 else f"({value.hex()})"
-        case "neg":
-            return f"-{args[0]}"
-        case "min":
-            return f"{args[0]} < {args[1]} ? {args[0]} : {args[1]}"
-        case "max":
-            return f"{args[0]} > {args[1]} ? {args[0]} : {args[1]}"
-        case "select":
-            return f"{args[0]} ? {args[1]} : {args[2]}"
-        case "fma":
-            return f"__builtin_fma({', '.join(args)})"
-        case "call" if op.value in _CALLS:
-            return f"{_CALLS[str(op.value)]}({args[0]})"
-        case "call":
-            raise ValueError(f"{op.value} is a library call: it has no place in a loop")
-        case kind:
-            return f"{args[0]} {_INFIX[kind]} {args[1]}"
-
-
-def source(variants: Sequence[Variant]) -> str:
-    """The extension module of these variants: their fused and plain programs."""
+def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:
+    """The extension module of these variants: their fused and plain programs, each under its comment."""
     programs = {(v.kernel, v.tier, v.form): v.program for v in variants if v.form != "numpy"}
     tiers = list(dict.fromkeys((kernel, tier) for kernel, tier, _ in programs))
     single = {k: identifier(k, "float32" if (k, "float32") in tiers else "best") for k, t in tiers if t == "best"}
-    bodies = {
-        form: "\n".join(_functions(f"{identifier(k, t)}_{form}", programs[k, t, form]) for k, t in tiers)
-        for form in ("fused", "plain")
-    }
+    bodies = {}
+    for form, multiply_add in FORMS.items():
+        c = CText(form)
+        bodies[form] = f"#undef FMA\n#define FMA(a, b, c) {multiply_add}\n\n{c.text}" + "".join(
+            f"\n{_comment((words or {}).get((k, t, form), ''))}"
+            f"{c.functions(f'{identifier(k, t)}_{form}', programs[k, t, form])}"
+            for k, t in tiers
+        )
     loops = [f"LOOP(double, {identifier(k, t)}, FORM, LEVEL)" for k, t in tiers if t != "float32"]
     loops += [f"LOOP(float, {name}, FORM, LEVEL)" for name in single.values()]
     ufuncs = []
@@ -100,6 +114,9 @@ def source(variants: Sequence[Variant]) -> str:
         "END_float": END["float"].hex(),
         "LAST_double": pattern(HALF_PI, "double"),
         "LAST_float": pattern(HALF_PI, "float"),
+        "POLYNOMIALS": "".join(
+            f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST)
+        ),
         "BODIES": f"#ifndef NO_FMA\n{bodies['fused']}#endif\n\n{bodies['plain']}",
         "LOOPS": _macro("LOOPS(LEVEL, FORM)", loops) + "LEVELS(LOOPS)\n",
         "UFUNCS": _macro(
@@ -113,13 +130,8 @@ def source(variants: Sequence[Variant]) -> str:
     return text
 
 
-def _functions(name: str, program: Program) -> str:
-    """The function of a program, of its first piece if it has two, and what kind of loop suits it."""
-    text, piece = body(name, program), below(program)
-    if piece:
-        limits = "".join(f"#define {name}_BELOW_{t} {pattern(piece[0], t, False)}\n" for t in ("double", "float"))
-        return f"{text}#define {name}_KIND pieces\n{limits}{body(f'{name}_below', piece[1])}"
-    return f"{text}#define {name}_KIND {'short' if sum(program.operations().values()) <= SHORT else 'whole'}\n"
+def _comment(words: str) -> str:
+    return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n" if words else ""
 
 
 def _macro(head: str, lines: Sequence[str]) -> str:

@@ -3,18 +3,33 @@
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping
+from functools import cache
 
 import sympy as sp
 
 from derive.algebra import dynamics
-from derive.algebra.integrate import Derivation
+from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.phase import CONSTANT, ENERGIES, WATER
-from derive.algebra.stable import QUOTIENT_FORMS, REDUCED, SLOPES, RoundingError
-from derive.approximate.approximants import variants
-from derive.check.rounding import Record
+from derive.algebra.remainders import RoundingError
+from derive.algebra.rules import fall, stable
+from derive.approximate.programs import variants
+from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, operations, program
-from derive.declare.effects import EFFECTS, LAWS, ORDER, PRESS, VALUE, Effect, Law, Parameter, formulas, specialised
+from derive.declare.effects import (
+    EFFECTS,
+    LAWS,
+    MORE,
+    ORDER,
+    PRESS,
+    SLIP,
+    VALUE,
+    Effect,
+    Law,
+    Parameter,
+    formulas,
+    specialised,
+)
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 from derive.judge.appendices import APPENDICES, parse
@@ -30,28 +45,21 @@ _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
 
 
-def closed_amplitudes(derivations: list[Derivation]) -> dict[str, sp.Expr]:
-    """Closed forms of the base quantities in alpha, by name."""
-    forms = {d.moment.amplitude[0] if d.moment.amplitude else d.moment.name: d.amplitude for d in derivations}
-    return forms | {RESISTANCE[0]: 2 * alpha * (1 - sp.cos(alpha))}
-
-
-def kernels(derivations: list[Derivation], proved: Iterable[Record] = ()) -> list[Function]:
+def kernels(proved: Iterable[Record] = ()) -> list[Function]:
     """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
     bounds: dict[str, dict[tuple[str, str], float]] = {}
     for r in proved:
         bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
-    closed = closed_amplitudes(derivations)
-    declared = {(m.amplitude or (m.name, m.symbol))[0]: ((m.amplitude or (m.name, m.symbol))[1], m.equation, m.help)
-                for m in MOMENTS} | {RESISTANCE[0]: RESISTANCE[1:]}  # fmt: skip
-    found = []
-    for name, form in closed.items():
-        symbol, equation, words = declared[name]
-        found.append(_of_alpha(name, f"{symbol}: {words}", f"{symbol} = {form}", equation, bounds.get(name)))
+    closed, found = closed_forms(), []
+    forms = stable_forms(closed)
+    for x in (*MOMENTS, RESISTANCE):
+        name, symbol = x.kernel
+        formula = f"{symbol} = {closed[name]}"
+        found.append(_of_alpha(name, f"{symbol}: {x.help}", formula, x.equation, bounds.get(name), forms[name]))
     for q in QUOTIENTS:
         formula = f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
-        found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name)))
-    return found + [_weight(d) for d in derivations if d.moment.amplitude] + [_limit_friction()]
+        found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name), forms[q.name]))
+    return found + [_weight(derive(m)) for m in MOMENTS if m.amplitude] + [_limit_friction()]
 
 
 def _tiers(name: str) -> dict[str, Program]:
@@ -60,11 +68,11 @@ def _tiers(name: str) -> dict[str, Program]:
 
 
 def _of_alpha(
-    name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None
+    name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None, form: sp.Expr
 ) -> Function:
     """A kernel of alpha: in its fitted tiers, or in its stable form where nothing is fitted (yet)."""
     tiers = _tiers(name)
-    whole = tiers.get("best") or program(name, ("alpha",), alpha**3 * REDUCED[name], let=_CLIP)
+    whole = tiers.get("best") or program(name, ("alpha",), form, let=_CLIP)
     return Function(whole, f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
                     f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds),
                     tiers)  # fmt: skip
@@ -87,10 +95,31 @@ def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
     )
 
 
-def stable_forms() -> list[tuple[Program, str]]:
-    """Forms without cancellation, which the fits replace: each kernel's is proved equal to its closed form."""
-    forms = {name: alpha**3 * form for name, form in REDUCED.items()} | QUOTIENT_FORMS
-    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms.items()]
+def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tuple[str, str, str], str]:
+    """What stands above each compiled program: formula, interval, proved bound and certificate."""
+    known = {f.program.name: f for f in kernels}
+    found = {}
+    for r in proved:
+        f, tier = known[r["kernel"]], r["tier"]
+        unit = "relative" if tier[0] == "1" else "ulp"
+        found[r["kernel"], tier, r["form"]] = (
+            f"{f.formula.rstrip('.')}, 0 <= alpha <= pi/2, {tier}, {r['form']}: "
+            f"proved within {r['bound']:.3g} {unit} (certificates/{r['kernel']}.json)"
+        )
+    return found
+
+
+def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+    """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
+    forms = {name: stable(form) for name, form in closed.items()}
+    ratios = {q.name: forms[q.numerator].reduced / forms[q.denominator].reduced for q in QUOTIENTS}
+    return {name: form.form for name, form in forms.items()} | ratios
+
+
+def stable_programs(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+    """Their programs."""
+    words = "the stable form"
+    return [(program(name, ("alpha",), form, let=_CLIP), words) for name, form in stable_forms(closed).items()]
 
 
 _ARC = (
@@ -131,12 +160,11 @@ def _weight(d: Derivation) -> Function:
     """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
     assert d.moment.amplitude
     name, symbol = d.moment.amplitude
-    # cos(psi) = -sin(theta_m) and sin(psi) = -cos(theta_m), as psi = 3 pi/2 - theta_m.
-    direction = _turned(sp.sin if d.moment.weight.has(sp.sin) else sp.cos)
-    amplitude = _KERNEL + _DELTA * SLOPES[name]
+    sign, direction = d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m).as_coeff_Mul()
+    amplitude = _KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form
     let = _ENDS | {_KERNEL: _tiers(name)["best"]}
     return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), -amplitude * direction, let=let),
+        program(d.moment.name, ("theta_1", "theta_2"), sign * amplitude * _turned(type(direction)), let=let),
         f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
         f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
@@ -145,52 +173,19 @@ def _weight(d: Derivation) -> Function:
     )  # fmt: skip
 
 
-_WORDS = {
-    "a": ("Drive, (J_theta - mu J_r)/Theta* (3.17).", "np.isfinite(a)", 1.0),
-    "b": ("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
-    "omega_0": ("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
-    "t": ("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
-}
-_BRAKED = {"a": "(a < 0.0) & np.isfinite(a)", "b": "(b >= 0.0) & np.isfinite(b)",
-           "omega_0": "(omega_0 >= 0.0) & np.isfinite(omega_0)"}  # fmt: skip
-_MOTION_ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no certificate)."
-
-
 def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
     found = []
     for form in dynamics.FORMS:
-        names = tuple(x.name for x in form.inputs)
-        braked = "arrest" in form.name
-        inside = [_BRAKED[n] if braked else _WORDS[n][1] for n in names]
-        safe = tuple(-1.0 if braked and n == "a" else _WORDS[n][2] for n in names)
-        domain = "t >= 0" + (", until the solution runs to infinity" if "b" in names else "")
-        if braked:
-            domain = "a < 0, b >= 0, omega_0 >= 0" if "b" in names else "a < 0, omega_0 >= 0"
-        found.append(_plain(program(form.name, names, form.result, let=form.let), form.summary, FORMULAS[form.name],
-                            form.equation, domain, inside, safe, _MOTION_ACCURACY))  # fmt: skip
+        names, arguments = tuple(x.name for x in form.inputs), form.arguments()
+        inside = " & ".join(f"({x.inside})" if "&" in x.inside else x.inside for x in arguments)
+        words = tuple((n, x.words) for n, x in zip(names, arguments, strict=True))
+        found.append(Function(
+            program(form.name, names, form.result, let=form.let), form.summary, form.formula,
+            f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain(), inside,
+            tuple(x.safe for x in arguments), dynamics.ACCURACY,
+        ))  # fmt: skip
     return found
-
-
-def _plain(p: Program, summary: str, formula: str, equation: str, domain: str, inside: list[str],
-           safe: tuple[float, ...], accuracy: str) -> Function:  # fmt: skip
-    parameters = tuple((n, _WORDS[n][0]) for n in p.inputs)
-    return Function(p, summary, formula, f"eq. ({equation}) of {PAPER}", parameters, "Dimensionless.", domain,
-                    " & ".join(f"({x})" if "&" in x else x for x in inside), safe, accuracy)  # fmt: skip
-
-
-FORMULAS = {
-    "frozen_angular_velocity": "omega = omega_0 + a t",
-    "frozen_rotation": "phi = omega_0 t + a t**2/2",
-    "frozen_angular_acceleration": "d(omega)/dt = a",
-    "frozen_arrest_time": "t = omega_0/(-a)",
-    "frozen_arrest_rotation": "phi = omega_0**2/(-2 a)",
-    "frozen_centripetal_angular_velocity": "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)",
-    "frozen_centripetal_rotation": "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)",
-    "frozen_centripetal_angular_acceleration": "(a - b omega_0**2)/y**2 with y = exp(b phi)",
-    "frozen_centripetal_arrest_time": "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)",
-    "frozen_centripetal_arrest_rotation": "phi = ln(1 + b omega_0**2/(-a))/(2 b)",
-}
 
 
 def printed() -> list[tuple[Program, str]]:
@@ -198,7 +193,7 @@ def printed() -> list[tuple[Program, str]]:
     c, s = sp.cos(alpha), sp.sin(alpha)
     half = sp.Rational(1, 2)
     moment = (2 * alpha - half * sp.sin(2 * alpha) - sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))) * c**3) / 3
-    factor = 2 * alpha * (1 - c)
+    factor = RESISTANCE.form
     with sp.evaluate(False):
         velocity = sp.sqrt(a / b) * sp.tanh(sp.sqrt(a * b) * t)
         rotation = sp.log(sp.cosh(sp.sqrt(a * b) * t)) / b
@@ -217,6 +212,7 @@ def printed() -> list[tuple[Program, str]]:
     ]  # fmt: skip
 
 
+@cache
 def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str, str]]]:
     """The specialised functions with their formulas, and for each combination of effects which it needs."""
     variants, table = specialised()
@@ -225,8 +221,9 @@ def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str
         if law.coefficient is not None:
             order = ("slip", "more", "speed", *(p.name for p in law.parameters))
             found.append(_specialised(f"friction_{law.name}", law.coefficient, f"friction: {law.help}", order))
-        if law.drop is not None:
-            found.append(_specialised(f"drop_{law.name}", law.drop, "its fall over `more` slip, from `slip`", order))
+            if "slip" in law.depends_on:
+                drop = fall(law.coefficient, SLIP, MORE)
+                found.append(_specialised(f"drop_{law.name}", drop, "its fall over `more` slip, from `slip`", order))
     known = {v.name for v in variants.values()}
     for chosen, served in table.items():
         if "rotation" not in chosen or {"damping", "fall", "pressurisation"} & set(served):

@@ -7,14 +7,15 @@ The order of operations follows from the expression alone, never from a hash.
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, get_args
 
 import mpmath
 import sympy as sp
 
-from derive.algebra.stable import Horner, RoundingError, Select, Stable
+from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
 
 Kind = Literal["input", "const", "add", "sub", "mul", "div", "neg", "min", "max", "less", "select", "fma", "call"]
+KINDS = get_args(Kind)
 
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
@@ -30,6 +31,11 @@ class Op:
     args: tuple[int, ...] = ()
     value: str | float | None = None
 
+    @property
+    def name(self) -> str:
+        """In the table of operations."""
+        return str(self.value) if self.kind == "call" else self.kind
+
 
 @dataclass(frozen=True)
 class Program:
@@ -39,12 +45,11 @@ class Program:
     inputs: tuple[str, ...]
     ops: tuple[Op, ...]
     outputs: tuple[int, ...]
+    names: Mapping[int, str] = field(default_factory=dict, compare=False)  # of values that a reader knows by a name
 
     def operations(self) -> Counter[str]:
         """How many operations of each kind it takes; inputs and constants are free."""
-        return Counter(
-            f"{op.value}" if op.kind == "call" else op.kind for op in self.ops if op.kind not in ("input", "const")
-        )
+        return Counter(op.name for op in self.ops if op.kind not in ("input", "const"))
 
 
 @dataclass
@@ -96,8 +101,8 @@ class _Builder:
             return self.const(e)
         if isinstance(e, RoundingError):
             return self._rounding_error(*(self.add(x) for x in e.args))
-        if isinstance(e, Stable):
-            return self.add(e.lower())
+        if isinstance(e, Primitive):
+            return self.put_call(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
         if isinstance(e, sp.Add):
@@ -117,8 +122,6 @@ class _Builder:
             return result
         if type(e) in CALLS:
             return self.put_call(CALLS[type(e)], self.add(e.args[0]))
-        if getattr(type(e), "call", None):  # a primitive that NumPy and C have under this name
-            return self.put_call(type(e).call, self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
     def _sum(self, e: sp.Add) -> int:
@@ -223,7 +226,9 @@ def program(
         index = builder.inline(value) if isinstance(value, Program) else builder.add(value)
         builder.done = {e: i for e, i in builder.done.items() if not e.has(symbol)} | {symbol: index}
     results = tuple(builder.add(e) for e in outputs)
-    return without_dead(Program(name, inputs, tuple(builder.ops), results))  # of a `let`, a part may not be used
+    names = {builder.done[symbol]: symbol.name for symbol in let or {} if symbol in builder.done}
+    # Of a `let`, a part may not be used.
+    return without_dead(Program(name, inputs, tuple(builder.ops), results, names))
 
 
 def without_dead(p: Program) -> Program:
@@ -236,7 +241,8 @@ def without_dead(p: Program) -> Program:
     ops = tuple(
         Op(op.kind, tuple(place[i] for i in op.args), op.value) for index, op in enumerate(p.ops) if index in alive
     )
-    return Program(p.name, p.inputs, ops, tuple(place[i] for i in p.outputs))
+    names = {place[i]: name for i, name in p.names.items() if i in alive}
+    return Program(p.name, p.inputs, ops, tuple(place[i] for i in p.outputs), names)
 
 
 def operations(counts: Mapping[str, int]) -> str:

@@ -3,20 +3,23 @@
 import difflib
 import hashlib
 import os
+import re
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-import sympy
+import sympy as sp
 
 from derive.algebra import sensitivity
-from derive.algebra.integrate import Derivation
-from derive.approximate.approximants import variants
-from derive.check import certificates, certify
-from derive.check.rounding import Record
+from derive.algebra.integrate import closed_forms
+from derive.approximate import certificates
+from derive.approximate.programs import variants
+from derive.check.records import Record, read
 from derive.code import emit, emit_c, functions
 from derive.flow import emit as flow
 from derive.flow import series
+from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
+from derive.declare.symbols import r, theta
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -30,12 +33,13 @@ SENSITIVITY = "Derivatives of the closed forms, of the balance and of the arc: w
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
-def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]:
+def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
-    kernels, motion = functions.kernels(derivations, proved), functions.motion()
-    c_source = emit_c.source(variants())
+    kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
+    c_source = emit_c.source(variants(), functions.comments(kernels, proved))
     texts = {
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
+        "definitions.py": definitions_module(closed),
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "balance.py": emit.plain_module(BALANCE, functions.balance()[0]),
         "effects.py": functions.effects_module(),
@@ -46,13 +50,14 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
         "series.py": series.numpy_text(),
-        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs()),
-        "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
+        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs(closed)),
+        "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
     }  # fmt: skip
     texts |= certificates.files(proved)
+    texts = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
 
 
@@ -67,7 +72,7 @@ def walk_source() -> str:
 
 def header(name: str, text: str) -> str:
     """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
-    written = f"Written by `{MEND}` with SymPy {sympy.__version__}; do not edit."
+    written = f"Written by `{MEND}` with SymPy {sp.__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
     return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n" if name.endswith(".py") else ""
@@ -84,17 +89,16 @@ ULP = {"best": 2.0**-52, "float32": 2.0**-23}
 
 def proofs() -> list[Record]:
     """The record of every variant: one that is there holds as long as its operations do (`prove` proves it again)."""
-    there = [record for path in sorted((FOLDER / "certificates").glob("*.json")) for record in certify.read(path)]
-    return certificates.records(variants(), there)
+    return certificates.records(variants(), read())
 
 
 def tiers_module(records: Iterable[Record], digest: str) -> str:
     """What the run time must know of the proofs, and of which C source they speak."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
-    for r in records:
-        bound, ulp = r["bound"], ULP.get(r["tier"])
-        forms = kernels.setdefault(r["kernel"], {}).setdefault(r["tier"], {})
-        forms[r["form"]] = (bound * ulp, bound) if ulp else (bound, None)
+    for record in records:
+        bound, ulp = record["bound"], ULP.get(record["tier"])
+        forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
+        forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
     for kernel, tiers in kernels.items():
         lines += [f"    {kernel!r}: {{\n", *(f"        {t!r}: {forms!r},\n" for t, forms in tiers.items()), "    },\n"]
@@ -104,6 +108,26 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
         "# kernel -> tier -> form of the program -> (relative error, error in ulp where that is the measure).\n"
         "# What is not here is sampled only.\n"
         f"BOUNDS: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {{\n{''.join(lines)}}}\n"
+    )
+
+
+def definitions_module(closed: Mapping[str, sp.Expr]) -> str:
+    """What each function of alpha is, for whoever compares it with other ways to compute it."""
+    forms, integrands = [], []
+    for x in (*MOMENTS, RESISTANCE):
+        name = x.kernel[0]
+        text = re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(closed[name]).replace("alpha", "x"))
+        forms.append(f"    {name!r}: lambda m, x: {text},\n")
+        if isinstance(x, Moment) and x.certified:
+            integrands.append(f"    {name!r}: ({sp.degree(x.weight, r)}, {x.weight.has(theta)}),\n")
+    quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
+    return (
+        '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'
+        "from collections.abc import Callable\nfrom typing import Any\n\n"
+        "# Over any arithmetic m that has sin, cos and atanh.\n"
+        f"CLOSED: dict[str, Callable[[Any, Any], Any]] = {{\n{''.join(forms)}}}\n\n"
+        "# The power of r, and whether cos(u) turns it, u from -alpha to alpha and r from cos(alpha)/cos(u) to 1.\n"
+        f"INTEGRANDS = {{\n{''.join(integrands)}}}\n\nQUOTIENTS = {{\n{''.join(quotients)}}}\n"
     )
 
 

@@ -10,8 +10,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
-from derive.algebra.stable import Expm1
+from derive.algebra.prove import prove_zero
 
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
@@ -83,8 +82,7 @@ class Effect:
 class Law:
     """A friction law: the friction coefficient as a function of the accumulated slip, of the speed, or of time.
 
-    ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names; ``drop``, of a law of slip, is its fall from
-    `SLIP` to `SLIP` + `MORE`, without cancellation, proved equal to it. ``scale`` names the length over which it
+    ``coefficient`` is in `SLIP` or `SPEED` and the parameters' names. ``scale`` names the length over which it
     changes, ``kinks`` the slips at which it is not smooth. A law without formula (a table) is computed by the runtime,
     in pieces that are polynomials of this ``degree`` in the slip or in the logarithm of the speed.
     """
@@ -95,7 +93,6 @@ class Law:
     depends_on: tuple[str, ...]
     help: str
     coefficient: sp.Expr | None = None
-    drop: sp.Expr | None = None
     scale: str = ""
     kinks: tuple[str, ...] = ()
     degree: int = 0
@@ -115,20 +112,17 @@ _PEAK = _friction("peak", "friction coefficient at the start")
 _RESIDUAL = _friction("residual", "friction coefficient after much slip")
 
 SLIP, MORE, SPEED, _P, _R, _L, _V = sp.symbols("slip more speed peak residual length velocity", real=True)
-_EXP, _HYPERBOLA = sp.exp(-SLIP / _L), 1 / (1 + SLIP / _L)
 
 LAWS = (
     Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)", "angle_deg"),), (),
         "friction does not change"),
     Law("exponential", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * _EXP,
-        (_P - _R) * _EXP * -Expm1(-MORE / _L), "length"),
+        "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * sp.exp(-SLIP / _L), "length"),
     Law("linear", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "falls from peak to residual over the length, then stays", _P + (_R - _P) * sp.Min(SLIP / _L, 1),
-        (_P - _R) * (sp.Min((SLIP + MORE) / _L, 1) - sp.Min(SLIP / _L, 1)), "length", ("length",), 1),
+         "length", ("length",), 1),
     Law("hyperbolic", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
-        "residual + (peak - residual)/(1 + slip/length)", _R + (_P - _R) * _HYPERBOLA,
-        (_P - _R) * _HYPERBOLA * (MORE / _L) / (1 + (SLIP + MORE) / _L), "length"),
+        "residual + (peak - residual)/(1 + slip/length)", _R + (_P - _R) / (1 + SLIP / _L), "length"),
     Law("tabulated", "Fig. 4-1", (
         Parameter("slip", "m", _BELOW_0, _INFINITY, "slips of the table, increasing, from 0", "slip_m", kind="list"),
         _friction("coefficient", "friction coefficients at these slips", "angle_deg", kind="list")),
@@ -149,18 +143,6 @@ LAWS = (
         _friction("coefficient", "friction coefficients at these times", "angle_deg", kind="list")),
         ("time",), "straight lines between the times of a table, the end values beyond"),
 )  # fmt: skip
-
-
-def prove_laws() -> list[str]:
-    """Prove each law's drop equal to the difference that it stands for; the claims proved."""
-    claims = []
-    for law in LAWS:
-        if law.coefficient is not None and law.drop is not None:
-            claim = f"{law.name}: drop = mu(slip) - mu(slip + more)"
-            fall = law.coefficient - law.coefficient.subs(SLIP, SLIP + MORE)
-            prove_zero(sp.expand_power_exp(sp.expand((fall - law.drop).rewrite(sp.exp))), claim)
-            claims.append(claim)
-    return claims
 
 
 _COHESION, _RATIO, _PRESSURE, _DRAG, _VISCOSITY = sp.symbols(

@@ -1,22 +1,27 @@
 """The quantities of the method, declared once as data; every stage walks these lists.
 
-A new moment is one more `Moment` here, and its stable form in `derive.algebra.stable`.
+A new moment is one more `Moment` here, and nothing else.
 """
 
 from dataclasses import dataclass
 
 import sympy as sp
 
+from derive.check.proof import ProofError
+from derive.check.truth import LEVER
 from derive.declare.symbols import alpha, r, theta, theta_1
+
+HIGHEST = 5  # power of r in a weight: the forms beyond are right too, but nothing here shows it
 
 
 @dataclass(frozen=True)
 class Moment:
     """A double integral over the moving mass, dimensionless (r* = r/R).
 
-    ``weight`` is integrated over r from the chord to 1 and over theta from theta_1 to theta_2. ``turn`` says how
-    the integral depends on the direction of the bisector: not at all (1), or as a factor in psi. Where it does,
-    ``amplitude`` is the name and symbol of the part that is left, a function of alpha alone.
+    ``weight`` is integrated over r from the chord to 1 and over theta from theta_1 to theta_2: r^n, or r^n sin(theta)
+    or r^n cos(theta) with a sign. Where it turns with the direction of the bisector, ``amplitude`` is the name and
+    symbol of the integral of r^n cos(u), u = theta - theta_m, which is left of it as a function of alpha alone.
+    A moment that is not ``certified`` may have any weight that SymPy integrates, and takes what rules make of it.
     """
 
     name: str
@@ -25,6 +30,49 @@ class Moment:
     weight: sp.Expr
     help: str
     amplitude: tuple[str, str] | None = None
+    certified: bool = True
+
+    @property
+    def kernel(self) -> tuple[str, str]:
+        """Name and symbol of its function of alpha."""
+        return self.amplitude or (self.name, self.symbol)
+
+    @property
+    def definition(self) -> tuple[str, ...]:
+        """What a certificate says that the function of alpha is.
+
+        Raises
+        ------
+        ProofError
+            If the weight is none of those that can be certified.
+        """
+        power = sp.degree(self.weight, r) if self.weight.is_polynomial(r) else sp.Integer(0)
+        turn = self.weight / r**power
+        turned = turn in (sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(theta))
+        if not (1 <= power <= HIGHEST and (turn == 1 or turned)):
+            wanted = f"r**n, +-r**n*sin(theta) or +-r**n*cos(theta), n = 1 to {HIGHEST}, or certified=False"
+            raise ProofError(f"{self.name}: weight that can be certified", self.weight, wanted)
+        if turned != (self.amplitude is not None):
+            wanted = "a name and a symbol" if turned else "none, as the weight does not turn"
+            raise ProofError(f"{self.name}: amplitude of the weight {self.weight}", self.amplitude, wanted)
+        return (f"r^{power}{' cos u' if turned else ''}",)
+
+
+@dataclass(frozen=True)
+class Elementary:
+    """A quantity that is no integral: its form in alpha, and its definition in the checker's words."""
+
+    name: str
+    symbol: str
+    equation: str
+    form: sp.Expr
+    help: str
+    definition: tuple[str, ...]
+
+    @property
+    def kernel(self) -> tuple[str, str]:
+        """Name and symbol of its function of alpha."""
+        return self.name, self.symbol
 
 
 @dataclass(frozen=True)
@@ -56,7 +104,10 @@ MOMENTS = (
 )  # fmt: skip
 
 # lambda (3.14) is no integral: its definition is 2 alpha f/R, with f the largest depth of the chord (2.12).
-RESISTANCE = ("resistance_factor", "lambda", "3.14", "lever of the resistance, arc length times depth")
+RESISTANCE = Elementary(
+    "resistance_factor", "lambda", "3.14", 2 * alpha * (1 - sp.cos(alpha)),
+    "lever of the resistance, arc length times depth", (LEVER,),
+)  # fmt: skip
 
 QUOTIENTS = (
     Quotient("dynamic_coefficient", "A", "2.24", "polar_moment", "resistance_factor",

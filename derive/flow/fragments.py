@@ -5,7 +5,7 @@ from itertools import chain, combinations
 
 import sympy as sp
 
-from derive.algebra.stable import Select
+from derive.algebra.remainders import Select
 from derive.declare import effects as declared
 from derive.declare.effects import (
     BY_PSI,

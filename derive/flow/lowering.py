@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from derive.algebra.stable import Select
+from derive.algebra.remainders import Select
 from derive.code.program import program
 from derive.flow.operations import first
 

@@ -10,8 +10,8 @@ from typing import Any
 
 import sympy as sp
 
-from derive.algebra.integrate import prove_zero
-from derive.algebra.stable import Expm1, Log1p, Select
+from derive.algebra.prove import prove_zero
+from derive.algebra.remainders import Expm1, Log1p, Select
 
 n, k = sp.symbols("n k", integer=True)
 A, B, Q, X, Z, E, H, P, S, V, L = (sp.IndexedBase(x) for x in "abqxzehpsvl")

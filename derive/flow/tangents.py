@@ -6,7 +6,7 @@ result d of an operation on cells a, b and e it is ``d'``, made of these and of 
 
 import sympy as sp
 
-from derive.algebra.stable import Select
+from derive.algebra.remainders import Select
 from derive.flow.lowering import Increment, Lowering, cell, total
 from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
 

@@ -11,7 +11,8 @@ import mpmath as mp
 import sympy as sp
 
 from derive.algebra import dynamics
-from derive.algebra.integrate import PSI, Derivation, ProofError, derive, quadrature
+from derive.algebra.integrate import PSI, Derivation, derive, quadrature
+from derive.check.proof import ProofError
 from derive.declare import symbols
 from derive.declare.quantities import CHORD, MOMENTS
 from derive.declare.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2, theta_m
@@ -196,7 +197,7 @@ class Context:
         for name, d in found.items():
             raw = quadrature(d.moment.weight, self.theta_1, self.alpha, 20)
             if abs(raw - self.value(d.closed)) > 1e-18:
-                raise ProofError(f"{name}: closed form and definition differ at the section")
+                raise ProofError(f"{name}: closed form at the section", self.value(d.closed), raw)
         return found
 
     @property

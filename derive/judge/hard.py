@@ -15,7 +15,7 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from derive.algebra.integrate import PSI, derive
+from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.phase import BRAKE, CONSTANT, DECAY, DRIVE, DROP, PRESS, PRESS_RISE, START, TILT, X
 from derive.check import measure
 from derive.code import functions
@@ -47,40 +47,42 @@ class Result:
 HALF_PI = math.pi / 2
 CUBE = "parts of size alpha leave a difference of size alpha**3"
 UNDER = "so thin that alpha**3 underflows, but not the quotient"
+DENORMAL = "the result is denormal"
+TERMS = "its integral, term by term"
 TOP = "half disc: artanh(sin alpha) is infinite, and its factor 0"
 THIN = "thin arc: alpha, and its cube, from a difference of two angles"
 REST = "omega_0 cancels the limit velocity -sqrt(a/b): the growing part of y is small, and wins"
 ONE_LINE = "Appendix I in one line, angles rounded"
 STILL = "b = 0, no centripetal stress: the general form is 0/0"
 
+
+def _kernels() -> list[HardCase]:
+    """Of each function of alpha: thin, so thin that it underflows, and where artanh is infinite."""
+    words = {p.name: says for p, says in functions.printed()}
+    printed = {p.name: "arctanh" in p.operations() for p, _ in functions.printed()}
+    closed, found = closed_forms(), []
+    for name, form in closed.items():
+        naive = words.get(name, TERMS)
+        found += [HardCase(name, (x,), why, naive) for x, why in ((1e-8, CUBE), (1e-4, CUBE), (1e-103, DENORMAL))]
+        found += [HardCase(name, (HALF_PI,), TOP, naive)] * printed.get(name, form.has(sp.atanh))
+    for q in QUOTIENTS:
+        parts = (q.numerator, q.denominator)
+        naive = words.get(q.name) or " over ".join(words.get(part, TERMS) for part in parts)
+        found += [HardCase(q.name, (x,), why, naive) for x, why in ((1e-200, UNDER), (5e-324, UNDER), (1e-6, CUBE))]
+        infinite = printed.get(q.name, any(closed[part].has(sp.atanh) for part in parts))
+        found += [HardCase(q.name, (HALF_PI,), TOP, naive)] * infinite
+    for m in MOMENTS:
+        if m.amplitude:
+            naive = f"{words.get(m.amplitude[0], TERMS)}, angles rounded"
+            found.append(HardCase(m.name, (4.0, 4.0 + 1e-10), THIN, naive))
+            if closed[m.amplitude[0]].has(sp.atanh) and m.weight.has(sp.sin):  # else the direction is 0 there
+                found.append(HardCase(m.name, (math.pi, 2 * math.pi), TOP, naive))
+    return found
+
+
 CASES = (
-    HardCase("polar_moment", (1e-8,), CUBE, "(2.19)"),
-    HardCase("polar_moment", (1e-4,), CUBE, "(2.19)"),
-    HardCase("polar_moment", (1e-100,), "the result is 7e-301, the parts are 1e-100", "(2.19)"),
-    HardCase("moment_of_inertia", (1e-8,), CUBE, "(3.15)"),
-    HardCase("moment_of_inertia", (1e-3,), CUBE, "(3.15)"),
-    HardCase("radial_weight_amplitude", (1e-4,), CUBE, "Appendix I in one line"),
-    HardCase("radial_weight_amplitude", (HALF_PI,), TOP, "Appendix I in one line"),
-    HardCase("radial_weight_amplitude", (1.5707942538355797,), "our worst: a difference near 0 is squared",
-             "Appendix I in one line, better here"),
-    HardCase("weight_moment_amplitude", (1e-8,), "sin alpha - sin alpha cos(alpha)**2", "(3.13), integrated"),
-    HardCase("weight_moment_amplitude", (1e-103,), "the result, 7e-310, is denormal", "(3.13), integrated"),
-    HardCase("resistance_factor", (1e-9,), "1 - cos alpha is 0", "(3.14)"),
-    HardCase("resistance_factor", (1e-4,), "1 - cos alpha keeps 8 digits", "(3.14)"),
-    HardCase("dynamic_coefficient", (1e-200,), UNDER, "(2.24) with (2.19)"),
-    HardCase("dynamic_coefficient", (1e-5,), CUBE, "(2.24) with (2.19)"),
-    HardCase("weight_moment_per_inertia", (1e-200,), UNDER, "(3.13) over (3.15)"),
-    HardCase("weight_moment_per_inertia", (1e-5,), CUBE, "(3.13) over (3.15)"),
-    HardCase("radial_weight_per_inertia", (1e-6,), CUBE, "Appendix I over (3.15)"),
-    HardCase("radial_weight_per_inertia", (HALF_PI,), TOP, "Appendix I over (3.15)"),
-    HardCase("polar_moment_per_inertia", (1e-6,), CUBE, "(2.19) over (3.15)"),
-    HardCase("polar_moment_per_inertia", (5e-324,), UNDER, "(2.19) over (3.15)"),
-    HardCase("weight_moment_per_radial_weight", (1e-6,), CUBE, "(3.13) over Appendix I"),
-    HardCase("weight_moment_per_radial_weight", (HALF_PI,), TOP, "(3.13) over Appendix I"),
-    HardCase("radial_weight", (4.0, 4.0 + 1e-10), THIN, ONE_LINE),
-    HardCase("radial_weight", (math.pi, 2 * math.pi), TOP, ONE_LINE),
+    *_kernels(),
     HardCase("radial_weight", (0.1, 0.2), "alpha is not a double: its rounding error times the slope counts", ONE_LINE),
-    HardCase("weight_moment", (4.0, 4.0 + 1e-10), THIN, "(3.13), integrated, angles rounded"),
     HardCase("weight_moment", (4.0, 5.42477796076938), "level: cos(theta_m), of an exact theta_m that is no double",
              "(3.13), integrated, angles rounded"),
     HardCase("limit_friction", (4.0, 4.0 + 1e-10), THIN, "(3.13) over Appendix I, angles rounded"),
@@ -152,24 +154,23 @@ class Forms:
 
 def _forms() -> dict[str, Forms]:
     derivations = [derive(m) for m in MOMENTS]
-    ours = {f.program.name: f.program for f in (*functions.kernels(derivations), *functions.motion())}
-    printed = {p.name: p for p, _ in functions.printed()}
-    closed = functions.closed_amplitudes(derivations)
-    found = {name: Forms(ours[name], printed[name], form) for name, form in closed.items()}
+    ours = {f.program.name: f.program for f in (*functions.kernels(), *functions.motion())}
+    printed, closed = {p.name: p for p, _ in functions.printed()}, closed_forms()
+    terms = {name: _terms(form) for name, form in closed.items()}
+    found = {}
+    for name, form in closed.items():
+        found[name] = Forms(ours[name], printed.get(name) or program(name, ("alpha",), terms[name]), form)
     for q in QUOTIENTS:
-        ratio = closed[q.numerator] / closed[q.denominator]
-        naive = printed.get(q.name) or program(q.name, ("alpha",), ratio)
-        found[q.name] = Forms(ours[q.name], naive, ratio)
+        naive, exact = (forms[q.numerator] / forms[q.denominator] for forms in (terms, closed))
+        found[q.name] = Forms(ours[q.name], printed.get(q.name) or program(q.name, ("alpha",), naive), exact)
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
-    sine, cosine = sp.sin(alpha), sp.cos(alpha)
-    one_line = {"radial_weight": -(sine - cosine**2 * sp.atanh(sine)) * sp.sin(theta_m),
-                "weight_moment": -sp.Rational(2, 3) * (sine - sine * cosine**2) * sp.cos(theta_m)}  # fmt: skip
-    one_line["limit_friction"] = one_line["weight_moment"] / one_line["radial_weight"]
-    whole = {d.moment.name: d.amplitude * d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m) for d in derivations}
-    whole["limit_friction"] = whole["weight_moment"] / whole["radial_weight"]
-    for name, form in one_line.items():
-        naive = program(name, ("theta_1", "theta_2"), form, let=ends)
-        found[name] = Forms(ours[name], naive, whole[name].subs(ends))
+    turned = {d.moment.name: (d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m), d.moment.kernel[0]) for d in derivations}
+    naive, exact = ({name: way * forms[kernel] for name, (way, kernel) in turned.items()} for forms in (terms, closed))
+    for forms in (naive, exact):
+        forms["limit_friction"] = forms["weight_moment"] / forms["radial_weight"]
+    for name in [d.moment.name for d in derivations if d.moment.amplitude] + ["limit_friction"]:
+        plain = program(name, ("theta_1", "theta_2"), naive[name], let=ends)
+        found[name] = Forms(ours[name], plain, exact[name].subs(ends))
     for name, (form, without) in _motion().items():
         for full, exact in ((f"frozen_centripetal_{name}", form), (f"frozen_{name}", without)):
             inputs = ours[full].inputs
@@ -187,6 +188,14 @@ def _forms() -> dict[str, Forms]:
     for name, form in _phase_plane().items():
         found[name] = Forms(ours[name], program(name, ours[name].inputs, form), form)
     return found
+
+
+def _terms(closed: sp.Expr) -> sp.Expr:
+    """A closed form as the sum of its terms in alpha, artanh(sin alpha), and sin(alpha) times powers of cos(alpha)."""
+    s, c, h = sp.symbols("s c h", real=True)
+    form = sp.expand_trig(closed).subs(sp.atanh(sp.sin(alpha)), h).subs({sp.sin(alpha): s, sp.cos(alpha): c})
+    form = sp.expand(sp.rem(sp.expand(form), s**2 + c**2 - 1, s))
+    return form.subs({h: sp.atanh(sp.sin(alpha)), s: sp.sin(alpha), c: sp.cos(alpha)})
 
 
 def _phase_plane() -> dict[str, sp.Expr]:

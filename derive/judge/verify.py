@@ -20,7 +20,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from derive.algebra.dynamics import R
-from derive.algebra.integrate import prove_zero
+from derive.algebra.prove import prove_zero
 from derive.declare.quantities import CHORD
 from derive.declare.symbols import theta, theta_m
 from derive.judge.appendices import ProofError as AppendixError

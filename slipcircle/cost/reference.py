@@ -4,13 +4,16 @@ One set for all ways, so that their errors can be compared: uniform in value, un
 ends of [0, pi/2].
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from generated.definitions import CLOSED, QUOTIENTS
 
 Floats = NDArray[np.float64]
 
@@ -20,13 +23,6 @@ DIGITS = 50  # that exact values have at least
 _SHARES = {"value": 0.4, "bits": 0.2, "near 0": 0.2, "near pi/2": 0.2}
 _ZERO_BELOW = 2.0**-360  # every moment is alpha**3 or smaller there, and rounds to 0
 _LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.nextafter(np.pi / 2, 0.0), np.pi / 2)
-QUOTIENTS: Mapping[str, tuple[str, str]] = {
-    "dynamic_coefficient": ("polar_moment", "resistance_factor"),
-    "weight_moment_per_inertia": ("weight_moment_amplitude", "moment_of_inertia"),
-    "radial_weight_per_inertia": ("radial_weight_amplitude", "moment_of_inertia"),
-    "polar_moment_per_inertia": ("polar_moment", "moment_of_inertia"),
-    "weight_moment_per_radial_weight": ("weight_moment_amplitude", "radial_weight_amplitude"),
-}
 
 
 @cache
@@ -125,20 +121,15 @@ def _balls(kind: str) -> list[dict[str, Any]]:
 
     found = []
     for alpha in inputs(kind).tolist():
-        # (2.19), (3.15) and C_r are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
+        # The closed forms are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
         with ctx.workprec(int(3.33 * DIGITS) + 150 + 3 * thin):
             # float32's nearest number to pi/2 lies above it, and the domain ends there.
             half = arb(alpha) if arb(alpha) < arb.pi() / 2 else arb.pi() / 2
             s, c = half.sin(), half.cos()
             log = arb(0) if c.contains(0) else 2 * (s / (1 + c)).atanh()  # artanh(sin x) = 2 artanh(tan(x/2))
-            values = {
-                "polar_moment": (2 * half - s * c - c**3 * log) / 3,
-                "moment_of_inertia": (half - s * c * (1 + 2 * c * c) / 3) / 2,
-                "radial_weight_amplitude": s - c * c * log,
-                "weight_moment_amplitude": 2 * s**3 / 3,
-                "resistance_factor": 4 * half * (half / 2).sin() ** 2,
-            }
+            arithmetic = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
+            values = {name: form(arithmetic, half) for name, form in CLOSED.items()}
             wide = [n for n, v in values.items() if alpha and v.rel_accuracy_bits() < 3.33 * DIGITS]
             if wide:
                 raise ArithmeticError(f"{wide[0]}({alpha!r}) has fewer than {DIGITS} digits")

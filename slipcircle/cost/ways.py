@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import _compiled, kernels, motion, printed, stable, tiers
+from generated.definitions import CLOSED, INTEGRANDS, QUOTIENTS
 from slipcircle.cost import reference
-from slipcircle.cost.reference import QUOTIENTS, Floats, Reference
+from slipcircle.cost.reference import Floats, Reference
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 MP_DIGITS = (30, 50)
@@ -89,50 +90,32 @@ def variants(name: str) -> list[Way]:
     return found
 
 
-# --- the paper's forms, over any arithmetic m that has sin, cos, tan, log, atanh and pi ----------------------------
-
-
-def _cube(m: Any, x: Any) -> Any:
-    return m.cos(x) * m.cos(x) * m.cos(x)
-
-
-PRINTED: Mapping[str, Callable[[Any, Any], Any]] = {
-    # (2.19), (3.15), Appendix I in one line, (3.13) integrated, (3.14)
-    "polar_moment": lambda m, x: 2 * x / 3 - m.sin(2 * x) / 6 - m.log(m.tan(m.pi / 4 + x / 2)) * _cube(m, x) / 3,
-    "moment_of_inertia": lambda m, x: x / 2 - m.sin(2 * x) * (1 + 2 * m.cos(x) ** 2) / 12,
-    "radial_weight_amplitude": lambda m, x: m.sin(x) - m.cos(x) ** 2 * m.atanh(m.sin(x)),
-    "weight_moment_amplitude": lambda m, x: 2 * m.sin(x) / 3 - 2 * m.sin(x) * m.cos(x) ** 2 / 3,
-    "resistance_factor": lambda m, x: 2 * x * (1 - m.cos(x)),
-}
-_RINGS = {  # the integrand: power of r, and whether cos u turns it
-    "polar_moment": (2, False), "moment_of_inertia": (3, False),
-    "radial_weight_amplitude": (1, True), "weight_moment_amplitude": (2, True),
-}  # fmt: skip
+# --- closed forms, over any arithmetic m that has sin, cos and atanh -------------------------------------------------
 
 
 def closed(name: str, m: Any, x: Any) -> Any:
-    """The printed form of a kernel in an arithmetic; a quotient is one of two of them."""
-    if name in QUOTIENTS:
-        above, below = QUOTIENTS[name]
-        return PRINTED[above](m, x) / PRINTED[below](m, x)
-    return PRINTED[name](m, x)
+    """The closed form of a kernel in an arithmetic; a quotient is one of two of them."""
+    found = [CLOSED[part](m, x) for part in QUOTIENTS.get(name, (name,))]
+    return found[0] / found[1] if len(found) > 1 else found[0]
 
 
 def _printed(name: str, x: Floats) -> Floats:
-    if name not in QUOTIENTS or hasattr(printed, name):
-        return np.asarray(getattr(printed, name)(x))
-    above, below = QUOTIENTS[name]
+    """As the paper prints it, and where it does not, as its definition integrates."""
     with np.errstate(all="ignore"):
-        return np.asarray(getattr(printed, above)(x) / getattr(printed, below)(x))
+        if hasattr(printed, name):
+            return np.asarray(getattr(printed, name)(x))
+        if name in QUOTIENTS:
+            above, below = (_printed(part, x) for part in QUOTIENTS[name])
+            return np.asarray(above / below)
+        return np.asarray(closed(name, _NUMPY, x))
 
 
 def _long(name: str, x: Floats) -> NDArray[np.longdouble]:
-    m = SimpleNamespace(sin=np.sin, cos=np.cos, tan=np.tan, log=np.log, atanh=np.arctanh, pi=np.longdouble(_PI))
     with np.errstate(all="ignore"):
-        return np.asarray(closed(name, m, np.asarray(x, np.longdouble)))
+        return np.asarray(closed(name, _NUMPY, np.asarray(x, np.longdouble)))
 
 
-_PI = "3.14159265358979323846264338327950288"
+_NUMPY = SimpleNamespace(sin=np.sin, cos=np.cos, atanh=np.arctanh)
 
 
 # --- quadrature ----------------------------------------------------------------------------------------------------
@@ -146,14 +129,14 @@ def gauss_legendre(power: int, turned: bool, count: int, alpha: Any) -> Floats:
 
     The depth of the chord is written as a product, so that the rule and not the cancellation is measured.
     """
-    x, w = _rule(count)
+    (x, w), (inner, weights) = _rule(count), _rule(power // 2 + 1)
     half, found = np.atleast_1d(alpha), np.empty(np.size(alpha))
     for start in range(0, half.size, _BLOCK // count):
         a = half[start : start + _BLOCK // count, None]
         u = a * (x + 1) / 2
         depth = 2 * np.sin((a - u) / 2) * np.sin((a + u) / 2) / np.cos(u)
-        near, far = 1 - depth * (1 - 1 / np.sqrt(3)) / 2, 1 - depth * (1 + 1 / np.sqrt(3)) / 2
-        ring = depth / 2 * (near**power + far**power) * (np.cos(u) if turned else 1.0)
+        ring = sum(v * (1 - depth * (1 + y) / 2) ** power for y, v in zip(inner, weights, strict=True))
+        ring = depth / 2 * ring * (np.cos(u) if turned else 1.0)
         found[start : start + a.size] = a[:, 0] * np.einsum("ij,j->i", ring, w)  # one thread, like all others
     return found
 
@@ -175,10 +158,10 @@ def dblquad(power: int, turned: bool, alpha: float) -> float:
 
 
 def _digits(name: str, digits: int, alpha: float) -> Any:
-    """The printed form by mpmath, with the guard digits that the cancellation over thin arcs takes."""
+    """The closed form by mpmath, with the guard digits that the cancellation over thin arcs takes."""
     mp = multiprecision(digits)
     thin = max(0, -math.frexp(alpha)[1])
-    with mp.workdps(digits + 5 + int(0.91 * thin)):  # pi/4 + alpha/2 has to be right to alpha**3
+    with mp.workdps(digits + 5 + int(0.91 * thin)):
         return closed(name, mp, mp.mpf(alpha))
 
 
@@ -210,9 +193,9 @@ def kernel(name: str) -> Subject:
     ]
     if np.finfo(np.longdouble).nmant > 52:  # on some machines it is float64
         found.append(Way("printed, longdouble", partial(_long, name)))
-    if name in _RINGS:
-        found += [Way(f"Gauss, {n} points", partial(gauss_legendre, *_RINGS[name], n)) for n in GAUSS_POINTS]
-        found.append(Way("SciPy dblquad", partial(dblquad, *_RINGS[name]), few=10))
+    if name in INTEGRANDS:
+        found += [Way(f"Gauss, {n} points", partial(gauss_legendre, *INTEGRANDS[name], n)) for n in GAUSS_POINTS]
+        found.append(Way("SciPy dblquad", partial(dblquad, *INTEGRANDS[name]), few=10))
     found += [Way(f"mpmath, {n} digits", partial(_digits, name, n), few=40) for n in MP_DIGITS]
     return Subject([*found, _floor()], partial(reference.kernel, name), partial(_angles, 1))
 
@@ -249,7 +232,7 @@ def slide(name: str) -> Subject:
     return Subject(found, exact, lambda count: np.random.default_rng(0).uniform(0.1, 2.0, (3, count)))
 
 
-KERNELS = (*PRINTED, *QUOTIENTS)
+KERNELS = (*CLOSED, *QUOTIENTS)
 FUNCTIONS: Mapping[str, Callable[[], Subject]] = {
     **{name: partial(kernel, name) for name in KERNELS},
     **{name: partial(slide, name) for name in MOTION},

@@ -10,6 +10,14 @@ Array = NDArray[np.float64]
 BLOCK = 8192  # elements whose intermediate values stay in the cache
 
 
+def horner(x: Any, coefficients: Sequence[float]) -> Any:
+    """The polynomial with these coefficients, lowest first."""
+    result: Any = coefficients[-1]
+    for c in coefficients[-2::-1]:
+        result = result * x + c
+    return result
+
+
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
     """The arguments as arrays, or as Python's numbers, and the floating type of the result.
 

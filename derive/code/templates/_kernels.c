@@ -77,6 +77,12 @@ INLINE uint64_t biased(double x) { return (bits(x) + (UINT64_C(1) << 51)) >> 52;
 INLINE double exponent_of(double x) { return number(biased(x) | bits(0x1p52)) - (0x1p52 + 1023); }
 INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 52) + bits(1.0)); }
 
+#define SELECT(condition, yes, no) ((condition) ? (yes) : (no))
+#define SMALLER(a, b) SELECT((a) < (b), a, b)
+#define LARGER(a, b) SELECT((a) > (b), a, b)
+/* A polynomial by Horner's scheme; its coefficients come lowest first. */
+#define POLY1(x, c0, c1) FMA(c1, x, c0)
+@POLYNOMIALS@
 @BODIES@
 /* A block of numbers is looked at first, as integers: patterns of floats from 0 on are ordered as the floats are, and a
  * negative difference has its sign bit set. If all lie in [0, pi/2], as a rule, the program runs bare; if all lie below
@@ -102,7 +108,7 @@ INLINE double significand_of(double x) { return number(bits(x) - (biased(x) << 5
 #define ABOVE_pieces(T, PROGRAM, pattern) PROGRAM##_BELOW_##T - pattern
 #define ABOVE_whole(T, PROGRAM, pattern) 0
 #define ABOVE_short(T, PROGRAM, pattern) 0
-#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) BARE(T, PROGRAM) else BARE(T, PROGRAM##_below)
+#define RUN_pieces(T, PROGRAM) if (NEGATIVE(above)) BARE(T, PROGRAM) else BARE(T, PROGRAM##_near)
 #define RUN_whole(T, PROGRAM) BARE(T, PROGRAM)
 #define RUN_short(T, PROGRAM) BARE(T, PROGRAM)
 #define LOOP(T, NAME, FORM, LEVEL) LOOP_OF(T, NAME##_##FORM##_KIND, NAME##_##FORM, NAME##_##LEVEL##_##T, LEVEL)

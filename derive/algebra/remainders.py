@@ -1,0 +1,200 @@
+"""Functions that are computed otherwise than they are defined, above all a function less its Taylor head.
+
+Where a formula cancels, a function f is near its Taylor head and the heads drop out by algebra. What is left is
+``Remainder(f, n, x)`` = (f(x) - its terms below x**n)/x**n, which has a series of its own and does not cancel.
+Each such function knows its definition (`unfold` puts it back), so that a stable form is proved equal to a closed
+form, and how it is computed (`lower`), so that a `Program` can be made of it.
+"""
+
+from collections.abc import Iterable
+from functools import cache
+
+import sympy as sp
+from sympy.polys.ring_series import rs_series
+
+EPS = sp.Rational(1, 2**53)
+X = sp.Symbol("x_", real=True)
+
+
+class Select(sp.Function):
+    """``Select(x, y, p, q)`` is p where x < y, else q. Unlike a Piecewise, SymPy never folds it or its guards away."""
+
+    nargs = 4
+
+
+class Horner(sp.Function):
+    """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
+
+    @classmethod
+    def of(cls, coefficients: Iterable[sp.Expr], x: sp.Expr) -> "Horner":
+        """From its coefficients and its argument."""
+        return cls(x, *coefficients)
+
+    def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
+        x, *coefficients = self.args
+        return Horner.of([k * c for k, c in enumerate(coefficients)][1:], x) * sp.diff(x, s)
+
+
+class RoundingError(sp.Function):
+    """What the rounded sum x + y lost (TwoSum): exactly x + y - fl(x + y), and zero in exact arithmetic."""
+
+    nargs = 2
+
+
+class Primitive(sp.Function):
+    """A function with a definition, and another way to compute it: an expression (`lower`) or a library's `call`."""
+
+    nargs = 1
+    call = ""
+
+    def definition(self) -> sp.Expr:
+        """What it means."""
+        raise NotImplementedError
+
+    def lower(self) -> sp.Expr:
+        """How it is computed."""
+        raise NotImplementedError
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return sp.diff(self.func(X).definition(), X).subs(X, self.args[0])
+
+    def _eval_rewrite(self, rule: object, args: tuple[sp.Expr], **hints: object) -> sp.Expr:
+        return self.definition()
+
+
+def unfold(expression: sp.Expr) -> sp.Expr:
+    """Replace every primitive by its definition, Horner's schemes by polynomials, and rounding errors by zero."""
+    expression = expression.replace(Horner, lambda x, *c: sum((k * x**n for n, k in enumerate(c)), sp.Integer(0)))
+    expression = expression.replace(lambda e: isinstance(e, RoundingError), lambda e: sp.Integer(0))
+    return expression.replace(lambda e: isinstance(e, Primitive), lambda e: unfold(e.definition()))
+
+
+class Log1p(Primitive):
+    """log(1 + x)."""
+
+    call = "log1p"
+
+    def definition(self) -> sp.Expr:
+        return sp.log(1 + self.args[0])
+
+
+class Expm1(Primitive):
+    """exp(x) - 1."""
+
+    call = "expm1"
+
+    def definition(self) -> sp.Expr:
+        return sp.exp(self.args[0]) - 1
+
+
+class HalfTan(Primitive):
+    """tan(x/2) for 0 <= x <= pi/2, as sin x/(1 + cos x)."""
+
+    def definition(self) -> sp.Expr:
+        return sp.tan(self.args[0] / 2)
+
+    def lower(self) -> sp.Expr:
+        x = self.args[0]
+        return x * sinc(x) / (1 + sp.cos(x))
+
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        return (1 + self**2) / 2
+
+
+# How far from 0 the Taylor series of a remainder is summed: for an entire function as far as anybody asks, else up to a
+# seam, and its definition is computed beyond, with a logarithm's end at 1 moved into the numbers.
+ENTIRE = {f(X): sp.pi for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
+SEAMS = {sp.exp(X): sp.Integer(1), sp.atanh(X): sp.Rational(2, 5), sp.log(1 + X): sp.Rational(1, 8)}
+LAST = {sp.atanh(X): 1 - sp.Rational(1, 2**53)}
+# A library has f less its head of one term under this name, accurate near 0: f(x)/x needs no series.
+FROM_ZERO = {sp.exp(X): Expm1, sp.log(1 + X): Log1p, sp.atan(X): sp.atan}
+
+
+class Remainder(Primitive):
+    """(f(x) - its Taylor terms below x**n)/x**n, and with ``slopes`` = m what m derivatives make of it.
+
+    A derivative is by x, and over x where the remainder is even: ``Remainder(sin, 1, x, 1)`` is the slope of
+    sin(x)/x over x, (x cos x - sin x)/x**3.
+    """
+
+    nargs = 4
+
+    def __new__(cls, f: sp.FunctionClass | sp.Lambda, n: int, x: sp.Expr, slopes: int = 0) -> "Remainder":
+        return super().__new__(cls, f if isinstance(f, sp.Lambda) else sp.Lambda(X, unfold(f(X))), n, x, slopes)
+
+    @property
+    def parts(self) -> tuple[sp.Expr, int, sp.Expr, int]:
+        """f as an expression in `X`, n, x and the number of derivatives."""
+        f, n, x, slopes = self.args
+        return f.expr, int(n), x, int(slopes)
+
+    @property
+    def even(self) -> bool:
+        """Whether it is an even function."""
+        f, n, _, _ = self.parts
+        return not any(taylor(f)[n + 1 :: 2])
+
+    def definition(self) -> sp.Expr:
+        f, n, x, slopes = self.parts
+        result = (f - sum(c * X**k for k, c in enumerate(taylor(f)[:n]))) / X**n
+        for _ in range(slopes):
+            result = sp.diff(result, X) / (X if self.even else 1)
+        return result.subs(X, x)
+
+    def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
+        f, n, x, slopes = self.args
+        return (x if self.even else 1) * Remainder(f, n, x, slopes + 1) * sp.diff(x, s)
+
+    def series(self) -> list[sp.Rational]:
+        """Its Taylor coefficients, in x**2 where it is even.
+
+        As many as it takes for the first neglected term to stay below an eighth of 2**-53 of the leading one.
+        """
+        f, n, _, slopes = self.parts
+        step = 2 if self.even else 1
+        terms = list(taylor(f)[n::step])
+        for _ in range(slopes):
+            terms = [step * k * c for k, c in enumerate(terms)][1:]
+        reach = (ENTIRE | SEAMS)[f] ** step
+        for count in range(1, len(terms)):
+            if abs(terms[count]) * reach**count < abs(terms[0]) * EPS / 8:
+                return terms[:count]
+        raise ValueError(f"the series of {self} is too slow")
+
+    def lower(self) -> sp.Expr:
+        f, n, x, slopes = self.parts
+        power = 2 if self.even else 1
+        if f in ENTIRE:
+            return Horner.of(self.series(), x**power)
+        if n == 1 and not slopes and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
+            size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
+            away = Select(size, tiny, one, x)
+            return Select(size, tiny, one, FROM_ZERO[f](away) / away)
+        seam = SEAMS[f]
+        near, far = sp.Max(sp.Min(x, seam), -seam), Select(sp.Abs(x), seam, seam, x)
+        far = sp.Min(far, LAST[f]) if f in LAST else far
+        beyond = self.func(self.args[0], n, far, slopes).definition()
+        return Select(sp.Abs(x), seam, Horner.of(self.series(), near**power), beyond)
+
+
+@cache
+def taylor(f: sp.Expr) -> tuple[sp.Rational, ...]:
+    """Taylor coefficients at 0, as SymPy's ring of power series finds them, which has no artanh."""
+    f = f.replace(sp.atanh, lambda x: (sp.log(1 + x) - sp.log(1 - x)) / 2)
+    terms = rs_series(f, X, 60).as_expr().as_poly(X)
+    return tuple(terms.coeff_monomial(X**k) for k in range(60))
+
+
+def sinc(x: sp.Expr) -> sp.Expr:
+    """sin(x)/x."""
+    return Remainder(sp.sin, 1, x)
+
+
+def sine_defect(x: sp.Expr) -> sp.Expr:
+    """(x - sin x)/x**3."""
+    return -Remainder(sp.sin, 3, x)
+
+
+def sinhc(z: sp.Expr) -> sp.Expr:
+    """sinh(sqrt z)/sqrt z, sin(sqrt -z)/sqrt -z where z < 0: a series in z, for -pi**2 <= z <= 1."""
+    return Remainder(sp.sinh, 1, sp.sqrt(z))

@@ -1,0 +1,232 @@
+"""From a closed form to one without cancellation, by an ordered list of named rules, each step proved.
+
+The closed forms of an arc are polynomials in alpha, sin alpha, cos alpha and artanh(sin alpha). In a thin arc they are
+small differences of these. Angle and artanh are written as a head, which is a rational function of
+tau = tan(alpha/2), plus a remainder; the heads cancel by algebra, and what is left is a sum without cancellation.
+"""
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+
+import sympy as sp
+
+from derive.algebra.prove import prove_zero, refute
+from derive.algebra.remainders import Expm1, HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
+from derive.check.proof import ProofError
+from derive.declare.symbols import alpha
+
+TAU, _Y, _A, _H = sp.symbols("tau y_ angle_ artanh_", real=True)
+_SINE, _COSINE = 2 * TAU / (1 + TAU**2), (1 - TAU**2) / (1 + TAU**2)
+# What the rules leave of the angle and of artanh: alpha**3 and tau**3 times a remainder.
+ANGLE_REST = 4 * alpha**3 * sine_defect(2 * alpha)
+ARTANH_REST = 2 * TAU**3 * Remainder(sp.atanh, 3, TAU)
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rewriting that changes no value."""
+
+    name: str
+    says: str
+    rewrite: Callable[[sp.Expr], sp.Expr]
+
+
+@dataclass(frozen=True)
+class Step:
+    """A rule that was applied: operations of the expression before and after, and seconds, its proof included."""
+
+    rule: str
+    operations: tuple[int, int]
+    seconds: float
+
+
+@dataclass(frozen=True)
+class StableForm:
+    """``closed`` = alpha**power ``reduced``, where ``reduced`` does not cancel and is finite and not zero at 0."""
+
+    closed: sp.Expr
+    power: int
+    reduced: sp.Expr
+    steps: tuple[Step, ...]
+
+    @property
+    def form(self) -> sp.Expr:
+        """The whole of it."""
+        return alpha**self.power * self.reduced
+
+
+def _bare_angle(expression: sp.Expr) -> sp.Expr:
+    """R1, on alpha where it stands alone, not in a function of it."""
+    kept = {f: sp.Dummy() for f in sorted(expression.atoms(sp.Function), key=sp.default_sort_key)}
+    free = expression.subs(kept).subs(alpha, _A).subs({v: k for k, v in kept.items()})
+    return sp.expand(free.subs(_A, sp.sin(alpha) * sp.cos(alpha) + ANGLE_REST))
+
+
+def _artanh(expression: sp.Expr) -> sp.Expr:
+    """R2."""
+    rest = sp.atanh(TAU) - unfold(ARTANH_REST) / 2  # = tau, the head
+    return sp.expand(expression.subs(sp.atanh(sp.sin(alpha)), 2 * rest + ARTANH_REST))
+
+
+def _half_angle(expression: sp.Expr) -> sp.Expr:
+    """R3: tau alone in the factors of each remainder; what cancels, cancels here."""
+    expression = expression.subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
+    return sp.Add(*(sp.factor(sp.cancel(c)) * r for r, c in _by_remainder(expression).items()))
+
+
+RULES = (
+    Rule("angle", "alpha = sin(alpha) cos(alpha) + 4 alpha^3 D(2 alpha), D(x) = (x - sin x)/x^3", _bare_angle),
+    Rule("artanh", "artanh(sin(alpha)) = 2 tau + 2 tau^3 E(tau), E(x) = (artanh x - x)/x^3", _artanh),
+    Rule("half angle", "sin(alpha) = 2 tau/(1 + tau^2), cos(alpha) = (1 - tau^2)/(1 + tau^2), and cancel", _half_angle),
+)
+
+
+@cache
+def stable(closed: sp.Expr) -> StableForm:
+    """The form without cancellation of a polynomial in alpha, sin, cos and artanh(sin alpha), each step proved.
+
+    The heads of angle and artanh are split off where they cancel, that is where the terms vanish more slowly at 0 than
+    their sum.
+
+    Raises
+    ------
+    ProofError
+        If a step does not hold, or if the heads do not cancel.
+    """
+    expression = sp.expand(sp.expand_trig(closed))
+    power = _order_of_sum(expression)
+    steps = []
+    for rule in RULES if min(_orders(expression)) < power else RULES[1:]:
+        start, before = time.perf_counter(), expression
+        expression = rule.rewrite(before)
+        if expression != before:
+            prove_equal(expression, before, f"rule {rule.name}")
+            operations = int(sp.count_ops(before)), int(sp.count_ops(expression))
+            steps.append(Step(rule.name, operations, time.perf_counter() - start))
+    if min(_orders(expression)) < power:
+        raise ProofError(f"stable form of {closed}: heads", expression, "none, they cancel")
+    reduced = _reduced(expression, power)
+    prove_equal(alpha**power * reduced, closed, f"stable form of {closed}")
+    return StableForm(closed, power, reduced, tuple(steps))
+
+
+def _in_tau(expression: sp.Expr) -> sp.Expr:
+    """Over the angle, its artanh and tau: what is left of functions are remainders."""
+    return expression.subs(sp.atanh(sp.sin(alpha)), _H).subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
+
+
+def _by_remainder(expression: sp.Expr) -> dict[sp.Expr, sp.Expr]:
+    """The factors of each product of angle, artanh and remainders; they are rational in tau."""
+    found: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(sp.expand(expression)):
+        factor, rest = term.as_independent(alpha, _H, Remainder)
+        found[rest] = found.get(rest, sp.Integer(0)) + factor
+    return found
+
+
+def _orders(expression: sp.Expr) -> list[int]:
+    """With which power of alpha each term vanishes at 0."""
+    found = []
+    for rest, factor in _by_remainder(_in_tau(expression)).items():
+        top, bottom = sp.fraction(sp.cancel(factor))
+        if top != 0:
+            own = sum(int(p.as_base_exp()[1]) for p in sp.Mul.make_args(rest) if p.as_base_exp()[0] in (alpha, _H))
+            found.append(own + _lowest(top) - _lowest(bottom))
+    return found
+
+
+def _lowest(polynomial: sp.Expr) -> int:
+    """Its lowest power of tau."""
+    return min(m[0] for m in sp.Poly(polynomial, TAU).monoms())
+
+
+def _order_of_sum(expression: sp.Expr) -> int:
+    """With which power of alpha the expression vanishes at 0, by its series in tau: alpha = 2 arctan(tau)."""
+    terms = {
+        s: sp.Poly(2 * sum(c * TAU**k for k, c in enumerate(taylor(f(X))[:16])), TAU)
+        for s, f in ((alpha, sp.atan), (_H, sp.atanh))
+    }
+    over, under = sp.fraction(sp.together(_in_tau(expression)))
+    total = sp.Poly(0, TAU)
+    for (in_angle, in_artanh), c in sp.Poly(over, alpha, _H).terms():
+        total += terms[alpha] ** in_angle * terms[_H] ** in_artanh * sp.Poly(c, TAU)
+    return min(m[0] for m in total.monoms()) - _lowest(under)
+
+
+def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
+    """The expression over alpha**power, for computing.
+
+    With c = cos(alpha): tau/alpha = sinc(alpha)/(1 + c), 1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a factor,
+    as of what vanishes at pi/2, (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    """
+    c = sp.cos(alpha)
+    found = []
+    for rest, factor in _by_remainder(expression).items():
+        over, under = sp.fraction(sp.cancel(factor))
+        shift = _lowest(over) - _lowest(under)
+        product, ends = rest * alpha ** (shift - power) * sinc(alpha) ** shift, -shift
+        for part, sign in ((over, 1), (under, -1)):
+            constant, factors = sp.factor_list((part / TAU ** _lowest(part)).expand().subs(TAU, sp.sqrt(_Y)), _Y)
+            product *= constant**sign
+            for polynomial, n in factors:
+                if polynomial == _Y - 1:
+                    product, ends = product * (-2 * c) ** (sign * n), ends - sign * n
+                elif polynomial == _Y + 1:
+                    product, ends = product * sp.Integer(2) ** (sign * n), ends - sign * n
+                else:
+                    coefficients = sp.Poly(polynomial, _Y).all_coeffs()[::-1]
+                    product *= Horner.of(coefficients, TAU**2) ** (sign * n)
+        found.append((product * (1 + c) ** ends).subs(TAU, HalfTan(alpha)))
+    return sp.Add(*found)
+
+
+def heads(expression: sp.Expr, orders: Mapping[sp.Expr, int]) -> sp.Expr:
+    """R4: each function f(x) that is named is its Taylor terms below x**n plus x**n times a remainder; heads cancel.
+
+    Raises
+    ------
+    ProofError
+        If the definitions of the remainders do not give the expression back.
+    """
+    parts = {f: sum(c * f.args[0] ** k for k, c in enumerate(taylor(type(f)(X))[:n])) for f, n in orders.items()}
+    rests = {f: f.args[0] ** n * Remainder(type(f), n, f.args[0]) for f, n in orders.items()}
+    result = sp.expand(expression.subs({f: parts[f] + rests[f] for f in orders}))
+    prove_zero(sp.expand(unfold(result) - expression), f"rule heads: {expression}")
+    return result
+
+
+def fall(function: sp.Expr, x: sp.Symbol, more: sp.Symbol) -> sp.Expr:
+    """R5: function(x) - function(x + more) without cancellation, proved.
+
+    Each exponential that decays is one symbol while the difference is factored, so that the larger is pulled out of
+    the difference of two; what is left of it is an Expm1.
+    """
+    difference = function - function.subs(x, x + more)
+    difference = difference.replace(sp.exp, lambda e: sp.expand_power_exp(sp.exp(sp.expand(e))))
+    kept = {e: sp.Dummy(positive=True) for e in sorted(difference.atoms(sp.exp), key=sp.default_sort_key)}
+    back = {symbol: e for e, symbol in kept.items()}
+    result = sp.factor(difference.subs(kept))
+    for symbol, e in back.items():
+        result = result.subs({symbol - 1: Expm1(e.exp), 1 - symbol: -Expm1(e.exp)})
+    result = result.subs(back)
+    prove_zero(sp.expand_power_exp(sp.expand(unfold(result) - difference)), f"the fall of {function}")
+    return result
+
+
+def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:
+    """Prove two forms equal on (0, pi/2).
+
+    Half angles are written in tau = tan(alpha/2), a bijection of (0, pi/2) onto (0, 1); artanh(sin alpha) is
+    2 artanh(tau), proved by their derivatives and their common value at 0.
+    """
+    prove_zero(sp.diff(sp.atanh(_SINE) - 2 * sp.atanh(TAU), TAU), "artanh(sin alpha) = 2 artanh(tan(alpha/2))")
+
+    def plain(e: sp.Expr) -> sp.Expr:
+        e = sp.expand_trig(unfold(e)).subs(sp.tan(alpha / 2), TAU)
+        return _in_tau(e.subs(sp.atanh(TAU), _H / 2))
+
+    difference = plain(one) - plain(other)
+    refute(difference, claim)
+    prove_zero(sp.expand(sp.fraction(sp.together(difference))[0]), claim)

@@ -1,0 +1,198 @@
+"""Best approximation: weighted minimax polynomials and rationals of what SymPy derived, in flint's arithmetic.
+
+Everything runs in balls whose radii are dropped (`mid`), so the result is a function of the definition alone, the same
+on every machine; only then are coefficients rounded to doubles. Nothing here proves anything: the proof is another
+program's, of the rounded coefficients.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+from flint import arb, arb_mat, ctx, fmpq
+
+BITS = 240  # of the fit; the functions themselves are evaluated with more
+GUARD = 400
+_POINTS = 16  # of the grid for each unknown coefficient
+_ROUNDS = 12
+
+Function = Callable[[arb], arb]
+
+
+def exact(x: float | Fraction) -> arb:
+    """The number itself."""
+    ratio = Fraction(x)
+    return arb(fmpq(ratio.numerator, ratio.denominator))
+
+
+def nearest(x: arb) -> float:
+    """The double nearest to it."""
+    man, exp = x.mid().man_exp()
+    return float(Fraction(int(man)) * Fraction(2) ** int(exp))
+
+
+def evaluate(expression: sp.Expr, x: Any) -> Any:
+    """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine.
+
+    Raises
+    ------
+    ValueError
+        For anything but sums, products, integer powers, sin, cos, artanh, rational numbers and pi.
+    """
+    if isinstance(expression, sp.Symbol):
+        return x
+    if isinstance(expression, sp.Rational):
+        return fmpq(int(expression.p), int(expression.q))
+    if expression is sp.pi:
+        return arb.pi()
+    parts = [evaluate(part, x) for part in expression.args]
+    if isinstance(expression, sp.Add):
+        return sum(parts[1:], parts[0])
+    if isinstance(expression, sp.Mul):
+        product = parts[0]
+        for part in parts[1:]:
+            product = product * part
+        return product
+    if isinstance(expression, sp.Pow) and expression.exp.is_Integer:
+        return parts[0] ** int(expression.exp)
+    if isinstance(expression, (sp.sin, sp.cos, sp.atanh)):
+        return getattr(parts[0], type(expression).__name__)()
+    raise ValueError(f"no arithmetic for {expression}")
+
+
+def value(closed: sp.Expr, a: arb) -> arb:
+    """A closed form at alpha, with bits to spare for what cancels."""
+    with ctx.workprec(GUARD):
+        return arb(evaluate(closed, a)).mid()
+
+
+# --- minimax -------------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class Samples:
+    """A function and the weight of its error on a grid; ``error = weight (approximant - function)``."""
+
+    points: list[arb]
+    values: list[arb]
+    weights: list[arb]
+
+    def without(self, coefficient: arb) -> "Samples":
+        """(function - coefficient)/point: what is left to fit once the lowest coefficient stands."""
+        pairs = zip(self.points, self.values, strict=True)
+        values = [((f - coefficient) / x).mid() for x, f in pairs]
+        return Samples(self.points, values, [(w * x).mid() for x, w in zip(self.points, self.weights, strict=True)])
+
+
+def grid(lower: arb, upper: arb, unknowns: int, cluster: int = 1) -> list[arb]:
+    """Chebyshev points, at `cluster` > 1 crowded further towards the lower end, where a logarithm ends."""
+    count = _POINTS * (unknowns + 1)
+    with ctx.workprec(BITS):
+        middle = [(1 - (arb(2 * k + 1) / (2 * count)).cos_pi()) / 2 for k in range(count)]
+        return [(lower + (upper - lower) * x**cluster).mid() for x in middle]
+
+
+def sample(function: Function, weight: Function, points: Sequence[arb]) -> Samples:
+    """A function and a weight on a grid."""
+    with ctx.workprec(GUARD):
+        return Samples(list(points), [function(x).mid() for x in points], [weight(x).mid() for x in points])
+
+
+def horner(coefficients: Sequence[arb], x: arb) -> arb:
+    """The polynomial at x."""
+    total = arb(0)
+    for c in reversed(coefficients):
+        total = total * x + c
+    return total
+
+
+def minimax(
+    samples: Samples, above: int, below: int = 0, logs: tuple[Sequence[arb], int] | None = None
+) -> tuple[list[arb], list[arb], float]:
+    """The numerator of degree `above` and the denominator 1 + ... of degree `below` with the least largest error.
+
+    With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
+    in the denominator's place. Exchange of reference points after Remez. For a rational the levelled system is solved
+    with the last denominator in the error's place, which makes it linear.
+
+    Returns
+    -------
+    numerator, denominator : list of arb
+    error : float
+        The largest on the grid, in the weight's measure.
+    """
+    with ctx.workprec(BITS):
+        most = max(above, below, logs[1] if logs else 0)
+        powers = [[arb(1)] for _ in samples.points]
+        for row, x in zip(powers, samples.points, strict=True):
+            while len(row) <= most:
+                row.append((row[-1] * x).mid())
+        basis = [row[: above + 1] for row in powers]
+        if logs:
+            basis = [row + [(l * p).mid() for p in row[: logs[1] + 1]] for row, l in zip(basis, logs[0], strict=True)]
+        elif below:
+            basis = [row + [(-f * p).mid() for p in all_[1 : below + 1]]
+                     for row, f, all_ in zip(basis, samples.values, powers, strict=True)]  # fmt: skip
+        count, unknowns = len(samples.points), len(basis[0]) + 1
+        chosen = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
+        under = [arb(1)] * count
+        best: tuple[float, list[arb]] | None = None
+        for _ in range(_ROUNDS):
+            for _ in range(6 if below else 1):
+                found, level = _levelled(samples, chosen, basis, under)
+                if below:
+                    under = [horner([arb(1), *found[above + 1 :]], x).mid() for x in samples.points]
+            errors = [
+                (w * (sum((c * p for c, p in zip(found, row, strict=True)), arb(0)) - f) / u).mid()
+                for row, f, w, u in zip(basis, samples.values, samples.weights, under, strict=True)
+            ]
+            worst = max(abs(float(e)) for e in errors)
+            if best is None or worst < best[0]:
+                best = (worst, found)
+            if worst <= 1.02 * abs(float(level)):
+                break
+            chosen = _exchange(errors, unknowns, chosen)
+        assert best is not None
+        worst, found = best
+        second = found[above + 1 :]
+        return found[: above + 1], second if logs else [arb(1), *second], worst
+
+
+def _levelled(
+    samples: Samples, chosen: Sequence[int], basis: Sequence[Sequence[arb]], under: Sequence[arb]
+) -> tuple[list[arb], arb]:
+    """The approximant whose errors at the chosen points are equal and alternate."""
+    rows = [[*basis[i], (-1) ** sign * (under[i] / samples.weights[i]).mid()] for sign, i in enumerate(chosen)]
+    right = arb_mat([[samples.values[i]] for i in chosen])
+    solved = arb_mat(rows).solve(right, algorithm="approx")
+    found = [solved[k, 0].mid() for k in range(len(rows))]
+    return found[:-1], found[-1]
+
+
+def _exchange(errors: list[arb], wanted: int, chosen: list[int]) -> list[int]:
+    """The largest error of every run of one sign; of too many, those at the ends go, smaller first."""
+    runs: list[int] = []
+    for i, e in enumerate(errors):
+        if runs and (e > 0) == (errors[runs[-1]] > 0):
+            if abs(e) > abs(errors[runs[-1]]):
+                runs[-1] = i
+        else:
+            runs.append(i)
+    while len(runs) > wanted:
+        runs.pop(0 if abs(errors[runs[0]]) < abs(errors[runs[-1]]) else -1)
+    return runs if len(runs) == wanted else chosen
+
+
+def rounded(samples: Samples, degree: int, careful: int) -> tuple[float, ...]:
+    """Minimax coefficients as doubles, lowest first.
+
+    Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
+    """
+    found: list[float] = []
+    for k in range(careful):
+        found.append(nearest(minimax(samples, degree - k)[0][0]))
+        with ctx.workprec(BITS):
+            samples = samples.without(exact(found[-1]))
+    return (*found, *map(nearest, minimax(samples, degree - careful)[0]))

@@ -1,0 +1,271 @@
+"""The search for shapes: seams, baselines and degrees, judged by the bound that is proved of the program they make.
+
+Nothing in it is random and nothing is timed, so that it finds the same on every machine. What approximates badly or
+must round badly is left out by an estimate; of the rest the checker says which is best.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import sympy as sp
+from flint import arb
+
+from derive.approximate import certificates, programs
+from derive.approximate.minimax import minimax
+from derive.approximate.minimax import value as at
+from derive.approximate.programs import Variant
+from derive.approximate.shapes import (
+    HALF_PI,
+    Far,
+    Kernel,
+    Pieces,
+    Shape,
+    cheap_fit,
+    end,
+    far_minimax,
+    far_samples,
+    kernels,
+    limit,
+    near_samples,
+    powers,
+    records,
+)
+from derive.check import certify, exact
+from derive.check.proof import ProofError
+from derive.check.records import TIERS, check_goals
+from derive.declare.symbols import alpha
+
+SEAMS = tuple(k / 100 for k in range(64, 124, 4))
+SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
+NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirtieth of an ulp at most
+HALVINGS = 250
+FROM, TO = 0.5, 1.5625  # where seam and baseline matter
+DIVISION = 8  # what a division costs, in multiply-adds
+OPERATION = 0.02  # what a multiply-add is worth, in ulp
+JUDGED = 40  # shapes at most
+
+
+def bound(variant: Variant) -> float:
+    """The bound that can be proved of a variant's error between FROM and TO."""
+    record = certificates.plain(variant)
+    return max(certify.halve(record, list(certify.patches(record, FROM, TO)), HALVINGS)[0].values())
+
+
+def kept(variants: Sequence[Variant]) -> bool:
+    """Whether every bound is within what its tier promises."""
+    for variant in variants:
+        record = certificates.plain(variant)
+        bounds, _ = certify.establish(record)
+        try:
+            check_goals(record | {"bound": bounds.whole})
+        except ProofError:
+            return False
+    return True
+
+
+# --- two pieces ----------------------------------------------------------------------------------------------------
+
+
+@cache
+def count_near(closed: sp.Expr, seam: float, error: float = NEGLIGIBLE) -> int:
+    """The fewest coefficients that approximate up to the seam."""
+    return next(n for n in range(7, 40) if minimax(near_samples(closed, seam, n, limit(closed)), n - 1)[2] < error)
+
+
+def with_degree(closed: sp.Expr, far: Far, seam: float) -> Far:
+    """The piece beyond the seam with the least degree that approximates, or with the last one that is tried."""
+    for degree in range(3, 13):
+        far = replace(far, degree=degree)
+        samples, constant, _ = far_samples(closed, far, seam)
+        lost = math.ulp(constant) / float(at(closed, arb(seam)))  # as the constant is rounded
+        if far_minimax(closed, far, samples)[2] < NEGLIGIBLE + lost:
+            break
+    return far
+
+
+@cache
+def _values(closed: sp.Expr, seam: float) -> tuple[tuple[float, float, float], ...]:
+    """alpha, F and its ulp beyond the seam."""
+    points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
+    values = [float(at(closed, arb(x))) for x in points]
+    return tuple((x, f, certify.ulp(f, 53)) for x, f in zip(points, values, strict=True))
+
+
+def rises(closed: sp.Expr, seam: float) -> bool:
+    """Whether F grows at the seam by more than both pieces' errors from one double to the next."""
+    step, f = math.ulp(math.nextafter(seam, 0.0)), float(at(closed, arb(seam)))
+    return float(at(sp.diff(closed, alpha), arb(seam))) * step > 1.4 * certify.ulp(f, 53)
+
+
+def baseline(closed: sp.Expr, seam: float) -> Far:
+    """The baseline whose operations leave the least, by an estimate of half an ulp each, over ulp(F)."""
+    about, values = end(closed), _values(closed, seam)
+    assert about is not None
+    ulps, first = (3 if about.log else 1), float(about.first)
+    found = []
+    for slope in SLOPES:
+        left = [f - slope * x for x, f, _ in values]
+        lines = {math.floor((values[-1][1] - slope * HALF_PI) * 2**52) / 2**52}
+        lines |= {k / 128 for k in range(math.floor(min(left) * 128), math.ceil(max(left) * 128) + 1)}
+        for line in sorted(lines):
+            for bend in [0.0] if about.odd else [k / 8 for k in range(25)]:
+                power, _ = powers(closed, Far(slope, line, bend, 1.0, 0))
+                constant, worst = values[-1][1] - slope * HALF_PI - line, 0.0
+                for x, f, ulp in values[:-1]:
+                    b, rest = HALF_PI - x, f - (slope * x + line)
+                    bent = 0.0 if about.odd else b * (slope - bend * b)
+                    core = (rest - bent - constant) / b**power
+                    error = 0.0 if abs(f - rest) <= slope * (1 if x < 1 else 2) or not slope else math.ulp(f - rest)
+                    error += (
+                        math.ulp(constant) + math.ulp(rest) + b**power * (ulps * math.ulp(core) + abs(core) / 2**52)
+                    )
+                    error += 0.0 if about.odd else math.ulp(rest - bent) + b * math.ulp(slope - bend * b)
+                    worst = max(worst, error / ulp)
+                found.append((worst, abs(bend - first), slope, line, bend))
+    _, _, slope, line, bend = min(found)
+    return Far(slope, line, bend, 1.0, 0)
+
+
+Best = tuple[Pieces, ...]
+
+
+def started(kernel: Kernel, seam: float) -> Best:
+    """Pieces for a seam, of what an estimate prefers."""
+    found = []
+    for closed in kernel.closed:
+        if end(closed) is None:
+            found.append(Pieces(HALF_PI, count_near(closed, HALF_PI)))
+        else:
+            far = with_degree(closed, baseline(closed, seam), seam)
+            found.append(Pieces(seam, count_near(closed, seam), far))
+    return tuple(found)
+
+
+def falls(variant: Variant, seam: float) -> bool:
+    """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
+    if len(variant.definition) > 1:
+        return False
+    near = 1000 if variant.form == "fused" else 1
+    alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
+    return bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
+
+
+def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
+    """Shapes a step away: the seam, and of each part degrees and baseline."""
+    for more in (-1, 1):
+        yield tuple(replace(p, seam=round(p.seam + more / 100, 2)) if p.far else p for p in shape)
+    for k, (closed, part) in enumerate(zip(kernel.closed, shape, strict=True)):
+        moves = [replace(part, count=part.count + more) for more in (-1, 1)]
+        if far := part.far:
+            about, changed = end(closed), []
+            assert about is not None
+            changed += [replace(far, degree=far.degree + more) for more in (-1, 1)]
+            changed += [replace(far, line=far.line + more / 128) for more in (-4, -1, 1, 4)]
+            changed += [] if about.odd else [replace(far, bend=far.bend + more / 8) for more in (-1, 1)]
+            changed += [replace(far, scale=3 - far.scale)] if about.log else []
+            moves += [replace(part, far=beyond) for beyond in changed]
+        for move in moves:
+            yield (*shape[:k], move, *shape[k + 1 :])
+
+
+def best(kernel: Kernel) -> Best:
+    """The pieces with the least bound and the fewest operations.
+
+    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
+    Of a base quantity first where it cannot fall at the seam, then elsewhere.
+
+    Raises
+    ------
+    ProofError
+        If none keeps what the tier promises.
+    """
+    found = refined(kernel, rising=len(kernel.closed) == 1) or refined(kernel, rising=False)
+    if found is None:
+        goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
+        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
+    return found
+
+
+def refined(kernel: Kernel, rising: bool) -> Best | None:
+    """The best shape that was found, of those that rise over their seam or of all; None if none keeps its goals."""
+    judged: dict[Best, float] = {}
+
+    def variant(shape: Best, form: str) -> Variant:
+        return Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel, shape, form))
+
+    def judge(shape: Best) -> None:
+        allowed = not rising or not shape[0].far or rises(kernel.closed[0], shape[0].seam)
+        if allowed and shape not in judged and len(judged) < JUDGED:
+            fused = variant(shape, "fused")
+            judged[shape] = bound(fused) + OPERATION * sum(fused.program.operations().values())
+
+    def ranked() -> list[Best]:
+        return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
+
+    seams = [seam for seam in SEAMS if not rising or rises(kernel.closed[0], seam)]
+    for seam in seams[-9:] if any(end(closed) for closed in kernel.closed) else SEAMS[:1]:
+        judge(started(kernel, seam))
+    done: set[Best] = set()
+    while left := [shape for shape in ranked()[:2] if shape not in done]:
+        done.add(left[0])
+        for shape in neighbours(kernel, left[0]):
+            judge(shape)
+    for shape in ranked()[:6]:
+        made = [variant(shape, "fused"), variant(shape, "plain")]
+        if kept(made) and not any(falls(v, shape[0].seam) for v in made):
+            return shape
+    return None
+
+
+# --- the other tiers -----------------------------------------------------------------------------------------------
+
+
+def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
+    """The cheapest polynomial or quotient of two that keeps what its tier promises.
+
+    Raises
+    ------
+    ProofError
+        If none of the degrees that are tried does.
+    """
+    (closed,) = kernel.closed
+    goal = TIERS[tier].fused
+    target = (goal - 0.5) * 2.0**-24 if goal > 0.5 else goal
+    tried = [(above, 0) for above in range(2, 25)]
+    tried += [(above, total - above) for total in range(6, 25) for above in ((total + 1) // 2, total // 2)]
+    for above, below in sorted(set(tried), key=lambda x: (x[0] + x[1] + (DIVISION if x[1] else 0), -x[1])):
+        try:
+            if cheap_fit(closed, above, below)[2] > target:
+                continue
+        except ZeroDivisionError:  # the levelled system has no solution
+            continue
+        made = [Variant(kernel.name, kernel.definition, tier, form, programs.cheap(kernel, (above, below), form))
+                for form in ("fused", "plain")]  # fmt: skip
+        if kept(made):
+            return tier, above, below
+    raise ProofError(f"{kernel.name}: tier {tier}", "no degrees that keep it", f"{goal:g}")
+
+
+def search(kernel: Kernel) -> Shape:
+    """Find the shape of a kernel; a quotient has the best tier alone.
+
+    Raises
+    ------
+    ProofError
+        If none keeps what the tiers promise.
+    """
+    cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"] if len(kernel.closed) == 1 else []
+    return Shape(best(kernel), tuple(cheap))
+
+
+def complete(anew: bool = False, processes: int = 2) -> str:
+    """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
+    wanted = {k.definition: k for k in kernels() if anew or k.definition not in records()}
+    if wanted:
+        with ProcessPoolExecutor(processes) as pool:
+            records().update(zip(wanted, pool.map(search, wanted.values()), strict=True))
+    return ", ".join(" / ".join(definition) for definition in wanted) or "none"

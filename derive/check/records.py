@@ -1,0 +1,69 @@
+"""Certificates as plain data: the tiers and their goals, what a record's digest covers, and where the files are."""
+
+import hashlib
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from derive.check.proof import ProofError
+
+Record = dict[str, Any]
+
+FOLDER = Path(__file__).resolve().parent.parent.parent / "generated" / "certificates"
+LOG_ULPS = 4  # what np.log is assumed to keep
+ASSUMPTIONS = {"log": f"np.log within {LOG_ULPS} ulp"}
+
+
+@dataclass(frozen=True)
+class Tier:
+    """A tier of accuracy: the unit of its bounds, and what they promise."""
+
+    unit: str
+    fused: float
+    other: float  # plain, and in NumPy
+    quotient: float  # fused
+
+    def goal(self, record: Record) -> float:
+        """The largest bound that a certificate may have."""
+        if record["form"] != "fused":
+            return self.other
+        return self.quotient if len(record["definition"]) > 1 else self.fused
+
+
+TIERS = {
+    "best": Tier("ulp", 1.0, 5.0, 1.25),
+    "1e-10": Tier("relative", 1e-10, 1e-10, 1e-10),
+    "1e-6": Tier("relative", 1e-6, 1e-6, 1e-6),
+    "float32": Tier("ulp of float32", 0.505, 0.505, 0.505),
+}
+
+
+def rejected(check: str, record: Record, found: object, wanted: object) -> ProofError:
+    """The refusal of a certificate by one of the checks."""
+    words = " ".join(str(record[key]) for key in ("tier", "form"))
+    return ProofError(f"{record['kernel']}: {check} of tier {words}", found, wanted, check)
+
+
+def check_goals(record: Record) -> None:
+    """Raise `ProofError` where a bound is above what its tier promises."""
+    goal = TIERS[record["tier"]].goal(record)
+    if not record["bound"] <= goal:
+        raise rejected("goal", record, f"{record['bound']:.4g}", f"at most {goal:g}")
+
+
+def digest(record: Record) -> str:
+    """sha256 of what is certified: kernel, definition, tier, form, operations and output."""
+    certified = [record[key] for key in ("kernel", "definition", "tier", "form", "operations", "output")]
+    return hashlib.sha256(json.dumps(certified, separators=(",", ":")).encode()).hexdigest()
+
+
+def assumptions(record: Record) -> list[str]:
+    """What the proof takes for granted, from the calls that the program makes."""
+    called = {value for kind, _, value in record["operations"] if kind == "call"}
+    return [words for call, words in ASSUMPTIONS.items() if call in called]
+
+
+def read(folder: Path = FOLDER) -> list[Record]:
+    """The records of all certificate files."""
+    return [r for path in sorted(folder.glob("*.json")) for r in json.loads(path.read_text("utf-8"))["certificates"]]

@@ -1,0 +1,297 @@
+"""A program as text that a reader follows: named values, polynomials by their coefficients, parts called by name.
+
+What is written is read back: the text, run on operands that record what is done to them, must give the operations of
+the program, and no others.
+"""
+
+import textwrap
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from derive.check.proof import ProofError
+from derive.code.operations import OPERATIONS
+from derive.code.program import KINDS, Kind, Op, Program
+
+WIDTH = 116  # of a statement, its indent included
+INLINE = 72  # a value that is used once is written where it is used, up to this length
+
+
+@dataclass(frozen=True)
+class Language:
+    """How Python or C writes a statement, a number and a polynomial."""
+
+    templates: str  # the field of an `Operation`
+    statement: str
+    number: Callable[[float], str]
+    polynomial: str  # of {x}, {degree} and {coefficients}
+    space: str = ""
+
+
+@dataclass(frozen=True)
+class Part:
+    """A program of one input that others contain, under the name by which they call it."""
+
+    name: str
+    program: Program
+
+
+@dataclass
+class _Text:
+    """The statements of a program, as they are written; ``text`` holds each value's text and how tightly it binds."""
+
+    program: Program
+    language: Language
+    parts: Sequence[Part]
+    text: dict[int, tuple[str, int]] = field(default_factory=dict)
+    lines: list[str] = field(default_factory=list)
+    counts: Counter[str] = field(default_factory=Counter)
+
+    def write(self) -> None:
+        ops = self.program.ops
+        raw = Counter(i for op in ops for i in op.args)
+        self.calls = {i: found for i in range(len(ops)) if (found := self._call(i))}
+        self.polynomials = {i: p for i in range(len(ops)) if (p := _polynomial(self.program, i, raw))}
+        needed, uses = set(self.program.outputs), Counter(self.program.outputs)
+        for i in range(len(ops) - 1, -1, -1):
+            if i in needed:
+                needed.update(self._operands(i))
+                uses.update(self._operands(i))
+        self.names = _known(self.program)
+        for i in sorted(needed):
+            text, binds = self._expression(i)
+            self.text[i] = (text, binds)
+            if ops[i].kind in ("input", "const"):
+                continue
+            named = i in self.names or i in self.polynomials or len(text) > INLINE
+            if uses[i] > 1 or (named and i not in self.program.outputs):
+                self._name(i)
+
+    def _operands(self, i: int) -> tuple[int, ...]:
+        if i in self.calls:
+            return (self.calls[i][1],)
+        return (self.polynomials[i][0],) if i in self.polynomials else self.program.ops[i].args
+
+    def _call(self, i: int) -> tuple[str, int] | None:
+        for part in self.parts:
+            bound = _same(self.program, i, part.program, part.program.outputs[0], {})
+            if bound:
+                return part.name, bound[next(k for k, op in enumerate(part.program.ops) if op.kind == "input")]
+        return None
+
+    def _expression(self, i: int) -> tuple[str, int]:
+        op, language = self.program.ops[i], self.language
+        if op.kind == "input":
+            return str(op.value), 9
+        if op.kind == "const":
+            value = float(op.value)  # type: ignore[arg-type]
+            return language.number(value), 3 if value < 0 else 9
+        if i in self.calls:
+            return f"{self.calls[i][0]}({self.text[self.calls[i][1]][0]})", 9
+        if i in self.polynomials:
+            x, coefficients = self.polynomials[i]
+            if not self.text[x][0].isidentifier():
+                self._name(x)
+            numbers = ", ".join(language.number(c) for c in coefficients)
+            return language.polynomial.format(x=self.text[x][0], degree=len(coefficients) - 1, coefficients=numbers), 9
+        operation = OPERATIONS[op.name]
+        template = getattr(operation, language.templates)
+        if not template:
+            raise ValueError(f"{op.name} has no place in {language.templates}")
+
+        def shown() -> str:
+            operands = (self.text[a] for a in op.args)
+            texts = [t if binds >= need else f"({t})" for (t, binds), need in zip(operands, operation.needs)]  # noqa: B905
+            return str(template.format(*texts, space=language.space))
+
+        while len(shown()) > WIDTH - 24:  # room for the name
+            self._name(max(op.args, key=lambda a: len(self.text[a][0])))
+        return shown(), operation.binds
+
+    def _name(self, i: int) -> None:
+        """Give a value a name, and a statement."""
+        text, name = self.text[i][0], self.names.get(i) or self._word(i)
+        taken = {*self.program.inputs, *(t for t, _ in self.text.values())}
+        name = next(n for n in (name, *(f"{name}_{k}" for k in range(2, 1000))) if n not in taken)
+        line = self.language.statement.format(name=name, text=text)
+        if len(line) > WIDTH:
+            line = "\n".join(textwrap.wrap(line, WIDTH - 8, subsequent_indent="    ", break_long_words=False))
+        self.lines.append(line)
+        self.text[i] = (name, 9)
+
+    def _word(self, i: int) -> str:
+        """Polynomials are p1, p2, ..., and the rest t1, t2, ..."""
+        letter = "p" if i in self.polynomials else "t"
+        self.counts[letter] += 1
+        return f"{letter}{self.counts[letter]}"
+
+
+def _known(program: Program) -> dict[int, str]:
+    """Names of values: those that the program comes with, and what a kernel of alpha is made of."""
+    names = dict(program.names)
+    for i, op in enumerate(program.ops):
+        if i in program.names:
+            continue
+        kinds = [program.ops[a].kind for a in op.args]
+        if kinds == ["const", "input"] and op.kind == "sub":
+            names[i] = "b"  # pi/2 - alpha
+        if op.kind == "mul" and op.args[0] == op.args[1] and (kinds[0] == "input" or op.args[0] in names):
+            base, _, power = (names.get(op.args[0]) or f"{program.ops[op.args[0]].value}").partition("_")
+            names[i] = f"{base}_{2 * int(power or 1)}" if power.isdigit() or not power else f"{base}_{power}_2"
+    pieces = seam(program)
+    return names | ({pieces[1]: "near", pieces[2]: "far"} if pieces else {})
+
+
+def seam(program: Program) -> tuple[float, int, int] | None:
+    """Where the result is a choice between two pieces: where they meet, and which values they are."""
+    output = program.ops[program.outputs[0]]
+    if output.kind != "select" or len(program.outputs) > 1:
+        return None
+    chosen, near, far = output.args
+    less = program.ops[chosen]
+    if less.kind != "less" or [program.ops[i].kind for i in less.args] != ["input", "const"]:
+        return None
+    return float(program.ops[less.args[1]].value), near, far  # type: ignore[arg-type]
+
+
+def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list[float]] | None:
+    """The argument and the coefficients, lowest first, where this is Horner's scheme with at least three."""
+    ops, found, x, at = program.ops, [], None, i
+    while ops[at].kind != "const":
+        op = ops[at]
+        if at != i and uses[at] > 1:
+            return None
+        if op.kind == "fma":
+            inner, by, last = op.args
+        elif op.kind == "add" and ops[op.args[0]].kind == "mul" and uses[op.args[0]] == 1:
+            (inner, by), last = ops[op.args[0]].args, op.args[1]
+        else:
+            return None
+        if ops[last].kind != "const" or ops[by].kind == "const" or x not in (None, by):
+            return None
+        x = by
+        found.append(float(ops[last].value))  # type: ignore[arg-type]
+        at = inner
+    found.append(float(ops[at].value))  # type: ignore[arg-type]
+    return (x, found) if x is not None and len(found) > 2 else None
+
+
+def _same(program: Program, i: int, part: Program, k: int, bound: dict[int, int]) -> dict[int, int] | None:
+    """Which value of the program each value of the part is, where value i of the one is value k of the other."""
+    if k in bound:
+        return bound if bound[k] == i else None
+    one, other = program.ops[i], part.ops[k]
+    if other.kind != "input":
+        if (one.kind, one.value, len(one.args)) != (other.kind, other.value, len(other.args)):
+            return None
+        for a, b in zip(one.args, other.args, strict=True):
+            if _same(program, a, part, b, bound) is None:
+                return None
+    bound[k] = i
+    return bound
+
+
+def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[list[str], list[str]]:
+    """The statements that compute a program, and the text of each output."""
+    writer = _Text(program, language, parts)
+    writer.write()
+    return writer.lines, [writer.text[i][0] for i in program.outputs]
+
+
+# --- reading back --------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class Recorder:
+    """Operations as they are done; equal ones are one."""
+
+    ops: dict[Op, int] = field(default_factory=dict)
+
+    def put(self, kind: Kind, *args: Any, value: str | float | None = None) -> "Recorded":
+        """An operation on what was recorded, or on numbers."""
+        places = tuple(self.number(x).place for x in args)
+        key = Op(kind, places, value.hex() if isinstance(value, float) else value)
+        return Recorded(self, self.ops.setdefault(key, len(self.ops)))
+
+    def number(self, x: Any) -> "Recorded":
+        """A number becomes a constant."""
+        return x if isinstance(x, Recorded) else self.put("const", value=float(x))
+
+    def replay(self, program: Program) -> list[int]:
+        """The places of a program's outputs."""
+        done: list[Recorded] = []
+        for op in program.ops:
+            done.append(self.put(op.kind, *(done[i] for i in op.args), value=op.value))
+        return [done[i].place for i in program.outputs]
+
+
+@dataclass(frozen=True, eq=False)
+class Recorded:
+    """An operand that records."""
+
+    recorder: Recorder
+    place: int
+
+    def __add__(self, x: Any) -> "Recorded":
+        return self.recorder.put("add", self, x)
+
+    def __radd__(self, x: Any) -> "Recorded":
+        return self.recorder.put("add", x, self)
+
+    def __sub__(self, x: Any) -> "Recorded":
+        return self.recorder.put("sub", self, x)
+
+    def __rsub__(self, x: Any) -> "Recorded":
+        return self.recorder.put("sub", x, self)
+
+    def __mul__(self, x: Any) -> "Recorded":
+        return self.recorder.put("mul", self, x)
+
+    def __rmul__(self, x: Any) -> "Recorded":
+        return self.recorder.put("mul", x, self)
+
+    def __truediv__(self, x: Any) -> "Recorded":
+        return self.recorder.put("div", self, x)
+
+    def __rtruediv__(self, x: Any) -> "Recorded":
+        return self.recorder.put("div", x, self)
+
+    def __neg__(self) -> "Recorded":
+        return self.recorder.put("neg", self)
+
+    def __lt__(self, x: Any) -> "Recorded":
+        return self.recorder.put("less", self, x)
+
+    def __gt__(self, x: Any) -> "Recorded":  # Python turns 1.0 < x around
+        return self.recorder.put("less", x, self)
+
+
+@dataclass
+class Reader:
+    """Text that was written, run on operands that record; what is read once is there to be called."""
+
+    templates: str
+    recorder: Recorder = field(default_factory=Recorder)
+    scope: dict[str, Any] = field(default_factory=dict)
+
+    def check(self, program: Program, name: str, text: str) -> None:
+        """Raise `ProofError` unless the text, a function of Python, does the program's operations and no others."""
+        exec(text, self.scope)
+        given = self.scope[name](*(self.recorder.put("input", value=x) for x in program.inputs))
+        given = given if isinstance(given, tuple) else (given,)
+        done = [self.recorder.number(x).place for x in given]
+        if done != (wanted := self.recorder.replay(program)):
+            raise ProofError(f"{name}: text that was written", f"operations {done}", f"{wanted}, those of its program")
+
+    def functions(self) -> dict[str, Callable[..., Recorded]]:
+        """What the text calls, by name, as functions that record."""
+
+        def recording(name: str) -> Callable[..., Recorded]:
+            if name in KINDS:
+                return lambda *args: self.recorder.put(name, *args)  # type: ignore[arg-type]
+            return lambda *args: self.recorder.put("call", *args, value=name)
+
+        calls = {name: getattr(x, self.templates).partition("(")[0] for name, x in OPERATIONS.items()}
+        calls = {name: text.removeprefix("{space}.") for name, text in calls.items()}
+        return {text: recording(name) for name, text in calls.items() if text.isidentifier()}

@@ -1,0 +1,31 @@
+# Written by `python -m derive` with SymPy 1.14.0; do not edit.
+# sha256 of the text below: 46d341e994705d31708a3f544ef5559c2afd297298a2148007c13385b27d4b96
+"""Closed forms, integrands and quotients: what the functions of alpha are."""
+
+from collections.abc import Callable
+from typing import Any
+
+# Over any arithmetic m that has sin, cos and atanh.
+CLOSED: dict[str, Callable[[Any, Any], Any]] = {
+    'polar_moment': lambda m, x: (2*x - m.sin(x)*m.cos(x) - m.cos(x)**3*m.atanh(m.sin(x)))/3,
+    'moment_of_inertia': lambda m, x: x/2 - m.sin(2*x)/6 - m.sin(4*x)/24,
+    'radial_weight_amplitude': lambda m, x: m.sin(x) - m.cos(x)**2*m.atanh(m.sin(x)),
+    'weight_moment_amplitude': lambda m, x: 2*m.sin(x)**3/3,
+    'resistance_factor': lambda m, x: 2*x*(1 - m.cos(x)),
+}
+
+# The power of r, and whether cos(u) turns it, u from -alpha to alpha and r from cos(alpha)/cos(u) to 1.
+INTEGRANDS = {
+    'polar_moment': (2, False),
+    'moment_of_inertia': (3, False),
+    'radial_weight_amplitude': (1, True),
+    'weight_moment_amplitude': (2, True),
+}
+
+QUOTIENTS = {
+    'dynamic_coefficient': ('polar_moment', 'resistance_factor'),
+    'weight_moment_per_inertia': ('weight_moment_amplitude', 'moment_of_inertia'),
+    'radial_weight_per_inertia': ('radial_weight_amplitude', 'moment_of_inertia'),
+    'polar_moment_per_inertia': ('polar_moment', 'moment_of_inertia'),
+    'weight_moment_per_radial_weight': ('weight_moment_amplitude', 'radial_weight_amplitude'),
+}

@@ -1,0 +1,124 @@
+"""What stops `python -m derive`: each gate, shown by a planted fault to fire with one sentence, and nothing written."""
+
+import math
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from derive import __main__ as command
+from derive.algebra import integrate, rules
+from derive.approximate import certificates, programs, shapes
+from derive.approximate.shapes import Kernel
+from derive.check import certify, truth
+from derive.check.proof import ProofError
+from derive.check.records import TIERS, read
+from derive.code import emit_c, write
+from derive.declare import quantities
+from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
+from derive.declare.symbols import alpha, r, theta
+
+# Quantity, check, the number found and the number wanted.
+SENTENCE = r"^{}: .*{}.*: found \S.*, wanted \S.*$"
+
+
+def kernel(name: str) -> Kernel:
+    return next(k for k in shapes.kernels() if k.name == name)
+
+
+def fires(gate: Callable[[], Any], quantity: str, check: str) -> None:
+    """The gate stops the run: one sentence on the quantity and the check, with both numbers."""
+    with pytest.raises(ProofError) as stop:
+        gate()
+    assert re.fullmatch(SENTENCE.format(re.escape(quantity), check)[1:-1], str(stop.value), re.DOTALL), stop.value
+
+
+def test_a_definition_that_is_not_the_checker_s(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A form that is off, by a factor or in a high power; a statement of another weight; a checker that reads wrong."""
+    right = kernel("polar_moment")
+    assert shapes.agree(right) == truth.TERMS + 5
+    for wrong in (right.closed[0] * (1 + sp.Rational(1, 10**30)), right.closed[0] + alpha**35 / 10**40):
+        fires(partial(shapes.agree, replace(right, closed=(wrong,))), right.name, "the checker's definition")
+    fires(partial(shapes.agree, replace(right, definition=("r^3",))), right.name, "the checker's definition")
+    exactly = truth.exactly
+    monkeypatch.setattr(truth, "exactly", lambda statement, *x: exactly(statement, *x) * 3)
+    truth.at_zero.cache_clear()
+    try:
+        fires(lambda: shapes.agree(right), right.name, "the checker's definition")
+    finally:
+        truth.at_zero.cache_clear()
+
+
+def test_a_stable_form_that_is_not_its_closed_form() -> None:
+    closed = integrate.closed_forms()["radial_weight_amplitude"]
+    wrong = rules.stable(closed).form * (1 + alpha**2 / 10**9)
+    fires(lambda: rules.prove_equal(wrong, closed, "radial_weight_amplitude: stable form"),
+          "radial_weight_amplitude", "stable form")  # fmt: skip
+
+
+@pytest.mark.parametrize("tier", TIERS)
+def test_a_bound_above_its_tier_s_goal(tier: str) -> None:
+    """What spoils lambda by a thousandth of alpha**2 is proved 2.5e-3, and refused where 1e-6 is promised."""
+    right = kernel("resistance_factor")
+    spoilt = replace(right, closed=(right.closed[0] * (1 + alpha**2 / 1000),))
+    (fused, *_) = [v for v in programs.of(spoilt, shapes.records()[right.definition]) if v.tier == tier]
+    fires(lambda: certificates.certified(fused), right.name, f"goal of tier {tier} fused")
+
+
+def test_the_checker_knows_the_goals_too() -> None:
+    record = next(r for r in read() if (r["kernel"], r["tier"]) == ("resistance_factor", "1e-6"))
+    fires(lambda: certify.prove(record | {"bound": 2e-6}), "resistance_factor", "goal of tier 1e-6 fused")
+
+
+@pytest.mark.parametrize(
+    ("weight", "amplitude"),
+    [(r**6, None), (sp.Integer(1), None), (2 * r, None), (-(r**2), None), (r + r**2, None), (sp.exp(r), None),
+     (r * sp.sin(2 * theta), ("x", "X")), (r * theta, None), (r**2, ("x", "X")), (r * sp.sin(theta), None)],
+    ids=str,
+)  # fmt: skip
+def test_a_weight_that_cannot_be_certified_is_refused(weight: sp.Expr, amplitude: tuple[str, str] | None) -> None:
+    fires(lambda: Moment("odd", "O", "none", weight, "", amplitude).definition, "odd", "weight")
+
+
+def test_another_weight_may_be_sampled_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It has its proved closed and stable forms, and no certificate."""
+    both = Moment("both", "B", "none", r + r**2, "", certified=False)
+    for module in (quantities, integrate, shapes):
+        monkeypatch.setattr(module, "MOMENTS", (*MOMENTS, both), raising=False)
+    assert rules.stable(integrate.closed_forms()["both"]).power == 3
+    assert "both" not in {k.name for k in shapes.kernels()}
+
+
+@pytest.mark.parametrize("changed", ["weight", "lambda", "text"])
+def test_the_run_stops_and_writes_nothing(
+    changed: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Exit status 1 and one line."""
+    (polar, *others), form = MOMENTS, RESISTANCE.form
+    if changed == "weight":
+        for module in (quantities, integrate, shapes):
+            monkeypatch.setattr(module, "MOMENTS", (replace(polar, weight=r**7), *others), raising=False)
+    elif changed == "lambda":
+        for module in (quantities, integrate, shapes):
+            monkeypatch.setattr(module, "RESISTANCE", replace(RESISTANCE, form=form * (1 + alpha**2 / 1000)))
+    else:  # a number in C that is not the certified one
+        monkeypatch.setattr(emit_c, "C", replace(emit_c.C, number=lambda x: math.nextafter(x, 2.0).hex()))
+        chosen = programs.of(kernel("resistance_factor"), shapes.records()[RESISTANCE.definition])
+        monkeypatch.setattr(command, "derive_all", lambda _: emit_c.source(chosen, {}))
+
+    def no(*_: Any) -> None:
+        pytest.fail("something was written")
+
+    monkeypatch.setattr(write, "write", no)
+    assert command.main([]) == 1
+    last = capsys.readouterr().err.splitlines()[-1]
+    assert re.fullmatch(r"\w+: .*: found .*, wanted .*; nothing is written", last), last
+
+
+def test_the_files_stay_as_they_are() -> None:
+    assert Path(shapes.RECORDS).read_text("utf-8") == shapes.text()

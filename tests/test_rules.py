@@ -1,0 +1,118 @@
+"""The rules that take a closed form to one without cancellation, and the remainders that they leave."""
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from mpmath import mpf
+
+from derive.algebra import rules
+from derive.algebra.integrate import derive
+from derive.algebra.remainders import Expm1, Log1p, Remainder, sinhc, taylor, unfold
+from derive.check import measure
+from derive.check.proof import ProofError
+from derive.code.program import program
+from derive.declare.quantities import Moment
+from derive.declare.symbols import alpha, r, t, theta
+
+WEIGHTS = {
+    f"r^{n}{name}": Moment("moment", "M", "", r**n * by, "", amplitude=("amplitude", "M") if name else None)
+    for n in range(1, 6)
+    for name, by in {"": sp.Integer(1), " sin": -sp.sin(theta), " cos": -sp.cos(theta)}.items()
+}
+ANGLES = [*np.linspace(0.003, 1.5707, 9).tolist(), 1e-2, 1e-4, 1e-8, 1e-40]
+
+
+@pytest.mark.parametrize("weight", WEIGHTS)
+def test_every_weight_has_a_stable_form(weight: str) -> None:
+    """As NumPy computes it, beside quadrature of the ring's moment, a single integral over the centred angle."""
+    moment = WEIGHTS[weight]
+    found = rules.stable(derive(moment).amplitude)
+    values = measure.run(program("stable", ("alpha",), found.form), np.array(ANGLES))
+    n = int(sp.degree(moment.weight, r)) + 1
+    for half, value in zip(ANGLES, values.tolist(), strict=True):
+        with mpmath.workdps(110 if half < 1e-8 else 40):  # 1 - chord^n cancels in thin arcs
+
+            def ring(x: mpf, half: float = half) -> mpf:
+                chord = mpmath.cos(half) / mpmath.cos(half * x)
+                return (1 - chord**n) / n * (mpmath.cos(half * x) if moment.amplitude else 1)
+
+            true = 2 * mpf(half) * mpmath.quad(ring, [0, 0.5, 0.9, 1])
+            assert abs(value / true - 1) < 16 * 2.0**-53, half
+    assert found.power == 3  # every such mass is thin like alpha**3
+
+
+@pytest.mark.parametrize("rule", rules.RULES, ids=lambda x: x.name)
+def test_a_rule_changes_no_value(rule: rules.Rule) -> None:
+    """Rewritten back, by the definitions of the remainders, the expression is what it was."""
+    before = alpha * sp.sin(alpha) + 3 * sp.cos(alpha) ** 2 * alpha + sp.sin(alpha) / 7
+    before += sp.cos(alpha) ** 3 * sp.atanh(sp.sin(alpha)) if rule.name != "half angle" else 0
+    after = rule.rewrite(before)
+    assert after != before
+    with mpmath.workdps(50):
+        half = mpf("0.7")
+        numbers = {alpha: half, rules.TAU: mpmath.tan(half / 2)}
+        difference = sp.lambdify(tuple(numbers), unfold(after) - before, "mpmath")(*numbers.values())
+        assert abs(difference) < mpf(10) ** -45
+
+
+@pytest.mark.parametrize("rule", range(len(rules.RULES)))
+def test_a_wrong_rule_is_not_proved(rule: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    right = rules.RULES[rule]
+    wrong = rules.Rule(right.name, "", lambda e: right.rewrite(e) + alpha**3 / 10**6)
+    monkeypatch.setattr(rules, "RULES", (*rules.RULES[:rule], wrong, *rules.RULES[rule + 1 :]))
+    with pytest.raises(ProofError, match=f"rule {right.name}"):
+        rules.stable.__wrapped__(derive(WEIGHTS["r^2"]).amplitude)
+
+
+def test_what_the_rules_do_not_know_is_refused() -> None:
+    with pytest.raises(ProofError, match="heads"):
+        rules.stable(alpha - sp.sin(alpha) - alpha**3 / 6)
+
+
+def test_heads_cancel() -> None:
+    found = rules.heads((sp.cosh(t) - 1) / t**2 + (sp.sinh(t) - t) / t**3, {sp.cosh(t): 2, sp.sinh(t): 3})
+    assert found == Remainder(sp.cosh, 2, t) + Remainder(sp.sinh, 3, t)
+
+
+def test_a_wrong_head_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rules, "taylor", lambda f: tuple(c * (1 + alpha / 10**6) for c in taylor(f)))
+    with pytest.raises(ProofError, match="rule heads"):
+        rules.heads(sp.cosh(t), {sp.cosh(t): 2})
+
+
+def test_a_fall_is_a_product() -> None:
+    """The larger of two exponentials, or a common denominator, is pulled out: no difference of like numbers is left."""
+    slip, more, length = sp.symbols("slip more length", positive=True)
+    assert rules.fall(sp.exp(-slip / length), slip, more) == -sp.exp(-slip / length) * Expm1(-more / length)
+    found = rules.fall(1 / (1 + slip / length) ** 2, slip, more)
+    assert not any(term.could_extract_minus_sign() for total in found.atoms(sp.Add) for term in total.args)
+
+
+def test_a_wrong_fall_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = sp.factor
+    monkeypatch.setattr(sp, "factor", lambda e: right(e) * (1 + alpha / 10**6))
+    with pytest.raises(ProofError, match="fall of exp"):
+        rules.fall(sp.exp(-t), t, alpha)
+
+
+REMAINDERS = [
+    Remainder(sp.sin, 1, t), Remainder(sp.sin, 3, t), Remainder(sp.sin, 3, t, 1), Remainder(sp.cosh, 2, t, 1),
+    Remainder(sp.exp, 1, -t), Remainder(sp.exp, 2, -t), Remainder(sp.exp, 3, t), Remainder(sp.exp, 2, t, 1),
+    Remainder(sp.atanh, 3, t), Remainder(sp.atanh, 3, t, 1), Remainder(Log1p, 1, t), Remainder(Log1p, 1, t, 1),
+    Remainder(sp.atan, 1, t), sinhc(t),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("remainder", REMAINDERS, ids=lambda e: str(e).replace("Lambda(x_, ", "("))
+def test_a_remainder_keeps_its_digits(remainder: sp.Expr) -> None:
+    """Beside its definition at many digits, on both sides of every seam, and its derivative beside a difference."""
+    points = [1e-300, 1e-20, 1e-9, 1e-3, 0.1, 0.1249, 0.1251, 0.39, 0.41, 0.9]
+    computed = measure.run(program("remainder", ("t",), remainder), np.array(points))
+    exact = sp.lambdify(t, unfold(remainder), "mpmath")
+    slope = sp.lambdify(t, unfold(sp.diff(remainder, t)), "mpmath")
+    with mpmath.workdps(2000):
+        for point, value in zip(points, computed.tolist(), strict=True):
+            assert abs(mpf(value) / exact(mpf(point)) - 1) < 64 * 2.0**-53, point
+        step = mpf(10) ** -500
+        assert abs(slope(mpf("0.3")) - (exact(mpf("0.3") + step) - exact(mpf("0.3"))) / step) < mpf(10) ** -400

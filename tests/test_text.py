@@ -1,0 +1,81 @@
+"""The text of programs: what is written is what the program does, in Python and in C, or nothing is written."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from derive.algebra.remainders import Horner, Select
+from derive.approximate.programs import variants
+from derive.check.proof import ProofError
+from derive.code import emit, emit_c, operations, text
+from derive.code.program import program
+from derive.declare.symbols import a, alpha, omega_0, t
+
+FITTED = [v for v in variants() if v.form != "numpy"]
+
+
+@pytest.mark.parametrize("kind", ["number", "sign", "order", "operation"])
+def test_a_text_that_does_something_else_is_refused(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One number's last bit, a sign, the order of two operands, or another operation."""
+    wrong = {
+        "number": (r"1\.5707963267948966", "1.5707963267948968"),
+        "sign": (r"(\w+) \* alpha", r"-\1 * alpha"),
+        "order": (r"([\d.]+) - alpha", r"alpha - \1"),
+        "operation": (r" \* alpha", " + alpha"),
+    }[kind]
+    moment = next(v for v in variants() if (v.kernel, v.form) == ("polar_moment", "numpy"))
+    emit.PythonText().body(moment.program)
+    right = text.Reader.check
+
+    def planted(self: text.Reader, program: object, name: str, written: str) -> None:
+        changed, count = re.subn(*wrong, written)
+        assert count
+        right(self, program, name, changed)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(text.Reader, "check", planted)
+    with pytest.raises(ProofError, match=r"text that was written: found .* wanted"):
+        emit.PythonText().body(moment.program)
+
+
+@pytest.mark.parametrize("form", emit_c.FORMS)
+def test_c_that_does_something_else_is_refused(form: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    chosen = next(v for v in FITTED if (v.kernel, v.form, v.tier) == ("radial_weight_amplitude", form, "best"))
+    emit_c.CText(form).functions("kernel", chosen.program)
+    monkeypatch.setattr(emit_c, "C", replace(emit_c.C, number=lambda x: float(np.nextafter(x, 2)).hex()))
+    with pytest.raises(ProofError, match=r"text that was written: found .* wanted"):
+        emit_c.CText(form).functions("kernel", chosen.program)
+
+
+def test_named_parts_and_polynomials() -> None:
+    """A choice at a seam has a near and a far piece, Horner's scheme its coefficients, and a part is called."""
+    series = Horner.of([sp.Rational(1, 3), sp.Rational(1, 5), sp.Rational(1, 7)], alpha**2)
+    inner = program("inner", ("alpha",), Select(alpha, sp.Rational(1, 2), alpha * series, 1 / (alpha + sp.cos(alpha))))
+    outer = program("outer", ("a", "t"), omega_0 + t, let={alpha: a * t, omega_0: inner})
+    written = emit.PythonText()
+    first = written.body(inner)
+    assert "horner(alpha_2, (0.3333333333333333, 0.2, 0.14285714285714285))" in first
+    assert "return np.where(alpha < 0.5, near, far)" in first
+    assert "_inner(alpha)" in written.body(outer)
+
+
+def test_no_line_is_long() -> None:
+    long = "call(" + ", ".join(f"argument_{k}='{'word ' * k}'" for k in range(40)) + ")"
+    wrapped = emit.wrapped(long)
+    assert max(map(len, wrapped.split("\n"))) <= 120
+    assert eval(wrapped, {"call": dict}) == eval(long, {"call": dict})
+
+
+@pytest.mark.parametrize(
+    ("words", "found"), [("friction: falls", "Friction: falls."), ("dE/d(start) at x", "dE/d(start) at x."),
+                         ("C_theta over C_r", "C_theta over C_r.")]
+)  # fmt: skip
+def test_a_sentence_keeps_its_symbols(words: str, found: str) -> None:
+    assert emit.sentence(words) == found
+
+
+def test_every_operation_of_a_certified_program_has_a_meaning_and_c() -> None:
+    kinds = {op.name for v in FITTED for op in v.program.ops} - {"input", "const"}
+    assert all(operations.OPERATIONS[k].meaning is not None and operations.OPERATIONS[k].c for k in kinds)
