@@ -40,7 +40,7 @@ def derive_all() -> dict[str, str]:
     from derive.code import functions, write
     from derive.declare import effects
     from derive.declare.quantities import MOMENTS
-    from derive.judge.appendices import APPENDICES, simplify
+    from derive.judge.appendices import APPENDICES, reduction
 
     derivations = []
     for moment in MOMENTS:
@@ -54,8 +54,9 @@ def derive_all() -> dict[str, str]:
         takes = f"{sum(kernels[name].program.operations().values())} float operations"
         timed(name, "measure", takes + ", worst error {0:.1f} ulp", measure.worst, kernels[name], closed)
     for appendix in APPENDICES:
-        told = "operations {0.operations_before} -> {0.operations_after}, integrates {0.integrand}"
-        timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
+        for step in reduction(appendix):
+            took = f"{step.seconds:6.2f} s  {step.operations:3d} operations"
+            say(f"{'appendix ' + appendix.name:<32} {'reduce':<11} {took}: {step.text} ({step.proof})")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("friction laws", "solve", "{0} claims proved", lambda: len(effects.prove_laws()))
