@@ -7,6 +7,7 @@ checks both, so that no verdict rests on an opinion. How much it matters is repo
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from itertools import takewhile
 from typing import Any
 
 import mpmath as mp
@@ -146,11 +147,10 @@ def exhibit(postulate: Postulate) -> mp.mpf:
     ProofError
         If it does not: then nothing shows that this is a postulate.
     """
-    state, tiny = postulate.state(), mp.mpf(10) ** -20
-    earlier = POSTULATES[: POSTULATES.index(postulate)] if postulate in POSTULATES else POSTULATES
-    broken = [x.words for x in earlier if abs(x.gap(state)) > tiny]
-    if broken or abs(postulate.gap(state)) <= tiny:
-        raise ProofError(
-            f"{postulate.alternative} is no alternative to '{postulate.words}': breaks {broken or 'nothing'}"
-        )
-    return postulate.size()
+    earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
+    with mp.workdps(30):
+        state, tiny = postulate.state(), mp.mpf(10) ** -20
+        broken = [x.words for x in earlier if abs(x.gap(state)) > tiny]
+        if broken or abs(postulate.gap(state)) <= tiny:
+            raise ProofError(f"{postulate.alternative} is no alternative: it breaks {broken or 'nothing'}")
+        return postulate.size()
