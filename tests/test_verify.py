@@ -183,13 +183,22 @@ def test_a_wrong_form_is_wrong(name: str, old: str, new: str) -> None:
     assert (row.verdict, row.cause) == ("wrong", "cause not found")
 
 
+@pytest.mark.parametrize("change", ["1 + {}", "-({})", "({})**2"], ids=["term", "sign", "exponent"])
 @pytest.mark.parametrize(
     "claim", [c for c in CLAIMS if c.kind in ("form", "definition") and c.expression], ids=lambda c: c.id
 )
-def test_every_form_can_be_wrong(claim: Claim) -> None:
+def test_every_form_can_be_wrong(claim: Claim, change: str) -> None:
     head, *rest = claim.expression.split(";")
-    row = judge(replace(claim, expression=";".join([f"1 + {head}", *rest])))
-    assert (row.verdict, row.cause) == ("wrong", "cause not found")
+    row = judge(replace(claim, expression=";".join([change.format(head), *rest])))
+    if head == "0" and "1" not in change:
+        assert row.verdict != "wrong"  # nothing was changed
+    else:
+        assert (row.verdict, row.cause) == ("wrong", "cause not found")
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda c: c.id)
+def test_an_unchanged_claim_never_moves(claim: Claim, judged: dict[str, Row]) -> None:
+    assert judge(replace(claim)) == judged[claim.id]
 
 
 def test_appendix_against_what_it_integrates() -> None:
@@ -411,6 +420,16 @@ def test_markdown_is_a_page(judged: dict[str, Row]) -> None:
     rows_of = [[x for x in part.splitlines() if x.startswith("| ")] for part in (first, everything)]
     assert [len(x) - 2 for x in rows_of] == [len(FAILING), len(CLAIMS)]
     assert all(len(re.findall(r"(?<!\\)\|", line)) == 8 for part in rows_of for line in part)
+
+
+def test_readme_says_what_is_found(judged: dict[str, Row]) -> None:
+    told = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    assert f"{verify.counts(judged.values())}." in told
+    count = [re.findall(r"(\d+) brackets missing at (\d+)", judged[f"Appendix {x}"].cause)[0] for x in ("I", "II")]
+    assert (
+        "{} and {} brackets missing at {} and {} places".format(*(x for y in zip(*count, strict=True) for x in y))
+        in told
+    )
 
 
 def test_unknown_form_is_an_error() -> None:

@@ -58,14 +58,13 @@ ca s2)
 
 @dataclass(frozen=True)
 class Appendix:
-    """A printed expression, and the equation whose integral it should be."""
+    """A printed expression."""
 
     name: str
-    equation: str
     printed: str = field(repr=False)
 
 
-APPENDIX_I, APPENDIX_II = APPENDICES = (Appendix("I", "2.23", PRINTED_I), Appendix("II", "3.13", PRINTED_II))
+APPENDIX_I, APPENDIX_II = APPENDICES = (Appendix("I", PRINTED_I), Appendix("II", PRINTED_II))
 
 
 # --- reading ---------------------------------------------------------------------------------------------

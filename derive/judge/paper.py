@@ -331,7 +331,7 @@ CLAIMS = (
             lambda: s.both("omega*"), "its curve is (3.20), mended"),
     Claim("(4.3)", "rotation", "phi = c0/c2 ln(cosh(c2 t))", "c0/c2*log(cosh(c2*t))", lambda: m.way()["phi"],
           dimension="1", given=_SOLVED),
-    _figure("Fig. 4-3", "rotation over time", "phi after 30 s: {} from the printed inputs, {} corrected",
+    _figure("Fig. 4-3", "rotation over time", "phi after 30 s: {} rad from the printed inputs, {} corrected",
             lambda: s.both("phi"), "its curve is (4.3)"),
     Claim("(4.4)", "velocity", "c1 tanh(c2 t) = c1 (c2 t + O((c2 t)^2))", "c1*tanh(c2*t); c1*c2*t; O(t**2)",
           lambda: m.series(m.way()["v"]), dimension="L/T", given=_SOLVED,

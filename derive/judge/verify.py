@@ -290,7 +290,7 @@ def _percent(value: Any) -> str:
 def words(form: sp.Expr) -> str:
     """A form as one reads it."""
     text = str(sp.sstr(form.replace(sp.Integral, _integral))).replace("~", "").replace("**", "^").replace("*", " ")
-    return text.replace("rate_star", "domega*/dt*").replace("_star", "*").replace("_of(t)", "(t)")
+    return text.replace("rate_star", "domega*/dt*").replace("_star", "*").replace("_of(", "(")
 
 
 def _integral(f: sp.Expr, *limits: sp.Tuple) -> sp.Symbol:
