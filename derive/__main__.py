@@ -108,7 +108,7 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "verify":
         from derive.judge.verify import report
 
-        print(report("json" if options.json else "markdown" if options.markdown else "table"))
+        print(report("json" if options.json else "markdown" if options.markdown else "text"))
         return 0
     if options.command == "hard":
         from derive.judge.hard import report as hard_report

@@ -404,8 +404,8 @@ def test_numbers_have_six_digits_or_more(judged: dict[str, Row]) -> None:
             assert all(len(x) >= 6 for x in digits), claim.id
 
 
-def test_table_fits_a_terminal() -> None:
-    lines = report("table").splitlines()
+def test_text_fits_a_terminal() -> None:
+    lines = report("text").splitlines()
     assert max(map(len, lines)) <= 100
     total = " ".join(lines)
     assert f"{len(CLAIMS)} claims: " in total

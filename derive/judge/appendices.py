@@ -165,12 +165,10 @@ def rational(form: sp.Expr) -> sp.Expr:
 
 
 def angular(form: sp.Expr) -> sp.Expr:
-    """The same, back in sines and cosines of alpha and theta_m: sin(x)^i tells tan(x/2)^i/(1 + tan(x/2)^2)^n."""
+    """The same, back in sines and cosines of alpha and theta_m, if it is a polynomial in them."""
     top, bottom = (sp.Poly(x, _TAU, _SIGMA) for x in sp.fraction(form))
     powers = [degree // 2 for degree in bottom.degree_list()]
-    scale = sp.cancel(
-        bottom.as_expr() / sp.Mul(*((1 + y**2) ** n for y, n in zip(_HALVES.values(), powers, strict=True)))
-    )
+    scale = sp.cancel(bottom.as_expr() / ((1 + _TAU**2) ** powers[0] * (1 + _SIGMA**2) ** powers[1]))
     _require(scale.is_number, f"a polynomial in sines and cosines: {scale} is left below")
     back = sp.Add(*(factor * sp.Mul(*map(_power, _HALVES, at, powers)) for at, factor in top.terms())) / scale
     return sp.factor(sp.expand(back))

@@ -10,7 +10,7 @@ import json
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import astuple, dataclass, fields
 from functools import cache
 from itertools import combinations, product, takewhile
@@ -193,9 +193,7 @@ def _number(claim: Claim) -> Judgement:
     if values[0] < high and low <= values[-1]:
         cut = len(values) == 1 and values[0] - printed >= printed - low
         return computed, "holds to the printed digits", "cut off, not rounded" if cut else claim.note
-    shown = ((x, x.value()) for x in claim.causes if x.value)
-    causes = ((x.verdict, f"{x.words}: {_digits(value)}") for x, value in shown if low <= value < high)
-    return computed, *next(causes, UNEXPLAINED)
+    return computed, *_explained(claim, lambda value: low <= value < high)
 
 
 def _range(claim: Claim) -> Judgement:
@@ -205,10 +203,13 @@ def _range(claim: Claim) -> Judgement:
     computed = claim.shows.format(*map(_digits, values))
     if all(low <= x <= high for x in values):
         return computed, "holds", claim.note
+    return computed, *_explained(claim, lambda value: min(abs(value - x) for x in values) < _TINY)
+
+
+def _explained(claim: Claim, fits: Callable[[mp.mpf], bool]) -> tuple[str, str]:
+    """Verdict and words of the first cause whose value fits."""
     shown = ((x, x.value()) for x in claim.causes if x.value)
-    return computed, *next(
-        ((x.verdict, x.words) for x, y in shown if min(abs(y - z) for z in values) < _TINY), UNEXPLAINED
-    )
+    return next(((x.verdict, f"{x.words}: {_digits(value)}") for x, value in shown if fits(value)), UNEXPLAINED)
 
 
 def _form(claim: Claim) -> Judgement:
@@ -232,10 +233,7 @@ def _form(claim: Claim) -> Judgement:
                 return computed, cause.verdict, "; given ".join([said, *(x.words for x in postulates)])
             if not postulates:
                 return computed, "definition" if _names(claim) else "holds", said
-            instead = (
-                f"{x.words}; instead, {x.alternative}: {x.effect.format(_percent(exhibit(x)))}" for x in postulates
-            )
-            return computed, "assumption", "; ".join(filter(None, (*instead, said)))
+            return computed, "assumption", "; ".join(filter(None, (*map(_instead, postulates), said)))
     return computed, *UNEXPLAINED
 
 
@@ -283,8 +281,10 @@ def _digits(value: Any) -> str:
     return str(mp.nstr(mp.mpf(value), 7, strip_zeros=False, min_fixed=-5, max_fixed=9))
 
 
-def _percent(value: Any) -> str:
-    return f"{mp.nstr(100 * value, 4)} %"
+def _instead(postulate: Postulate) -> str:
+    """A postulate, the state that breaks it, and how much this matters."""
+    effect = postulate.effect.format(f"{mp.nstr(100 * exhibit(postulate), 4)} %")
+    return f"{postulate.words}; instead, {postulate.alternative}: {effect}"
 
 
 def words(form: sp.Expr) -> str:
@@ -311,15 +311,15 @@ def counts(judged: Iterable[Row]) -> str:
     return f"{sum(number.values())} claims: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
 
 
-def report(form: str = "table") -> str:
+def report(form: str = "text") -> str:
     """Judge the paper and return the text.
 
     Parameters
     ----------
-    form : {"table", "json", "markdown"}
+    form : {"text", "json", "markdown"}
         For a terminal of 100 columns, for a program, or for a colleague.
     """
-    return {"table": _text, "json": _json, "markdown": _markdown}[form](rows())
+    return {"text": _text, "json": _json, "markdown": _markdown}[form](rows())
 
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")
@@ -331,13 +331,13 @@ def failing(judged: Iterable[Row]) -> list[Row]:
 
 
 def _text(judged: Sequence[Row]) -> str:
-    lines: list[str] = []
-    for head, chosen in (("What holds:", [x for x in judged if x.verdict in SIMPLY]),
-                         ("What does not simply hold:", failing(judged))):  # fmt: skip
-        texts = (f"{x.id}: {x.verdict}: {x.cause or x.claim} [printed {x.printed}; from the definitions {x.computed}]"
-                 for x in chosen)  # fmt: skip
-        lines += [head, *(line for x in texts for line in textwrap.wrap(x, 100, subsequent_indent="    ")), ""]
-    return "\n".join([*lines, *textwrap.wrap(f"{counts(judged)}.", 100)])
+    def told(x: Row) -> str:
+        text = f"{x.id}: {x.verdict}: {x.cause or x.claim} [printed {x.printed}; from the definitions {x.computed}]"
+        return textwrap.fill(text, 100, subsequent_indent="    ")
+
+    simply = [x for x in judged if x.verdict in SIMPLY]
+    return "\n".join([*map(told, simply), "", "What does not simply hold:", *map(told, failing(judged)), "",
+                      textwrap.fill(f"{counts(judged)}.", 100)])  # fmt: skip
 
 
 def _json(judged: Sequence[Row]) -> str:
