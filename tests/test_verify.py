@@ -362,8 +362,9 @@ def test_gravity_is_implied_though_not_stated(judged: dict[str, Row]) -> None:
 def test_what_is_taken_for_granted_is_data(judged: dict[str, Row]) -> None:
     assert judged["(2.19)"].assumes == "0 < alpha < pi/2"
     assert judged["(3.19)"].assumes == "omega_0 = 0"
-    assert "0 < omega < oo" in judged["(1.13)"].assumes
+    assert "omega > 0" in judged["(1.13)"].assumes
     assert "Coulomb friction" in judged["(3.8)"].assumes
+    assert "0 < alpha < pi/2; complex arithmetic, for dips" in judged["Appendix I"].assumes
     assert "g = 9.81" in judged["(4.2) c0"].assumes
 
 

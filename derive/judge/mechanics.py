@@ -50,7 +50,8 @@ def reaction() -> Pair:
     """Components of the traction on the arc: pressure against the outward normal, shear against the velocity."""
     arc = sp.Matrix([sp.cos(theta), sp.sin(theta)])
     tangent = arc.diff(theta)
-    return basis(*(-sigma_n * sp.Matrix([tangent[1], -tangent[0]]) - tau_n * sp.sign(omega) * tangent))
+    pressure, shear = basis(*(-sigma_n * sp.Matrix([tangent[1], -tangent[0]]) - tau_n * tangent))
+    return pressure, shear * sp.sign(omega)
 
 
 def moment_of(radius: sp.Expr, force: Pair) -> sp.Expr:

@@ -91,6 +91,7 @@ _SUM = ("radial components added as scalars (2.1)",)
 _MEAN = (*_SUM, "mean stress (2.9)")
 _MOTION = (*_MEAN, "Coulomb friction, one coefficient (1.14)")
 _SOLVED = ("J_r, J_theta and friction constant", "from rest (3.19)")
+_ARC, _DIPS = (("alpha", *DOMAINS["alpha"]),), ("complex arithmetic, for dips from 0 to pi",)
 _EXAMPLE = (*_SOLVED, f"g = {s.GRAVITY} m/s^2")
 
 
@@ -292,7 +293,7 @@ CLAIMS = (
     Claim("(3.19)", "starts from rest", "omega*(0) = 0", "0", lambda: m.solution()["angular_velocity"].subs(t, 0),
           "definition", shows="derived motion: omega*(0) = {}", dimension="1"),
     Claim("(3.20)", "solution", "sqrt(a/b) tanh(sqrt(a b t*))", "sqrt(a/b)*tanh(sqrt(a*b*t))",
-          lambda: m.motion("angular_velocity"), given=_MOTION,
+          lambda: m.motion("angular_velocity"), given=(*_MOTION, *_SOLVED[1:]),
           law=lambda e: [sp.diff(e, t) - (m.a_of(t) - m.b_of(t) * e**2), e.subs(t, 0) - omega_0],
           causes=(Cause("t* belongs outside the root, as (4.2) has it", "misprint",
                         edit=("sqrt(a*b*t)", "sqrt(a*b)*t")),)),
@@ -327,11 +328,11 @@ CLAIMS = (
           dimension="1/T", given=_SOLVED),
     _reached("(4.2) c0", "largest angular velocity, 1/s", s.IMPLYING["c0"]),
     _reached("(4.2) c2", "rate of approach, 1/s", "0.00317"),
-    _figure("Fig. 4-2", "angular velocity over time", "omega* after 30 s: {} from the printed inputs, {} corrected",
+    _figure("Fig. 4-2", "angular velocity over time", "omega* after 30 s: {} with the paper's slips, {} corrected",
             lambda: s.both("omega*"), "its curve is (3.20), mended"),
     Claim("(4.3)", "rotation", "phi = c0/c2 ln(cosh(c2 t))", "c0/c2*log(cosh(c2*t))", lambda: m.way()["phi"],
           dimension="1", given=_SOLVED),
-    _figure("Fig. 4-3", "rotation over time", "phi after 30 s: {} rad from the printed inputs, {} corrected",
+    _figure("Fig. 4-3", "rotation over time", "phi after 30 s: {} rad with the paper's slips, {} corrected",
             lambda: s.both("phi"), "its curve is (4.3)"),
     Claim("(4.4)", "velocity", "c1 tanh(c2 t) = c1 (c2 t + O((c2 t)^2))", "c1*tanh(c2*t); c1*c2*t; O(t**2)",
           lambda: m.series(m.way()["v"]), dimension="L/T", given=_SOLVED,
@@ -342,14 +343,14 @@ CLAIMS = (
           causes=(Cause("c1/c2, not c1: it has to be a length, and its rate the velocity", "misprint",
                         edit=("c1*", "c1/c2*")),)),
     _figure("Fig. 4-4", "velocity and displacement over time",
-            "after 30 s: {} and {} m/s, {} and {} m, from the printed inputs and corrected",
+            "after 30 s: {} and {} m/s, {} and {} m, with the paper's slips and corrected",
             lambda: [*s.both("v"), *s.both("s")], "its curves are (4.4), and (4.5) mended"),
     Claim("Sect. 4 large", "large velocity and displacement", "in the considered short time interval", "1; oo",
           lambda: [*(v / 5 for v in s.both("v")), *(x / s.depth() for x in s.both("s"))], "range",
-          shows="after 30 s {} and {} times 5 m/s, {} and {} times the depth f, from the printed inputs and corrected",
+          shows="after 30 s {} and {} times 5 m/s, {} and {} times the depth f, with the paper's slips and corrected",
           note="5 m/s: where Cruden and Varnes' (1996) fastest class of landslides begins", given=_EXAMPLE),
     Claim("Appendix I", "antiderivative of (2.23)", "J_r(alpha) := ...", "-r*sin(theta)", kind="appendix",
-          subject=APPENDIX_I),
+          subject=APPENDIX_I, domain=_ARC, given=_DIPS),
     Claim("Appendix II", "antiderivative of (3.13)", "J(alpha) := ...", "-r**2*cos(theta)", kind="appendix",
-          subject=APPENDIX_II),
+          subject=APPENDIX_II, domain=_ARC, given=_DIPS),
 )  # fmt: skip

@@ -178,8 +178,13 @@ def _assumed(claim: Claim) -> list[str]:
     named = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
         named |= {x.name for form in (*m.read(claim.expression), *_derived(claim)) for x in form.free_symbols}
-    where = [(x, *map(str, ends)) for x, ends in limits(claim.domain).items() if x in named]
-    return [*(f"{x} = {low}" if low == high else f"{low} < {x} < {high}" for x, low, high in where), *claim.given]
+    where = []
+    for x, (low, high) in limits(claim.domain).items():
+        if x in named:
+            where.append(
+                f"{x} = {low}" if low == high else f"{x} > {low}" if high == sp.oo else f"{low} < {x} < {high}"
+            )
+    return [*where, *claim.given]
 
 
 def _number(claim: Claim) -> Judgement:
