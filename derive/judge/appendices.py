@@ -69,30 +69,27 @@ APPENDIX_I, APPENDIX_II = APPENDICES = (Appendix("I", PRINTED_I), Appendix("II",
 
 # --- reading ---------------------------------------------------------------------------------------------
 
-# What is printed, what it must read, and why.
-MENDING = (
-    (r"arctanh\(N\)?/s2\)?", "arctanh((N)/s2)", "sin(theta_2) divides all six terms, and arctanh is of the quotient"),
-    (r"(?<!\))(?=/\(-c1 ca c2)", ")", "the division by cos(alpha), written out, is of the whole bracket"),
-)
+# What is printed, and what it must read: sin(theta_2) divides all six terms, and arctanh is of the quotient; the
+# division by cos(alpha), written out, is of the whole bracket that opens the print.
+MENDING = ((r"arctanh\(N\)?/s2\)?", "arctanh((N)/s2)"), (r"(?<!\))(?=/\(-c1 ca c2)", ")"))
 
 
 @dataclass(frozen=True)
 class Repair:
-    """A place where the print is mended: its span, how it reads then, how many brackets this adds, and why."""
+    """A place where the print is mended: its span, how it reads then, and how many brackets this adds."""
 
     start: int
     end: int
     mended: str
     brackets: int
-    why: str
 
 
 def repairs(appendix: Appendix) -> tuple[Repair, ...]:
     """Every place where the print is not what it must read, in its order."""
     text = " ".join(appendix.printed.split())
     return tuple(sorted(
-        (Repair(*found.span(), mended, len(mended) - len(found.group()), why)
-         for pattern, mended, why in MENDING for found in re.finditer(pattern, text) if found.group() != mended),
+        (Repair(*found.span(), mended, len(mended) - len(found.group()))
+         for pattern, mended in MENDING for found in re.finditer(pattern, text) if found.group() != mended),
         key=lambda x: x.start,
     ))  # fmt: skip
 

@@ -341,8 +341,9 @@ def _text(judged: Sequence[Row]) -> str:
         return textwrap.fill(text, 100, subsequent_indent="    ")
 
     simply = [x for x in judged if x.verdict in SIMPLY]
+    rules = [textwrap.fill(f"{verdict}: {rule}", 100, subsequent_indent="    ") for verdict, rule in VERDICTS.items()]
     return "\n".join([*map(told, simply), "", "What does not simply hold:", *map(told, failing(judged)), "",
-                      textwrap.fill(f"{counts(judged)}.", 100)])  # fmt: skip
+                      "By these rules:", *rules, "", textwrap.fill(f"{counts(judged)}.", 100)])  # fmt: skip
 
 
 def _json(judged: Sequence[Row]) -> str:
