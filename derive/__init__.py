@@ -17,8 +17,8 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 ``write``                     source -> the files of `generated`, atomically, or a diff against them
 ``build``, ``build_hook``     C source -> extension module, here and at install time
 
-Beside them stand ``appendices``, ``paper``, ``evidence`` and ``verify``, which judge the paper's claims, and ``hard``,
-which measures the hard cases.
+Beside them stands ``judge``: what follows from the definitions (``appendices``, ``mechanics``, ``section``,
+``postulates``), what the ``paper`` claims, and ``verify``, which compares; ``hard`` measures the hard cases.
 
 To add something, declare it, then run ``python -m derive``: it proves the declaration, writes `generated`, and from
 there it is in plans, scene files and `slipcircle schema`. The tests follow what stands here to the letter.

@@ -47,7 +47,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     from derive.code import write
     from derive.declare.quantities import MOMENTS
     from derive.flow import operations
-    from derive.judge.appendices import APPENDICES, simplify
+    from derive.judge.appendices import APPENDICES, reduction
 
     for moment in MOMENTS:
         told = "operations {0.operations[0]} -> {0.operations[1]}"
@@ -62,8 +62,9 @@ def derive_all(anew: bool = False) -> dict[str, str]:
             counts = " -> ".join(map(str, step.operations))
             say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
     for appendix in APPENDICES:
-        told = "operations {0.operations_before} -> {0.operations_after}, integrates {0.integrand}"
-        timed(f"appendix {appendix.name}", "simplify", told, simplify, appendix)
+        for reduced in reduction(appendix):
+            took = f"{reduced.seconds:6.2f} s  {reduced.operations:3d} operations"
+            say(f"{'appendix ' + appendix.name:<32} {'reduce':<11} {took}: {reduced.text} ({reduced.proof})")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
@@ -115,7 +116,7 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "verify":
         from derive.judge.verify import report
 
-        print(report("json" if options.json else "markdown" if options.markdown else "table"))
+        print(report("json" if options.json else "markdown" if options.markdown else "text"))
         return 0
     if options.command == "hard":
         from derive.judge.hard import report as hard_report

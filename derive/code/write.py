@@ -16,10 +16,10 @@ from derive.approximate import certificates
 from derive.approximate.programs import variants
 from derive.check.records import Record, read
 from derive.code import emit, emit_c, functions
-from derive.flow import emit as flow
-from derive.flow import series
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
 from derive.declare.symbols import r, theta
+from derive.flow import emit as flow
+from derive.flow import series
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"

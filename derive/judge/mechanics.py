@@ -1,0 +1,223 @@
+"""What follows from the definitions, as forms: what `derive.judge.verify` holds against the forms that are printed.
+
+Nothing here knows what the paper prints. Where the mass turns, J_r and J_theta are functions of the rotation phi; what
+the paper postulates about them, and about the stress, is in `derive.judge.postulates`.
+"""
+
+from functools import cache
+from typing import Any
+
+import sympy as sp
+
+from derive.algebra import dynamics
+from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rho, theta_star
+from derive.declare import symbols
+from derive.declare.quantities import CHORD
+from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1, theta_2, u
+
+Pair = tuple[sp.Expr, sp.Expr]
+
+c0, c1, c2 = RATES = sp.symbols("c0 c1 c2", positive=True)
+omega, omega_dot, sigma_n, tau_n, turn = sp.symbols("omega omega_dot sigma_n tau_n phi", real=True)
+sigma, mu_of, a_of, b_of, omega_of = sp.symbols("sigma mu_of a_of b_of omega_of", cls=sp.Function)
+j_r, j_theta = (sp.Function(x.name)(turn) for x in (dynamics.j_r, dynamics.j_theta))
+LEVER = 2 * alpha * (1 - sp.cos(alpha))  # lambda (3.14)
+DEPTH = R * (1 - sp.cos(alpha))  # f (2.12)
+
+
+# --- kinematics and forces -------------------------------------------------------------------------------
+
+
+def basis(x: sp.Expr, y: sp.Expr) -> Pair:
+    """Components along e_r and e_theta of a Cartesian vector."""
+    c, s = sp.cos(theta), sp.sin(theta)
+    return sp.simplify(x * c + y * s), sp.simplify(y * c - x * s)
+
+
+def rate(order: int) -> Pair:
+    """Polar components of the derivative of the position r e_r by time, with d(theta)/dt = omega (1.2)."""
+    moving = sp.Function("theta")(t)
+    known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
+    return basis(*((r * f(moving)).diff(t, order).subs(known) for f in (sp.cos, sp.sin)))
+
+
+def gravity() -> Pair:
+    """Components of (0, -g)."""
+    return basis(sp.Integer(0), -g)
+
+
+def reaction() -> Pair:
+    """Components of the traction on the arc: pressure against the outward normal, shear against the velocity."""
+    arc = sp.Matrix([sp.cos(theta), sp.sin(theta)])
+    tangent = arc.diff(theta)
+    pressure, shear = basis(*(-sigma_n * sp.Matrix([tangent[1], -tangent[0]]) - tau_n * tangent))
+    return pressure, shear * sp.sign(omega)
+
+
+def moment_of(radius: sp.Expr, force: Pair) -> sp.Expr:
+    """The moment about K of a force in polar components: its radial part has no lever."""
+    place, push = (sp.Matrix([*x, 0]) for x in ((radius, 0), force))
+    return place.cross(push)[2]
+
+
+def along_bisector(force: Pair) -> sp.Expr:
+    """Component of a force along the bisector of the arc, at u = theta - theta_m from it."""
+    return force[0] * sp.cos(u) - force[1] * sp.sin(u)
+
+
+def end(start: sp.Symbol) -> sp.Expr:
+    """Polar angle of an end (1.2), with an integration variable of its own."""
+    return start + sp.Integral(omega_of(r), (r, 0, t))
+
+
+# --- geometry and integrals ------------------------------------------------------------------------------
+
+
+def area() -> sp.Expr:
+    """Area over dr dtheta: the Jacobian of the polar coordinates."""
+    return sp.simplify(sp.Matrix([r * sp.cos(theta), r * sp.sin(theta)]).jacobian([r, theta]).det())
+
+
+def arc() -> sp.Expr:
+    """Length over dtheta on the circle."""
+    return sp.sqrt(sp.simplify(sum((R * f(theta)).diff(theta) ** 2 for f in (sp.cos, sp.sin))))
+
+
+@cache
+def chord() -> sp.Expr:
+    """Where the ray at theta meets the line through both ends of the arc, from collinearity."""
+    ends = [R * sp.Matrix([sp.cos(x), sp.sin(x)]) for x in (theta_1, theta_1 + 2 * alpha)]
+    ray = r * sp.Matrix([sp.cos(theta), sp.sin(theta)])
+    return sp.solve(sp.Matrix.hstack(ray - ends[0], ends[1] - ends[0]).det(), r)[0]
+
+
+@cache
+def deepest() -> sp.Expr:
+    """The largest R - R_1: the one stationary point, in u = theta - theta_m, and a maximum."""
+    depth = R * (1 - sp.cos(alpha) / sp.cos(u))
+    places = sp.solve(sp.numer(sp.together(depth.diff(u))), u)
+    (place,) = (x for x in places if (depth.diff(u, 2).subs(u, x) / sp.cos(alpha)).is_negative)
+    return depth.subs(u, place)
+
+
+def stress_sum() -> sp.Expr:
+    """The stress added up along the arc, over the angle from its first end."""
+    return sp.Integral(sigma(u), (u, 0, 2 * alpha))
+
+
+def _integral(f: sp.Expr, low: sp.Expr, high: sp.Expr) -> sp.Expr:
+    parts = (term.as_independent(r, theta) for term in sp.Add.make_args(sp.expand(f)))
+    return sp.Add(*(c * sp.Integral(rest, (r, low, high), (theta, theta_1, theta_2)) for c, rest in parts))
+
+
+def body(f: sp.Expr) -> sp.Expr:
+    """The double integral from the chord to the arc, constants outside."""
+    return _integral(f, R * CHORD, R)
+
+
+def body_star(f: sp.Expr, low: sp.Expr = CHORD) -> sp.Expr:
+    """The same in r* = r/R."""
+    return _integral(f, low, sp.Integer(1))
+
+
+def scaled(f: sp.Expr) -> sp.Expr:
+    """`body` after the substitution r = R r*."""
+    return body_star(f.subs(r, R * r) * R)
+
+
+# --- balances --------------------------------------------------------------------------------------------
+
+
+@cache
+def radial() -> sp.Expr:
+    """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
+    weight, inertia = rho * gravity()[0], rho * rate(2)[0]
+    return sp.expand((body(inertia * area()) - body(weight * area())) / reaction()[0].coeff(sigma_n))
+
+
+_balance = cache(dynamics.balance)
+
+
+def step(equation: str) -> sp.Expr:
+    """Right-hand side of a derived equation of motion, with (2.20) and (2.24) put in, for a mass that turns."""
+    form = _balance()[equation].right.subs(sp.Symbol("sigma_star"), _balance()["2.20"].right)
+    known = {sp.Symbol("A"): polar / LEVER, dynamics.lam: LEVER, dynamics.j_r: j_r, dynamics.j_theta: j_theta}
+    return form.subs(known)
+
+
+def momentum() -> Pair:
+    """Both sides of (3.8), over ell rho."""
+    found = _balance()["3.8"]
+    left, right = (sp.expand(x / (ell * rho)).subs(dynamics.j_theta, j_theta) for x in (found.left, found.right))
+    return left, right
+
+
+def mean() -> sp.Expr:
+    """Mean normal stress, by (2.10), in dimensionless integrals."""
+    speed = omega_star * sp.sqrt(g / R)
+    return rho * (g * R**2 * j_r + speed**2 * R**3 * polar) / (2 * alpha * R)
+
+
+def lever() -> sp.Expr:
+    """What mu sigma* is multiplied by, in (3.8) over ell rho g R^3."""
+    resistance = -momentum()[1].coeff(dynamics.sigma_mean) / (g * R**3)
+    return sp.simplify(resistance / mu * rho * g * DEPTH)
+
+
+# --- motion ----------------------------------------------------------------------------------------------
+
+
+solution = cache(dynamics.solution)
+
+
+@cache
+def motion(name: str) -> sp.Expr:
+    """The derived motion from rest, under constant a and b."""
+    return sp.simplify(solution()[name].subs(omega_0, 0)).subs(sp.Symbol("k", positive=True), sp.sqrt(a * b))
+
+
+@cache
+def way() -> dict[str, sp.Expr]:
+    """The same in dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
+    clock = sp.sqrt(g / R)
+    at = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
+    turning, turned = (motion(x).subs(at, simultaneous=True) for x in ("angular_velocity", "rotation"))
+    rate, phi = sp.simplify(clock * turning), sp.simplify(turned)
+    return {"omega": rate, "phi": phi} | {k: (R * x).subs(c0, c1 / R) for k, x in (("v", rate), ("s", phi))}
+
+
+def series(motion: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """A motion, the first term of its expansion in time, and the order of the second."""
+    terms = sp.Add.make_args(sp.series(motion, t, 0, 6).removeO())
+    first, second = sorted(terms, key=lambda x: sp.degree(x, t))[:2]
+    return motion, first, sp.O(t ** sp.degree(second, t))
+
+
+# --- notation --------------------------------------------------------------------------------------------
+
+
+@cache
+def names() -> dict[str, Any]:
+    """The notation of the transcribed forms."""
+    plain = (R, g, rho, ell, mu, polar, omega_star, dynamics.rate_star, dynamics.sigma_mean, *RATES, omega, omega_dot)
+    shared = ("alpha", "theta", "theta_1", "theta_2", "r", "u", "t", "a", "b")
+    return (
+        {x.name: x for x in (*plain, sigma_n, tau_n)}
+        | {x: getattr(symbols, x) for x in shared}
+        | {
+            "Theta": theta_star,
+            "lam": LEVER,
+            "A": polar / LEVER,
+            "gamma": rho * g,
+            "f": DEPTH,
+            "sigma_ref": rho * g * DEPTH,
+        }
+        | {"J_r": j_r, "J_theta": j_theta, "J_r0": j_r.subs(turn, 0), "J_theta0": j_theta.subs(turn, 0)}
+        | {"sigma": sigma, "omega_of": omega_of, "mu_of": mu_of, "a_of": a_of, "b_of": b_of, "phi": way()["phi"]}
+        | {"chord": CHORD, "body": body, "body_star": body_star}
+    )
+
+
+def read(forms: str) -> tuple[sp.Expr, ...]:
+    """Transcribed forms, separated by semicolons."""
+    return tuple(sp.parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))

@@ -1,0 +1,157 @@
+"""What the paper postulates: what does not follow from the claims before it.
+
+For each postulate a state of the mass is exhibited that keeps every postulate before it and breaks this one; `exhibit`
+checks both, so that no verdict rests on an opinion. How much it matters is reported beside, and decides nothing.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from itertools import takewhile
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from derive.algebra.dynamics import mu, omega_star, sigma_mean
+from derive.check.proof import ProofError
+from derive.declare.symbols import a, b, t, theta, u
+from derive.judge import mechanics as m
+from derive.judge import section as s
+
+Along = Callable[[Any], mp.mpf]  # a function of u = theta - theta_m, along the arc
+
+
+@dataclass(frozen=True)
+class State:
+    """A state of the paper's mass: friction, dip of the chord, omega*, and the normal stress over rho g R.
+
+    ``stress`` is a function along the arc; without one the scalar sum (2.5) is spread evenly.
+    """
+
+    stress: Along | None = None
+    friction: Along = lambda u: s.residual()
+    psi: mp.mpf | None = None
+    omega: mp.mpf | int = 0
+
+    def total(self) -> mp.mpf:
+        """The stress added up along the arc, by (2.5)."""
+        return s.moment("radial_weight", psi=self.psi) + s.moment("polar_moment") * self.omega**2
+
+    def normal(self, u: Any) -> mp.mpf:
+        """The stress at u."""
+        return self.stress(u) if self.stress else self.total() / (2 * s.half())
+
+
+def sum_of(f: Along) -> mp.mpf:
+    """The integral along the arc."""
+    return mp.quad(f, [-s.half(), 0, s.half()])
+
+
+def columns(u: mp.mpf) -> mp.mpf:
+    """The stress at rest if each radial column stood alone."""
+    return mp.cos(s.dip() - u) * (1 - (mp.cos(s.half()) / mp.cos(u)) ** 2) / 2
+
+
+def along_bisector(u: mp.mpf) -> mp.mpf:
+    """The uniform stress at rest by the balance of forces along the bisector.
+
+    It pushes with 2 R sin(alpha) sigma; the shear is odd in u, and the weight is that of the segment.
+    """
+    area = s.half() - mp.sin(2 * s.half()) / 2
+    return area * mp.cos(s.dip()) / (2 * mp.sin(s.half()))
+
+
+def uneven(u: mp.mpf) -> mp.mpf:
+    """Friction 10 % larger at one end of the arc than in its middle, and 10 % smaller at the other."""
+    return s.residual() * (1 - u / (10 * s.half()))
+
+
+@dataclass(frozen=True)
+class Postulate:
+    """One postulate: what it puts into a derived form, when a state breaks it, and a state that does.
+
+    ``gap`` is zero where a state keeps it. ``effect`` says with ``size`` how much it matters.
+    """
+
+    words: str
+    put: tuple[tuple[sp.Expr, sp.Expr], ...]
+    gap: Callable[[State], mp.mpf]
+    alternative: str
+    state: Callable[[], State]
+    effect: str
+    size: Callable[[], mp.mpf]
+
+
+def _of_uniform(stress: Along) -> mp.mpf:
+    """By how much a stress in the middle of the arc exceeds the uniform one."""
+    return stress(mp.mpf(0)) / State().normal(0) - 1
+
+
+def _changes(name: str) -> Callable[[State], mp.mpf]:
+    return lambda x: s.moment(name, psi=x.psi) / s.moment(name) - 1
+
+
+# In the order in which the paper first needs them.
+POSTULATES = (
+    Postulate("Coulomb friction, one coefficient", ((m.tau_n, mu * m.sigma_n),),
+              lambda x: x.friction(s.half()) / x.friction(-s.half()) - 1,
+              "friction that varies along the arc", lambda: State(friction=uneven),
+              "20 % from end to end change the friction force by {} if columns stand alone",
+              lambda: sum_of(lambda u: uneven(u) * columns(u)) / sum_of(lambda u: s.residual() * columns(u)) - 1),
+    Postulate("radial components of different directions are added as scalars", ((u, sp.Integer(0)),),
+              lambda x: sum_of(x.normal) / x.total() - 1,
+              "vector balance along the bisector", lambda: State(along_bisector),
+              "stress at rest larger by {}", lambda: _of_uniform(along_bisector)),
+    Postulate("uniform stress, where the distribution is undetermined", ((m.sigma(theta), sigma_mean),),
+              lambda x: x.normal(0) * 2 * s.half() / sum_of(x.normal) - 1,
+              "radial columns that stand alone", lambda: State(columns),
+              "0 at the ends, {} above the mean in the middle", lambda: _of_uniform(columns)),
+    Postulate("centripetal stress neglected, for slow rotation", ((omega_star, sp.Integer(0)),),
+              lambda x: x.total() / State(psi=x.psi).total() - 1,
+              "a mass that moves", lambda: State(omega=s.reached("omega*")),
+              "{} of the static stress after 30 s of (3.20)",
+              lambda: State(omega=s.reached("omega*")).total() / State().total() - 1),
+    Postulate("J_r frozen", ((m.j_r, m.j_r.subs(m.turn, 0)),), _changes("radial_weight"),
+              "the mass turns", lambda: State(psi=s.dip() - s.reached("phi", as_printed=True)),
+              "{} over the paper's rotation in 30 s", lambda: s.turned("radial_weight")),
+    Postulate("J_theta frozen", ((m.j_theta, m.j_theta.subs(m.turn, 0)),), _changes("weight_moment"),
+              "the mass turns by twice its dip, which reverses J_theta and leaves J_r", lambda: State(psi=-s.dip()),
+              "{} over the paper's rotation in 30 s", lambda: s.turned("weight_moment")),
+    Postulate("friction at its residual value from the start, and constant",
+              ((m.mu_of(t), mu), (m.a_of(t), a), (m.b_of(t), b)), lambda x: x.friction(0) / s.residual() - 1,
+              "friction that softens from its limit", lambda: State(friction=lambda u: s.limit_friction()),
+              "drops by {} of the limit friction at once", lambda: 1 - s.residual() / s.limit_friction()),
+)  # fmt: skip
+
+
+def same_force() -> mp.mpf:
+    """How far from uniform a stress is whose friction force (3.5), for one coefficient, is that of the uniform one.
+
+    Raises
+    ------
+    ProofError
+        If the force is another one.
+    """
+    force = sum_of(columns) / sum_of(State().normal)
+    if abs(force - 1) > mp.mpf(10) ** -20:
+        raise ProofError("friction force of columns that stand alone, over that of the uniform stress", force, 1)
+    return _of_uniform(columns)
+
+
+@cache
+def exhibit(postulate: Postulate) -> mp.mpf:
+    """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one.
+
+    Raises
+    ------
+    ProofError
+        If it does not: then nothing shows that this is a postulate.
+    """
+    earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
+    with mp.workdps(30):
+        state, tiny = postulate.state(), mp.mpf(10) ** -20
+        broken = [x.words for x in earlier if abs(x.gap(state)) > tiny]
+        if broken or abs(postulate.gap(state)) <= tiny:
+            raise ProofError(postulate.alternative, f"it breaks {broken or 'nothing'}", "this postulate alone broken")
+        return postulate.size()

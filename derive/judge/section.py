@@ -1,0 +1,166 @@
+"""The paper's section in numbers: what its definitions give at 30 digits, and what its slips would give.
+
+A printed number stands for every value that gives it when rounded at its last place, or cut off there: the paper does
+both. `printed_as` is this rule, for claims and causes alike; `implied` is what it leaves for another number.
+"""
+
+from collections.abc import Callable
+from decimal import Decimal
+from functools import cache
+from typing import Any
+
+import mpmath as mp
+import sympy as sp
+
+from derive.algebra.dynamics import R
+from derive.algebra.integrate import PSI, Derivation, derive, quadrature
+from derive.check.proof import ProofError
+from derive.declare.quantities import MOMENTS
+from derive.declare.symbols import alpha, theta_m
+from derive.judge import mechanics
+from derive.judge.appendices import APPENDIX_II, simplify
+
+# Table 2-1 in m, kN/m^3 and degrees; the residual friction angle, and the seconds that section 4 shows.
+GIVEN = {"R": "1492.6", "gamma": "20", "theta_10": "215.2", "theta_20": "276.9", "phi_res": "10", "span": "30"}
+IMPLYING = {"sigma_ref": "4.223", "2alpha": "61.7", "J_r": "0.0870", "c0": "0.1104"}  # printed, and they imply others
+GRAVITY = "9.81"  # used by the project; the paper states no value
+
+
+# --- printed digits --------------------------------------------------------------------------------------
+
+
+def printed_as(digits: str) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
+    """A printed number, and the least and the largest value that it may stand for."""
+    printed, unit = mp.mpf(digits), mp.mpf(10) ** Decimal(digits).as_tuple().exponent
+    low, high = (printed - unit / 2, printed + unit) if printed >= 0 else (printed - unit, printed + unit / 2)
+    return printed, low, high
+
+
+def implied(by: str, inverse: Callable[[mp.mpf], mp.mpf]) -> list[mp.mpf]:
+    """The least and the largest value of another number that a printed one leaves."""
+    return sorted(map(inverse, printed_as(IMPLYING[by])[1:]))
+
+
+# --- the arc ---------------------------------------------------------------------------------------------
+
+
+def given(name: str) -> mp.mpf:
+    """A number of `GIVEN`."""
+    return mp.mpf(GIVEN[name])
+
+
+def first_end() -> mp.mpf:
+    """theta_1, radians."""
+    return mp.radians(given("theta_10"))
+
+
+def half() -> mp.mpf:
+    """Half the opening angle."""
+    return mp.radians(given("theta_20") - given("theta_10")) / 2
+
+
+def dip() -> mp.mpf:
+    """psi, the dip of the chord."""
+    return 3 * mp.pi / 2 - first_end() - half()
+
+
+@cache
+def derivation(name: str) -> Derivation:
+    """A moment's derivation; at the section its closed form equals quadrature of the raw definition."""
+    found = derive(next(m for m in MOMENTS if m.name == name))
+    raw, closed = quadrature(found.moment.weight, first_end(), half(), 20), value(found.closed)
+    if abs(raw - closed) > 1e-18:
+        raise ProofError(f"{name}: closed form at the section", closed, raw)
+    return found
+
+
+def value(form: sp.Expr, angle: Any = None, psi: Any = None) -> mp.mpf:
+    """A closed form at the section, or at another half angle or dip."""
+    angle, psi = (half() if angle is None else angle), (dip() if psi is None else psi)
+    return _function(form)(angle, psi, 3 * mp.pi / 2 - psi)
+
+
+@cache
+def _function(form: sp.Expr) -> Callable[..., mp.mpf]:
+    return sp.lambdify((alpha, PSI, theta_m), form, "mpmath")
+
+
+def moment(name: str, angle: Any = None, psi: Any = None) -> mp.mpf:
+    """One of `quantities.MOMENTS`."""
+    return value(derivation(name).closed, angle, psi)
+
+
+def factor(angle: Any = None) -> mp.mpf:
+    """lambda (3.14)."""
+    return value(2 * alpha * mechanics.deepest() / R, angle)
+
+
+def dynamic(angle: Any = None) -> mp.mpf:
+    """A (2.24)."""
+    return moment("polar_moment", angle) / factor(angle)
+
+
+def depth() -> mp.mpf:
+    """f (2.12), m."""
+    return given("R") * factor() / (2 * half())
+
+
+def reference() -> mp.mpf:
+    """sigma_ref (2.13), MPa."""
+    return given("gamma") / 1000 * depth()
+
+
+def second_end(radial_weight: mp.mpf) -> mp.mpf:
+    """theta_20 in degrees of an arc of this opening and this J_r."""
+    return 270 - mp.degrees(mp.acos(radial_weight / moment("radial_weight", psi=mp.mpf(0))) - half())
+
+
+# --- friction and motion ---------------------------------------------------------------------------------
+
+
+def second_appendix() -> mp.mpf:
+    """What Appendix II integrates."""
+    return value(simplify(APPENDIX_II).expression)
+
+
+def limit_friction(as_printed: bool = False) -> mp.mpf:
+    """mu_eq (3.21); with Appendix II for J_theta, if asked for as printed."""
+    return (second_appendix() if as_printed else moment("weight_moment")) / moment("radial_weight")
+
+
+def degrees(friction: mp.mpf) -> mp.mpf:
+    """The friction angle of a coefficient."""
+    return mp.degrees(mp.atan(friction))
+
+
+def residual() -> mp.mpf:
+    """The residual friction coefficient of section 4."""
+    return mp.tan(mp.radians(given("phi_res")))
+
+
+def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mp.mpf:
+    """c0, c1, c2 of (4.2), (4.4), or what the mass reaches after 30 s: phi, omega*, v, s.
+
+    `as_printed` takes Theta* and A at the full angle 2 alpha and J_theta from Appendix II, unrounded.
+    """
+    angle, inertia = (
+        (2 * half() if as_printed else half()),
+        moment("moment_of_inertia", 2 * half() if as_printed else None),
+    )
+    a = moment("radial_weight") * (limit_friction(as_printed) - residual()) / inertia
+    b = factor() * dynamic(angle) * residual() / inertia
+    clock = mp.sqrt(mp.mpf(gravity) / given("R"))
+    c0, c2 = mp.sqrt(a / b) * clock, mp.sqrt(a * b) * clock
+    omega, phi = c0 * mp.tanh(c2 * given("span")), c0 / c2 * mp.log(mp.cosh(c2 * given("span")))
+    found = {"c0": c0, "c1": c0 * given("R"), "c2": c2, "phi": phi, "omega*": omega / clock}
+    return (found | {"v": omega * given("R"), "s": phi * given("R")})[name]
+
+
+def both(name: str) -> list[mp.mpf]:
+    """What is reached from the printed inputs, and from the corrected ones."""
+    return [reached(name, as_printed=True), reached(name)]
+
+
+def turned(name: str) -> mp.mpf:
+    """Change of a moment over the rotation that the paper's own numbers reach in its time span."""
+    return moment(name, psi=dip() - reached("phi", as_printed=True)) / moment(name) - 1
