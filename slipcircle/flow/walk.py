@@ -172,7 +172,7 @@ class Lanes:
         net = c[roles["cell_drive"]]
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
         scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
-        allowed = self._allowed(side)
+        allowed = self.may_start(side)
         c[CLOSE] = np.where(allowed, np.minimum(c[CLOSE], np.abs(net) / scale), c[CLOSE])
         return np.where(allowed, net, -np.inf)
 
@@ -184,7 +184,7 @@ class Lanes:
         c[LIFTED] = c[self.program.roles["cell_normal0"]] <= 0.0
         self.on(c[LIFTED] > 0.0, Lanes.base)
 
-    def _allowed(self, side: float) -> Any:
+    def may_start(self, side: float) -> Any:
         """Shaking starts a one-way mass only down-slope, the way in which gravity pulls it where it lies."""
         c = self.c
         pulled = c[self.program.roles["cell_f0"]]  # in the direction of this side
@@ -542,7 +542,7 @@ class Lanes:
             self._face(side)
             r, last = self._series(int(c[ORDER].max()), frozen=True)
             stretch = np.minimum(stretch, self._length(r, last, [net_of]))
-            margins.append((side, r[net_of].copy(), self._allowed(side) | np.zeros(c.shape[1], dtype=bool)))
+            margins.append((side, r[net_of].copy(), self.may_start(side) | np.zeros(c.shape[1], dtype=bool)))
             if p.roles["normal"] >= 0:
                 self._lift_time(r[p.roles["normal"], 0] < 0.0)
         for side, net, allowed in margins:

@@ -119,6 +119,7 @@ class Motion:
 
     def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
+        self._latest: tuple[bytes, Floats] = b"", np.zeros(0)  # times that were last asked for, and the states there
 
     def __repr__(self) -> str:
         if self.shape:
@@ -262,7 +263,7 @@ class Motion:
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
         time = self._times(times)
-        rows = self._lanes.read(np.ravel(time))
+        rows = self._rows(time)
         shape = (*self.shape, *time.shape)
         lanes = self._lanes
         scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.bound.time_scale, lanes.radius))
@@ -287,19 +288,42 @@ class Motion:
             )
         return time
 
+    def _rows(self, time: Floats) -> Floats:
+        """Numbers of the walk at times, kept for the next question about the same."""
+        asked = time.tobytes()
+        if self._latest[0] != asked:
+            self._latest = asked, self._lanes.read(np.ravel(time))
+        return self._latest[1]
+
+    def _along(self, time: Floats, values: Floats) -> Any:
+        """One number of each lane at each time, (lanes, times), as the scene has its lanes."""
+        return values.reshape(self.shape + time.shape)[()]
+
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
         time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), ("pressing", "normal"))
-        return ((columns["pressing"] - columns["normal"]) * self._lanes.stress_unit).reshape(self.shape + time.shape)[
-            ()
-        ]
+        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("pressing", "normal"))
+        pressure = np.maximum(columns["pressing"] - np.maximum(columns["normal"], 0.0), 0.0)
+        return self._along(time, pressure * np.reshape(self._lanes.stress_unit, (-1, 1)))
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where nothing presses on the slip surface; as for `at`."""
         time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), ("mu", "normal"))
-        return np.where(columns["normal"] > 0.0, columns["mu"], 0.0).reshape(self.shape + time.shape)[()]
+        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("mu", "normal"))
+        return self._along(time, np.where(columns["normal"] > 0.0, columns["mu"], 0.0))
+
+    def holding_friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
+
+        NaN where nothing presses on the slip surface.
+        """
+        time = self._times(times)
+        return self._along(time, self._lanes.holding_friction(np.ravel(time), self._rows(time)))
+
+    def path_at(self, times: ArrayLike) -> Any:
+        """The path travelled from the start, there and back, m; times as for `at`."""
+        time = self._times(times)
+        return self._along(time, np.reshape(self._lanes.radius, (-1, 1)) * self._rows(time)[3].T)
 
     def energy_at(self, times: ArrayLike) -> Energy:
         """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
