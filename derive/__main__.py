@@ -72,11 +72,11 @@ def derive_all() -> dict[str, str]:
 
 
 def binary() -> str:
-    """Compile the kernels where the source changed, and say what serves now."""
-    from derive.build import NoBinaryError, build
+    """Compile what has another source than its binary, and say what serves now."""
+    from derive.build import PARTS, NoBinaryError, build
 
     try:
-        return build().name
+        return ", ".join(build(name=name).name for name in PARTS)
     except NoBinaryError as error:
         return f"NumPy serves: {error}"
 

@@ -1,9 +1,10 @@
-"""The extension module `generated._kernels`, compiled in place: `python -m derive.build`, and at install time.
+"""The extension modules of `generated`, compiled in place: `python -m derive.build`, and at install time.
 
-Flags of the environment are left out: the proofs are about the operations as they are written.
+Flags of the environment are left out: the proofs of the kernels are about the operations as they are written.
 """
 
 import os
+import platform
 import shlex
 import shutil
 import subprocess
@@ -17,6 +18,19 @@ FOLDER = Path(__file__).resolve().parent.parent / "generated"
 # branches made of comparisons. The last two are worth a tenth of the time: many chains of operations side by side.
 FLAGS = ("-O3", "-fPIC", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math",
          "-fno-thread-jumps", "-fschedule-insns", "-fsched-pressure")  # fmt: skip
+# The walk is compiled once for every kind of processor, and once for the module. It proves nothing bit by bit: a
+# product and a sum may be one operation.
+WALK = ("-ffp-contract=fast", "-fvisibility=hidden", "-Wno-psabi")
+KINDS = {
+    "avx512": ("-DWIDE=512", "-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma", "-mprefer-vector-width=512"),
+    "avx2": ("-DWIDE=256", "-mavx2", "-mfma"),
+    "baseline": ("-DWIDE=128",),
+}
+_HERE = KINDS if platform.machine() in ("x86_64", "AMD64") else {"baseline": KINDS["baseline"]}
+PARTS: dict[str, tuple[tuple[str, ...], ...]] = {
+    "_kernels": ((),),
+    "_flow": (*((*WALK, f"-DLEVEL={kind}", *flags) for kind, flags in _HERE.items()), WALK),
+}
 SHARED = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 
 
@@ -24,15 +38,15 @@ class NoBinaryError(Exception):
     """Why there is no binary, in one line; NumPy serves without one."""
 
 
-def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS) -> Path:
-    """Compile `_kernels.c` beside itself, unless the binary there was made of it.
+def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
+    """Compile a module's C beside itself, unless the binary there was made of it.
 
     Raises
     ------
     NoBinaryError
         If a C compiler, the headers of Python or NumPy, or the wish for it are missing, or if it does not compile.
     """
-    source, binary = folder / "_kernels.c", folder / f"_kernels{sysconfig.get_config_var('EXT_SUFFIX')}"
+    source, binary = folder / f"{name}.c", folder / f"{name}{sysconfig.get_config_var('EXT_SUFFIX')}"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
     digest = source.read_text("utf-8").split('"', 2)[1]  # of the header's #define
@@ -47,17 +61,24 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS) -> Path:
         raise NoBinaryError(f"no NumPy to compile with ({error})") from None
     includes = (f"-I{sysconfig.get_path('include')}", f"-I{np.get_include()}")
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
-        target = Path(made) / binary.name
-        command = [*compiler, *flags, *SHARED, *includes, str(source), "-o", str(target), "-lm"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode:
-            raise NoBinaryError(f"{compiler[0]} fails: {done.stderr.strip().splitlines()[:1]}")
+        target, objects = Path(made) / binary.name, []
+        for k, own in enumerate(PARTS[name]):
+            objects.append(str(Path(made) / f"{k}.o"))
+            _run([*compiler, *flags, *own, *includes, "-c", str(source), "-o", objects[k]])
+        _run([*compiler, *flags, *SHARED, *objects, "-o", str(target), "-lm"])
         os.replace(target, binary)
     return binary
 
 
+def _run(command: list[str]) -> None:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise NoBinaryError(f"{command[0]} fails: {done.stderr.strip().splitlines()[:1]}")
+
+
 if __name__ == "__main__":
-    try:
-        print(build())
-    except NoBinaryError as error:
-        print(f"NumPy serves: {error}")
+    for module in PARTS:
+        try:
+            print(build(name=module))
+        except NoBinaryError as error:
+            print(f"NumPy serves: {error}")

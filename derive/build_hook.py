@@ -1,4 +1,4 @@
-"""At install time: a binary of the kernels where it can be made, else a wheel of pure Python."""
+"""At install time: binaries of the kernels and of the walk where they can be made, else a wheel of pure Python."""
 
 import sys
 from pathlib import Path
@@ -13,13 +13,14 @@ class KernelsHook(BuildHookInterface[Any]):
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         """Compile, and mark the wheel as one for this platform."""
         sys.path.insert(0, self.root)
-        from derive.build import NoBinaryError, build
+        from derive.build import PARTS, NoBinaryError, build
 
-        try:
-            binary = build(Path(self.root) / "generated")
-        except (NoBinaryError, OSError) as error:
-            self.app.display_warning(f"no compiled kernels, NumPy serves: {error}")
-            return
-        if version != "editable":
-            build_data["force_include"][str(binary)] = f"generated/{binary.name}"
-            build_data["pure_python"], build_data["infer_tag"] = False, True
+        for name in PARTS:
+            try:
+                binary = build(Path(self.root) / "generated", name=name)
+            except (NoBinaryError, OSError) as error:
+                self.app.display_warning(f"no compiled {name[1:]}, NumPy serves: {error}")
+                continue
+            if version != "editable":
+                build_data["force_include"][str(binary)] = f"generated/{binary.name}"
+                build_data["pure_python"], build_data["infer_tag"] = False, True

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9d56d6adde8e6edea7429a3c65a6badc1d9be7066c6e5b737c501dd21a168c9e
+# sha256 of the text below: 45af98f40938818367c48d82ac337eec0599604e824b92a3a9a22424aaac7d2e
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -633,13 +633,32 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'dmu*dnormal', 'dmu', 'dnormal'),
             ('lin', 'dfriction', '', (('balance.3', 'dmu'), ('grip', 'dmu*dnormal'), ('balance.4', 'dnormal'))),
             ('lin', 'friction', 'friction_0', (('=1.0', 'dfriction'),)),
-            ('lin', 'mu', 'mu_0', (('=1.0', 'dmu'),)),
+            ('lin', 'driving', 'driving_0', (('=1.0', 'ddriving'),)),
+            ('lin', 'resisting', 'resisting_0', (('=1.0', 'dresisting'),)),
             ('lin', 'pressing', 'pressing_0', (('=1.0', 'dpressing'),)),
+            ('lin', 'lifting', 'lifting_0', (('=1.0', 'dlifting'),)),
+            ('lin', 'mu', 'mu_0', (('=1.0', 'dmu'),)),
             ('lin', 'dnet', '', (('=1.0', 'ddriving'), ('=-1.0', 'dfriction'), ('=-1.0', 'dresisting'))),
             ('lin', 'net', 'drive', (('=1.0', 'dnet'),)),
         ),
         adds={},
         states=(),
+        table=None,
+    ),
+    'energy': Fragment(
+        words=(
+            'dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*, over Theta*',
+        ),
+        inputs=(),
+        optional=(),
+        scalar=(),
+        series=(
+            ('lin', 'brakes', '', (('=1.0', 'friction'), ('=1.0', 'resisting'))),
+            ('mul', 'driving*omega', 'driving', 'omega'),
+            ('mul', 'brakes*omega', 'brakes', 'omega'),
+        ),
+        adds={},
+        states=(('work', 'driving*omega'), ('dissipation', 'brakes*omega')),
         table=None,
     ),
 }

@@ -218,11 +218,11 @@ def point(rng: random.Random, case: Case) -> dict[str, Any]:
     return p
 
 
-def difference(case: Case, seed: int) -> float:
-    """The worst relative difference of a coefficient of any register that both sides have."""
+def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, list[list[arb]], dict[str, Any]]:
+    """The program of a case, its registers at a random moment, and the numbers of that moment."""
     effects, laws, moving, absent = case
     ctx.prec, ctx.cap = PRECISION, ORDER + 1
-    program = join(effects, laws, moving, absent, ("mu",))
+    program = join(effects, laws, moving, absent, asked)
     p = point(random.Random(f"{case} {seed}"), case)
     theta = p["Theta"]
     cells = {k: v for k, v in p.items() if isinstance(v, arb)} | {
@@ -238,9 +238,16 @@ def difference(case: Case, seed: int) -> float:
     low = limit * arb(2) ** -60
     c = prologue(program, cells | {"LIMIT": limit - low, "LIMIT_LOW": low})
     for cell, _, _ in program.states:
-        c[cell] = p[f"now.{program.cells[cell]}"]
+        c[cell] = p.get(f"now.{program.cells[cell]}", arb(0))
     ramps = {t.register: p[f"{t.name}.series"] for t in program.tables if t.kind == "time"}
-    registers = run(program, c, ramps, ORDER)
+    return program, run(program, c, ramps, ORDER), p
+
+
+def difference(case: Case, seed: int) -> float:
+    """The worst relative difference of a coefficient of any register that both sides have."""
+    effects, laws, *_ = case
+    program, registers, p = at_a_point(case, seed, ("mu",))
+    at = program.roles
 
     def mu(x: Any, w: Any) -> Any:
         found = coefficient(laws[0], p, x, w)

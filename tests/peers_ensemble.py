@@ -17,12 +17,12 @@ import numpy as np
 import references
 from numpy.typing import NDArray
 
-from slipcircle import Scene, solve
+from slipcircle import Scene, load, solve
 
 Floats = NDArray[np.float64]
 Ways = list[tuple[str, Callable[[], Callable[[Floats], Floats]], int, int]]
 EFFECTS: dict[str, dict[str, float]] = {"rotation": {}, "centripetal": {}}
-ARC = Scene.load("vaiont").arc
+ARC = load("vaiont").arc
 RESIDUAL = float(np.tan(np.radians(9.0)))
 D = ARC.dimensionless
 WEIGHT, RADIAL = (float(x) for x in ARC.amplitudes_per_inertia)

@@ -11,7 +11,7 @@ from concurrent.futures import Executor
 from contextlib import ExitStack
 from dataclasses import replace
 
-from slipcircle import Scene, ensemble
+from slipcircle import ensemble, load
 from slipcircle.cost.costtext import machine
 from slipcircle.studies.engines import engine, forecast
 
@@ -21,7 +21,7 @@ BLOCKS = 400  # small ones, for the engine's own time
 REGION = 10**9
 # Free memory that a worker keeps. By Dask's own setting of 64 KiB it gives back what is more, and faults it in again.
 TRIM = "MALLOC_TRIM_THRESHOLD_"
-SCENE = replace(Scene.load("vaiont"), uncertain={"friction.angle_deg": ANGLE})
+SCENE = replace(load("vaiont"), uncertain={"friction.angle_deg": ANGLE})
 
 
 def run(pool: Executor | None, n: int, size: int) -> tuple[float, float]:

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from slipcircle import Scene, Unattainable, backanalyse, solve
+from slipcircle import Scene, Unattainable, backanalyse, load, solve
 from slipcircle.__main__ import main
 from slipcircle.studies.backanalysis import CLOSED, FITTED, ROOT
 
-VAIONT = Scene.load("vaiont")
-WET = Scene.load("wet-slope")
+VAIONT = load("vaiont")
+WET = load("wet-slope")
 PENDULUM = replace(VAIONT, effects=["rotation"])
 DIP, RADIUS = float(VAIONT.arc.dip), float(np.asarray(VAIONT.arc.radius))
 
@@ -31,7 +31,7 @@ def test_vaiont() -> None:
 
 
 @pytest.mark.parametrize("name", ["runout", "peak_velocity", "duration"])
-@pytest.mark.parametrize("scene", [VAIONT, WET, Scene.load("vaiont-frozen")], ids=lambda s: s.name)
+@pytest.mark.parametrize("scene", [VAIONT, WET, load("vaiont-frozen")], ids=lambda s: s.name)
 def test_round_trip_of_friction(scene: Scene, name: str) -> None:
     motion = solve(scene)
     if scene.end_time is not None and name == "duration":
@@ -67,7 +67,7 @@ def test_round_trip_of_other_fields(field: str, value: float) -> None:
 
 
 def test_friction_of_a_law() -> None:
-    scene = Scene.load("vaiont-softening")
+    scene = load("vaiont-softening")
     wanted = scene.friction["residual"]  # type: ignore[index, call-overload]
     found = backanalyse(scene, runout=solve(scene).run_out, field="friction.residual")
     assert found.value == pytest.approx(wanted, rel=1e-10)
@@ -278,7 +278,7 @@ def test_two_that_act_as_one() -> None:
 
 def test_what_scipy_integrates() -> None:
     """All four solutions, the weakest friction with five swings back; creeping frictions in the range take no time."""
-    scene = Scene.load("vaiont-rate")
+    scene = load("vaiont-rate")
     found = backanalyse(scene, runout=400.0, field="friction.residual")
     assert [len(s.motion.phases) for s in found.solutions] == [1, 2, 4, 6]
     for s in found.solutions:
@@ -287,7 +287,7 @@ def test_what_scipy_integrates() -> None:
 
 def test_a_shaken_mass_that_would_stand() -> None:
     """Newmark's block: the friction is above its limit at rest."""
-    scene = Scene.load("newmark-pulse")
+    scene = load("newmark-pulse")
     motion = solve(scene)
     for name, value in (("runout", motion.run_out), ("peak_velocity", float(motion.peak.velocity))):
         found = backanalyse(scene, **{name: value})  # type: ignore[arg-type]

@@ -16,10 +16,10 @@ import pytest
 
 import generated
 import slipcircle
-from slipcircle import Motion, Scene, State, solve
+from slipcircle import Motion, State, load, solve
 from slipcircle.__main__ import main
-from slipcircle.files.scenefile import find, shipped
 from slipcircle.cost import cost
+from slipcircle.files.scenefile import find, shipped
 
 ROOT = Path(__file__).parents[1]
 NAMES = ["vaiont-as-printed", "vaiont-frozen"]
@@ -71,7 +71,7 @@ def test_run_prints_a_table(names: list[str]) -> None:
     assert lines[0].split() == names or lines[1].split() == names
     text = " ".join(done.stdout.split())
     for name in names:
-        motion = solve(Scene.load(name))
+        motion = solve(load(name))
         assert f"{name}: {motion.plan.scene.note}" in text
         assert f"{motion.end.velocity:.2f} m/s" in text
         assert f"{motion.end.displacement:.1f} m" in text
@@ -121,7 +121,7 @@ def check_record(record: dict[str, Any], motion: Motion) -> None:
 def test_run_json() -> None:
     done = command("run", "vaiont-frozen", "--json")
     assert (done.returncode, done.stderr) == (0, "")
-    check_record(strict(done.stdout), solve(Scene.load("vaiont-frozen")))
+    check_record(strict(done.stdout), solve(load("vaiont-frozen")))
 
 
 def test_run_json_of_several_scenes_is_a_list(capsys: pytest.CaptureFixture[str]) -> None:
@@ -129,7 +129,7 @@ def test_run_json_of_several_scenes_is_a_list(capsys: pytest.CaptureFixture[str]
     records = strict(capsys.readouterr().out)
     assert len(records) == 2
     for record, name in zip(records, NAMES, strict=True):
-        check_record(record, solve(Scene.load(name)))
+        check_record(record, solve(load(name)))
 
 
 def test_a_scene_at_rest_prints_too(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
@@ -320,7 +320,7 @@ def test_solving_a_frozen_scene_loads_numpy_alone() -> None:
     ours = {"slipcircle", "generated", "__main__"}
     bare = loaded("import numpy")
     assert loaded(MAIN, "run", "vaiont-frozen", "--json") <= bare | ours
-    solving = "from slipcircle import Scene, solve; m = solve(Scene.load('vaiont-frozen')); m.at([0, 1]); m.energy"
+    solving = "from slipcircle import Scene, solve; m = solve(load('vaiont-frozen')); m.at([0, 1]); m.energy"
     assert loaded(solving) <= bare | ours
     assert loaded(MAIN, "info", "--json") <= bare | ours
     assert "rich" in loaded(MAIN, "run", "vaiont-frozen")  # this test would see it

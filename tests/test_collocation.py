@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
 from slipcircle.methods.chebyshev import quadrature, resolve
 from slipcircle.methods.collocation import MEAN, RESOLVED, Z, joined, over_panels, propose, series_at, solved
 

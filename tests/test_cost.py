@@ -18,10 +18,10 @@ import pytest
 from mpmath import mpf
 
 from generated import _compiled, kernels, printed
-from slipcircle.outputs import tables
 from slipcircle.cost import cost, costtext, reference, solvercost, ways
 from slipcircle.cost.cost import Row
 from slipcircle.cost.ways import Way
+from slipcircle.outputs import tables
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from slipcircle import Scene, ensemble, solve
-from slipcircle.base.series import Series
+from slipcircle import Scene, ensemble, load, solve
 from slipcircle.base.files import replacing, write
+from slipcircle.base.series import Series
 from slipcircle.studies import written
 from slipcircle.studies.engines import Progress, computed, engine, forecast, stored
 from slipcircle.studies.ensembles import Ensemble, grid
@@ -26,7 +26,7 @@ from slipcircle.studies.study import Result, Study
 ROOT = Path(__file__).parents[1]
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
 RADIUS = {"distribution": "lognormal", "mean": 1492.6, "std": 50}
-SCENE = replace(Scene.load("vaiont"), uncertain={"friction.angle_deg": ANGLE, "arc.radius_m": RADIUS})
+SCENE = replace(load("vaiont"), uncertain={"friction.angle_deg": ANGLE, "arc.radius_m": RADIUS})
 MANY: dict[str, Any] = {"n": 6000, "rng": 7, "size": 512, "sensitivity": 640}
 
 
@@ -176,17 +176,17 @@ def test_another_record_or_law_is_refused(tmp_path: Path) -> None:
         with pytest.raises(ValueError, match="another study: fixed differ"):
             grid(two, {"friction": [0.4]}, folder=tmp_path / str(k))
     with pytest.raises(ValueError, match="needs a name of its own"):
-        grid(replace(Scene.load("vaiont"), friction=lambda s: 0.2 + 0 * s), {"radius": [1e3]}, folder=tmp_path / "law")
+        grid(replace(load("vaiont"), friction=lambda s: 0.2 + 0 * s), {"radius": [1e3]}, folder=tmp_path / "law")
 
 
 def shaken(horizontal: Any) -> Scene:
-    return replace(Scene.load("vaiont"), effects={"rotation": {}, "shaking": {"horizontal": horizontal}}, friction=0.6)
+    return replace(load("vaiont"), effects={"rotation": {}, "shaking": {"horizontal": horizontal}}, friction=0.6)
 
 
 @pytest.mark.parametrize("name", ["vaiont-shaken", "vaiont-heated", "vaiont-rate", "newmark-pulse", "vaiont-softening"])
 def test_what_is_no_number_goes_into_the_blocks(name: str) -> None:
     """Shaking, heat and laws: a study's scenes are those that `solve` solves one by one."""
-    scene = Scene.load(name)
+    scene = load(name)
     with ThreadPoolExecutor(2) as pool:
         found = grid(scene, {"radius": [1000.0, 1500.0]}, pool)
     for k, radius in enumerate((1000.0, 1500.0)):

@@ -12,20 +12,20 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from slipcircle import Scene, ensemble, solve
+from slipcircle import Scene, ensemble, load, solve
 from slipcircle.__main__ import main
-from slipcircle.motion.motion import Status
+from slipcircle.base.distributions import DISTRIBUTIONS, Uncertain
 from slipcircle.files.scenefile import read
 from slipcircle.files.scenekeys import schema
+from slipcircle.motion.motion import Status
 from slipcircle.studies import written
-from slipcircle.base.distributions import DISTRIBUTIONS, Uncertain
 from slipcircle.studies.ensembles import Ensemble, grid
 from slipcircle.studies.estimates import histogram_quantile, indices, pooled, proportion, ranks, spread
 from slipcircle.studies.sampling import directions, latin, monte_carlo, sobol
 from slipcircle.studies.study import BIN_ERROR, BINS, OUTPUTS, bins, edges, moments, sums
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
-VAIONT = Scene.load("vaiont")
+VAIONT = load("vaiont")
 # So much friction that no sample turns back: run-out and peak velocity fall as it grows.
 ANGLE: Any = {"distribution": "normal", "mean": 14, "std": 1}
 ONE = replace(VAIONT, uncertain={"friction.angle_deg": ANGLE})
@@ -141,7 +141,7 @@ def test_in_python() -> None:
 
 
 def test_a_law_may_be_uncertain() -> None:
-    scene = replace(Scene.load("vaiont-softening"), uncertain={"friction.residual_deg": ANGLE})
+    scene = replace(load("vaiont-softening"), uncertain={"friction.residual_deg": ANGLE})
     found = ensemble(scene, 5, 1)
     law: Any = scene.friction
     residual = math.tan(math.radians(found.samples["friction.residual_deg"][3]))
@@ -155,7 +155,7 @@ def test_a_law_may_be_uncertain() -> None:
 def test_a_law_times_a_law_of_speed_may_be_uncertain() -> None:
     law = {"law": "exponential", "peak": 0.3, "residual": 0.2, "length": 0.5,
            "rate": {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 2.0}}  # fmt: skip
-    scene = Scene.load("vaiont")
+    scene = load("vaiont")
     scene = replace(scene, friction=law, uncertain={"friction.residual": stats.uniform(0.15, 0.1)})
     found = ensemble(scene, 3, 5)
     for k, residual in enumerate(found.samples["friction.residual"]):
@@ -337,10 +337,10 @@ def test_linear_propagation_next_to_the_limit(mean: float, moves: bool) -> None:
 def test_where_nothing_is_propagated() -> None:
     """What has no derivative says so; a unit weight moves nothing here, and rounding is no disagreement."""
     angle: Any = {"distribution": "normal", "mean": 5, "std": 0.2}
-    softening = replace(Scene.load("vaiont-softening"), uncertain={"friction.residual_deg": angle})
+    softening = replace(load("vaiont-softening"), uncertain={"friction.residual_deg": angle})
     cases: list[tuple[Scene, str]] = [
         (softening, "closed form"),
-        (replace(Scene.load("newmark-pulse"), uncertain={"friction": stats.norm(0.3, 0.01)}), "exact steps along"),
+        (replace(load("newmark-pulse"), uncertain={"friction": stats.norm(0.3, 0.01)}), "exact steps along"),
         (replace(VAIONT, uncertain={"friction": stats.cauchy(0.2, 0.01)}), "no finite mean"),
         (replace(VAIONT, uncertain={"initial_velocity": stats.norm(0, 0.1)}), "no derivative by it"),
     ]
@@ -462,7 +462,7 @@ def test_blocks_show_how_results_converge() -> None:
         assert [c.n for c in found.convergence][-4:] == [2**12, 2**13, 2**14, 2**15]
         widths = [c.median.high - c.median.low for c in found.convergence]
         assert widths[-1] < widths[-4]
-    rate = replace(Scene.load("vaiont-rate"), uncertain={"friction.residual_deg": ANGLE})
+    rate = replace(load("vaiont-rate"), uncertain={"friction.residual_deg": ANGLE})
     assert ensemble(rate, 9, 1, sensitivity=0).size == 4
 
 

@@ -245,3 +245,14 @@ def test_what_has_no_operation_is_refused() -> None:
 def test_fragments_say_what_they_are() -> None:
     assert flow.FRAGMENTS.keys() >= {e.name for e in EFFECTS} | {law.name for law in LAWS} | {"balance", "gravity"}
     assert all(f.words for f in flow.FRAGMENTS.values())
+
+
+@pytest.mark.parametrize("case", CASES[:12], ids=str)
+def test_energy_is_kept(case: flow_oracle.Case) -> None:
+    """The kinetic energy changes by the work less the dissipation, coefficient by coefficient."""
+    program, r, _ = flow_oracle.at_a_point(case, 1, ("energy",))
+    work, lost, omega = (r[program.registers.index(x)] for x in ("work", "dissipation", "omega"))
+    for i in range(1, flow_oracle.ORDER):
+        kinetic = sum((omega[k] * omega[i - k] for k in range(i + 1)), arb(0)) / 2
+        assert abs(work[i] - lost[i] - kinetic) < arb(1e-60)
+    assert abs(work[1]) > arb(1e-9)

@@ -10,8 +10,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-
-from slipcircle import Arc, Motion, Scene, solve
 from slipcircle.arrays import lanes as lanes_module
 from slipcircle.arrays import paths as paths_module
 from slipcircle.arrays import swings as swings_module
@@ -20,7 +18,9 @@ from slipcircle.arrays.lanes import LANES, solve_block
 from slipcircle.arrays.motions import Motions, lane
 from slipcircle.arrays.panels import turned
 
-VAIONT = Scene.load("vaiont").arc
+from slipcircle import Arc, Motion, Scene, load, solve
+
+VAIONT = load("vaiont").arc
 TURNING: Mapping[str, Any] = {"rotation": {}, "centripetal": {}}
 SIZES = ("radius", "theta_1", "theta_2", "unit_weight")
 STATES = ("time", "rotation", "angular_velocity", "velocity", "displacement", "acceleration", "normal_stress")
@@ -303,7 +303,7 @@ def test_any_field_may_be_an_array(field: str, scene: Scene) -> None:
 
 
 def test_given_coefficients_are_no_axis() -> None:
-    printed = Scene.load("vaiont-as-printed")
+    printed = load("vaiont-as-printed")
     scene = replace(printed, friction=np.array([0.1, 0.3]))
     found = solve(scene)
     for k in range(2):

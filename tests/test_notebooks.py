@@ -24,7 +24,7 @@ from nbclient import NotebookClient
 import generated
 from derive.judge.paper import CLAIMS
 from generated import stable, tiers
-from slipcircle import Motion, Scene, solve
+from slipcircle import Motion, load, solve
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -149,7 +149,7 @@ def numbers_of(motion: Motion) -> list[float]:
 
 
 def test_key_numbers_of_the_paper() -> None:
-    numbers, arc = key_numbers("2_the_paper_reproduced.ipynb"), Scene.load("vaiont-frozen").arc
+    numbers, arc = key_numbers("2_the_paper_reproduced.ipynb"), load("vaiont-frozen").arc
     d = arc.dimensionless
     package = {
         "Table 2-1 2alpha": np.degrees(2 * arc.half_angle),
@@ -177,7 +177,7 @@ def test_key_numbers_of_the_paper() -> None:
     assert len(wrong) == 5  # of 16 entries, as the first sentence says
     scenes = {"as printed": "vaiont-as-printed", "corrected": "vaiont-frozen", "turning": "vaiont"}
     for name, scene in scenes.items():
-        state = solve(Scene.load(scene)).at(30.0)
+        state = solve(load(scene)).at(30.0)
         reached = [state.velocity, state.displacement, np.degrees(state.rotation)]
         assert numbers["after_30_s"][name] == pytest.approx(reached, abs=6e-4)
     drive, brake = zip(*(_coefficients(scenes[name]) for name in ("as printed", "corrected")), strict=True)
@@ -185,7 +185,7 @@ def test_key_numbers_of_the_paper() -> None:
 
 
 def _coefficients(name: str) -> tuple[float, float]:
-    scene = Scene.load(name)
+    scene = load(name)
     d, mu = scene.arc.dimensionless, float(np.asarray(scene.friction))
     return d.limit_friction * d.radial_weight_per_inertia - mu * d.radial_weight_per_inertia, (
         mu * d.polar_moment_per_inertia
@@ -201,7 +201,7 @@ def test_key_numbers_of_the_price_list() -> None:
     alpha, error = float.fromhex(numbers["witness"][0]), numbers["witness"][1]
     assert 0.0 < alpha < math.pi / 2
     assert 0.5 < error <= numbers["claimed"]["best, fused"]
-    assert numbers["run_out"] == pytest.approx(solve(Scene.load("vaiont")).run_out, abs=6e-7)
+    assert numbers["run_out"] == pytest.approx(solve(load("vaiont")).run_out, abs=6e-7)
     assert numbers["measured_above_proved"] == []
     assert printed(notebook, "accuracy").count("True") == 3
     assert "refused: radial_weight_amplitude cannot promise" in printed(notebook, "accuracy")
@@ -211,7 +211,7 @@ def test_key_numbers_of_the_price_list() -> None:
 
 
 def test_key_numbers_of_vaiont() -> None:
-    numbers, scene = key_numbers("4_vaiont_effect_by_effect.ipynb"), Scene.load("vaiont")
+    numbers, scene = key_numbers("4_vaiont_effect_by_effect.ipynb"), load("vaiont")
     both: dict[str, dict[str, float]] = {"rotation": {}, "centripetal": {}}
 
     def solved(effects: dict[str, dict[str, float]], end: float | None = None) -> Motion:
@@ -222,14 +222,14 @@ def test_key_numbers_of_vaiont() -> None:
         solved({"centripetal": {}}, 45.0),
         solved({"rotation": {}}),
         solve(scene),
-        solve(replace(Scene.load("vaiont-as-printed"), end_time=45.0)),
+        solve(replace(load("vaiont-as-printed"), end_time=45.0)),
     ]
     assert [m.arrested for m in steps] == [False, False, True, True, False]
     for shown, motion in zip(numbers["steps"].values(), steps, strict=True):
         assert shown == pytest.approx(numbers_of(motion), abs=6e-4)
     added = [{"pore_pressure": {"ratio": 0.2}}, {"cohesion": {"cohesion": 1e5}}, {"drag": {"xi": 1000.0}}]
-    others = [solve(Scene.load("vaiont-softening")), *(solved(both | more) for more in added)]
-    others += [solve(Scene.load(name)) for name in ("vaiont-rate", "vaiont-heated")]
+    others = [solve(load("vaiont-softening")), *(solved(both | more) for more in added)]
+    others += [solve(load(name)) for name in ("vaiont-rate", "vaiont-heated")]
     for shown, motion in zip(numbers["others"], others, strict=True):
         assert shown == pytest.approx(numbers_of(motion), abs=6e-4)
     # Interpolated between half degrees, so a little less exact: what the friction angles do give.
@@ -247,7 +247,7 @@ def test_key_numbers_of_vaiont() -> None:
 
 def test_key_numbers_of_the_ensemble() -> None:
     """Beside another sample, drawn by NumPy and solved as one scene of arrays, and differences of single motions."""
-    numbers, scene = key_numbers("5_an_uncertain_slide.ipynb"), Scene.load("vaiont")
+    numbers, scene = key_numbers("5_an_uncertain_slide.ipynb"), load("vaiont")
     draw, n = np.random.default_rng(7), 50_000
     angle, ratio = draw.normal(10.0, 1.5, n), draw.triangular(0.0, 0.05, 0.2, n)
     first, radius = draw.normal(215.2, 1.0, n), draw.normal(1492.6, 50.0, n)

@@ -12,7 +12,7 @@ import pytest
 
 from generated import balance
 from generated.effects import COMBINATIONS, EFFECTS
-from slipcircle import Scene, plan, solve
+from slipcircle import Scene, load, plan, solve
 from slipcircle.__main__ import main
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import (
@@ -24,7 +24,7 @@ from slipcircle.motion.plan import (
     STEPPING,
 )
 
-ARC = Scene.load("vaiont").arc
+ARC = load("vaiont").arc
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}
 PARAMETERS = {
     "pore_pressure": {"ratio": 0.2}, "cohesion": {"cohesion": 5e4}, "drag": {"xi": 500.0},
@@ -109,7 +109,7 @@ def test_none_of_the_methods_imports_scipy() -> None:
         "import sys\nfrom slipcircle import Scene, solve\n"
         "from dataclasses import replace\n"
         "for name in ('vaiont-frozen', 'vaiont', 'vaiont-softening', 'wet-slope'):\n"
-        "    m = solve(Scene.load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
+        "    m = solve(load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
         "assert not {'scipy', 'sympy', 'mpmath', 'matplotlib', 'pydantic'} & set(sys.modules), 'heavy import'\n"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
@@ -117,7 +117,7 @@ def test_none_of_the_methods_imports_scipy() -> None:
 
 @pytest.mark.parametrize("name", ["vaiont", "wet-slope", "vaiont-softening"])
 def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
-    full = solve(Scene.load(name))
+    full = solve(load(name))
     rungs = plan(full.plan.scene).ladder()
     assert [len(r.effects) for r in rungs] == list(range(len(full.plan.effects) + 1))
     assert set(rungs[-1].effects) == set(full.plan.effects)
@@ -132,7 +132,7 @@ def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
 
 def test_each_step_of_the_ladder_leaves_out_what_matters_least() -> None:
     """Its order is found again by solving every alternative."""
-    called = Scene.load("wet-slope")
+    called = load("wet-slope")
     rungs = plan(called).ladder()
     full = solve(called)
     for before, after in pairwise(rungs):
@@ -178,7 +178,7 @@ def test_the_ladders_of_vaiont_on_the_command_line(name: str, capsys: pytest.Cap
 def test_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["plan", "vaiont"]) == 0
     text = capsys.readouterr().out
-    assert all(word in text for word in (*plan(Scene.load("vaiont")).functions, CLOSED_IN_PHASE_PLANE, "left out"))
+    assert all(word in text for word in (*plan(load("vaiont")).functions, CLOSED_IN_PHASE_PLANE, "left out"))
     assert main(["plan", "--ladder", "vaiont", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert [r["added"] for r in found["ladder"]] == ["", "rotation", "centripetal"]

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
-from slipcircle import Arc, Motion, Scene, plan, solve
+from slipcircle import Arc, Motion, Scene, load, plan, solve
 from slipcircle.base.series import Pulse, Series
 from slipcircle.outputs import pictures, plots, plotstyle
 from slipcircle.outputs.report import report
@@ -34,7 +34,7 @@ SHIPPED = ("vaiont", "vaiont-frozen", "vaiont-softening", "vaiont-rate", "vaiont
            "newmark-pulse", "wet-slope")  # fmt: skip
 RISING = Series(np.array([0.0, 1.0, 4.0]), np.array([0.0, 0.0, 1.5e5]))
 CALMING = {"law": "prescribed", "time": [0.0, 2.0, 5.0], "coefficient": [0.45, 0.2, 0.35]}
-SCENES = {name: Scene.load(name) for name in SHIPPED} | {
+SCENES = {name: load(name) for name in SHIPPED} | {
     "rising water": scene(215, 280, 0.45, {"rotation": {}, "pore_pressure": {"pressure": RISING}}, end_time=12.0),
     "by time": scene(215, 280, CALMING, ["rotation"], end_time=8.0),
     "shaken still": scene(215, 260, 0.9, {"shaking": {"horizontal": Pulse("triangular", 0.1, 0.0, 1.0)}}),

@@ -19,7 +19,7 @@ import slipcircle
 from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
-from slipcircle import Motion, Scene, plan, solve
+from slipcircle import Motion, load, plan, solve
 from slipcircle.__main__ import main
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -52,7 +52,7 @@ def test_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (toml,) = (text for kind, text in BLOCKS if kind == "toml")
     path = tmp_path / "my-slope.toml"
     path.write_text(toml, encoding="utf-8")
-    motion = solve(Scene.load(str(path)))
+    motion = solve(load(str(path)))
     assert motion.moves
     assert motion.arrested
     assert motion.plan.effects == tuple(e for e in EFFECTS if e in tomllib.loads(toml))
@@ -65,7 +65,7 @@ def test_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 def test_ladder_of_the_readme() -> None:
     """Peak, run-out and duration in the README's ladder are today's."""
     (shown,) = (text for _, text in BLOCKS if "effect added" in text)
-    rungs = plan(Scene.load("vaiont")).ladder()
+    rungs = plan(load("vaiont")).ladder()
     for rung in rungs:
         line = next(x for x in shown.splitlines() if x.strip().startswith(f"+ {rung.added}" if rung.added else "none"))
         peak, run_out, duration = (float(x) for x in re.findall(r"([\d.]+) (?:m/s|m|s)(?=\s)", line))

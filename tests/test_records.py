@@ -8,10 +8,10 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from slipcircle.base.series import PULSES, Pulse, Series, Shaking
 from slipcircle.records import recordfiles
 from slipcircle.records.recordfiles import unit_of
 from slipcircle.records.records import read_pore_pressure, read_record
-from slipcircle.base.series import PULSES, Pulse, Series, Shaking
 
 AT2 = """PEER NGA STRONG MOTION DATABASE RECORD
 Nowhere 1/1/1999, Station Zero, 090

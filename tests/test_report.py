@@ -16,12 +16,12 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from slipcircle import Motion, Scene, solve
+from slipcircle import Motion, Scene, load, solve
 from slipcircle.__main__ import main
-from slipcircle.outputs.info import facts
-from slipcircle.files.scenefile import find
 from slipcircle.base import files
+from slipcircle.files.scenefile import find
 from slipcircle.outputs import pictures
+from slipcircle.outputs.info import facts
 from slipcircle.outputs.provenance import comments, inputs
 from slipcircle.outputs.report import RESULTS, report
 from slipcircle.outputs.tables import motion_record
@@ -31,7 +31,7 @@ COMMAND = "slipcircle run wet-slope --report report.html"
 
 @cache
 def motion(name: str) -> Motion:
-    return solve(Scene.load(name))
+    return solve(load(name))
 
 
 @cache
@@ -146,7 +146,7 @@ HOSTILE = "</title><script>alert(1)</script> \"'& \x08 \ud800 ]]> \N{SNOWMAN}"
 
 @pytest.mark.usefixtures("quick")
 def test_texts_of_users_are_no_html() -> None:
-    vaiont = Scene.load("vaiont")
+    vaiont = load("vaiont")
     m = solve(Scene(vaiont.arc, 0.2, {"rotation": {}}, name=HOSTILE, note=HOSTILE))
     file = "# " + HOSTILE.replace("\x08", "").replace("\ud800", "") + "\n"
     text = report([m, m], [file.encode(), None], f"run {HOSTILE}")
@@ -159,7 +159,7 @@ def test_texts_of_users_are_no_html() -> None:
 
 @pytest.mark.usefixtures("quick")
 def test_a_scene_without_a_file_shows_its_fields() -> None:
-    vaiont = Scene.load("vaiont")
+    vaiont = load("vaiont")
     law = {"law": "exponential", "peak": 0.41, "residual": 0.18, "length": 1.0}
     m = solve(Scene(vaiont.arc, law, {"rotation": {}, "cohesion": {"cohesion": 1e3}}, name="mine"))
     shown = {i.path: i for i in inputs(m.plan.scene)}
@@ -175,7 +175,7 @@ def test_inputs_of_a_rate_and_of_distributions() -> None:
     law = "law = 'linear'\npeak_deg = 15\nresidual_deg = 10\nlength_m = 2\n[friction.rate]\nlaw = 'rate_tabulated'\n"
     law += "speed_m_s = [0.1, 10]  # tests\ncoefficient = [1, 0.8]\n[shaking]\namplitude_g = 0.1"
     drawn = "radius_m = { distribution = 'normal', mean = 1490, std = 10 }  # the map"
-    found = {i.path: i[1:] for i in inputs(Scene.load("vaiont"), f"[arc]\n{drawn}\n[friction]\n{law}\n")}
+    found = {i.path: i[1:] for i in inputs(load("vaiont"), f"[arc]\n{drawn}\n[friction]\n{law}\n")}
     assert found["friction.rate.speed_m_s"] == ("0.1, 10.0", "m/s", "speeds of the table, increasing", "tests")
     assert found["friction.rate.coefficient"][2] == "friction coefficients at these speeds"
     assert found["friction.peak_deg"][1] == "deg"
@@ -183,7 +183,7 @@ def test_inputs_of_a_rate_and_of_distributions() -> None:
     assert found["arc.radius_m"] == ("normal: mean 1490, std 10", "m", "radius of the slip circle", "the map")
     rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.5, "velocity": 0.1}
     slip = {"law": "linear", "peak": 0.4, "residual": 0.2, "length": 1.0, "rate": rate}
-    shown = {i.path: i for i in inputs(Scene(Scene.load("vaiont").arc, slip, ["rotation"]))}
+    shown = {i.path: i for i in inputs(Scene(load("vaiont").arc, slip, ["rotation"]))}
     assert shown["friction.rate.velocity"][1:3] == ("0.1", "m/s")
     assert shown["friction.law"].value == "linear"
 
@@ -192,13 +192,13 @@ def test_inputs_of_a_rate_and_of_distributions() -> None:
 def test_a_motion_of_uncertain_numbers_says_where_they_are() -> None:
     drawn = {"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1}}
     said = "at the median of friction.angle_deg;"
-    assert said in report([solve(replace(Scene.load("vaiont"), uncertain=drawn))])
+    assert said in report([solve(replace(load("vaiont"), uncertain=drawn))])
     assert said not in report([motion("wet-slope")])
 
 
 @pytest.mark.usefixtures("quick")
 def test_a_mass_that_stays_has_a_report_too() -> None:
-    root = tree(report([solve(Scene(Scene.load("vaiont").arc, 0.9, ["rotation"], name="still"))]))
+    root = tree(report([solve(Scene(load("vaiont").arc, 0.9, ["rotation"], name="still"))]))
     cells = rows(root)
     assert (cells["moves"].text, cells["comes to rest"].text) == ("no", "yes")
     assert len(list(root.iter("img"))) == 1
@@ -255,7 +255,7 @@ def test_several_scenes_share_the_files(tmp_path: Path, capsys: pytest.CaptureFi
 
 
 def test_a_picture_of_several_scenes_holds_them_all() -> None:
-    still = solve(Scene(Scene.load("vaiont").arc, 0.9, ["rotation"]))  # which is quickly drawn
+    still = solve(Scene(load("vaiont").arc, 0.9, ["rotation"]))  # which is quickly drawn
     one, two = (pictures.overview([still] * n, "png") for n in (1, 2))
     size = [(int.from_bytes(p[16:20]), int.from_bytes(p[20:24])) for p in (one, two)]
     assert size == [(1680, 1200), (1680, 2400)]

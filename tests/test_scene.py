@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from generated.effects import EFFECTS
-from slipcircle import Arc, Scene, plan
+from slipcircle import Arc, Scene, load, plan
 from slipcircle.files.scenefile import shipped
 
 ARC = Arc(800.0, 3.8, 5.0, 21e3)
@@ -78,11 +78,11 @@ def test_all_mistakes_are_listed_at_once() -> None:
 
 def test_scenes_that_ship() -> None:
     for name in shipped():
-        scene = Scene.load(name)
+        scene = load(name)
         assert scene.name == name
         assert scene.note
     with pytest.raises(ValueError, match=r"'viaont' is unknown; known are .*; did you mean vaiont\?$") as caught:
-        Scene.load("viaont")
+        load("viaont")
     assert all(name in str(caught.value) for name in shipped())
 
 

@@ -14,12 +14,12 @@ import pytest
 
 import slipcircle
 from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
-from slipcircle import Arc, Scene, solve
+from slipcircle import Arc, Scene, load, solve
 from slipcircle.__main__ import main
-from slipcircle.scene.arc import QUANTITIES
 from slipcircle.files.scenefile import read, shipped
 from slipcircle.files.scenekeys import schema, tables_of
 from slipcircle.outputs.guide import guide
+from slipcircle.scene.arc import QUANTITIES
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 ROOT = Path(__file__).parents[1]
@@ -66,9 +66,9 @@ def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
     kinds = ("", "-as-printed", "-frozen", "-heated", "-rate", "-shaken", "-softening")
     vaionts = tuple(f"vaiont{kind}" for kind in kinds)
     assert shipped() == ("newmark-pulse", *vaionts, "wet-slope")
-    motions = {name: solve(Scene.load(name)) for name in shipped()}
+    motions = {name: solve(load(name)) for name in shipped()}
     for name, motion in motions.items():
-        scene = Scene.load(name)
+        scene = load(name)
         assert scene == read(FOLDER / f"{name}.toml")  # shipped files are not checked when they are loaded
         assert (scene.name, bool(scene.note), motion.moves) == (name, True, True)
         assert motion.arrested == (scene.end_time is None)
@@ -80,17 +80,17 @@ def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
 
 def test_the_papers_scenes_hold_the_papers_numbers() -> None:
     arc = Arc(1492.6, float(np.deg2rad(215.2)), float(np.deg2rad(276.9)), 20e3)
-    frozen = Scene.load("vaiont-frozen")
+    frozen = load("vaiont-frozen")
     assert frozen == Scene(arc, tan(10.0), ("centripetal",), 0.0, 30.0, None, "vaiont-frozen", frozen.note)
-    assert Scene.load("vaiont").called == {"rotation": {}, "centripetal": {}}
-    assert Scene.load("vaiont-as-printed").arc == Arc(**{f: getattr(arc, f) for f in QUANTITIES}, given={
+    assert load("vaiont").called == {"rotation": {}, "centripetal": {}}
+    assert load("vaiont-as-printed").arc == Arc(**{f: getattr(arc, f) for f in QUANTITIES}, given={
         "moment_of_inertia": 0.4376, "radial_weight": 0.0870, "weight_moment": 0.0387, "resistance_factor": 0.1523,
         "dynamic_coefficient": 0.468,
     })  # fmt: skip
 
 
 def test_softening_starts_below_the_limit_and_ends_at_the_residual() -> None:
-    scene = Scene.load("vaiont-softening")
+    scene = load("vaiont-softening")
     assert scene.friction == {"law": "exponential", "peak": tan(22.5), "residual": tan(10.0), "length": 1.0}
     assert tan(22.5) < scene.arc.dimensionless.limit_friction < tan(22.75)
 
@@ -332,13 +332,13 @@ def test_a_misplaced_key_does_not_hide_what_is_missing_elsewhere(file: Path) -> 
 def test_a_scene_that_is_not_there(name: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     with pytest.raises(ValueError, match=said.replace("?", r"\?") + "$"):
-        Scene.load(name)
+        load(name)
 
 
 def test_a_file_that_is_no_text(file: Path) -> None:
     file.write_bytes(b"name = '\xff'")
     with pytest.raises(ValueError, match=r"is not UTF-8 text: invalid start byte at byte 8$"):
-        Scene.load(file)
+        load(file)
 
 
 # --- schema --------------------------------------------------------------------------------------------------------

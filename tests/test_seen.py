@@ -11,6 +11,7 @@ import pytest
 import seen
 from flint import arb, ctx
 from seen import KERNELS, LAST_SINGLE, Inputs, Numbers, Reference, Run, Seen
+from slipcircle.balance import Balance
 
 from derive.approximate.approximants import SHAPES, variants
 from derive.approximate.fit import LIMIT, near_fit
@@ -18,7 +19,6 @@ from derive.check import certificates, exact, truth
 from derive.check.truth import TOP
 from derive.code.program import Op, Program
 from generated import _compiled, kernels
-from slipcircle.balance import Balance
 
 each_kernel = pytest.mark.parametrize("kernel", KERNELS)
 each_base = pytest.mark.parametrize("kernel", truth.KERNELS)

@@ -1,31 +1,21 @@
-"""Exact sensitivities: proofs, generated slopes in many digits, and whole motions against 40-digit differences."""
+"""Exact sensitivities: proofs, and generated slopes in many digits; whole motions: `test_derivatives`."""
 
-import json
 import math
 import re
-from dataclasses import replace
-from fractions import Fraction
-from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import mpmath
 import numpy as np
-import oracle
 import pytest
-import references
-from flint import ctx
 from mpmath import mpf
 
-import slipcircle
 from derive.algebra import integrate
 from derive.algebra import sensitivity as derived
 from derive.code import functions
 from derive.declare.quantities import MOMENTS
 from generated import sensitivity as slopes
-from slipcircle import Arc, Motion, Scene, solve
-from slipcircle.__main__ import main
 
 ULP = 2.0**-52
 
@@ -151,173 +141,3 @@ def test_a_planted_bug_turns_a_check_red(pattern: str, replacement: str, check: 
     exec(source[:start] + text + source[end:], bugged.__dict__)
     with pytest.raises(AssertionError):
         check(bugged)
-
-
-# --- whole motions -------------------------------------------------------------------------------------------------
-
-
-class Free(references.Problem):
-    """Followed to its first standstill, as if without friction."""
-
-    @property
-    def frictionless(self) -> bool:
-        return True
-
-
-def outputs(scene: dict[str, Any], free: bool) -> list[Any]:
-    """Peak velocity, run-out and duration to some 40 digits."""
-    p = references.problem(scene)
-    if free:
-        p = Free(**{n: getattr(p, n) for n in references.Problem.__dataclass_fields__})
-    found = references.motion(p, references.PLAIN["order"], references.PLAIN["digits"])
-    second = (p.radius / p.gravity).sqrt()
-    speed = found.peak()[1] * p.radius / second
-    return [speed, found.state(found.duration)[0] * p.radius, found.duration * second]
-
-
-def shifted(scene: dict[str, Any], name: str, by: Fraction) -> dict[str, Any]:
-    """The scene with one number changed, exactly."""
-    changed = json.loads(json.dumps(scene))
-    path = name.split(".") if "." in name else [name]
-    box = changed["effects"][path[0]] if len(path) == 2 else changed if name in changed else changed["arc"]
-    box[path[-1]] = Fraction(box[path[-1]]) + by
-    return dict(changed)
-
-
-def differences(scene: dict[str, Any], motion: Motion, name: str, value: float) -> list[float]:
-    step = Fraction(value or 1.0) * Fraction(1, 10**13)
-    free = not motion.arrested and scene["end_time"] is None
-    with ctx.workprec(references.PLAIN["bits"]):
-        up, down = (outputs(shifted(scene, name, by), free) for by in (step, -step))
-        return [float((u - d) / (2 * oracle.exact(step))) for u, d in zip(up, down, strict=True)]
-
-
-def build(scene: dict[str, Any]) -> Scene:
-    rest = {n: scene[n] for n in ("friction", "effects", "initial_velocity", "end_time")}
-    return Scene(arc=Arc(**scene["arc"]), **rest)
-
-
-def check_motion(scene: dict[str, Any]) -> None:
-    """All derivatives, relative to themselves, or to a tenth of the output per relative change."""
-    motion = solve(build(scene))
-    found = motion.sensitivity()
-    assert np.all(np.isfinite(found.values))
-    bound = 1e-12 + 128 * motion.error_estimate
-    for name in found.parameters:
-        value = found.at[name]
-        for output, exact in zip(found.outputs, differences(scene, motion, name, value), strict=True):
-            size = max(abs(exact), 0.1 * abs(found.at[output] / value) if value else 0.0)
-            error = abs(found.derivative(output, name) - exact)
-            assert error <= bound * size, (output, name, found.derivative(output, name), exact, error / size, bound)
-
-
-ROWS = [r["scene"] for r in json.loads(references.FILE.read_text("utf-8")) if r["group"] in ("frozen", "constant")]
-
-
-@pytest.mark.parametrize("start", range(8))
-def test_random_scenes_against_differences(start: int) -> None:
-    """Frozen and turning, all effects, swings, lift-off, next to the limit."""
-    for scene in ROWS[start::32]:
-        check_motion(scene)
-
-
-@cache
-def limit(opening: float, dip: float) -> float:
-    middle = 1.5 * math.pi - dip
-    arc = Arc(100.0, middle - opening / 2, middle + opening / 2, 2e4)
-    return float(arc.dimensionless.limit_friction)
-
-
-def hard(opening: float = 1.0, share: float = 0.5, dip: float = 0.4, **effects: dict[str, float]) -> dict[str, Any]:
-    middle = 1.5 * math.pi - dip
-    arc = {"radius": 100.0, "theta_1": middle - opening / 2, "theta_2": middle + opening / 2, "unit_weight": 2e4,
-           "gravity": 9.81}  # fmt: skip
-    return {"arc": arc, "friction": share * limit(opening, dip), "initial_velocity": 0.0, "end_time": None,
-            "effects": {"rotation": {}, "centripetal": {}} | effects}  # fmt: skip
-
-
-@pytest.mark.parametrize(
-    "scene",
-    [
-        *(hard(opening) for opening in (1e-6, 1e-3, math.pi - 1e-9)),
-        *(hard(share=1.0 - e) for e in (1e-3, 1e-6, 1e-9)),
-        hard(share=0.0),
-        hard(share=0.06),  # many swings
-        hard(drag={"xi": 1e9}),
-        hard(drag={"xi": 0.1}),
-        hard(share=1.0 - 1e-6, drag={"xi": 10.0}),
-        hard(share=0.9, cohesion={"cohesion": 100.0}, pore_pressure={"ratio": 0.05, "pressure": 50.0}),
-    ],
-    ids=["thin", "thinner", "half disc", "limit-3", "limit-6", "limit-9", "no friction", "many swings", "weak brake",
-         "strong brake", "strong brake at the limit", "water"],
-)  # fmt: skip
-def test_hard_scenes_against_differences(scene: dict[str, Any]) -> None:
-    check_motion(scene)
-
-
-def test_dimensions() -> None:
-    """Without a pressure the motion scales: run-out by R, speed by sqrt(g R), duration by sqrt(R/g)."""
-    found = solve(Scene.load("vaiont")).sensitivity()
-    wanted = {"radius": (0.5, 1.0, 0.5), "gravity": (0.5, 0.0, -0.5), "unit_weight": (0.0, 0.0, 0.0)}
-    for name, elasticities in wanted.items():
-        column = found.elasticities[:, list(found.parameters).index(name)]
-        np.testing.assert_allclose(column, elasticities, atol=1e-13)
-
-
-def test_table_and_what_is_left_out() -> None:
-    scene = Scene.load("vaiont-as-printed")
-    found = solve(scene).sensitivity()
-    assert list(found.parameters) == ["friction", "radius", "unit_weight", "gravity"]  # its coefficients are given
-    assert "friction" in str(found)
-    assert "run_out [m]" in str(found)
-    still = solve(replace(Scene.load("vaiont"), friction=0.6)).sensitivity()
-    assert not still.values.any()
-    assert np.isnan(still.elasticities).all()
-
-
-def test_where_there_is_no_derivative() -> None:
-    with pytest.raises(ValueError, match="constant coefficient"):
-        solve(Scene.load("vaiont-softening")).sensitivity()
-    scene = Scene.load("vaiont")
-    at_limit = replace(scene, friction=float(scene.arc.dimensionless.limit_friction))
-    with pytest.raises(ValueError, match="exactly at its limit"):
-        solve(at_limit).sensitivity()
-
-
-# --- the command ---------------------------------------------------------------------------------------------------
-
-KEYS = {"friction.angle_deg": 24.0, "arc.theta_2_deg": 280.0, "arc.radius_m": 40.0, "arc.unit_weight_kN_m3": 20.0,
-        "pore_pressure.ratio": 0.35, "cohesion.cohesion_kPa": 3.0}  # fmt: skip
-
-
-def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Per degree and per kPa: against differences of motions whose files differ in that key."""
-    text = (Path(str(slipcircle.__file__)).parent / "scenes" / "wet-slope.toml").read_text("utf-8")
-    assert main(["sensitivity", "wet-slope"]) == 0
-    cells = {line.split()[0]: line.split() for line in capsys.readouterr().out.splitlines() if "." in line}
-    for path, value in KEYS.items():
-        key, step = path.rpartition(".")[2], 1e-4 * value
-        ends = []
-        for x in (value - step, value + step):
-            (tmp_path / "s.toml").write_text(re.sub(rf"^{key} = [0-9.]+", f"{key} = {x!r}", text, flags=re.M), "utf-8")
-            motion = solve(Scene.load(str(tmp_path / "s.toml")))
-            ends.append((float(motion.peak.velocity), motion.run_out, motion.duration))
-        found = cells[path]
-        assert float(found[1]) == value
-        for k in range(3):
-            slope = (ends[1][k] - ends[0][k]) / (2 * step)
-            assert float(found[2 + 2 * k]) == pytest.approx(slope, rel=1e-3)
-            elasticity = slope * value / ((ends[0][k] + ends[1][k]) / 2)
-            assert float(found[3 + 2 * k].strip("()")) == pytest.approx(elasticity, rel=0.06)
-
-
-def test_the_command_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sensitivity", "vaiont", "--json"]) == 0
-    record = json.loads(capsys.readouterr().out)
-    found = solve(Scene.load("vaiont")).sensitivity()
-    by = {p["name"]: p for p in record["parameters"]}
-    assert by["theta_1"]["unit"] == "rad"
-    assert by["theta_1"]["derivatives"]["run_out"] == found.derivative("run_out", "theta_1")
-    assert by["radius"]["elasticities"]["run_out"] == pytest.approx(1.0, abs=1e-12)
-    assert main(["sensitivity", "vaiont-rate"]) == 1
-    assert "need a closed form" in capsys.readouterr().err

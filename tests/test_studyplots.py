@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from test_plots import clashes, drawn, motion
 from test_report import rows, tree
 
-from slipcircle import Ensemble, Scene, ensemble, solve
+from slipcircle import Ensemble, ensemble, load, solve
 from slipcircle.__main__ import main
 from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.studyreport import study_report
@@ -40,7 +40,7 @@ each_case = pytest.mark.parametrize("name", CASES)
 @cache
 def found(name: str) -> Ensemble:
     uncertain, more = CASES[name]
-    return ensemble(replace(Scene.load("wet-slope"), uncertain=uncertain), rng=1, **({"n": 2000} | more))
+    return ensemble(replace(load("wet-slope"), uncertain=uncertain), rng=1, **({"n": 2000} | more))
 
 
 @each_case
@@ -71,7 +71,7 @@ def test_exceedance_counts_the_samples(name: str, output: str) -> None:
 
 
 def test_what_does_not_move_has_no_median() -> None:
-    e = ensemble(replace(Scene.load("wet-slope"), uncertain={k: v | {"mean": 33} for k, v in ANGLE.items()}), 500, 1)
+    e = ensemble(replace(load("wet-slope"), uncertain={k: v | {"mean": 33} for k, v in ANGLE.items()}), 500, 1)
     assert 0.0 < e.moving.value < 0.5
     said = [t.get_text() for t in studyplots.exceedance(e, ax=drawn()).get_legend().get_texts()]
     assert not any(s.startswith("median") for s in said)
@@ -129,7 +129,7 @@ def test_shaking_is_drawn_as_given() -> None:
 
 
 def test_a_grid_has_no_probability() -> None:
-    e = grid(Scene.load("vaiont"), {"friction.angle_deg": [10.0, 12.0]})
+    e = grid(load("vaiont"), {"friction.angle_deg": [10.0, 12.0]})
     for draw in (studyplots.exceedance, studyplots.indices):
         with pytest.raises(ValueError, match="values on a grid have no probability"):
             draw(e)
@@ -139,7 +139,7 @@ def test_a_grid_has_no_probability() -> None:
 
 def test_a_grid_is_drawn_as_curves() -> None:
     """A curve for each radius, each scene of it solved on its own."""
-    scene, angles, radii = Scene.load("vaiont"), [9.0, 12.0, 15.0], [1000.0, 1492.6]
+    scene, angles, radii = load("vaiont"), [9.0, 12.0, 15.0], [1000.0, 1492.6]
     e = grid(scene, {"friction.angle_deg": angles, "arc.radius_m": radii})
     figure = Figure(figsize=studyplots.size(e), dpi=60, layout="constrained")
     FigureCanvasAgg(figure)

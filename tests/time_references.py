@@ -145,9 +145,12 @@ class Problem:
         self.turns = "rotation" in effects
         self.polar = m["polar"] if "centripetal" in effects else arb(0)
         water = effects.get("pore_pressure", {})
-        self.ratio = number(water.get("ratio", 0.0))
         per = 1 / m["reference_stress"]
-        if "time" in water:
+        self.ratio = Course((), (still(number(water.get("ratio", 0.0)) if "time" not in water else 0),))
+        self.water = Course((), (still(),))
+        if "time" in water and "ratio" in water:
+            self.ratio = lines(water["time"], water["ratio"], "held", arb(1), self.scale)
+        elif "time" in water:
             self.water = lines(water["time"], water["pressure"], "held", per, self.scale)
         else:
             self.water = Course((), (still(number(water.get("pressure", 0.0)) * per),))
@@ -206,7 +209,7 @@ class Problem:
 
     @property
     def kinks(self) -> list[arb]:
-        every = [*self.k_h.kinks, *self.k_v.kinks, *self.water.kinks]
+        every = [*self.k_h.kinks, *self.k_v.kinks, *self.water.kinks, *self.ratio.kinks]
         return sorted(every + list(self.prescribed.kinks if self.prescribed else ()), key=float)
 
     def mu(self, slip: arb_series, speed: arb_series, t: arb, piece: int, band: int) -> arb_series:
@@ -237,7 +240,7 @@ class Problem:
         k_h, k_v = self.k_h.on(t).series(t), self.k_v.on(t).series(t)
         fall = ((1 - k_v) * sine + k_h * cosine) * self.weight * side
         press = ((1 - k_v) * cosine - k_h * sine) * self.radial
-        water = cosine * self.radial * self.ratio + self.water.on(t).series(t) * self.level
+        water = cosine * self.radial * self.ratio.on(t).series(t) + self.water.on(t).series(t) * self.level
         return fall, press - water, cosine
 
 

@@ -42,6 +42,7 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "flow.py": flow.module(),
         "kernels.py": emit.module(KERNELS, kernels),
         "motion.py": emit.module(MOTION, motion),
+        "_flow.c": walk_source(),
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
         "series.py": series.numpy_text(),
@@ -53,6 +54,12 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
     }  # fmt: skip
     texts |= certificates.files(proved)
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
+
+
+def walk_source() -> str:
+    """The compiled walk, with the operations that it knows."""
+    text = (TEMPLATES / "_flow.c").read_text(encoding="utf-8")
+    return text.replace("@CODES@\n", series.c_enums()).replace("@OPERATIONS@\n", series.c_text())
 
 
 def header(name: str, text: str) -> str:

@@ -238,7 +238,8 @@ def balance() -> Fragment:
         low.register(increment, f"d{name}")
         low.put("lin", name, f"{name}_0", (("=1.0", f"d{name}"),))
         low.moving = {**low.moving, cell(name): (cell(f"{name}_0"), series(f"d{name}"))}
-    low.put("lin", "mu", "mu_0", (("=1.0", "dmu"),))
+    for name in (*QUANTITIES, "mu"):
+        low.put("lin", name, f"{name}_0", (("=1.0", f"d{name}"),))
     low.put("lin", "pressing", "pressing_0", (("=1.0", "dpressing"),))
     static, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
@@ -260,6 +261,16 @@ def balance() -> Fragment:
     return low.fragment(words, {})
 
 
+def energy() -> Fragment:
+    """Work of what drives and loss to what resists, as states: only where they are asked for."""
+    names = ("driving", "resisting", "friction", "brakes", "omega")
+    driving, resisting, friction, brakes, omega = (cell(x) for x in names)
+    low = Lowering("energy", {cell(x): (ZERO, series(x)) for x in names})  # in full
+    low.register(low.split(resisting + friction)[1], "brakes")
+    words = ["dwork/dt* = driving omega*, ddissipation/dt* = (resisting + friction) omega*, over Theta*"]
+    return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
+
+
 def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> Iterator[Fragment]:
     """All fragments, of these effects and laws."""
     yield gravity()
@@ -267,3 +278,4 @@ def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -
     yield from (of_law(law) for law in (*laws, CALLABLE))
     yield product()
     yield balance()
+    yield energy()

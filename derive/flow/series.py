@@ -117,8 +117,8 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
     }}
 }}
 
-/* The operations on cells of a prologue, to their end: each its code, its result and its arguments. */
-static void IN(prologue)(const int32_t *at, const int32_t *end, V *c) {{
+/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, its result, its arguments. */
+static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {{
     while (at < end) {{
         const V a = c[at[2]];
         V *const d = c + at[1];
@@ -169,9 +169,10 @@ def _c_case(o: Operation) -> str:
 def c_text() -> str:
     """The C of all operations."""
     scalar = ""
-    for name, (arguments, text, _) in SCALARS.items():
+    for name, (means, text, _) in SCALARS.items():
+        arguments = len(means.free_symbols)
         loads = "".join(f"const V {x} = c[at[{i}]]; " for i, x in ((3, "b"), (4, "e"))[: arguments - 1])
-        scalar += f"        case S_{name.upper()}: {{ {loads}*d = {text}; at += {2 + arguments}; break; }}\n"
+        scalar += f"        case S_{name.upper()}: {{ {loads}*d = IN(choose)(here, {text}, *d); at += {2 + arguments}; break; }}\n"
     return _C.format(cases="".join(map(_c_case, OPERATIONS.values())), scalar_cases=scalar)
 
 

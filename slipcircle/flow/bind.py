@@ -14,6 +14,7 @@ from slipcircle.flow.program import Program, join
 from slipcircle.scene.arc import Arc
 
 Floats = NDArray[np.float64]
+FINEST = 1e-14
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 
 
@@ -116,7 +117,8 @@ def bind(arc: Arc, called: Mapping[str, Mapping[str, Any]], friction: Any, veloc
     with np.errstate(over="ignore"):
         cells[walk.OMEGA] = np.asarray(velocity, dtype=np.float64) / radius * time_scale
         cells[walk.END_TIME] = np.asarray(end_time, dtype=np.float64) / time_scale
-    cells[walk.ORDER], cells[walk.FACTOR] = order(accuracy), STEP
+    # The steps of one scene cost next to nothing, whatever their order.
+    cells[walk.ORDER], cells[walk.FACTOR] = order(min(accuracy, FINEST) if lanes == 1 else accuracy), STEP
     cells[[walk.FIRST_STOP, walk.LIFT_TIME]] = np.nan
     cells[walk.CLOSE] = np.inf
     shaken = called.get("shaking", {})

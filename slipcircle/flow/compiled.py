@@ -1,6 +1,7 @@
-"""The compiled walk: a program as integers, cached, and calls that come back often enough for Ctrl-C to be heard."""
+"""The compiled walk: a program as integers, and calls that come back often enough for Ctrl-C to be heard."""
 
 import os
+import warnings
 from collections.abc import Sequence
 from functools import cache, lru_cache
 from importlib import import_module
@@ -9,79 +10,80 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated.series import SCALAR, SERIES
 from slipcircle.flow import walk
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
 
 Floats = NDArray[np.float64]
 
-# The C walk's numbers for operations, kinds of tables and roles (`generated/_flow.c`).
-NUMBERS = ("set", "add", "sub", "mul", "div", "neg", "sin", "cos", "tan", "exp", "expm1", "log", "log1p", "sqrt", "pow",
-           "abs", "min", "max", "less", "select")  # fmt: skip
-SERIES = ("lin", "mul", "sqr", "tim", "turn", "exp", "rec", "log", "pow")
+# What the C walk knows by number, beside the operations: kinds of tables, and roles.
 KINDS = ("slip", "speed", "time")
 ROLES = ("x", "omega", "net", "normal", "upright", "cell_drive", "cell_drive_scale", "cell_normal0", "cell_f0",
-         "cell_p0", "cell_ps0")  # fmt: skip
-ROUNDS = 100_000  # steps of eight lanes between looks at the keyboard: about a tenth of a second
+         "cell_p0", "cell_ps0", "cell_driving", "cell_resisting", "cell_mu")  # fmt: skip
+ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
+NOTES = 4096  # events that one call may note
+_NOTHING = np.empty(0)
 
 
 @cache
 def module() -> Any:
-    """The binary; None where there is none, or it is not wanted."""
+    """The binary; None where there is none, or where it is not wanted."""
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         return None
     try:
         return import_module("generated._flow")
-    except ImportError:
+    except ModuleNotFoundError:
+        return None
+    except ImportError as error:
+        warnings.warn(f"the compiled walk cannot be loaded ({error}), NumPy serves", RuntimeWarning, stacklevel=2)
         return None
 
 
 @lru_cache(maxsize=256)
 def flat(program: Program) -> bytes:
-    """A program as the C walk reads it."""
-    numbers = [[NUMBERS.index(op), d, *a, *[0] * (3 - len(a))] for op, d, *a in program.scalar]
+    """A program as the C walk reads it: sizes, roles, operations, states and tables."""
     series: list[int] = []
     for op, *names in program.series:
         if op == "lin":
             d, constant, terms = names
-            series += [SERIES.index(op), d, constant, len(terms), *(i for term in terms for i in term)]
-        elif op != "ramp":  # its coefficients come with the table
-            series += [SERIES.index(op), *names]
-    tables = [(KINDS.index(t.kind), t.register, t.cells, t.degree) for t in program.tables]
-    made = sorted({d for _, d, *_ in numbers}) or [len(program.cells)] * 2
-    sizes = (
-        len(program.cells),
-        made[0],
-        made[-1] + 1,
-        len(program.registers),
-        len(program.states),
-        len(tables),
-        len(numbers),
-        len(series),
-    )
+            names = [d, constant, len(terms), *(i for term in terms for i in term)]
+        series += [SERIES[op], *names]
+    scalar = [i for op, *names in program.scalar for i in (SCALAR[op], *names)]
+    # A lane at its start has no use for the cells from the first that the prologue makes on, but for constants.
+    made = min(d for _, d, *_ in program.scalar)
+    sizes = (len(program.cells), made, len(program.registers), len(program.states), len(program.tables), len(scalar),
+             len(series))  # fmt: skip
     roles = [program.roles.get(name, -1) for name in ROLES]
-    parts = [sizes, roles, *numbers, series, *program.states, *tables]
+    tables = [(KINDS.index(t.kind), t.register, t.cells, t.degree) for t in program.tables]
+    parts = (sizes, roles, scalar, series, *program.states, *tables)
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
 
 def run(program: Program, tables: Sequence[Data], cells: Floats, samples: walk.Samples | None = None,
-        level: str | None = None) -> None:  # fmt: skip
-    """Walk every lane until it rests, ends or fails, like `slipcircle.flow.walk.walk`.
+        log: walk.Log | None = None, level: str | None = None) -> None:  # fmt: skip
+    """Walk every lane until it rests, ends or fails, as `slipcircle.flow.walk.walk` does; other threads run meanwhile.
 
-    ``cells`` are C-contiguous float64, changed in place. Other threads run meanwhile. ``level`` is the kind of
-    processor to run for, by default the best that this one is.
+    Parameters
+    ----------
+    program, tables, cells, samples, log
+        As there; ``cells`` and the samples' arrays are C-contiguous.
+    level : str, optional
+        The kind of processor to run for, one of those that the binary names in ``LEVELS``; by default the best.
     """
     binary, count = module(), cells.shape[1]
-    given = tuple(
-        (t.breaks, np.ascontiguousarray(t.coefficients), t.jumps, t.coefficients.shape[1],
-         count if t.coefficients.ndim == 3 else 0, t.sine, t.open)
+    if not count:
+        return
+    number = binary.LEVELS[level] if level else min(binary.LEVELS.values())
+    pieces = tuple(
+        (t.breaks, t.coefficients, t.jumps, t.coefficients.shape[1], count if t.coefficients.ndim == 3 else 0, t.sine,
+         t.open)
         for t in tables
     )  # fmt: skip
-    times, states = (_NONE, _NONE) if samples is None else (np.ascontiguousarray(samples.times), samples.states)
-    code, order = flat(program), int(cells[walk.ORDER].max()) if count else 5
-    number = binary.LEVELS[level] if level else min(binary.LEVELS.values())
-    while binary.walk(code, given, cells, order, 0, count, ROUNDS, times, states, number):
-        pass
-
-
-_NONE = np.empty(0)
+    times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
+    notes = _NOTHING if log is None else np.empty((NOTES, 4))
+    code, order, left = flat(program), int(cells[walk.ORDER].max()), 1
+    while left:
+        left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
+        if log is not None:
+            log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]

@@ -91,7 +91,9 @@ class _Linker:
         if name not in self.made:
             op, *names = self.registers.get(name, ("lin", "", "", ()))
             if op == "lin":
-                absent = not names[1] and all(self.cell(c) == ZERO or self.nothing(r) for c, r in names[2])
+                absent = (not names[1] or self.cell(names[1]) == ZERO) and all(
+                    self.cell(c) == ZERO or self.nothing(r) for c, r in names[2]
+                )
             else:
                 absent = op != "ramp" and any(map(self.nothing, self.arguments(op, names)))
             if not absent:
@@ -180,7 +182,8 @@ def join(
     absent : tuple of str
         Symbols of optional parameters that are not given, and left out.
     asked : tuple of str
-        What else to compute: ``mu``.
+        What else to compute: registers, such as ``mu``, ``pressing`` or ``friction``, and "energy", which stands for
+        the states ``work`` and ``dissipation``.
 
     Returns
     -------
@@ -195,7 +198,8 @@ def join(
             tables.append((name, *table))
     if len(laws) > 1:
         _load(link, "product", sums)
-    _load(link, "balance", sums)
+    for name in ("balance", *(x for x in asked if x in FRAGMENTS)):
+        _load(link, name, sums)
     for symbol in moving:
         link.cells[symbol] = ("set", f"{symbol}.VALUE")
         tables.append((symbol, "time", f"d{symbol}", 0))
@@ -203,9 +207,9 @@ def join(
         if kind == "time":
             link.registers[register] = ("ramp", register, name)
     link.cells |= dict.fromkeys(absent, ("set", ZERO))
-    chosen = ("gravity", *effects, *laws)
+    chosen = ("gravity", *effects, *laws, *(x for x in asked if x in FRAGMENTS))
     given = [*INPUTS, *(x for name in chosen for x in FRAGMENTS[name].inputs if x not in link.cells)]
-    return _link(link, sums, chosen, given, tables, asked)
+    return _link(link, sums, chosen, given, tables, tuple(x for x in asked if x not in FRAGMENTS))
 
 
 def _link(
@@ -238,7 +242,8 @@ def _link(
             link.kept.update(link.arguments(op, names))
     made = {x: link.register(x) for x in roots}
     still = {d[0] for op, d in link.series.items() if op[0] == "lin" and not op[2]}  # as where the phase began
-    made |= {x: None for x in (*ROLES[1:], *asked) if made[x] in still}
+    made |= {x: None for x in ROLES[1:] if made[x] in still}
+    made |= {x: link.series.setdefault(("lin", ZERO, ()), (x,))[0] for x in asked if made[x] is None}
     outputs = {role: link.cell(name) for role, name in OUTPUTS.items()}
     series = _needed(link.series.items(), {x for x in made.values() if x} | {*rates})
     lasting = {x for op, _ in series for x in ((op[1], *(c for c, _ in op[2])) if op[0] == "lin" else op[1:])}

@@ -27,7 +27,7 @@ assert CELLS[:33][-2:] == ("x", "omega")
 START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED = range(10)
 PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 = range(8)  # of a table's cells
 MOST_STEPS = 1e4
-NOTHING, LIFT, FASTER, SLOWER = range(4)  # what a phase has just passed
+NOTHING, LIFT, FASTER, SLOWER, STOOD = range(5)  # what a phase has just passed, and that it has just ended
 BEGINS, STANDS, LIFTS, LANDS = 1, 2, 3, 4  # kinds of events in a log
 Log = list[tuple[int, float, float, float]]  # kind, time, rotation, direction
 
@@ -172,7 +172,12 @@ class Lanes:
         net = c[roles["cell_drive"]]
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
         scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
+<<<<<<< HEAD
         allowed = self.may_start(side)
+=======
+        # What has just stopped does not go on the way it came: rounding must not say so.
+        allowed = self._allowed(side) & ((c[PASSED] != STOOD) | (c[LAST_WAY] != side))
+>>>>>>> flow
         c[CLOSE] = np.where(allowed, np.minimum(c[CLOSE], np.abs(net) / scale), c[CLOSE])
         return np.where(allowed, net, -np.inf)
 
@@ -458,6 +463,7 @@ class Lanes:
         c[ROTATION] += c[DIRECTION] * c[X]
         c[SLIP] += c[X]
         c[X] = c[OMEGA] = 0.0
+        c[PASSED] = STOOD
         c[REST_SINCE] = c[TIME]
         self._note(STANDS)
         c[FIRST_STOP] = np.where(np.isnan(c[FIRST_STOP]), c[TIME], c[FIRST_STOP])
@@ -542,13 +548,17 @@ class Lanes:
             self._face(side)
             r, last = self._series(int(c[ORDER].max()), frozen=True)
             stretch = np.minimum(stretch, self._length(r, last, [net_of]))
+<<<<<<< HEAD
             margins.append((side, r[net_of].copy(), self.may_start(side) | np.zeros(c.shape[1], dtype=bool)))
+=======
+            touching = np.abs(r[net_of, 0]) <= 2 * c[p.roles["cell_drive_scale"]]
+            margins.append((side, r[net_of].copy(), self._allowed(side) | np.zeros(c.shape[1], dtype=bool), touching))
+>>>>>>> flow
             if p.roles["normal"] >= 0:
                 self._lift_time(r[p.roles["normal"], 0] < 0.0)
-        for side, net, allowed in margins:
-            now = allowed & (net[0] > 0.0)
+        for side, net, allowed, touching in margins:
+            now = allowed & (net[0] > 0.0) & ~touching
             series = -net
-            touching = series[0] == 0.0
             series = np.where(touching, np.vstack([series[1:], 0.0 * series[:1]]), series)
             at = np.where(now, 0.0, first_root(series, stretch))
             at = np.where(touching & (series[0] < 0.0), 0.0, at)

@@ -103,7 +103,7 @@ def _scene(motion: Motion, file: bytes | None) -> Iterable[Raw]:
     largest = max(abs(energy[k]) for k in ("kinetic_start", "work", "dissipation", "kinetic_end"))
     share = abs(energy["residual"]) / largest if largest else 0.0
     yield tag("p", f"The residual is {number(share)} of the largest of them.")
-    yield folded("All numbers, as JSON in SI units and radians", json.dumps(record, indent=2))
+    yield folded("All numbers, as JSON in SI units and radians", json.dumps(record, indent=2, allow_nan=False))
     if text is not None:
         yield folded("The scene's file", text)
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.motion.motion import Motion
-from slipcircle.motion.plan import Plan, operations_of
+from slipcircle.motion.plan import Plan, counted
 from slipcircle.motion.quantities import OUTCOMES, RESULTS, plain, shown, words
 from slipcircle.studies.ladder import Rung
 
@@ -81,18 +81,22 @@ COMBINATIONS = ("effects", "operations on series of one step")
 def combination_rows() -> list[list[str]]:
     """Operations of every combination of effects, with a constant friction."""
     every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
-    return [[", ".join(chosen) or "none", operations_of(chosen)] for chosen in every]
+    shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
+    return [
+        [", ".join(e) or "none", counted(join(e, ("constant",), shaken if "shaking" in e else ()))] for e in every
+    ]
 
 
-LADDER = ("effect added", "time", "operations", *(words(n) for n in OUTCOMES), "rests", "differs")
+_OF_RUNG = {n: q for n, q in OUTCOMES.items() if n in Rung.__dataclass_fields__}
+LADDER = ("effect added", "time", "operations", *map(words, _OF_RUNG), "rests", "differs")
 
 
 def ladder_rows(rungs: Iterable[Rung]) -> list[list[str]]:
     """A ladder as rows of a table; how far each differs from the fullest."""
     return [
         [f"+ {r.added}" if r.added else "none", _seconds(r.seconds), f"{r.cost}",
-         *(f"{shown(r.outcomes[n])} {q.unit}" for n, q in OUTCOMES.items()),
-         "no" if not r.arrested else "yes" if r.outcomes["peak_velocity"] else "stays",
+         *(f"{shown(getattr(r, n))} {q.unit}" for n, q in _OF_RUNG.items()),
+         "no" if not r.arrested else "yes" if r.peak_velocity else "stays",
          f"{100 * r.difference:.3g} %"]
         for r in rungs
     ]  # fmt: skip

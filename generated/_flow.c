@@ -1,0 +1,1386 @@
+/* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
+#define DIGEST "3d12ad7161c53a140c2232571e3659cf598b73b4a6fdf4ca419a742544a8085f"
+/* The walk of lanes along their Taylor series.
+ *
+ * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
+ * program (`slipcircle.flow.program`) says how the series of the motion follow from them. Lanes walk side by side in
+ * vectors, as many as the processor takes, each with its own step, phase and piece of every table; one that has come to its end makes room
+ * for the next in the queue. No operation mixes lanes, so that a lane's bits depend neither on its neighbours nor on
+ * its place. All of a lane is in its cells: the walk may be left after any step and taken up again.
+ *
+ * `slipcircle/flow/walk.py` is the same walk in NumPy. This file is compiled once for every kind of processor (with
+ * LEVEL, its name), and once more for the module, which runs the best of those that the machine has. */
+#define PY_SSIZE_T_CLEAN
+#if !defined(__GNUC__)
+#error "the walk needs the vectors of GCC or Clang"
+#endif
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "unsafe float flags: compile without -ffast-math and its parts"
+#endif
+#include <stddef.h>
+#include <stdint.h>
+
+enum { HIGHEST = 40, MOST_TABLES = 16, MOST_STATES = 16 };
+
+typedef struct { int32_t kind, reg, cell, degree; } Table;
+typedef struct {
+    const double *breaks, *coefficients, *jumps; /* (pieces), (pieces, terms[, lanes]), (pieces) */
+    int64_t pieces, across; /* across: lanes of the coefficients, or 0 where lanes share them */
+    int terms, sine, open;
+} Data;
+/* Registers, and cells that the prologue fills; -1 where the program has none. */
+typedef struct {
+    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, f0, p0, ps0, driving, resisting, mu;
+} Roles;
+
+typedef struct {
+    /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
+     * states, tables, those of time and those of slip or speed. */
+    int cells, made, registers, states, tables, timed, sloped;
+    const int32_t *scalar, *scalar_end, *series, *series_end, *state;
+    const Table *table;
+    const Roles *role;
+    Data data[MOST_TABLES];
+    double *all; /* cells of all lanes, (cells, count); those from `begin` to `end` walk */
+    int64_t count, begin, end, budget;
+    const double *times; /* where states are read off: (samples, times_across), into (outputs, samples, count) */
+    double *outputs;
+    int64_t samples, times_across;
+    double *notes; /* events of the first lane: kind, time, rotation, direction */
+    int64_t noted, notes_room;
+    void *memory; /* of zeros, for the lanes in hand: a vector for each cell, and order + 2 for each register */
+    int order; /* the highest of all lanes */
+} Walk;
+
+#ifndef LEVEL
+/* --- the module --------------------------------------------------------------------------------------------------- */
+
+#include <Python.h>
+#include <string.h>
+
+#if defined(__x86_64__)
+#define LEVELS(X) X(avx512) X(avx2) X(baseline)
+#define RUNS_avx512 (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && \
+                     __builtin_cpu_supports("avx512vl") && RUNS_avx2)
+#define RUNS_avx2 (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+#else
+#define LEVELS(X) X(baseline)
+#endif
+#define RUNS_baseline 1
+
+#define DECLARE(LEVEL) int64_t flow_walk_##LEVEL(Walk *w);
+LEVELS(DECLARE)
+static const struct { const char *name; int64_t (*walk)(Walk *); } levels[] = {
+#define ROW(LEVEL) {#LEVEL, flow_walk_##LEVEL},
+    LEVELS(ROW)
+};
+enum { KINDS = sizeof levels / sizeof *levels };
+
+static int runs(int kind)
+{
+#if defined(__x86_64__)
+    __builtin_cpu_init();
+#endif
+    const int can[] = {
+#define CAN(LEVEL) (RUNS_##LEVEL) != 0,
+        LEVELS(CAN)
+    };
+    return can[kind];
+}
+
+/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers
+ * and of those on series, roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 7, WIDEST = 64 };
+
+static int read_program(Walk *w, const Py_buffer *program)
+{
+    const int32_t *p = program->buf, *end = p + program->len / 4;
+    if (end - p < HEAD) return -1;
+    w->cells = p[0], w->made = p[1], w->registers = p[2], w->states = p[3], w->tables = p[4];
+    w->scalar = p + HEAD + sizeof(Roles) / 4;
+    w->role = (const Roles *)(p + HEAD);
+    w->scalar_end = w->series = w->scalar + p[5];
+    w->series_end = w->state = w->series + p[6];
+    w->table = (const Table *)(w->state + 3 * w->states);
+    for (int t = 0; t < w->tables; t++) w->timed += w->table[t].kind == 2, w->sloped += w->table[t].kind != 2;
+    return (const int32_t *)(w->table + w->tables) == end && w->tables <= MOST_TABLES && w->states <= MOST_STATES ? 0 : -1;
+}
+
+static const char words[] = "walk(program, tables, cells, order, begin, end, budget, times, outputs, notes, level)\n--\n\n"
+    "Walk the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
+    "at most. Returns how many lanes have not come to their end (call again), and how many notes there are.\n\n"
+    "`program` are integers (see `slipcircle.flow.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
+    "across, sine, open); `order` is the highest of the lanes'. States are read off at `times`, (samples, 1 or lanes),\n"
+    "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
+    "are written into `notes`, (rows, 4), and what has no room there is left out.";
+
+static PyObject *walk(PyObject *self, PyObject *args)
+{
+    (void)self;
+    Walk w = {0};
+    Py_buffer program, cells, times, outputs, notes, held[3 * MOST_TABLES];
+    PyObject *tables, *result = NULL;
+    int order, level, views = 0;
+    Py_ssize_t begin, end, budget;
+    if (!PyArg_ParseTuple(args, "y*O!w*innny*w*w*i", &program, &PyTuple_Type, &tables, &cells, &order, &begin, &end,
+                          &budget, &times, &outputs, &notes, &level)) return NULL;
+    const int bad = read_program(&w, &program) || order < 5 || order > HIGHEST || PyTuple_GET_SIZE(tables) != w.tables;
+    if (bad || level < 0 || level >= KINDS || !runs(level)) {
+        PyErr_SetString(PyExc_ValueError, "walk: the program, its tables, order or level do not fit");
+        goto done;
+    }
+    for (int t = 0; t < w.tables; t++, views += 3) {
+        Data *d = w.data + t;
+        long long across;
+        Py_buffer *b = held + views;
+        if (!PyArg_ParseTuple(PyTuple_GET_ITEM(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
+                              &d->open)) goto done;
+        d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
+        d->pieces = b[0].len / 8, d->across = across;
+    }
+    w.all = cells.buf, w.count = cells.len / 8 / w.cells;
+    w.begin = begin, w.end = end < w.count ? end : w.count, w.budget = budget;
+    if (times.len) {
+        w.times = times.buf, w.outputs = outputs.buf;
+        w.samples = outputs.len / 8 / w.count / (2 + w.states);
+        w.times_across = times.len / 8 / w.samples;
+    }
+    w.notes = notes.buf, w.notes_room = notes.len / 32;
+    w.order = order;
+    void *memory = PyMem_RawCalloc((size_t)(w.cells + w.registers * (order + 2)) + 1, WIDEST);
+    if (memory == NULL) {
+        PyErr_NoMemory();
+        goto done;
+    }
+    w.memory = (void *)(((uintptr_t)memory + WIDEST - 1) & ~(uintptr_t)(WIDEST - 1));
+    int64_t left;
+    Py_BEGIN_ALLOW_THREADS
+    left = levels[level].walk(&w);
+    Py_END_ALLOW_THREADS
+    PyMem_RawFree(memory);
+    result = Py_BuildValue("LL", (long long)left, (long long)w.noted);
+done:
+    while (views--) PyBuffer_Release(held + views);
+    PyBuffer_Release(&program), PyBuffer_Release(&cells), PyBuffer_Release(&times), PyBuffer_Release(&outputs);
+    PyBuffer_Release(&notes);
+    return result;
+}
+
+/* DIGEST of the source; LEVELS: those that run here, name -> number, the widest first. */
+static int fill(PyObject *module)
+{
+    PyObject *found = PyDict_New();
+    int failed = found == NULL;
+    for (int k = 0; k < KINDS && !failed; k++) {
+        PyObject *number = runs(k) ? PyLong_FromLong(k) : NULL;
+        failed = number && PyDict_SetItemString(found, levels[k].name, number);
+        Py_XDECREF(number);
+    }
+    failed = failed || PyModule_AddObjectRef(module, "LEVELS", found) ||
+             PyModule_AddStringConstant(module, "DIGEST", DIGEST);
+    Py_XDECREF(found);
+    return failed ? -1 : 0;
+}
+
+static PyMethodDef methods[] = {{"walk", walk, METH_VARARGS, words}, {NULL, NULL, 0, NULL}};
+static PyModuleDef_Slot slots[] = {
+    {Py_mod_exec, fill},
+#ifdef Py_mod_gil
+    {Py_mod_gil, Py_MOD_GIL_NOT_USED},
+#endif
+    {0, NULL},
+};
+static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_flow", NULL, 0, methods, slots, NULL, NULL, NULL};
+PyMODINIT_FUNC PyInit__flow(void) { return PyModuleDef_Init(&definition); }
+
+#else
+/* --- the walk, for one kind of processor ---------------------------------------------------------------------------- */
+
+#include <math.h>
+#include <string.h>
+#if WIDE > 128
+#include <immintrin.h>
+#endif
+
+#define INLINE static inline __attribute__((always_inline))
+#define NAMED_(name, level) name##_##level
+#define NAMED(name, level) NAMED_(name, level)
+#define EPS 0x1p-52
+
+enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
+typedef double V __attribute__((vector_size(WIDE / 8)));
+typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
+
+#define MOST_STEPS 1e7
+
+enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_LOW, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, FIRST_STOP, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
+enum { LIN, RAMP, MUL, SQR, TIM, TURN, EXP, REC, LOG, POW };
+enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
+enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
+enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 }; /* of a table's cells */
+enum { OF_SLIP, OF_SPEED, OF_TIME };
+enum { NOTHING, LIFT, FASTER, SLOWER }; /* what a phase has just passed: its root at the start is divided out */
+enum { NONE = -1, STANDS, LIFTS, TIPS, EDGES }; /* events: none, standstill, lift-off or landing, upright, tables' */
+enum { BEGINS = 1, CAME_TO_REST, LIFTED_OFF, LANDED }; /* what is noted */
+enum { READY, BEGIN, FACE, GO, ENTER, LEAP, ANEW }; /* what is to be based before a lane's next step */
+
+/* The lanes in hand, beside their cells. */
+typedef struct {
+    Walk *w;
+    V *c, *r; /* cells, and registers: coefficient n of register i at r[i * stride + n] */
+    int stride;
+    int64_t column[LANES];
+    unsigned held; /* a bit for each lane */
+    int todo[LANES], faced[LANES], jumps[LANES];
+    double rate[LANES], drive[LANES], known[LANES];
+    double inverse[HIGHEST + 2];
+} Hand;
+
+/* --- vectors and functions of them --- */
+
+INLINE V pick(M m, V a, V b) { return (V)(((M)a & m) | ((M)b & ~m)); }
+INLINE V size(V x) { return (V)((M)x & INT64_MAX); }
+INLINE V lesser(V a, V b) { return pick(a < b, a, b); }
+INLINE V greater(V a, V b) { return pick(a > b, a, b); }
+INLINE V flat(double x)
+{
+    V found;
+    for (int k = 0; k < LANES; k++) found[k] = x;
+    return found;
+}
+INLINE unsigned bits(M m)
+{
+#if WIDE == 512
+    return _mm512_movepi64_mask((__m512i)m);
+#elif WIDE == 256
+    return (unsigned)_mm256_movemask_pd((__m256d)m);
+#else
+    unsigned found = 0;
+    for (int k = 0; k < LANES; k++) found |= (unsigned)(m[k] & 1) << k;
+    return found;
+#endif
+}
+INLINE M lanes(unsigned b)
+{
+    M each;
+    for (int k = 0; k < LANES; k++) each[k] = 1 << k;
+    return (each & (int64_t)b) != 0;
+}
+#define EACH(k, b) for (unsigned left_ = (b), k; left_ && (k = (unsigned)__builtin_ctz(left_), 1); left_ &= left_ - 1)
+
+/* The nearest integer of |x| < 2^51, by the addition that has no bits beyond it; the sum's pattern ends in its bits. */
+#define TO_INTEGER 0x1.8p52
+
+/* sin x and cos x: x = k pi/2 + r (Cody and Waite's reduction by three parts of pi/2), Taylor's series on |r| <= pi/4. */
+INLINE void sine_cosine(V x, V *sine, V *cosine)
+{
+    V k = x * 0x1.45f306dc9c883p-1 + TO_INTEGER;
+    const M n = (M)k;
+    k -= TO_INTEGER;
+    const V r = ((x - k * 0x1.921fb544p+0) - k * 0x1.0b4611a6p-34) - k * 0x1.3198a2e037073p-69, z = r * r;
+    V s = flat(1 / 355687428096000.0), c = flat(1 / 20922789888000.0);
+    s = s * z - 1 / 1307674368000.0, c = c * z - 1 / 87178291200.0;
+    s = s * z + 1 / 6227020800.0, c = c * z + 1 / 479001600.0;
+    s = s * z - 1 / 39916800.0, c = c * z - 1 / 3628800.0;
+    s = s * z + 1 / 362880.0, c = c * z + 1 / 40320.0;
+    s = s * z - 1 / 5040.0, c = c * z - 1 / 720.0;
+    s = s * z + 1 / 120.0, c = c * z + 1 / 24.0;
+    s = s * z - 1 / 6.0, c = c * z - 0.5;
+    s = r + r * z * s, c = 1.0 + z * c;
+    const M odd = -(n & 1);
+    *sine = (V)((M)pick(odd, c, s) ^ ((n & 2) << 62));
+    *cosine = (V)((M)pick(odd, s, c) ^ (((n + 1) & 2) << 62));
+}
+
+/* exp x - 1 and exp x: x = k log 2 + r, Taylor's series on |r| <= log(2)/2. */
+INLINE V exponential(V x, V *whole)
+{
+    const V y = pick(x > 709.5, flat(709.5), pick(x < -708.0, flat(-708.0), x)); /* NaN stays */
+    V k = y * 0x1.71547652b82fep+0 + TO_INTEGER;
+    const M n = (M)k;
+    k -= TO_INTEGER;
+    const V r = (y - k * 0x1.62e42ffp-1) + k * 0x1.718432a1b0e26p-35;
+    V p = flat(1 / 87178291200.0);
+    p = p * r + 1 / 6227020800.0;
+    p = p * r + 1 / 479001600.0;
+    p = p * r + 1 / 39916800.0;
+    p = p * r + 1 / 3628800.0;
+    p = p * r + 1 / 362880.0;
+    p = p * r + 1 / 40320.0;
+    p = p * r + 1 / 5040.0;
+    p = p * r + 1 / 720.0;
+    p = p * r + 1 / 120.0;
+    p = p * r + 1 / 24.0;
+    p = p * r + 1 / 6.0;
+    p = p * r + 0.5;
+    p = r + r * r * p;
+    const V power = (V)((n << 52) + INT64_C(0x3ff0000000000000)); /* 2^k: the bits of TO_INTEGER are shifted out */
+    const V over = pick(x > 709.5, flat(INFINITY), flat(0.0));
+    *whole = power + power * p + over;
+    return power * p + (power - 1.0) + over;
+}
+
+/* A function of the C library, lane by lane. */
+INLINE V by_lanes(double f(double), V x)
+{
+    for (int k = 0; k < LANES; k++) x[k] = f(x[k]);
+    return x;
+}
+
+INLINE V sin_of(V x) { V s, c; sine_cosine(x, &s, &c); return s; }
+INLINE V cos_of(V x) { V s, c; sine_cosine(x, &s, &c); return c; }
+INLINE V tan_of(V x) { V s, c; sine_cosine(x, &s, &c); return s / c; }
+INLINE V exp_of(V x) { V e; exponential(x, &e); return e; }
+INLINE V expm1_of(V x) { V e; return exponential(x, &e); }
+INLINE V log_of(V x) { return by_lanes(log, x); }
+INLINE V log1p_of(V x) { return by_lanes(log1p, x); }
+INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
+
+/* What the text of the operations calls functions of vectors. */
+#define IN(name) vector_##name
+#define vector_map(f, x) f##_of(x)
+#define vector_choose pick
+
+/* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
+ * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
+ * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
+ * Register i begins at r + i * stride; by_n is 1 / n. */
+static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
+                                                                        int n, double by_n) {
+    const double order = n;
+    switch (at[0]) {
+    case LIN: {
+        V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){0};
+        const int32_t *const end = at + 4 + 2 * at[3];
+        for (const int32_t *term = at + 4; term < end; term += 2)
+            sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
+        r[(ptrdiff_t)at[1] * stride + n] = sum;
+        return end;
+    }
+    case RAMP:
+        return at + 3;
+    case MUL: { /* d = a*b */
+        V *restrict d = r + (ptrdiff_t)at[1] * stride;
+        const V *a = r + (ptrdiff_t)at[2] * stride;
+        const V *b = r + (ptrdiff_t)at[3] * stride;
+        if (n == 0) {
+            d[0] = a[0] * b[0];
+        } else {
+            V sum0 = {0}, sum0_ = {0};
+            int k = 0;
+            for (; k + 1 < n + 1; k += 2) { sum0 += a[k] * b[n - k], sum0_ += a[k + 1] * b[n - k - 1]; }
+            if (k < n + 1) { sum0 += a[k] * b[n - k]; }
+            sum0 += sum0_;
+            d[n] = sum0;
+        }
+        return at + 4;
+    }
+    case SQR: { /* d = a**2 */
+        V *restrict d = r + (ptrdiff_t)at[1] * stride;
+        const V *a = r + (ptrdiff_t)at[2] * stride;
+        if (n == 0) {
+            d[0] = a[0] * a[0];
+        } else {
+            V sum0 = {0}, sum0_ = {0};
+            int k = 0;
+            for (; k + 1 < n - k - 1; k += 2) { sum0 += a[k] * a[n - k], sum0_ += a[k + 1] * a[n - k - 1]; }
+            if (k < n - k) { sum0 += a[k] * a[n - k]; }
+            sum0 += sum0_;
+            sum0 *= 2.0;
+            if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
+            d[n] = sum0;
+        }
+        return at + 3;
+    }
+    case TIM: { /* q = t*Derivative(a, t) */
+        V *restrict q = r + (ptrdiff_t)at[1] * stride;
+        const V *a = r + (ptrdiff_t)at[2] * stride;
+        if (n == 0) {
+            q[0] = (V){0};
+        } else {
+            q[n] = a[n] * order;
+        }
+        return at + 3;
+    }
+    case TURN: { /* s = sin(x), v = 1 - cos(x) */
+        V *restrict s = r + (ptrdiff_t)at[1] * stride;
+        V *restrict v = r + (ptrdiff_t)at[2] * stride;
+        const V *q = r + (ptrdiff_t)at[3] * stride;
+        const V *x = r + (ptrdiff_t)at[4] * stride;
+        if (n == 0) {
+            const V f0 = IN(map)(sin, x[0]);
+            const V f1 = IN(map)(sin, 0.5 * x[0]);
+            s[0] = f0;
+            v[0] = 2.0 * f1 * f1;
+        } else {
+            V sum0 = {0}, sum0_ = {0}, sum1 = {0}, sum1_ = {0};
+            int k = 1;
+            for (; k + 1 < n + 1; k += 2) { sum0 += q[k] * s[n - k], sum0_ += q[k + 1] * s[n - k - 1]; sum1 += q[k] * v[n - k], sum1_ += q[k + 1] * v[n - k - 1]; }
+            if (k < n + 1) { sum0 += q[k] * s[n - k]; sum1 += q[k] * v[n - k]; }
+            sum0 += sum0_;
+            sum1 += sum1_;
+            s[n] = (q[n] - sum1) * by_n;
+            v[n] = sum0 * by_n;
+        }
+        return at + 5;
+    }
+    case EXP: { /* e = exp(z), m = exp(z) - 1 */
+        V *restrict e = r + (ptrdiff_t)at[1] * stride;
+        V *restrict m = r + (ptrdiff_t)at[2] * stride;
+        const V *q = r + (ptrdiff_t)at[3] * stride;
+        const V *z = r + (ptrdiff_t)at[4] * stride;
+        if (n == 0) {
+            const V f0 = IN(map)(expm1, z[0]);
+            const V f1 = IN(map)(exp, z[0]);
+            e[0] = f1;
+            m[0] = f0;
+        } else {
+            V sum0 = {0}, sum0_ = {0};
+            int k = 1;
+            for (; k + 1 < n + 1; k += 2) { sum0 += q[k] * e[n - k], sum0_ += q[k + 1] * e[n - k - 1]; }
+            if (k < n + 1) { sum0 += q[k] * e[n - k]; }
+            sum0 += sum0_;
+            e[n] = sum0 * by_n;
+            m[n] = e[n];
+        }
+        return at + 5;
+    }
+    case REC: { /* h = 1/(z + 1), m = -1 + 1/(z + 1) */
+        V *restrict h = r + (ptrdiff_t)at[1] * stride;
+        V *restrict m = r + (ptrdiff_t)at[2] * stride;
+        const V *z = r + (ptrdiff_t)at[3] * stride;
+        if (n == 0) {
+            h[0] = 1.0 / (1.0 + z[0]);
+            m[0] = -z[0] / (1.0 + z[0]);
+        } else {
+            V sum0 = {0}, sum0_ = {0};
+            int k = 1;
+            for (; k + 1 < n + 1; k += 2) { sum0 += z[k] * h[n - k], sum0_ += z[k + 1] * h[n - k - 1]; }
+            if (k < n + 1) { sum0 += z[k] * h[n - k]; }
+            sum0 += sum0_;
+            h[n] = -sum0 * h[0];
+            m[n] = h[n];
+        }
+        return at + 4;
+    }
+    case LOG: { /* l = log(z + 1) */
+        V *restrict l = r + (ptrdiff_t)at[1] * stride;
+        const V *z = r + (ptrdiff_t)at[2] * stride;
+        if (n == 0) {
+            const V f0 = IN(map)(log1p, z[0]);
+            l[0] = f0;
+        } else {
+            V sum0 = {0}, sum0_ = {0};
+            int k = 1;
+            for (; k + 1 < n - 1 + 1; k += 2) { sum0 += (double)(k) * l[k] * z[n - k], sum0_ += (double)(k + 1) * l[k + 1] * z[n - k - 1]; }
+            if (k < n - 1 + 1) { sum0 += (double)(k) * l[k] * z[n - k]; }
+            sum0 += sum0_;
+            l[n] = (z[n] - sum0 * by_n) / (1.0 + z[0]);
+        }
+        return at + 3;
+    }
+    case POW: { /* p = (z + 1)**power, m = (z + 1)**power - 1 */
+        V *restrict p = r + (ptrdiff_t)at[1] * stride;
+        V *restrict m = r + (ptrdiff_t)at[2] * stride;
+        const V *z = r + (ptrdiff_t)at[3] * stride;
+        const V power = c[at[4]];
+        if (n == 0) {
+            const V f0 = IN(map)(log1p, z[0]);
+            const V f1 = IN(map)(expm1, f0 * power);
+            p[0] = (1.0 + f1);
+            m[0] = f1;
+        } else {
+            V sum0 = {0}, sum0_ = {0};
+            int k = 1;
+            for (; k + 1 < n + 1; k += 2) { sum0 += ((double)(k) + (double)(k) * power - order) * z[k] * p[n - k], sum0_ += ((double)(k + 1) + (double)(k + 1) * power - order) * z[k + 1] * p[n - k - 1]; }
+            if (k < n + 1) { sum0 += ((double)(k) + (double)(k) * power - order) * z[k] * p[n - k]; }
+            sum0 += sum0_;
+            p[n] = sum0 / (1.0 + z[0]) * by_n;
+            m[n] = p[n];
+        }
+        return at + 5;
+    }
+    default:
+        __builtin_unreachable();
+    }
+}
+
+/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, its result, its arguments. */
+static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
+    while (at < end) {
+        const V a = c[at[2]];
+        V *const d = c + at[1];
+        switch (at[0]) {
+        case S_ADD: { const V b = c[at[3]]; *d = IN(choose)(here, a + b, *d); at += 4; break; }
+        case S_SUB: { const V b = c[at[3]]; *d = IN(choose)(here, a - b, *d); at += 4; break; }
+        case S_MUL: { const V b = c[at[3]]; *d = IN(choose)(here, a * b, *d); at += 4; break; }
+        case S_DIV: { const V b = c[at[3]]; *d = IN(choose)(here, a / b, *d); at += 4; break; }
+        case S_NEG: { *d = IN(choose)(here, -a, *d); at += 3; break; }
+        case S_SIN: { *d = IN(choose)(here, IN(map)(sin, a), *d); at += 3; break; }
+        case S_COS: { *d = IN(choose)(here, IN(map)(cos, a), *d); at += 3; break; }
+        case S_TAN: { *d = IN(choose)(here, IN(map)(tan, a), *d); at += 3; break; }
+        case S_EXP: { *d = IN(choose)(here, IN(map)(exp, a), *d); at += 3; break; }
+        case S_EXPM1: { *d = IN(choose)(here, IN(map)(expm1, a), *d); at += 3; break; }
+        case S_LOG: { *d = IN(choose)(here, IN(map)(log, a), *d); at += 3; break; }
+        case S_LOG1P: { *d = IN(choose)(here, IN(map)(log1p, a), *d); at += 3; break; }
+        case S_SQRT: { *d = IN(choose)(here, IN(map)(sqrt, a), *d); at += 3; break; }
+        case S_ABS: { *d = IN(choose)(here, IN(choose)(a < 0.0, -a, a), *d); at += 3; break; }
+        case S_MIN: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, a, b), *d); at += 4; break; }
+        case S_MAX: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, b, a), *d); at += 4; break; }
+        case S_LESS: { const V b = c[at[3]]; *d = IN(choose)(here, IN(choose)(a < b, (V){0} + 1.0, (V){0}), *d); at += 4; break; }
+        case S_SELECT: { const V b = c[at[3]]; const V e = c[at[4]]; *d = IN(choose)(here, IN(choose)(a > 0.0, b, e), *d); at += 5; break; }
+        }
+    }
+}
+/* --- polynomials in the time of a step: coefficients p[0] to p[n] --- */
+
+INLINE V value(const V *p, int n, V t)
+{
+    V found = p[n];
+    for (int k = n - 1; k >= 0; k--) found = found * t + p[k];
+    return found;
+}
+
+/* Without the constant term, so that a small change keeps its digits. */
+INLINE V change(const V *p, int n, V t) { return n > 0 ? t * value(p + 1, n - 1, t) : flat(0.0); }
+
+INLINE V with_slope(const V *p, int n, V t, V *slope)
+{
+    V found = p[n], s = flat(0.0);
+    for (int k = n - 1; k >= 0; k--) {
+        s = s * t + found;
+        found = found * t + p[k];
+    }
+    *slope = s;
+    return found;
+}
+
+/* Newton's method between bounds, of opposite signs: it starts where the chord crosses, and halves where a step leaves
+ * the bounds. A step below 2^-30 of its place is the last: the next would be below rounding. */
+static V bracketed(const V *p, int n, V low, V at_low, V high, V at_high, unsigned which)
+{
+    const M falls = at_low > 0.0;
+    V at = low + (high - low) * (at_low / (at_low - at_high));
+    at = pick((at >= low) & (at <= high), at, 0.5 * (low + high));
+    for (int count = 0; which && count < 200; count++) {
+        V slope;
+        const V f = with_slope(p, n, at, &slope);
+        const M beyond = (f > 0.0) ^ falls;
+        low = pick(beyond, low, at), high = pick(beyond, at, high);
+        V next = at - f / slope;
+        next = pick((next >= low) & (next <= high), next, 0.5 * (low + high));
+        next = pick(f == 0.0, at, next);
+        const M go = lanes(which);
+        which &= bits(size(next - at) > 0x1p-30 * size(next));
+        at = pick(go, next, at);
+    }
+    return at;
+}
+
+/* The first zero in (0, h] of polynomials that are positive at first; infinity where there is none, and where a lane is
+ * not asked. Within a step the terms fall like exp(-2 k): a polynomial that neither has changed its sign at h nor falls
+ * at first and rises at last has none. Where it falls and rises, its least value decides. */
+static V first_zero(const V *p, int n, V h, unsigned which)
+{
+    V slope, high = h;
+    V last = with_slope(p, n, h, &slope);
+    unsigned crosses = which & bits(last <= 0.0);
+    const unsigned dips = which & ~crosses & bits((p[1] < 0.0) & (slope > 0.0));
+    if (dips) {
+        V s[HIGHEST + 2];
+        for (int k = 1; k <= n; k++) s[k - 1] = p[k] * (double)k;
+        const V lowest = bracketed(s, n - 1, flat(0.0), s[0], h, slope, dips), least = value(p, n, lowest);
+        const unsigned below = dips & bits(least <= 0.0);
+        high = pick(lanes(below), lowest, high), last = pick(lanes(below), least, last);
+        crosses |= below;
+    }
+    if (!crosses) return flat(INFINITY);
+    return pick(lanes(crosses), bracketed(p, n, flat(0.0), p[0], high, last, crosses), flat(INFINITY));
+}
+
+/* --- tables --- */
+
+/* Coefficients of a lane's piece, in powers of what is beyond its break, about a place within it: Taylor's shift. */
+static void shifted(const Data *d, int64_t piece, int64_t column, double by, double *terms)
+{
+    const int64_t across = d->across ? d->across : 1;
+    const double *from = d->coefficients + piece * d->terms * across + (d->across ? column : 0);
+    for (int j = 0; j < d->terms; j++) terms[j] = from[j * across];
+    if (by == 0.0) return;
+    for (int first = 0; first < d->terms - 1; first++)
+        for (int j = d->terms - 2; j >= first; j--) terms[j] += by * terms[j + 1];
+}
+
+/* Taylor coefficients of a function of time about now, in t*, up to an order; returns their number. */
+static int about_now(const Hand *h, const Table *t, const Data *d, unsigned k, int order, double *terms)
+{
+    const V *c = h->c + t->cell;
+    const double scale = c[SCALE][k], factor = c[SCALED_BY][k];
+    const int64_t piece = (int64_t)c[PIECE][k];
+    const double local = h->c[TIME][k] * scale - d->breaks[piece];
+    if (d->sine) { /* amplitude, rate, phase */
+        double p[HIGHEST + 1];
+        shifted(d, piece, h->column[k], 0.0, p);
+        const double angle = p[1] * local + p[2], wave[] = {sin(angle), cos(angle), -sin(angle), -cos(angle)};
+        double high = p[0] * factor;
+        for (int j = 0; j <= order; j++) {
+            terms[j] = high * wave[j % 4];
+            high *= p[1] * scale / (j + 1);
+        }
+        return order + 1;
+    }
+    shifted(d, piece, h->column[k], d->terms > 2 || order < 1 ? local : 0.0, terms);
+    if (d->terms == 2 && order >= 1) terms[0] += local * terms[1];
+    double power = factor;
+    for (int j = 0; j < d->terms; j++, power *= scale) terms[j] *= power;
+    return d->terms;
+}
+
+/* The end of a lane's piece of a function of time, and the increment there. */
+static void time_bound(const Hand *h, const Table *t, const Data *d, unsigned k)
+{
+    V *c = h->c + t->cell;
+    const int64_t piece = (int64_t)c[PIECE][k];
+    double terms[HIGHEST + 1];
+    c[UPPER][k] = piece < d->pieces - 1 ? d->breaks[piece + 1] / c[SCALE][k] : INFINITY;
+    c[LOWER][k] = c[INC][k];
+    if (piece == d->pieces - 1) return;
+    const double past = c[UPPER][k] - h->c[TIME][k];
+    if (d->sine) { /* A (sin(angle + r) - sin(angle)) = 2 A sin(r/2) cos(angle + r/2) */
+        shifted(d, piece, h->column[k], 0.0, terms);
+        const double half = 0.5 * terms[1] * past * c[SCALE][k];
+        const double angle = terms[1] * (h->c[TIME][k] * c[SCALE][k] - d->breaks[piece]) + terms[2];
+        c[LOWER][k] += 2.0 * c[SCALED_BY][k] * terms[0] * sin(half) * cos(angle + half);
+        return;
+    }
+    double sum = 0.0;
+    for (int j = about_now(h, t, d, k, 1, terms) - 1; j > 0; j--) sum = (sum + terms[j]) * past;
+    c[LOWER][k] += sum;
+}
+
+/* Where a phase begins: each table's piece, its value, and the coefficients of what is beyond. */
+static void pieces(const Hand *h, unsigned k)
+{
+    const Walk *const w = h->w;
+    for (int i = 0; i < w->tables; i++) {
+        const Table *const t = w->table + i;
+        const Data *const d = w->data + i;
+        V *const all = h->c, *const c = all + t->cell;
+        const double scale = c[SCALE][k], factor = c[SCALED_BY][k];
+        const int64_t last = d->pieces - 1;
+        double terms[HIGHEST + 1], local = 0.0, power = 1.0;
+        if (t->kind == OF_TIME) {
+            const double now = all[TIME][k] * scale * (1.0 + 2 * EPS);
+            int64_t piece = (int64_t)c[PIECE][k];
+            while (piece < last && d->breaks[piece + 1] <= now) piece++;
+            c[PIECE][k] = (double)piece, c[INC][k] = 0.0;
+            about_now(h, t, d, k, 1, terms);
+            c[VALUE][k] = terms[0];
+            time_bound(h, t, d, k);
+            continue;
+        }
+        const int64_t piece = (int64_t)c[PIECE][k];
+        const double edge = d->breaks[piece], above = piece < last ? d->breaks[piece + 1] : INFINITY;
+        if (t->kind == OF_SLIP) {
+            local = fmax(all[SLIP][k] * scale - edge, 0.0), power = scale;
+            c[UPPER][k] = (above - edge - local) / scale;
+        } else { /* piece 0 is constant, below the first speed */
+            const double speed = all[OMEGA][k] * scale;
+            local = piece > 0 && speed > 0.0 ? log(speed / edge) : 0.0;
+            c[UPPER][k] = above / scale, c[LOWER][k] = piece > 0 ? edge / scale : 0.0;
+        }
+        shifted(d, piece, h->column[k], local, terms);
+        c[VALUE][k] = factor * terms[0];
+        double scaled = factor;
+        for (int j = 1; j <= t->degree; j++) {
+            scaled *= power;
+            c[Q1 + j - 1][k] = j < d->terms ? scaled * terms[j] : 0.0;
+        }
+    }
+}
+
+/* Enter the next piece of each function of time that breaks now; whether a value leaps. */
+static int pass_breaks(const Hand *h, unsigned k)
+{
+    const Walk *const w = h->w;
+    int leaps = 0;
+    for (int i = 0; i < w->tables; i++) {
+        const Table *const t = w->table + i;
+        const Data *const d = w->data + i;
+        V *const c = h->c + t->cell;
+        if (t->kind != OF_TIME || !(c[UPPER][k] <= h->c[TIME][k])) continue;
+        const int64_t piece = (int64_t)c[PIECE][k] + 1;
+        const double jump = d->jumps[piece] * c[SCALED_BY][k];
+        c[PIECE][k] = (double)piece, c[INC][k] = c[LOWER][k] + jump;
+        leaps |= jump != 0.0;
+        time_bound(h, t, d, k);
+        if (d->open && piece == d->pieces - 1) h->c[STATUS][k] = NEED;
+    }
+    return leaps;
+}
+
+/* Whether something will still change while a lane rests. */
+static int changes(const Hand *h, unsigned k)
+{
+    const Walk *const w = h->w;
+    int found = 0;
+    for (int i = 0; i < w->tables; i++)
+        found |= w->table[i].kind == OF_TIME && (h->c[w->table[i].cell + UPPER][k] < INFINITY || w->data[i].open);
+    return found;
+}
+
+/* The next time at which something breaks. */
+INLINE V next_break(const Hand *h)
+{
+    const Walk *const w = h->w;
+    V found = flat(INFINITY);
+    for (int i = 0; i < w->tables; i++)
+        if (w->table[i].kind == OF_TIME) found = lesser(h->c[w->table[i].cell + UPPER], found);
+    return found;
+}
+
+/* --- series --- */
+
+/* Coefficient n of every register that operations make. */
+INLINE void operate(const Hand *h, int n)
+{
+    const Walk *const w = h->w;
+    const double per = h->inverse[n];
+    for (const int32_t *at = w->series; at < w->series_end;) at = IN(operate)(at, h->r, h->c, h->stride, n, per);
+}
+
+#define REGISTER(i) (h->r + (ptrdiff_t)(i) * h->stride)
+
+/* Order 0 of the registers that do not come from operations. */
+INLINE void begin_series(const Hand *h)
+{
+    const Walk *const w = h->w;
+    for (int i = 0; i < w->states; i++) REGISTER(w->state[3 * i + 1])[0] = h->c[w->state[3 * i]];
+    for (int i = 0; i < w->tables; i++)
+        if (w->table[i].kind == OF_TIME) REGISTER(w->table[i].reg)[0] = h->c[w->table[i].cell + INC];
+}
+
+/* Series of all registers; of the states up to a lane's order, of the others one less. Where a function of time cuts
+ * the step short, a lane's series may end before: where two terms following each other do not count at the cut. Returns
+ * the highest order, and each lane's; what is beyond is 0. At rest (`frozen`) the net moment tells. */
+INLINE int expand(const Hand *h, V room, unsigned which, int frozen, V *order)
+{
+    const Walk *const w = h->w;
+    const M here = lanes(which);
+    V last = pick(here, h->c[ORDER], flat(1.0)), power = flat(1.0), small = flat(0.0);
+    int top = 1, even = 1;
+    for (int k = 0; k < LANES; k++) top = last[k] > top ? (int)last[k] : top;
+    even = bits(last == (double)top) == (unsigned)ALL;
+    begin_series(h);
+    for (int i = 0; w->timed && i < w->tables; i++) {
+        if (w->table[i].kind != OF_TIME) continue;
+        V *const r = REGISTER(w->table[i].reg);
+        EACH(k, which) {
+            double terms[HIGHEST + 1];
+            const int count = about_now(h, w->table + i, w->data + i, k, top, terms);
+            for (int j = 1; j < count && j <= top; j++) r[j][k] = terms[j];
+        }
+    }
+    const int watched[2] = {frozen ? w->role->net : w->role->x, frozen ? w->role->net : w->role->omega};
+    V most[2] = {flat(0.0), flat(0.0)};
+    const int early = w->timed;
+    if (early) for (int i = 0; i < 2; i++) most[i] = frozen ? flat(0.0) : size(REGISTER(watched[i])[0]);
+    for (int n = 0; n < top; n++) {
+        operate(h, n);
+        const double per = h->inverse[n + 1];
+        const M within = last > (double)n;
+        for (int i = 0; i < w->states; i++) {
+            const V d = frozen ? flat(0.0) : REGISTER(w->state[3 * i + 2])[n] * per;
+            REGISTER(w->state[3 * i + 1])[n + 1] = even ? d : pick(within, d, flat(0.0));
+        }
+        if (!early) continue;
+        V share = flat(0.0);
+        if (!frozen) power *= room;
+        for (int i = 0; i < 2; i++) {
+            const V term = size(REGISTER(watched[i])[frozen ? n : n + 1]) * power;
+            share = pick((term <= 0x1p-56 * most[i]) & (most[i] > 0.0) & (most[i] < INFINITY), share, flat(1.0));
+            most[i] = greater(term, most[i]);
+        }
+        if (frozen) power *= room;
+        small = pick(share == 0.0, small + 1.0, flat(0.0));
+        const M ends = (small >= 2.0) & within & here;
+        if (n < 2 || !bits(ends)) continue;
+        last = pick(ends, lesser(last, flat(n + 1.0)), last), even = 0;
+        if (!bits(last > n + 1.0)) top = n + 1;
+    }
+    if (!even)
+        for (int n = 0; n < top; n++) {
+            const M within = last > (double)n;
+            const int32_t of[] = {w->role->net, w->role->normal, w->role->upright};
+            for (int i = 0; i < 3; i++)
+                if (of[i] >= 0) REGISTER(of[i])[n] = pick(within, REGISTER(of[i])[n], flat(0.0));
+        }
+    *order = last;
+    return top;
+}
+
+/* log2 of sizes and its inverse, straight between powers of two: up to 0.09 too small, which the (n - k)th root of the
+ * radius below makes a hundredth. Fixed point with 40 bits behind the point, as float64. */
+#define FIXED 0x1p40
+INLINE V logarithm(V x) { return (V)((M)((M)size(x) >> 12) | (M)flat(0x1p52)) - 0x1p52; }
+INLINE V power_of_two(V y)
+{
+    y = pick(y < 1000 * FIXED, y, flat(1000 * FIXED)), y = pick(y > -1000 * FIXED, y, flat(-1000 * FIXED));
+    return (V)((M)(y + (0x1p52 + 1023 * FIXED)) << 12);
+}
+
+/* Radius of convergence: the least that the last four coefficients tell, each against the largest of the first five. */
+INLINE V radius(const Hand *h, const V *p, int top, V order)
+{
+    V first[5], least = flat(1000 * FIXED);
+    for (int k = 0; k < 5 && k <= top; k++) first[k] = logarithm(p[k]);
+    double low = order[0];
+    for (int k = 1; k < LANES; k++) low = order[k] < low ? order[k] : low;
+    for (int n = low > 8.0 ? (int)low - 3 : 5; n <= top; n++) {
+        const V here = logarithm(p[n]);
+        V most = flat(-1000 * FIXED);
+        for (int k = 0; k < 5; k++) most = greater((first[k] - here) * h->inverse[n - k], most);
+        const M counts = (order >= (double)n) & (order <= n + 3.0);
+        least = pick(counts & (most < least), most, least);
+    }
+    return power_of_two(least);
+}
+
+/* --- phases --- */
+
+/* Write an event of the first lane down. */
+static void note(const Hand *h, unsigned k, int kind)
+{
+    Walk *const w = h->w;
+    if (h->column[k] != 0 || w->noted == w->notes_room) return;
+    double *const row = w->notes + 4 * w->noted++;
+    row[0] = kind, row[1] = h->c[TIME][k], row[2] = h->c[ROTATION][k], row[3] = h->c[DIRECTION][k];
+}
+
+/* A candidate for the greatest speed. */
+static void fastest(const Hand *h, unsigned k, double rate)
+{
+    V *const c = h->c;
+    if (!(c[OMEGA][k] > fabs(c[PEAK_OMEGA][k]))) return;
+    c[PEAK_TIME][k] = c[TIME][k], c[PEAK_ROTATION][k] = c[ROTATION][k] + c[DIRECTION][k] * c[X][k];
+    c[PEAK_OMEGA][k] = c[DIRECTION][k] * c[OMEGA][k], c[PEAK_RATE][k] = c[DIRECTION][k] * rate;
+}
+
+static void reaches(const Hand *h, unsigned k)
+{
+    V *const c = h->c;
+    const double rotation = c[ROTATION][k] + c[DIRECTION][k] * c[X][k];
+    if (fabs(rotation) > fabs(c[REACH_ROTATION][k])) c[REACH_ROTATION][k] = rotation, c[REACH_TIME][k] = c[TIME][k];
+}
+
+static void lifted_now(Hand *h, unsigned k)
+{
+    V *const c = h->c;
+    note(h, k, LIFTED_OFF);
+    if (isnan(c[LIFT_TIME][k])) c[LIFT_TIME][k] = c[TIME][k];
+}
+
+/* Rotation and slip are taken up to now, where another phase begins. */
+static void base(const Hand *h, unsigned k)
+{
+    V *const c = h->c;
+    c[ROTATION][k] += c[DIRECTION][k] * c[X][k], c[SLIP][k] += c[X][k], c[X][k] = 0.0;
+}
+
+/* States at sample times from `begin` up to, and without, `end`; the lane moves along series in r, or rests. */
+static void read_off(const Hand *h, unsigned k, double begin, double end, int moving, int top)
+{
+    const Walk *const w = h->w;
+    const V *const c = h->c;
+    if (!w->samples || !(end >= begin)) return;
+    const int64_t across = w->times_across, column = h->column[k];
+    const double *times = w->times + (across > 1 ? column : 0);
+    int64_t low = 0, high = w->samples;
+    while (low < high) {
+        const int64_t middle = (low + high) / 2;
+        if (times[middle * across] < begin) low = middle + 1; else high = middle;
+    }
+    const int closed = end >= c[END_TIME][k] && end < INFINITY;
+    const int32_t net = w->role->net;
+    for (int64_t i = low; i < w->samples; i++) {
+        const double time = times[i * across], past = time - begin;
+        if (!(time < end || (closed && time == end))) break;
+        double found[4 + MOST_STATES];
+        for (int j = -1; j < w->states; j++) { /* the rate of the second state, and the states */
+            const int32_t of = j < 0 ? net : w->state[3 * j + 1];
+            double sum = 0.0;
+            for (int n = moving ? top - (j < 0) : -1; n >= 0; n--) sum = sum * past + REGISTER(of)[n][k];
+            found[j < 0 ? 2 : j < 2 ? j : j + 2] = moving || j < 2 ? sum : c[w->state[3 * j]][k];
+        }
+        found[3] = c[SLIP][k] + found[0], found[0] = c[ROTATION][k] + c[DIRECTION][k] * found[0];
+        found[1] *= c[DIRECTION][k], found[2] *= c[DIRECTION][k];
+        for (int j = 0; j < w->states + 2; j++) w->outputs[(j * w->samples + i) * w->count + column] = found[j];
+    }
+}
+
+/* It stays where it is, for good. */
+static void stays(const Hand *h, unsigned k, int status)
+{
+    V *const c = h->c;
+    c[STATUS][k] = status;
+    c[END_ROTATION][k] = c[ROTATION][k], c[END_OMEGA][k] = c[END_RATE][k] = c[DIRECTION][k] = 0.0;
+    if (c[REST_SINCE][k] > c[END_TIME][k]) c[REST_SINCE][k] = c[END_TIME][k]; /* cannot be, but for rounding */
+    read_off(h, k, c[TIME][k], INFINITY, 0, 0);
+}
+
+/* Motion begins. */
+static void moves(Hand *h, unsigned k, double rate)
+{
+    V *const c = h->c;
+    c[STATUS][k] = MOVING, c[PASSED][k] = NOTHING, c[PHASES][k] += 1.0;
+    c[TURNS][k] += c[LAST_WAY][k] * c[DIRECTION][k] < 0.0, c[LAST_WAY][k] = c[DIRECTION][k];
+    note(h, k, BEGINS);
+    if (c[LIFTED][k] > 0.0) lifted_now(h, k);
+    fastest(h, k, rate);
+    h->todo[k] = READY;
+}
+
+/* Face a direction at a standstill. */
+static void face(Hand *h, unsigned k, double side)
+{
+    V *const c = h->c;
+    c[X][k] = c[OMEGA][k] = 0.0, c[DIRECTION][k] = side, c[LIFTED][k] = 0.0;
+}
+
+/* Whether a mass at rest may start the way it faces: shaking starts a one-way mass only the way that gravity pulls. */
+static int allowed(const Hand *h, unsigned k)
+{
+    const V *const c = h->c;
+    if (c[ONE_WAY][k] == 0.0) return 1;
+    const double pull = c[h->w->role->f0][k];
+    return pull > 0.0 || (pull == 0.0 && c[DIRECTION][k] > 0.0);
+}
+
+/* Nothing moves it now: it waits for another time, or stays. */
+static void rests(Hand *h, unsigned k)
+{
+    V *const c = h->c;
+    h->todo[k] = READY;
+    if (!changes(h, k)) {
+        stays(h, k, ARRESTED);
+        return;
+    }
+    c[STATUS][k] = RESTING;
+    if (!allowed(h, k)) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
+}
+
+/* Whether a mass swings on for ever: where it would stand upright nothing, or next to nothing, presses it. */
+static int never_rests(const Hand *h, unsigned k)
+{
+    const V *const c = h->c;
+    const Roles *const role = h->w->role;
+    const double p0 = c[role->p0][k], most = hypot(p0, c[role->ps0][k]);
+    return c[FIRST_ONLY][k] == 1.0 || c[role->normal0][k] + (most - p0) <= 0.01 * most;
+}
+
+/* Base what waits for it anew, and decide what follows, until every lane is ready for a step. */
+static void settle(Hand *h)
+{
+    Walk *const w = h->w;
+    V *const c = h->c;
+    const Roles *const role = w->role;
+    for (;;) {
+        unsigned which = 0, series = 0;
+        for (unsigned k = 0; k < LANES; k++) {
+            if (h->todo[k] == LEAP) { /* what presses has leapt: is it lifted? */
+                begin_series(h), operate(h, 0);
+                const int lifted = role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0;
+                if (lifted && c[LIFTED][k] == 0.0) lifted_now(h, k);
+                h->todo[k] = (c[LIFTED][k] > 0.0) == lifted ? READY : ANEW;
+                c[LIFTED][k] = lifted;
+                if (h->todo[k] == ANEW) base(h, k);
+            }
+            if (h->todo[k] == READY) continue;
+            which |= 1u << k;
+            if (h->todo[k] == BEGIN || h->todo[k] == ENTER) series = 1;
+        }
+        if (!which) return;
+        if (w->tables) EACH(k, which) pieces(h, k);
+        IN(prologue)(w->scalar, w->scalar_end, c, lanes(which));
+        if (series) begin_series(h), operate(h, 0);
+        EACH(k, which) {
+            const double net = REGISTER(role->net)[0][k];
+            if (h->todo[k] == BEGIN || h->todo[k] == FACE || h->todo[k] == GO) {
+                const int of_velocity = h->todo[k] == BEGIN;
+                const int free = of_velocity ? role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0
+                                             : c[role->normal0][k] <= 0.0;
+                if (free && c[LIFTED][k] == 0.0) {
+                    c[LIFTED][k] = 1.0;
+                    continue;
+                }
+                if (of_velocity) {
+                    moves(h, k, net);
+                    continue;
+                }
+            }
+            double *const drive = (double *)&c[role->drive] + k, *const known = (double *)&c[role->drive_scale] + k;
+            if (h->todo[k] == GO) {
+                if (!h->jumps[k]) *drive = 0.0;
+                moves(h, k, *drive);
+            } else if (h->todo[k] == ENTER) { /* the drive anew, or carried through the event: as it is better known */
+                const double carried = h->known[k] + EPS * (fabs(h->rate[k]) + fabs(net - *drive) + fabs(h->drive[k]));
+                if (carried < *known) *drive += h->rate[k] - net, *known = carried;
+                h->todo[k] = READY;
+            } else if (h->todo[k] == FACE) {
+                if (c[FIRST_ONLY][k] > 0.0 && c[PHASES][k] > 0.0 && never_rests(h, k)) {
+                    stays(h, k, STOPPED), h->todo[k] = READY;
+                    continue;
+                }
+                const int may = allowed(h, k);
+                const double terms = fabs(c[role->driving][k]) + c[role->resisting][k];
+                const double unsure = EPS * (terms + c[role->mu][k] * fabs(c[role->normal0][k]));
+                if (may) c[CLOSE][k] = fmin(c[CLOSE][k], fabs(*drive) / fmax(unsure, 1e-300));
+                if (may && *drive > 0.0) moves(h, k, *drive);
+                else if (++h->faced[k] > 1 || (may && c[ONE_WAY][k] > 0.0)) rests(h, k);
+                else face(h, k, -c[DIRECTION][k]);
+            } else h->todo[k] = READY;
+        }
+    }
+}
+
+/* --- motion --- */
+
+/* A lane enters another piece of a table, is lifted or lands: its phase is based anew. */
+static void enters(Hand *h, unsigned k, double rate)
+{
+    const V *const c = h->c;
+    h->rate[k] = rate, h->drive[k] = c[h->w->role->drive][k], h->known[k] = c[h->w->role->drive_scale][k];
+    base(h, k);
+    h->todo[k] = ENTER;
+}
+
+/* A lane comes to its standstill. The way it came it does not go on: its drive is what has become negative. */
+static void stands(Hand *h, unsigned k, double rate)
+{
+    V *const c = h->c;
+    base(h, k);
+    reaches(h, k);
+    c[REST_SINCE][k] = c[TIME][k];
+    note(h, k, CAME_TO_REST);
+    if (isnan(c[FIRST_STOP][k])) c[FIRST_STOP][k] = c[TIME][k];
+    h->faced[k] = rate < 0.0;
+    face(h, k, rate < 0.0 ? -c[DIRECTION][k] : c[DIRECTION][k]);
+    h->todo[k] = FACE;
+}
+
+/* What is asked for ends while the lane moves. */
+static void ends(Hand *h, unsigned k, double rate, int status)
+{
+    V *const c = h->c;
+    c[STATUS][k] = status;
+    c[END_ROTATION][k] = c[ROTATION][k] + c[DIRECTION][k] * c[X][k];
+    c[END_OMEGA][k] = c[DIRECTION][k] * c[OMEGA][k], c[END_RATE][k] = c[DIRECTION][k] * rate;
+    reaches(h, k);
+}
+
+/* An edge of a table of slip or speed is passed. */
+static void passes(Hand *h, unsigned k, int event, double rate)
+{
+    Walk *const w = h->w;
+    const Table *const t = w->table + (event - EDGES) / 2;
+    const Data *const d = w->data + (event - EDGES) / 2;
+    V *const all = h->c, *const c = all + t->cell;
+    const int up = (event - EDGES) % 2 == 0;
+    enters(h, k, rate);
+    if (t->kind == OF_SPEED) all[OMEGA][k] = c[up ? UPPER : LOWER][k], all[PASSED][k] = up ? FASTER : SLOWER;
+    c[PIECE][k] += up ? 1.0 : -1.0;
+    if (t->kind == OF_SLIP) all[SLIP][k] = d->breaks[(int64_t)c[PIECE][k]] / c[SCALE][k];
+    if (d->open && up && c[PIECE][k] == (double)(d->pieces - 1)) all[STATUS][k] = NEED, h->todo[k] = READY;
+}
+
+/* Coefficients of an event's function: with a sign and another constant term, and one order less where its root is now. */
+INLINE void function(V *e, const V *p, int n, V sign, V constant, M divided)
+{
+    for (int k = 0; k <= n; k++) e[k] = sign * p[k];
+    e[0] += constant;
+    if (!bits(divided)) return;
+    for (int k = 0; k < n; k++) e[k] = pick(divided, e[k + 1], e[k]);
+    e[n] = pick(divided, flat(0.0), e[n]);
+}
+
+/* Whether a function may have a zero in (0, tau]: from its value and slope there. */
+INLINE unsigned suspects(const V *p, int n, V tau, V sign, V constant, M divided)
+{
+    V slope, last = with_slope(p, n, tau, &slope);
+    last = sign * last + constant;
+    return bits((last <= 0.0) | ((sign * p[1] < 0.0) & (sign * slope > 0.0)) | divided);
+}
+
+/* One step of lanes that move, up to their next event. */
+static void step(Hand *h, unsigned which)
+{
+    Walk *const w = h->w;
+    V *const c = h->c;
+    const Roles *const role = w->role;
+    const M here = lanes(which), no = lanes(0);
+    const V limit = lesser(next_break(h), c[END_TIME]), room = limit - c[TIME], one = flat(1.0), zero = flat(0.0);
+    V order, e[HIGHEST + 2], slope;
+    const int top = expand(h, room, which, 0, &order);
+    const V *const x = REGISTER(role->x), *const omega = REGISTER(role->omega), *const net = REGISTER(role->net);
+    V tau = radius(h, x, top, order);
+    for (int i = 1; i < w->states; i++) tau = lesser(radius(h, REGISTER(w->state[3 * i + 1]), top, order), tau);
+    tau = pick(order < c[ORDER], room, lesser(c[FACTOR] * tau, room));
+    const M whole = tau >= room;
+    int event[LANES];
+    for (int k = 0; k < LANES; k++) event[k] = NONE;
+#define TAKE(found, code) \
+    do { \
+        const V at_ = (found); \
+        EACH(k, bits(at_ <= tau)) event[k] = (code); \
+        tau = lesser(at_, tau); \
+    } while (0)
+
+    /* Standstill. From rest its first root is now: divided by the time as often as it is zero. */
+    V last = with_slope(omega, top, tau, &slope);
+    const M from_rest = omega[0] == 0.0, back = from_rest & ((net[0] < 0.0) | ((net[0] == 0.0) & (net[1] <= 0.0)));
+    unsigned ask = which & bits((last <= 0.0) | ((net[0] < 0.0) & (slope > 0.0)) | back);
+    if (ask) {
+        function(e, omega, top, one, zero, from_rest);
+        for (int i = 0; i < 2; i++) function(e, e, top, one, zero, from_rest & (e[0] == 0.0));
+        const V at = first_zero(e, top, tau, ask);
+        TAKE(pick(lanes(ask) & (e[0] < 0.0), zero, at), STANDS);
+    }
+    if (role->normal >= 0) {
+        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
+        const M passed = c[PASSED] == (double)LIFT;
+        if ((ask = which & suspects(normal, top - 1, tau, sign, zero, passed))) {
+            function(e, normal, top - 1, sign, zero, passed);
+            TAKE(first_zero(e, top - 1, tau, ask), LIFTS);
+        }
+    }
+    if (role->upright >= 0) {
+        const V *const upright = REGISTER(role->upright);
+        if ((ask = which & suspects(upright, top - 1, tau, one, zero, no)))
+            TAKE(first_zero(upright, top - 1, tau, ask), TIPS);
+    }
+    for (int i = 0; w->sloped && i < w->tables; i++) {
+        const Table *const t = w->table + i;
+        if (t->kind == OF_TIME) continue;
+        const V *const p = t->kind == OF_SLIP ? x : omega;
+        const V upper = lesser(c[t->cell + UPPER], flat(1e300)), lower = c[t->cell + LOWER];
+        const M slower = t->kind == OF_SPEED ? c[PASSED] == (double)SLOWER : no;
+        if ((ask = which & suspects(p, top, tau, -one, upper, slower))) {
+            function(e, p, top, -one, upper, slower);
+            TAKE(first_zero(e, top, tau, ask), EDGES + 2 * i);
+        }
+        if (t->kind == OF_SLIP) continue;
+        const M faster = c[PASSED] == (double)FASTER;
+        if ((ask = which & bits(lower > 0.0) & suspects(p, top, tau, one, -lower, faster))) {
+            function(e, p, top, one, -lower, faster);
+            TAKE(first_zero(e, top, tau, ask), EDGES + 2 * i + 1);
+        }
+    }
+
+    /* Peak: the net moment falls through zero. It may do so beyond a trough, too. */
+    const V rate = with_slope(net, top - 1, tau, &slope);
+    const M touches = net[0] == 0.0, drives = (net[0] > 0.0) | (touches & (net[1] > 0.0));
+    V peak = flat(INFINITY);
+    if ((ask = which & bits(drives & ((rate < 0.0) | ((net[1] < 0.0) & (slope > 0.0)))))) {
+        function(e, net, top - 1, one, zero, touches);
+        peak = first_zero(e, top - 1, tau, ask);
+    }
+    if ((ask = which & bits((net[0] < 0.0) & (net[1] > 0.0) & (rate < 0.0) & (slope < 0.0)))) {
+        for (int k = 1; k < top; k++) e[k - 1] = net[k] * (double)k;
+        const V most = bracketed(e, top - 2, zero, e[0], tau, slope, ask), then = value(net, top - 1, most);
+        ask &= bits(then > 0.0);
+        if (ask) peak = pick(lanes(ask), bracketed(net, top - 1, most, then, tau, rate, ask), peak);
+    }
+#define CANDIDATE(mask, speed, time, gone, slope_) \
+    do { \
+        const V speed_ = (speed); \
+        const M better_ = (mask) & (speed_ > size(c[PEAK_OMEGA])); \
+        if (!bits(better_)) break; \
+        c[PEAK_OMEGA] = pick(better_, c[DIRECTION] * speed_, c[PEAK_OMEGA]); \
+        c[PEAK_TIME] = pick(better_, (time), c[PEAK_TIME]); \
+        c[PEAK_ROTATION] = pick(better_, c[ROTATION] + c[DIRECTION] * (gone), c[PEAK_ROTATION]); \
+        c[PEAK_RATE] = pick(better_, c[DIRECTION] * (slope_), c[PEAK_RATE]); \
+    } while (0)
+    const M peaks = peak < INFINITY;
+    if (bits(peaks)) CANDIDATE(peaks, value(omega, top, peak), c[TIME] + peak, value(x, top, peak), value(net, top - 1, peak));
+
+    const V until = pick(whole, limit, c[TIME] + tau);
+    unsigned at_limit = bits(whole) & which;
+    V until_[1] = {until}; /* in memory, for lanes */
+    EACH(k, which) if (event[k] != NONE) at_limit &= ~(1u << k), until_[0][k] = c[TIME][k] + tau[k];
+    if (w->samples) EACH(k, which) read_off(h, k, c[TIME][k], until_[0][k], 1, top);
+    for (int i = 0; i < w->states; i++) {
+        V *const cell = c + w->state[3 * i];
+        *cell = pick(here, *cell + change(REGISTER(w->state[3 * i + 1]), top, tau), *cell);
+    }
+    for (int i = 0; w->timed && i < w->tables; i++) {
+        V *const inc = c + w->table[i].cell + INC;
+        if (w->table[i].kind == OF_TIME) *inc = pick(here, *inc + change(REGISTER(w->table[i].reg), top, tau), *inc);
+    }
+    c[TIME] = pick(here, until_[0], c[TIME]);
+    c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
+    c[PASSED] = pick(here, zero, c[PASSED]);
+    CANDIDATE(here, c[OMEGA], c[TIME], c[X], rate);
+    EACH(k, which) {
+        if (event[k] == NONE) {
+            if (!(at_limit >> k & 1)) continue;
+            if (c[TIME][k] >= c[END_TIME][k]) ends(h, k, rate[k], ENDED);
+            else if (pass_breaks(h, k)) h->todo[k] = LEAP;
+        } else if (event[k] == STANDS) stands(h, k, rate[k]);
+        else if (event[k] == LIFTS) {
+            c[LIFTED][k] = 1.0 - c[LIFTED][k];
+            if (c[LIFTED][k] > 0.0) lifted_now(h, k);
+            else note(h, k, LANDED);
+            enters(h, k, rate[k]);
+            c[PASSED][k] = LIFT;
+        } else if (event[k] == TIPS) ends(h, k, rate[k], UPRIGHT);
+        else passes(h, k, event[k], rate[k]);
+    }
+}
+
+/* --- rest --- */
+
+/* One step of lanes at rest under forces that change: to the next break, or to where the mass starts. Its margin, the
+ * net moment at rest, is a series of time alone; at its root motion begins, with no drive at all. */
+static void wait(Hand *h, unsigned which)
+{
+    Walk *const w = h->w;
+    V *const c = h->c;
+    const Roles *const role = w->role;
+    const V zero = flat(0.0), one = flat(1.0), limit = next_break(h);
+    const V room = pick(limit < INFINITY, limit - c[TIME], one);
+    V stretch = room, begins = flat(INFINITY), way = zero, e[HIGHEST + 2], order;
+    M sudden = lanes(0), turns = sudden;
+    for (int pass = 0; pass < 2; pass++) {
+        const unsigned now = pass ? which & bits(c[ONE_WAY] == 0.0) : which;
+        if (!now) break;
+        if (pass) {
+            EACH(k, now) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
+            settle(h);
+        }
+        const int top = expand(h, room, now, 1, &order);
+        const V *const net = REGISTER(role->net);
+        const M mine = lanes(now), touches = size(net[0]) <= 2.0 * c[role->drive_scale], leaps = ~touches & (net[0] > 0.0);
+        const V reach = pick(order < c[ORDER], room, lesser(c[FACTOR] * radius(h, net, top - 1, order - 1.0), room));
+        stretch = pick(mine, lesser(reach, stretch), stretch);
+        function(e, net, top - 1, -one, zero, touches);
+        unsigned ask = now & bits(~leaps) & suspects(net, top - 1, stretch, -one, zero, touches);
+        V at = ask ? first_zero(e, top - 1, stretch, ask) : flat(INFINITY);
+        at = pick(leaps | (touches & (e[0] < 0.0)), zero, at);
+        const M sooner = mine & (at < begins);
+        begins = pick(sooner, at, begins), way = pick(sooner, c[DIRECTION], way), sudden = (sooner & leaps) | (~sooner & sudden);
+        if (role->normal < 0) continue;
+        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
+        const M passed = c[PASSED] == (double)LIFT;
+        ask = now & suspects(normal, top - 1, stretch, sign, zero, passed);
+        if (!ask) continue;
+        function(e, normal, top - 1, sign, zero, passed);
+        at = first_zero(e, top - 1, stretch, ask);
+        turns |= mine & (at <= stretch), stretch = pick(mine, lesser(at, stretch), stretch);
+    }
+    for (int i = 0; i < w->tables; i++) { /* the same for both directions, since it was based at the last */
+        V *const inc = c + w->table[i].cell + INC;
+        if (w->table[i].kind == OF_TIME)
+            *inc = pick(lanes(which), *inc + change(REGISTER(w->table[i].reg), h->stride - 2, stretch), *inc);
+    }
+    EACH(k, which) {
+        const int starts = begins[k] <= stretch[k], turned = !starts && (turns[k] & 1);
+        const int at_break = !starts && !turned && stretch[k] >= room[k];
+        const double until = starts ? c[TIME][k] + begins[k] : at_break ? limit[k] : c[TIME][k] + stretch[k];
+        const int over = !starts && !(until < INFINITY);
+        if (w->samples) read_off(h, k, c[TIME][k], fmin(until, c[END_TIME][k]), 0, 0);
+        c[STEPS][k] += 1.0, c[PASSED][k] = NOTHING;
+        if (over) {
+            stays(h, k, ARRESTED);
+            continue;
+        }
+        c[TIME][k] = until;
+        if (starts && until >= c[END_TIME][k]) stays(h, k, ENDED);
+        else if (starts) face(h, k, way[k]), h->todo[k] = GO, h->jumps[k] = sudden[k] != 0;
+        else if (turned) {
+            c[LIFTED][k] = 1.0 - c[LIFTED][k], c[PASSED][k] = LIFT, h->todo[k] = ANEW;
+            if (c[LIFTED][k] > 0.0) lifted_now(h, k);
+        } else if (at_break && pass_breaks(h, k)) h->todo[k] = LEAP;
+    }
+}
+
+/* --- the queue --- */
+
+/* A lane at its start has no numbers of a phase yet. */
+static void take(Hand *h, unsigned k, int64_t column)
+{
+    const Walk *const w = h->w;
+    V *const c = h->c;
+    const double *from = w->all + column;
+    const int count = from[STATUS * w->count] == START ? w->made : w->cells;
+    for (int i = 0; i < count; i++, from += w->count) c[i][k] = *from;
+    h->column[k] = column, h->held |= 1u << k, h->faced[k] = 0;
+    if (c[STATUS][k] == START) {
+        c[DIRECTION][k] = c[OMEGA][k] < 0.0 ? -1.0 : 1.0;
+        c[OMEGA][k] = fabs(c[OMEGA][k]), c[X][k] = 0.0, c[LIFTED][k] = 0.0;
+        h->todo[k] = c[OMEGA][k] > 0.0 ? BEGIN : FACE;
+    } else if (c[STATUS][k] == NEED) { /* a table that goes on */
+        c[STATUS][k] = c[OMEGA][k] > 0.0 ? MOVING : RESTING;
+        base(h, k);
+        h->todo[k] = ANEW;
+    }
+}
+
+/* Of a lane that has come to its end nobody asks for more than what the walk has written. */
+static void put(Hand *h, unsigned k)
+{
+    const Walk *const w = h->w;
+    const double status = h->c[STATUS][k];
+    const int count = status <= RESTING || status == NEED ? w->cells : OMEGA - 1 + w->states;
+    double *to = w->all + h->column[k];
+    for (int i = 0; i < count; i++, to += w->count) *to = h->c[i][k];
+    h->held &= ~(1u << k);
+}
+
+/* Whether a lane still has a way to go. */
+static int goes_on(const Walk *w, int64_t column)
+{
+    const double status = w->all[STATUS * w->count + column];
+    if (status != NEED) return status <= RESTING;
+    int found = 1;
+    for (int i = 0; i < w->tables; i++)
+        found &= !w->data[i].open ||
+                 w->all[(w->table[i].cell + PIECE) * w->count + column] < (double)(w->data[i].pieces - 1);
+    return found;
+}
+
+/* Where `least` lanes are free the next of the queue take them. */
+enum { LEAST_FREE = LANES / 2 };
+
+int64_t NAMED(flow_walk, LEVEL)(Walk *w);
+int64_t NAMED(flow_walk, LEVEL)(Walk *w)
+{
+    Hand hand = {.w = w, .c = w->memory, .r = (V *)w->memory + w->cells, .stride = w->order + 2}, *const h = &hand;
+    V *const c = h->c;
+    int64_t next = w->begin;
+    for (int n = 1; n < HIGHEST + 2; n++) h->inverse[n] = 1.0 / n;
+    for (int i = w->made; i < w->cells; i++) c[i] = flat(w->all[i * w->count]);
+    for (int64_t round = 0;; round++) {
+        if (round < w->budget && __builtin_popcount(h->held) <= LANES - LEAST_FREE)
+            EACH(k, ~h->held & ALL) {
+                while (next < w->end && !goes_on(w, next)) next++;
+                if (next == w->end) break;
+                take(h, k, next++);
+            }
+        settle(h);
+        unsigned moving = h->held & bits(c[STATUS] == (double)MOVING);
+        const unsigned resting = h->held & bits(c[STATUS] == (double)RESTING);
+        if (round >= w->budget || !h->held || (w->notes_room && w->notes_room - w->noted < LANES)) break;
+        if (moving) step(h, moving);
+        if (resting) wait(h, resting);
+        if (moving | resting) settle(h);
+        const V sum = c[TIME] + c[X] + c[OMEGA] + c[ROTATION];
+        const M going = c[STATUS] <= (double)RESTING;
+        c[STATUS] = pick(going & (c[STEPS] > MOST_STEPS), flat(TOO_LONG), c[STATUS]);
+        c[STATUS] = pick(going & ~(sum - sum == 0.0), flat(FAILED), c[STATUS]);
+        EACH(k, h->held & ~bits(c[STATUS] <= (double)RESTING)) put(h, k);
+    }
+    int64_t left = 0;
+    EACH(k, h->held) put(h, k), left++;
+    return left + (w->end - next);
+}
+#endif

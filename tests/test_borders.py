@@ -1,0 +1,174 @@
+"""Between one kind of motion and another: what is given and does nothing, peaks cut short, restarts, workers."""
+
+import concurrent.futures
+import json
+import os
+from typing import Any
+
+import golden
+import numpy as np
+import pytest
+import references
+import test_accuracy
+
+from slipcircle import Motion, solve
+from slipcircle.__main__ import main
+
+KEPT = {r["name"]: r["numbers"] for r in json.loads(golden.FILE.read_text("utf-8"))}
+
+
+def motion(given: golden.Data) -> Motion:
+    found = solve(golden.built("", given))
+    assert isinstance(found, Motion)
+    return found
+
+
+# --- what does nothing -----------------------------------------------------------------------------------------------
+
+FLAT = {"time": [0.0, 1.0, 2.5], "horizontal": [0.0, 0.0, 0.0]}
+NOTHING: dict[str, Any] = {
+    "a record of zeros": {"shaking": FLAT},
+    "a record of zeros both ways": {"shaking": FLAT | {"vertical": [0.0, 0.0, 0.0], "two_way": True}},
+    "a pulse of no height": {"shaking": {"pulse": "sine", "amplitude": 0.0, "duration": 2.0, "cycles": 2.0}},
+    "no viscosity": {"viscosity": {"viscosity": 0.0, "thickness": 0.3}},
+    "no heat": {"thermal_pressurisation": {"pressurisation": 0.0, "heat_capacity": 2e6, "thickness": 0.1}},
+    "dry": {"pore_pressure": {"time": [0.0, 2.0], "pressure": [0.0, 0.0]}},
+    "no cohesion": {"cohesion": {"cohesion": 0.0}},
+}  # fmt: skip
+STARTS = {
+    "from rest": golden.scene(0.16, golden.TURNING),
+    "pushed down, frozen": golden.scene(0.4, {"centripetal": {}}, 5.0),
+    "pushed up, frozen": golden.scene(0.4, {}, -3.0),
+    "pushed up and back": golden.scene(0.16, golden.TURNING, -3.0),
+    "pushed and mirrored": golden.mirrored(golden.scene(0.4, {}, -3.0)),
+    "pushed, until its end": golden.scene(0.16, {"centripetal": {}}, 2.0, 3.0),
+    "softens": golden.scene(golden.LAWS["exponential"], golden.TURNING, 1.0),
+    "stays": golden.scene(0.4, golden.TURNING),
+}
+
+
+@pytest.mark.parametrize("start", STARTS)
+@pytest.mark.parametrize("nothing", NOTHING)
+def test_an_effect_of_zero_is_no_effect(nothing: str, start: str) -> None:
+    """In every number, the estimate and warnings included."""
+    plain = motion(STARTS[start])
+    more = STARTS[start] | {"effects": STARTS[start]["effects"] | NOTHING[nothing]}
+    kept = golden.numbers(plain, golden.times(plain)) | {"sensitivity": None}
+    assert not golden.differences(f"{start} with {nothing}", motion(more), kept)
+
+
+def test_a_law_that_does_not_change_is_constant_friction() -> None:
+    laws: tuple[dict[str, Any], ...] = ({"law": "exponential", "peak": 0.16, "residual": 0.16, "length": 1.0},
+                {"law": "tabulated", "slip": [0.0, 3.0], "coefficient": [0.16, 0.16]},
+                {"law": "prescribed", "time": [0.0, 3.0], "coefficient": [0.16, 0.16]},
+                {"law": "rate_weakening", "peak": 0.16, "residual": 0.16, "velocity": 1.0})  # fmt: skip
+    for law in laws:
+        for velocity in (0.0, 2.0, -3.0):
+            plain = motion(golden.scene(0.16, golden.TURNING, velocity))
+            kept = golden.numbers(plain, golden.times(plain)) | {"sensitivity": None}
+            assert not golden.differences(law["law"], motion(golden.scene(law, golden.TURNING, velocity)), kept)
+
+
+# --- peaks cut short -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("velocity", "bump"), [(0.0, 0.36), (2.0, 0.6), (-2.0, 0.36)])
+def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) -> None:
+    """It is the first until the second is faster, the end where speed still grows, each to the estimate."""
+    friction = {"law": "tabulated", "slip": [0.0, 0.5, 4.0, 4.4, 4.8, 5.2, 40.0],
+                "coefficient": [0.2, 0.15, 0.15, bump, bump, 0.05, 0.05]}  # fmt: skip
+    given = golden.scene(friction, golden.TURNING, velocity)
+    whole = motion(given)
+    times = np.linspace(0.0, whole.duration, 20001)
+    speed = np.abs(whole.at(times).velocity)
+    tops = [k for k in range(1, 20000) if speed[k - 1] < speed[k] > speed[k + 1]]
+    assert len(tops) >= 2
+    low = tops[0] + int(np.argmin(speed[tops[0] : tops[1]]))
+    again = tops[0] + next(k for k, s in enumerate(speed[tops[0] :]) if k > low - tops[0] and s > speed[tops[0]])
+    for cut in (tops[0] - 800, tops[0] + 300, low, (low + again) // 2, again + 200, tops[1] - 100, tops[1] + 100):
+        ends = given | {"end_time": float(times[cut])}
+        found, wanted = motion(ends), references.solve(ends, [0.5])
+        assert max(test_accuracy.true_error(found, wanted)) <= found.error_estimate, cut
+        assert found.peak.time == pytest.approx(float(wanted["peak_time"]), rel=1e-6, abs=1e-9)
+        assert found.peak.acceleration == pytest.approx(found.at(float(found.peak.time)).acceleration, abs=1e-6)
+        if found.peak.time == found.duration:
+            assert found.peak == found.end
+            assert abs(found.peak.acceleration) > 1e-3
+
+
+def test_peaks_of_two_pulses() -> None:
+    """Of a record: the second push is the stronger, and an end time cuts it off."""
+    time = [0.0, 0.1, 0.8, 0.9, 1.6, 1.7, 2.4, 2.5]
+    record = {"time": time, "horizontal": [0.0, 0.3, 0.3, 0.0, 0.0, 0.5, 0.5, 0.0]}
+    for effects in ({}, golden.TURNING):
+        given = golden.scene(0.3, effects | {"shaking": record}, 0.0, 9.0)
+        peaks = {}
+        for end in (0.7, 1.0, 1.65, 1.9, 2.2, 9.0):
+            found = motion(given | {"end_time": end})
+            dense = np.abs(found.at(np.linspace(0.0, end, 4001)).velocity)
+            assert float(found.peak.velocity) >= dense.max() * (1.0 - 1e-12)
+            assert float(found.peak.velocity) <= dense.max() * (1.0 + 1e-5)
+            peaks[end] = float(found.peak.time)
+        assert peaks[0.7] == 0.7
+        assert 0.8 < peaks[1.0] < 0.9
+        assert peaks[1.65] == peaks[1.0]
+        assert peaks[2.2] == 2.2
+        assert 2.4 < peaks[9.0] < 2.5
+
+
+# --- restarts --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("mirror", [False, True])
+@pytest.mark.parametrize("effects", [{"rotation": {}}, golden.TURNING, golden.TURNING | {"drag": {"xi": 200.0}}])
+def test_a_restart_within_rounding_is_no_certainty(effects: dict[str, Any], mirror: bool) -> None:
+    """Pushed up-slope it stands where friction just holds it, or slides back: next to that the estimate is 1."""
+
+    def slides(mu: float) -> Motion:
+        given = golden.scene(mu, effects, -4.0)
+        return motion(golden.mirrored(given) if mirror else given)
+
+    stays, goes = 0.45, 0.1
+    assert slides(stays).duration < 2.0 < slides(goes).duration
+    while stays > np.nextafter(goes, 1.0):
+        middle = (stays + goes) / 2
+        stays, goes = (middle, goes) if slides(middle).duration < 2.0 else (stays, middle)
+    for mu in (stays, goes):
+        found = slides(mu)
+        assert found.error_estimate > 0.01
+        assert any("ill-conditioned" in w for w in found.warnings)
+    for mu in (stays * (1.0 + 1e-6), goes * (1.0 - 1e-6)):
+        assert slides(mu).error_estimate < 1e-6
+    # Where it stands, it is the limit friction of a mass at rest there.
+    up = abs(slides(stays).end.rotation)
+    turned = golden.scene(stays, {"rotation": {}}, 0.0, 1.0, theta_1=golden.SLOPE["theta_1"] - up,
+                          theta_2=golden.SLOPE["theta_2"] - up)  # fmt: skip
+    assert motion(turned).limit_friction == pytest.approx(stays, rel=1e-12)
+
+
+# --- workers ---------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("engine", "pool"), [("threads", "ThreadPoolExecutor"), ("processes", "ProcessPoolExecutor")])
+def test_as_many_workers_as_asked_for(engine: str, pool: str, monkeypatch: pytest.MonkeyPatch,
+                                      capsys: pytest.CaptureFixture[str]) -> None:  # fmt: skip
+    """And one for each processor where nothing is said; the answer does not depend on it."""
+    seen, kind = [], getattr(concurrent.futures, pool)
+    begin = kind.__init__
+
+    def started(self: Any, max_workers: int | None = None, *more: Any, **rest: Any) -> None:
+        seen.append(max_workers or os.cpu_count())
+        begin(self, max_workers, *more, **rest)
+
+    monkeypatch.setattr(kind, "__init__", started)
+    argv = ["sweep", "vaiont", "--samples", "256", "--block", "64", "--seed", "3", "--json",
+            "--uncertain", "friction.angle_deg=uniform:8:14"]  # fmt: skip
+    assert main(argv) == 0
+    serial = json.loads(capsys.readouterr().out)
+    assert not seen
+    for count in (2, None) if engine == "threads" else (2,):
+        assert main([*argv, "--engine", engine, *([] if count is None else ["--workers", str(count)])]) == 0
+        assert json.loads(capsys.readouterr().out) == serial
+        assert seen.pop() == (count or os.cpu_count())
+    assert main([*argv, "--engine", engine, "--workers", "0"]) == 1
+    assert "--workers 0: must be 1 at least" in capsys.readouterr().err

@@ -1,0 +1,258 @@
+"""Derivatives of motions by the numbers of their scenes, against differences of motions of 40 digits."""
+
+import json
+import math
+import re
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import golden
+import numpy as np
+import oracle
+import pytest
+import references
+import time_references
+from flint import arb, ctx
+
+import slipcircle
+from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle.__main__ import main
+
+# --- whole motions -------------------------------------------------------------------------------------------------
+
+
+class Free(references.Problem):
+    """Followed to its first standstill, as if without friction."""
+
+    @property
+    def frictionless(self) -> bool:
+        return True
+
+
+def outputs(scene: dict[str, Any], free: bool) -> list[Any]:
+    """Peak velocity, run-out and duration to some 40 digits."""
+    p = references.problem(scene)
+    if free:
+        p = Free(**{n: getattr(p, n) for n in references.Problem.__dataclass_fields__})
+    found = references.motion(p, references.PLAIN["order"], references.PLAIN["digits"])
+    second = (p.radius / p.gravity).sqrt()
+    speed = found.peak()[1] * p.radius / second
+    return [speed, found.state(found.duration)[0] * p.radius, found.duration * second]
+
+
+def shifted(scene: dict[str, Any], name: str, by: Fraction) -> dict[str, Any]:
+    """The scene with one number changed, exactly."""
+    changed = json.loads(json.dumps(scene))
+    path = name.split(".") if "." in name else [name]
+    box = changed["effects"][path[0]] if len(path) == 2 else changed if name in changed else changed["arc"]
+    box[path[-1]] = Fraction(box[path[-1]]) + by
+    return dict(changed)
+
+
+def differences(scene: dict[str, Any], motion: Motion, name: str, value: float) -> list[float]:
+    step = Fraction(value or 1.0) * Fraction(1, 10**13)
+    free = not motion.arrested and scene["end_time"] is None
+    with ctx.workprec(references.PLAIN["bits"]):
+        up, down = (outputs(shifted(scene, name, by), free) for by in (step, -step))
+        return [float((u - d) / (2 * oracle.exact(step))) for u, d in zip(up, down, strict=True)]
+
+
+def build(scene: dict[str, Any]) -> Scene:
+    rest = {n: scene[n] for n in ("friction", "effects", "initial_velocity", "end_time")}
+    return Scene(arc=Arc(**scene["arc"]), **rest)
+
+
+def check_motion(scene: dict[str, Any]) -> None:
+    """All derivatives, relative to themselves, or to a tenth of the output per relative change."""
+    motion = solve(build(scene))
+    found = motion.sensitivity()
+    assert np.all(np.isfinite(found.values))
+    bound = 1e-12 + 128 * motion.error_estimate
+    for name in found.parameters:
+        value = found.at[name]
+        for output, exact in zip(found.outputs, differences(scene, motion, name, value), strict=True):
+            size = max(abs(exact), 0.1 * abs(found.at[output] / value) if value else 0.0)
+            error = abs(found.derivative(output, name) - exact)
+            assert error <= bound * size, (output, name, found.derivative(output, name), exact, error / size, bound)
+
+
+ROWS = [r["scene"] for r in json.loads(references.FILE.read_text("utf-8")) if r["group"] in ("frozen", "constant")]
+
+
+LIFTED = range(len(ROWS) - references.LIFTED, len(ROWS))
+
+
+@pytest.mark.parametrize("number", [*range(0, len(ROWS), 8), *LIFTED])
+def test_random_scenes_against_differences(number: int) -> None:
+    """Frozen and turning, all effects, swings, lift-off, next to the limit."""
+    check_motion(ROWS[number])
+
+
+def test_rows_that_lift_off_are_among_them() -> None:
+    assert all(solve(build(ROWS[k])).lift_off for k in LIFTED)
+
+
+# --- every law and effect --------------------------------------------------------------------------------------------
+
+OTHERS: dict[str, tuple[golden.Data, tuple[str, ...]]] = {
+    "exponential": (golden.scene(golden.LAWS["exponential"], golden.TURNING), ("friction.peak", "friction.length")),
+    "linear, past its kink": (
+        golden.scene(golden.LAWS["linear"], golden.TURNING), ("friction.residual", "friction.length", "theta_1")
+    ),
+    "hyperbolic, pushed up, then down": (
+        golden.scene(golden.LAWS["hyperbolic"], golden.EFFECTS["drag"], -3.0), ("friction.peak", "drag.xi",
+                                                                               "initial_velocity")
+    ),
+    "tabulated": (golden.scene(golden.LAWS["tabulated"], golden.TURNING), ("theta_2", "radius")),
+    "rate": (golden.scene(golden.LAWS["rate"], golden.TURNING), ("friction.velocity", "friction.residual")),
+    "viscosity": (golden.scene(0.16, golden.EFFECTS["viscosity"]), ("friction", "viscosity.viscosity")),
+    "heat": (golden.scene(0.22, golden.EFFECTS["heat"]), ("thermal_pressurisation.thickness", "friction")),
+    "pulse": (golden.scene(0.3, golden.EFFECTS["pulse"]), ("friction", "radius")),
+    "rests in between": (golden.rows()["rests in between, turning"] or {}, ("friction", "theta_2")),
+    "lifts off under a law of slip": (
+        golden.scene(golden.LAWS["exponential"], {"rotation": {}, "pore_pressure": {"pressure": 1.1e5},
+                                                  "cohesion": {"cohesion": 4e3}}, -14.0), ("pore_pressure.pressure",
+                                                                                           "friction.peak")
+    ),
+}  # fmt: skip
+
+
+def in_time(scene: golden.Data, name: str, by: float) -> list[arb]:
+    """Peak velocity, run-out and duration, with one number changed."""
+    *path, last = name.split(".")
+    changed = json.loads(json.dumps(scene))
+    box: Any = changed
+    if path:
+        box = box["friction"] if path[0] == "friction" else box["effects"][path[0]]
+    elif last not in box:
+        box = box["arc"]
+    box[last] = Fraction(box[last]) + Fraction(by)
+    found = time_references.Solution(changed, 30, 26)
+    speed = found.p.radius / found.p.scale
+    return [found.peak() * speed, found.run_out * found.p.radius, found.duration * found.p.scale]
+
+
+@pytest.mark.xfail(raises=ValueError, reason="derivatives exist under constant friction without time and speed only")
+@pytest.mark.parametrize("which", OTHERS)
+def test_derivatives_of_every_law_and_effect(which: str) -> None:
+    scene, names = OTHERS[which]
+    motion = solve(golden.built(which, scene))
+    assert isinstance(motion, Motion)
+    signs = math.copysign(1.0, float(motion.peak.velocity)), 1.0, 1.0  # the reference's peak is a size
+    slopes = []
+    with ctx.workprec(200):
+        for name in names:
+            value = next(v for n, v in motion.plan.scene.numbers.items() if n == name)
+            step = float(value) * 1e-9  # type: ignore[arg-type]
+            ends = [in_time(scene, name, s * step) for s in (-1.0, 1.0)]
+            slopes.append([float((up - down) / (2 * oracle.exact(step))) for down, up in zip(*ends, strict=True)])
+    found = motion.sensitivity()
+    for name, exact in zip(names, slopes, strict=True):
+        for output, sign, slope in zip(found.outputs, signs, exact, strict=True):
+            size = max(abs(slope), 0.1 * abs(found.at[output] / found.at[name]))
+            assert abs(found.derivative(output, name) - sign * slope) <= 1e-6 * size, (name, output)
+
+
+@cache
+def limit(opening: float, dip: float) -> float:
+    middle = 1.5 * math.pi - dip
+    arc = Arc(100.0, middle - opening / 2, middle + opening / 2, 2e4)
+    return float(arc.dimensionless.limit_friction)
+
+
+def hard(opening: float = 1.0, share: float = 0.5, dip: float = 0.4, **effects: dict[str, float]) -> dict[str, Any]:
+    middle = 1.5 * math.pi - dip
+    arc = {"radius": 100.0, "theta_1": middle - opening / 2, "theta_2": middle + opening / 2, "unit_weight": 2e4,
+           "gravity": 9.81}  # fmt: skip
+    return {"arc": arc, "friction": share * limit(opening, dip), "initial_velocity": 0.0, "end_time": None,
+            "effects": {"rotation": {}, "centripetal": {}} | effects}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "scene",
+    [
+        *(hard(opening) for opening in (1e-6, 1e-3, math.pi - 1e-9)),
+        *(hard(share=1.0 - e) for e in (1e-3, 1e-6, 1e-9)),
+        hard(share=0.0),
+        hard(share=0.06),  # many swings
+        hard(drag={"xi": 1e9}),
+        hard(drag={"xi": 0.1}),
+        hard(share=1.0 - 1e-6, drag={"xi": 10.0}),
+        hard(share=0.9, cohesion={"cohesion": 100.0}, pore_pressure={"ratio": 0.05, "pressure": 50.0}),
+    ],
+    ids=["thin", "thinner", "half disc", "limit-3", "limit-6", "limit-9", "no friction", "many swings", "weak brake",
+         "strong brake", "strong brake at the limit", "water"],
+)  # fmt: skip
+def test_hard_scenes_against_differences(scene: dict[str, Any]) -> None:
+    check_motion(scene)
+
+
+def test_dimensions() -> None:
+    """Without a pressure the motion scales: run-out by R, speed by sqrt(g R), duration by sqrt(R/g)."""
+    found = solve(load("vaiont")).sensitivity()
+    wanted = {"radius": (0.5, 1.0, 0.5), "gravity": (0.5, 0.0, -0.5), "unit_weight": (0.0, 0.0, 0.0)}
+    for name, elasticities in wanted.items():
+        column = found.elasticities[:, list(found.parameters).index(name)]
+        np.testing.assert_allclose(column, elasticities, atol=1e-13)
+
+
+def test_table_and_what_is_left_out() -> None:
+    scene = load("vaiont-as-printed")
+    found = solve(scene).sensitivity()
+    assert list(found.parameters) == ["friction", "radius", "unit_weight", "gravity"]  # its coefficients are given
+    assert "friction" in str(found)
+    assert "run_out [m]" in str(found)
+    still = solve(replace(load("vaiont"), friction=0.6)).sensitivity()
+    assert not still.values.any()
+    assert np.isnan(still.elasticities).all()
+
+
+def test_where_there_is_no_derivative() -> None:
+    with pytest.raises(ValueError, match="constant coefficient"):
+        solve(load("vaiont-softening")).sensitivity()
+    scene = load("vaiont")
+    at_limit = replace(scene, friction=float(scene.arc.dimensionless.limit_friction))
+    with pytest.raises(ValueError, match="exactly at its limit"):
+        solve(at_limit).sensitivity()
+
+
+# --- the command ---------------------------------------------------------------------------------------------------
+
+KEYS = {"friction.angle_deg": 24.0, "arc.theta_2_deg": 280.0, "arc.radius_m": 40.0, "arc.unit_weight_kN_m3": 20.0,
+        "pore_pressure.ratio": 0.35, "cohesion.cohesion_kPa": 3.0}  # fmt: skip
+
+
+def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Per degree and per kPa: against differences of motions whose files differ in that key."""
+    text = (Path(str(slipcircle.__file__)).parent / "scenes" / "wet-slope.toml").read_text("utf-8")
+    assert main(["sensitivity", "wet-slope"]) == 0
+    cells = {line.split()[0]: line.split() for line in capsys.readouterr().out.splitlines() if "." in line}
+    for path, value in KEYS.items():
+        key, step = path.rpartition(".")[2], 1e-4 * value
+        ends = []
+        for x in (value - step, value + step):
+            (tmp_path / "s.toml").write_text(re.sub(rf"^{key} = [0-9.]+", f"{key} = {x!r}", text, flags=re.M), "utf-8")
+            motion = solve(load(str(tmp_path / "s.toml")))
+            ends.append((float(motion.peak.velocity), motion.run_out, motion.duration))
+        found = cells[path]
+        assert float(found[1]) == value
+        for k in range(3):
+            slope = (ends[1][k] - ends[0][k]) / (2 * step)
+            assert float(found[2 + 2 * k]) == pytest.approx(slope, rel=1e-3)
+            elasticity = slope * value / ((ends[0][k] + ends[1][k]) / 2)
+            assert float(found[3 + 2 * k].strip("()")) == pytest.approx(elasticity, rel=0.06)
+
+
+def test_the_command_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sensitivity", "vaiont", "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    found = solve(load("vaiont")).sensitivity()
+    by = {p["name"]: p for p in record["parameters"]}
+    assert by["theta_1"]["unit"] == "rad"
+    assert by["theta_1"]["derivatives"]["run_out"] == found.derivative("run_out", "theta_1")
+    assert by["radius"]["elasticities"]["run_out"] == pytest.approx(1.0, abs=1e-12)
+    assert main(["sensitivity", "vaiont-rate"]) == 1
+    assert "need a closed form" in capsys.readouterr().err

@@ -1,0 +1,443 @@
+"""What the command line prints and writes, number by number, against motions solved in ball arithmetic.
+
+Scene files are written here in the units of their keys; the numbers beside which the outputs are laid come from the
+same scenes in SI units, by quadrature of the definitions and Taylor series (`time_references`).
+"""
+
+import json
+import math
+import re
+from collections.abc import Callable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import golden
+import numpy as np
+import pytest
+import references
+import time_references
+from flint import arb, ctx
+
+from slipcircle.__main__ import main
+
+KEYS: dict[str, tuple[str, Callable[[float], Any]]] = {  # of a scene file, and its unit's number from the SI one
+    "pressure": ("pressure_kPa", lambda x: x / 1e3), "cohesion": ("cohesion_kPa", lambda x: x / 1e3),
+    "xi": ("xi_m_s2", float), "viscosity": ("viscosity_Pa_s", float), "thickness": ("thickness_m", float),
+    "amplitude": ("amplitude_g", float), "vertical_amplitude": ("vertical_amplitude_g", float),
+    "duration": ("duration_s", float), "start": ("start_s", float), "length": ("length_m", float),
+    "velocity": ("velocity_m_s", float), "pressurisation": ("pressurisation_MPa_K", lambda x: x / 1e6),
+    "heat_capacity": ("heat_capacity_MJ_m3_K", lambda x: x / 1e6),
+    "peak": ("peak_deg", lambda mu: math.degrees(math.atan(mu))), "residual": ("residual", float),
+}  # fmt: skip
+WAVES = {"pulse": "sine", "amplitude": 0.28, "duration": 4.0, "cycles": 3.0, "vertical_amplitude": 0.1}
+WET = {"cohesion": {"cohesion": 3e3}, "drag": {"xi": 300.0}, "pore_pressure": {"ratio": 0.15}}
+RISING = {"time": [0.0, 2.0, 6.0], "pressure": [1e4, 6e4, 1e4]}
+SCENES: dict[str, golden.Data] = {
+    "softens": golden.mirrored(golden.scene(golden.LAWS["exponential"], golden.TURNING | WET, 2.5)),
+    "rests": golden.scene(0.36, golden.TURNING | {"shaking": WAVES}, 0.0, 7.0),
+    "rests-mirrored": golden.mirrored(golden.scene(0.36, golden.TURNING | {"shaking": WAVES}, 0.0, 7.0)),
+    "lifts": golden.rows()["lifts off and lands, pushed up"] or {},
+    "starts-lifted": golden.rows()["lifted from the start"] or {},
+    "stays": golden.scene(0.3, golden.TURNING | {"cohesion": {"cohesion": 5e3}}),
+    "swings": golden.mirrored(golden.scene(0.04, golden.TURNING)),
+    "slides": golden.mirrored(golden.scene(0.14, golden.TURNING, 1.0)),
+    "far": golden.mirrored(golden.scene(0.1, {"rotation": {}}, 6.0)),
+    "flows": golden.scene(golden.LAWS["rate"], {"rotation": {}, "viscosity": golden.CREEP}, -1.0, 5.0),
+    "heats": golden.scene(0.22, golden.TURNING | {"thermal_pressurisation": golden.HEAT, "pore_pressure": RISING}),
+}  # fmt: skip
+EACH = pytest.mark.parametrize("name", SCENES)
+
+
+def toml(name: str, given: golden.Data) -> str:
+    """A scene as its file."""
+    arc, law = given["arc"], given["friction"]
+
+    def lines(values: Mapping[str, Any]) -> list[str]:
+        found = [KEYS.get(k, (k, lambda x: x)) + (v,) for k, v in values.items()]
+        shown = [(key, value if isinstance(value, str | bool) else of(value)) for key, of, value in found]
+        return [f"{k} = {json.dumps(v)}" for k, v in shown]
+
+    head = [f'name = "{name}"', f"initial_velocity_m_s = {given['initial_velocity']!r}"]
+    head += [] if given["end_time"] is None else [f"end_time_s = {given['end_time']!r}"]
+    head += ["[arc]", f"radius_m = {arc['radius']!r}", f"unit_weight_kN_m3 = {arc['unit_weight'] / 1e3!r}"]
+    head += [f"theta_{k}_deg = {math.degrees(arc[f'theta_{k}'])!r}" for k in (1, 2)]
+    head += [
+        "[friction]",
+        *(lines(law) if isinstance(law, dict) else [f"angle_deg = {math.degrees(math.atan(law))!r}"]),
+    ]
+    for effect, values in given["effects"].items():
+        if "time" in values:
+            head += [
+                f"[{effect}]",
+                f"time_s = {values['time']}",
+                f"pressure_kPa = {[p / 1e3 for p in values['pressure']]}",
+            ]
+        else:
+            head += [f"[{effect}]", *lines(values)]
+    return "\n".join(head) + "\n"
+
+
+class Exact:
+    """A scene's numbers from the definitions, in SI units."""
+
+    def __init__(self, given: golden.Data) -> None:
+        ctx.prec = 160
+        self.given, self.effects = given, given["effects"]
+        self.motion = time_references.Solution(given, 26, 22)
+        p, self.m = self.motion.p, {k: float(v) for k, v in references.moments(given["arc"]).items()}
+        self.scale, self.radius = float(p.scale), given["arc"]["radius"]
+        self.duration = float(self.motion.duration * p.scale)
+        self.run_out = float(self.motion.run_out) * self.radius
+        self.peak = float(self.motion.peak()) * self.radius / self.scale
+        self.side = 1.0 if self.m["dip"] > 0.0 else -1.0
+        self.mu = self.friction(0.0, 0.0)
+        weight = given["arc"]["unit_weight"] * self.radius**3 * self.m["inertia"]
+        self.inertia, self.weight = weight * self.scale**2, weight * self.m["fall"]
+
+    def state(self, t: float) -> tuple[float, float]:
+        """Rotation and angular velocity, 1/s."""
+        ctx.prec = 160
+        at = time_references.number(t) / self.motion.p.scale
+        last = self.motion.duration
+        if not self.motion.arrested and at > last * (1 - 1e-12):
+            at = last * (1 - arb(2) ** -90)  # the end itself is a rest to the other side
+        x, omega = self.motion.state(at)
+        return float(x), float(omega) / self.scale
+
+    def friction(self, slip: float, speed: float) -> float:
+        law = self.given["friction"]
+        if not isinstance(law, dict):
+            return float(law)
+        share = 1 / (1 + speed / law["velocity"]) if "velocity" in law else math.exp(-slip / law["length"])
+        return float(law["residual"] + (law["peak"] - law["residual"]) * share)
+
+    def shaking(self, t: float) -> tuple[float, float]:
+        s = self.effects.get("shaking")
+        wave = math.sin(2 * math.pi * s["cycles"] * t / s["duration"]) if s and 0 <= t < s["duration"] else 0.0
+        return (s["amplitude"] * wave, s["vertical_amplitude"] * wave) if s else (0.0, 0.0)
+
+    def water(self, t: float, rotation: float) -> float:
+        """Pa, heat's not included."""
+        given = self.effects.get("pore_pressure", {})
+        if "time" in given:
+            return float(np.interp(t, given["time"], given["pressure"]))
+        gravity = self.m["press"] * math.cos(self.m["dip"] - rotation) / self.m["level"] * self.m["reference_stress"]
+        return float(given.get("pressure", 0.0) + given.get("ratio", 0.0) * gravity)
+
+    def forces(self, t: float, rotation: float, omega: float) -> tuple[float, float]:
+        """Drive in the sense of positive rotation, over the weight's moment; normal stress in Pa."""
+        m, (k_h, k_v) = self.m, self.shaking(t)
+        dip = m["dip"] - (rotation if "rotation" in self.effects else 0.0)
+        fall = m["fall"] * ((1 - k_v) * math.sin(dip) + k_h * math.cos(dip))
+        press = m["press"] * ((1 - k_v) * math.cos(dip) - k_h * math.sin(dip))
+        polar = m["polar"] * (omega * self.scale) ** 2 if "centripetal" in self.effects else 0.0
+        return fall, (press + polar) / m["level"] * m["reference_stress"]
+
+    def holding(self, t: float, rotation: float, water: float) -> float:
+        """The friction at which it would just stay; one way where shaking may start it down-slope only."""
+        fall, stress = self.forces(t, rotation, 0.0)
+        normal = (stress - water) * self.m["level"] / self.m["reference_stress"]
+        if normal <= 0.0:
+            return math.nan
+        held = self.effects.get("cohesion", {}).get("cohesion", 0.0) * self.m["level"] / self.m["reference_stress"]
+        slope = 1.0 if self.m["dip"] - rotation > 0.0 else -1.0
+        drive = slope * fall if "shaking" in self.effects else abs(fall)
+        return max(drive - held, 0.0) / normal
+
+    def energies(self, t: float) -> tuple[float, float]:
+        """Kinetic, and of gravity, J."""
+        rotation, omega = self.state(t)
+        dip = self.m["dip"]
+        return self.inertia * omega**2 / 2, self.weight * (math.cos(dip - rotation) - math.cos(dip))
+
+
+@cache
+def exact(name: str) -> Exact:
+    return Exact(SCENES[name])
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    folder = tmp_path_factory.mktemp("scenes")
+    for name, given in SCENES.items():
+        (folder / f"{name}.toml").write_text(toml(name, given), "utf-8")
+    return {name: folder / f"{name}.toml" for name in SCENES}
+
+
+def said(capsys: pytest.CaptureFixture[str], *argv: str | Path) -> str:
+    assert main([str(a) for a in argv]) == 0
+    return capsys.readouterr().out
+
+
+def refuse(text: str) -> Any:
+    raise AssertionError(f"{text} is no JSON")
+
+
+# --- for machines ----------------------------------------------------------------------------------------------------
+
+
+@EACH
+def test_json(name: str, files: dict[str, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    """Every number, in SI units and radians."""
+    record, e = json.loads(said(capsys, "run", files[name], "--json"), parse_constant=refuse), exact(name)
+    m, given = e.m, SCENES[name]
+    assert (record["scene"], record["moves"], record["arrested"]) == (name, bool(e.motion.steps), e.motion.arrested)
+    assert set(record["effects"]) == set(e.effects)
+    assert not set(record["left_out"]) & set(e.effects)
+    assert record["duration"] == pytest.approx(e.duration, rel=1e-9)
+    assert record["run_out"] == pytest.approx(e.run_out, rel=1e-9)
+    assert abs(record["peak"]["velocity"]) == pytest.approx(e.peak, rel=1e-9)
+    for state in (record["peak"], record["end"]):
+        rotation, omega = e.state(state["time"])
+        assert state["rotation"] == pytest.approx(rotation, rel=1e-9)
+        assert state["angular_velocity"] == pytest.approx(omega, rel=1e-9, abs=1e-9 * e.peak / e.radius)
+        assert state["displacement"] == pytest.approx(e.radius * rotation, rel=1e-9)
+        assert state["velocity"] == pytest.approx(e.radius * omega, rel=1e-9, abs=1e-9 * e.peak)
+        assert state["normal_stress"] == pytest.approx(e.forces(state["time"], rotation, omega)[1], rel=1e-8)
+    water, held = e.water(0.0, 0.0), given["effects"].get("cohesion", {}).get("cohesion", 0.0)
+    fall, stress = e.forces(-1.0, 0.0, 0.0)
+    fall, unit = abs(fall), m["level"] / m["reference_stress"]
+    if stress > water:
+        limit = (fall / unit - held) / (stress - water)
+        assert record["limit_friction"] == pytest.approx(limit, rel=1e-12)
+    else:
+        assert record["limit_friction"] is None
+    safety = (held + e.mu * max(stress - water, 0.0)) * unit / fall
+    assert record["factor_of_safety"] == pytest.approx(safety, rel=1e-12)
+    if stress > water:
+        along, across = m["fall"] * math.cos(m["dip"]), -m["press"] * abs(math.sin(m["dip"]))
+        yields = ((held + e.mu * (stress - water)) * unit - fall) / (along - e.mu * across)
+        assert record["yield_coefficient"] == pytest.approx(yields, rel=1e-12)
+    kinetic, gravity = e.energies(e.duration)
+    start = e.inertia * (given["initial_velocity"] / e.radius) ** 2 / 2
+    energy, total = record["energy"], start + abs(gravity)
+    assert energy["kinetic_start"] == pytest.approx(start, rel=1e-12)
+    assert energy["kinetic_end"] == pytest.approx(kinetic, rel=1e-8, abs=1e-12 * total)
+    if "shaking" not in e.effects:
+        assert energy["work"] == pytest.approx(gravity, rel=1e-8)
+        assert energy["dissipation"] == pytest.approx(gravity + start - kinetic, rel=1e-8, abs=1e-12 * total)
+    assert abs(energy["residual"]) <= 1e-9 * total
+    assert record["energy"]["residual"] == pytest.approx(
+        energy["work"] + energy["kinetic_start"] - energy["kinetic_end"] - energy["dissipation"], abs=1e-12 * total
+    )
+    inertia, fall_of, press_of = m["inertia"], m["fall"], m["press"]
+    for key, value in (("moment_of_inertia", inertia), ("weight_moment", inertia * fall_of * math.sin(m["dip"])),
+                       ("radial_weight", inertia * press_of * math.cos(m["dip"])),
+                       ("resistance_factor", inertia * m["level"]),
+                       ("dynamic_coefficient", m["polar"] / m["level"])):  # fmt: skip
+        assert record["dimensionless"][key] == pytest.approx(value, rel=1e-12), key
+    assert (0.0 if name == "stays" else 2e-16) <= record["error_estimate"] <= 1e-9
+    assert sum("lift-off" in w for w in record["warnings"]) == (name in ("lifts", "starts-lifted"))
+    law = given["friction"]
+    shown = record["friction"] if isinstance(law, dict) else {"": record["friction"]}
+    for key, value in (law if isinstance(law, dict) else {"": law}).items():
+        assert shown[key] == (value if isinstance(value, str) else pytest.approx(value, rel=1e-15))
+
+
+@EACH
+def test_csv(name: str, files: dict[str, Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every column at every tenth time, and the times at which it starts and stands."""
+    said(capsys, "run", files[name], "--csv", tmp_path / "motion.csv")
+    head, *lines = (tmp_path / "motion.csv").read_text("utf-8").splitlines()
+    rows = [dict(zip(head.split(","), map(float, line.split(",")), strict=True)) for line in lines]
+    e, path, before = exact(name), 0.0, 0.0
+    times = [r["time_s"] for r in rows]
+    assert times == sorted(set(times))
+    assert times[0] == 0.0
+    assert times[-1] == pytest.approx(e.duration, rel=1e-9)
+    speeds, stress_of = e.peak + 1e-300, e.m["reference_stress"]
+    energy = max(abs(r["work_of_gravity_and_shaking_J"]) + r["kinetic_energy_J"] for r in rows) + 1e-300
+    for k, r in enumerate(rows):
+        path += abs(r["displacement_m"] - before)
+        before = r["displacement_m"]
+        assert r["path_m"] == pytest.approx(path, rel=1e-12, abs=1e-15)
+        edge = any(abs(r["time_s"] - t) < 1e-9 for t in (0.0, WAVES["duration"])) and k > 0  # type: ignore[operator]
+        if (k % 10 and k < len(rows) - 1) or (edge and "shaking" in e.effects):
+            continue
+        t = r["time_s"]
+        rotation, omega = e.state(t)
+        fall, stress = e.forces(t, rotation, omega)
+        heated = r["normal_stress_Pa"] - r["effective_stress_Pa"] if "thermal_pressurisation" in e.effects else None
+        water = e.water(t, rotation) if heated is None else heated
+        assert r["rotation_rad"] == pytest.approx(rotation, rel=1e-8, abs=1e-9 * abs(e.run_out) / e.radius)
+        assert r["displacement_m"] == pytest.approx(e.radius * rotation, rel=1e-8, abs=1e-9 * abs(e.run_out))
+        assert r["angular_velocity_rad_s"] == pytest.approx(omega, rel=1e-7, abs=1e-8 * speeds / e.radius)
+        assert r["velocity_m_s"] == pytest.approx(e.radius * omega, rel=1e-7, abs=1e-8 * speeds)
+        assert r["normal_stress_Pa"] == pytest.approx(stress, rel=1e-7)
+        assert r["effective_stress_Pa"] == pytest.approx(max(stress - water, 0.0), rel=1e-7, abs=1e-7 * stress_of)
+        law = e.friction(path, abs(e.radius * omega))
+        pressed = stress - water > 1e-6 * stress_of
+        assert (
+            r["friction"] == pytest.approx(law if pressed else 0.0, rel=1e-6) or abs(stress - water) < 1e-6 * stress_of
+        )
+        if k not in (0, len(rows) - 1) and abs(omega) > 1e-6 * speeds / e.radius:
+            way = math.copysign(1.0, omega)
+            resisting = law * max(stress - water, 0.0) + e.effects.get("cohesion", {}).get("cohesion", 0.0)
+            rate = fall - way * resisting * e.m["level"] / stress_of
+            if "drag" in e.effects:
+                rate -= way * float(e.motion.p.drag) * (omega * e.scale) ** 2
+            rate -= float(e.motion.p.viscosity) * omega * e.scale
+            assert r["acceleration_m_s2"] == pytest.approx(rate * e.radius / e.scale**2, rel=1e-5, abs=1e-5)
+        if k == 0 and "initial_velocity" not in name:
+            assert r["kinetic_energy_J"] == pytest.approx(
+                e.inertia * (SCENES[name]["initial_velocity"] / e.radius) ** 2 / 2
+            )
+        if "thermal_pressurisation" not in e.effects and (pressed or stress < water):
+            holding = e.holding(t, rotation, water)
+            assert r["holding_friction"] == pytest.approx(holding, rel=1e-6, abs=1e-8, nan_ok=True)
+        kinetic, gravity = e.energies(t)
+        assert r["kinetic_energy_J"] == pytest.approx(kinetic, rel=1e-6, abs=1e-8 * energy)
+        if "shaking" not in e.effects:
+            assert r["work_of_gravity_and_shaking_J"] == pytest.approx(gravity, rel=1e-6, abs=1e-8 * energy)
+        spent = r["work_of_gravity_and_shaking_J"] - r["kinetic_energy_J"] + rows[0]["kinetic_energy_J"]
+        assert r["dissipation_J"] == pytest.approx(spent, abs=1e-8 * energy)
+    for time in episodes(e):
+        assert min(abs(time - t) for t in times) <= 1e-8 * e.duration, time
+    top = max(rows, key=lambda r: abs(r["velocity_m_s"]))
+    assert abs(top["velocity_m_s"]) == pytest.approx(e.peak, rel=1e-9)
+
+
+def episodes(e: Exact) -> list[float]:
+    """When it starts to slide and when it stands, s."""
+    found, last = [], None
+    for step in e.motion.steps:
+        start, end = (float(t) * e.scale for t in (step.start, step.start + step.length))
+        if last is None or start - last > 1e-6 * e.scale:
+            found += [start] if last is None else [last, start]
+        last = end
+    return found + [last] if last else []
+
+
+def turns(e: Exact) -> bool:
+    return len({step.side for step in e.motion.steps}) > 1
+
+
+def test_rests_are_in_the_file() -> None:
+    assert len(episodes(exact("rests"))) >= 6
+
+
+# --- for people ------------------------------------------------------------------------------------------------------
+
+
+def near(cell: str, value: float, unit: str = "") -> bool:
+    """Whether a cell shows this value, rounded as it should be."""
+    found = re.fullmatch(r"(-?[\d.]+(?:e[-+]\d+)?)" + (f" {re.escape(unit)}" if unit else ""), cell)
+    if not found:
+        return False
+    half = 0.5 * 10.0 ** -len(found[1].partition(".")[2])
+    return abs(float(found[1]) - value) <= half * (1 + 1e-6) + 1e-9 * abs(value) and "-0.0000" not in cell
+
+
+@EACH
+def test_table(name: str, files: dict[str, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    """Every row, each shown value beside its own."""
+    lines = said(capsys, "run", files[name]).splitlines()
+    cells = dict(pair for line in lines if len(pair := re.split(r"\s{2,}", line.strip())) == 2)
+    e = exact(name)
+    m, degrees = e.m, math.degrees
+    water, held = e.water(0.0, 0.0), SCENES[name]["effects"].get("cohesion", {}).get("cohesion", 0.0)
+    fall, stress = e.forces(-1.0, 0.0, 0.0)
+    fall, unit = abs(fall), m["level"] / m["reference_stress"]
+    pressed = max(stress - water, 0.0)
+    limit = (fall / unit - held) / pressed if pressed else math.inf
+    along, across = m["fall"] * math.cos(m["dip"]), -m["press"] * abs(math.sin(m["dip"]))
+    yields = ((held + e.mu * pressed) * unit - fall) / (along - (e.mu if pressed else 0.0) * across)
+    wanted: dict[str, tuple[float, str]] = {
+        "Theta*": (m["inertia"], ""), "J_r": (m["inertia"] * m["press"] * math.cos(m["dip"]), ""),
+        "J_theta": (m["inertia"] * m["fall"] * math.sin(m["dip"]), ""), "lambda": (m["inertia"] * m["level"], ""),
+        "A": (m["polar"] / m["level"], ""), "factor of safety": ((held + e.mu * pressed) * unit / fall, ""),
+        "yield coefficient k_y": (yields, ""), "limit friction angle": (degrees(math.atan(limit)), "deg"),
+        "normal stress at start": (stress / 1e6, "MPa"), "duration": (e.duration, "s"),
+    }  # fmt: skip
+    for k in (1, 2, 3):
+        when = f"after {k / 3 * e.duration:.4g} s" if k < 3 else "at the end"
+        rotation, omega = e.state(k / 3 * e.duration)
+        wanted |= {f"velocity {when}": (e.radius * omega, "m/s"), f"displacement {when}": (e.radius * rotation, "m"),
+                   f"rotation {when}": (degrees(rotation), "deg")}  # fmt: skip
+    for label, (value, unit_of) in wanted.items():
+        assert near(cells[label], value, unit_of), f"{label}: {cells[label]}, {value}"
+    assert near(cells["peak velocity"].lstrip("-"), e.peak, "m/s")
+    assert near(cells["friction angle"].partition(" deg")[0], degrees(math.atan(e.mu)))
+    assert cells["moves"] == ("yes" if e.motion.steps else "no")
+    assert cells["comes to rest"].partition(",")[0] == ("yes" if e.motion.arrested else "no")
+    assert set(cells["effects"].split(", ")) == set(e.effects)
+    assert re.fullmatch(r"[\d.]+e-\d\d" if e.motion.steps else r"[\d.]+e[-+]\d\d", cells["estimated error"])
+    assert name == "stays" or 2e-16 < float(cells["estimated error"]) < 1e-9
+
+
+def test_the_report_says_the_same(files: dict[str, Path], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Its JSON is that of `run --json`, also where numbers are infinite."""
+    pytest.importorskip("matplotlib")
+    said(capsys, "run", files["starts-lifted"], "--report", tmp_path / "r.html")
+    text, e = (tmp_path / "r.html").read_text("utf-8"), exact("starts-lifted")
+    assert "Infinity" not in text
+    assert "NaN" not in text
+    cells = dict(re.findall(r'<tr><td>([^<]*)</td><td><data value="([^"]*)">', text))
+    for label, value in (("run-out along the arc", e.run_out), ("duration", e.duration), ("peak velocity", e.peak),
+                         ("factor of safety at the start", 0.0)):  # fmt: skip
+        assert float(cells[label]) == pytest.approx(value, rel=1e-9), label
+
+
+# --- other commands --------------------------------------------------------------------------------------------------
+
+
+def test_backanalysis_finds_what_was_there(files: dict[str, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    """Mirrored, and with a standard error: the slope of the exact motion tells it."""
+    given, h = SCENES["slides"], 1e-6
+    e, ends = exact("slides"), [Exact(given | {"friction": 0.14 + s * h}) for s in (-1.0, 1.0)]
+    slope = (ends[1].run_out - ends[0].run_out) / (2 * h)
+    argv = ("backanalyse", files["slides"], f"--runout-m={e.run_out!r}+-0.25", "--field", "friction=0.12:0.2")
+    (found,) = json.loads(said(capsys, *argv, "--json"))["solutions"]
+    assert found["values"]["friction"] == pytest.approx(0.14, rel=1e-9)
+    assert found["standard_errors"]["friction"] == pytest.approx(abs(0.25 / slope), rel=1e-4)
+    assert found["friction_angles_deg"]["friction"] == pytest.approx(math.degrees(math.atan(0.14)), rel=1e-9)
+    assert found["motion"]["duration"] == pytest.approx(e.duration, rel=1e-9)
+    lines = said(capsys, *argv).splitlines()
+    cells = dict(pair for line in lines if len(pair := re.split(r"\s{2,}", line.strip())) == 2)
+    error = abs(0.25 / slope)
+    for label, value, sigma in (("friction", 0.14, error), ("friction angle", math.degrees(math.atan(0.14)),
+                                                          math.degrees(error) / (1 + 0.14**2))):  # fmt: skip
+        one, other = re.findall(r"[\d.]+", cells[label])
+        assert float(one) == pytest.approx(value, abs=sigma / 10)
+        assert float(other) == pytest.approx(sigma, rel=0.06)
+    side = math.copysign(1.0, e.run_out)
+    assert cells["run-out (m)"].startswith(f"{e.run_out:.6g} (observed {e.run_out:.6g} +- 0.25)")
+    assert float(cells["peak velocity (m/s)"]) == pytest.approx(side * e.peak, rel=1e-5)
+    assert float(cells["duration (s)"]) == pytest.approx(e.duration, rel=1e-5)
+    assert cells["swings"] == "0"
+
+
+def test_a_grid_has_the_numbers_of_its_scenes(files: dict[str, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    record = json.loads(said(capsys, "sweep", files["swings"], "--grid", "friction.angle_deg=3,8,30", "--json"))
+    assert len(record["rows"]) == 3
+    for row, angle in zip(record["rows"], (3.0, 8.0, 30.0), strict=True):
+        e = Exact(SCENES["swings"] | {"friction": math.tan(math.radians(angle))})
+        assert row["friction.angle_deg"] == angle
+        assert row["run_out (m)"] == pytest.approx(abs(e.run_out), rel=1e-9, abs=1e-15)  # a size, as of hazards
+        assert row["duration (s)"] == pytest.approx(e.duration, rel=1e-9, abs=1e-15)
+        assert row["peak_velocity (m/s)"] == pytest.approx(e.peak, rel=1e-9, abs=1e-15)
+        assert row["status"] == ("STAYS" if not e.motion.steps else "TURNED" if turns(e) else "RESTS")
+
+
+def test_slopes_in_the_units_of_the_keys(files: dict[str, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    """Through lift-off: each row against the difference of two exact motions."""
+    lines = said(capsys, "sensitivity", files["lifts"]).splitlines()
+    cells = {line.split()[0]: line.split() for line in lines if len(line.split()) > 4}
+    given = SCENES["lifts"]
+    changed: dict[str, tuple[float, Callable[[float], golden.Data]]] = {
+        "friction.angle_deg": (math.degrees(math.atan(0.2)), lambda x: given | {"friction": math.tan(math.radians(x))}),
+        "initial_velocity_m_s": (-14.0, lambda x: given | {"initial_velocity": x}),
+        "arc.radius_m": (60.0, lambda x: given | {"arc": given["arc"] | {"radius": x}}),
+        "arc.theta_1_deg": (220.0, lambda x: given | {"arc": given["arc"] | {"theta_1": math.radians(x)}}),
+        "pore_pressure.pressure_kPa": (110.0, lambda x: given | {"effects": given["effects"]
+                                                                 | {"pore_pressure": {"pressure": 1e3 * x}}}),
+    }  # fmt: skip
+    for key, (value, at) in changed.items():
+        h = 1e-6 * abs(value)
+        low, high = Exact(at(value - h)), Exact(at(value + h))
+        assert float(cells[key][1]) == pytest.approx(value, rel=1e-5)
+        for k, name in ((4, "run_out"), (6, "duration")):
+            slope = (getattr(high, name) - getattr(low, name)) / (2 * h)
+            shown = [c for c in cells[key][2:] if not c.startswith("(")][k // 2 - 1]
+            assert float(shown) == pytest.approx(slope, rel=1e-3, abs=1e-6), (key, name)
