@@ -172,12 +172,8 @@ class Lanes:
         net = c[roles["cell_drive"]]
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
         scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
-<<<<<<< HEAD
-        allowed = self.may_start(side)
-=======
         # What has just stopped does not go on the way it came: rounding must not say so.
-        allowed = self._allowed(side) & ((c[PASSED] != STOOD) | (c[LAST_WAY] != side))
->>>>>>> flow
+        allowed = self.may_start(side) & ((c[PASSED] != STOOD) | (c[LAST_WAY] != side))
         c[CLOSE] = np.where(allowed, np.minimum(c[CLOSE], np.abs(net) / scale), c[CLOSE])
         return np.where(allowed, net, -np.inf)
 
@@ -548,12 +544,8 @@ class Lanes:
             self._face(side)
             r, last = self._series(int(c[ORDER].max()), frozen=True)
             stretch = np.minimum(stretch, self._length(r, last, [net_of]))
-<<<<<<< HEAD
-            margins.append((side, r[net_of].copy(), self.may_start(side) | np.zeros(c.shape[1], dtype=bool)))
-=======
             touching = np.abs(r[net_of, 0]) <= 2 * c[p.roles["cell_drive_scale"]]
-            margins.append((side, r[net_of].copy(), self._allowed(side) | np.zeros(c.shape[1], dtype=bool), touching))
->>>>>>> flow
+            margins.append((side, r[net_of].copy(), self.may_start(side) | np.zeros(c.shape[1], dtype=bool), touching))
             if p.roles["normal"] >= 0:
                 self._lift_time(r[p.roles["normal"], 0] < 0.0)
         for side, net, allowed, touching in margins:

@@ -220,6 +220,11 @@ class Motion:
         return self._state(time, self._of(walk.REACH_ROTATION), speed, rate)
 
     @property
+    def swings_back(self) -> Any:
+        """Whether it has been farther from its start than it is at the end."""
+        return np.abs(self.reach.displacement) > np.abs(self.run_out) * (1 + 1e-6)
+
+    @property
     def lift_off(self) -> tuple[float, ...]:
         """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
         scale = float(np.ravel(self._lanes.bound.time_scale)[0])
@@ -303,8 +308,17 @@ class Motion:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
         time = self._times(times)
         columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("pressing", "normal"))
-        pressure = np.maximum(columns["pressing"] - np.maximum(columns["normal"], 0.0), 0.0)
-        return self._along(time, pressure * np.reshape(self._lanes.stress_unit, (-1, 1)))
+        return self._along(time, (columns["pressing"] - columns["normal"]) * self._stress_unit)
+
+    def effective_stress_at(self, times: ArrayLike) -> Any:
+        """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
+        time = self._times(times)
+        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("normal",))
+        return self._along(time, np.maximum(columns["normal"], 0.0) * self._stress_unit)
+
+    @property
+    def _stress_unit(self) -> Floats:
+        return np.reshape(self._lanes.stress_unit, (-1, 1))
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where nothing presses on the slip surface; as for `at`."""
@@ -389,10 +403,9 @@ class Motion:
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"
             )
-        farthest = abs(float(self.reach.displacement))
-        if farthest > abs(self.run_out) * (1 + 1e-6):
+        if self.swings_back:
             found.append(
-                f"the mass swings back: it reaches {farthest:.4g} m after {self.reach.time:.4g} s, farther than its "
-                f"run-out of {abs(self.run_out):.4g} m at the end"
+                f"the mass swings back: it reaches {abs(self.reach.displacement):.4g} m after {self.reach.time:.4g} s, "
+                f"farther than its run-out of {abs(self.run_out):.4g} m at the end"
             )
         return tuple(found)

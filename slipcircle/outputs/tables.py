@@ -14,7 +14,7 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import OUTCOMES, RESULTS, plain, shown, words
+from slipcircle.motion.quantities import OUTCOMES, RESULTS, plain, record, shown, words
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
@@ -145,6 +145,28 @@ def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
 
 
 # --- back-analyses ---------------------------------------------------------------------------------------------------
+
+
+def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
+    """A back-analysis as JSON holds it: null for what is not known; matrices by fields in their order."""
+    from slipcircle.studies.backanalysis import angle_deg
+
+    return plain(
+        {
+            "scene": found.motion.plan.scene.name,
+            "fields": [{"name": name, "unit": unit} for name, unit in found.units.items()],
+            "method": found.method,
+            "observed": {n: {"value": value, "standard_error": sigma} for n, (value, sigma) in found.observed.items()},
+            "degrees_of_freedom": found.degrees_of_freedom,
+            "solutions": [
+                {n: v for n, v in vars(s).items() if n != "motion"}
+                | {"standard_errors": s.standard_errors, "correlation": s.correlation, "friction_angles_deg": {n: d for n, v in s.values.items() 
+                       if (d := angle_deg(n, v)) is not None}, "motion": record(s.motion)}
+                for s in found.solutions
+            ],
+            "warnings": found.warnings,
+        }
+    )  # fmt: skip
 
 
 def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
