@@ -20,7 +20,8 @@ from slipcircle import Arc, Motion, Scene, load, plan, solve
 from slipcircle.base.series import Pulse, Series
 from slipcircle.outputs import pictures, plots, plotstyle
 from slipcircle.outputs.report import report
-from slipcircle.outputs.trace import UNITS, csv, trace
+from slipcircle.motion.quantities import HISTORY, prefixed
+from slipcircle.outputs.trace import csv, drawn as trace, even_times
 
 matplotlib.use("agg")
 
@@ -168,7 +169,7 @@ def test_rotation_stands_beside_displacement() -> None:
 @each_scene
 def test_trace_is_the_motion_and_balances(name: str) -> None:
     m, columns = motion(name), trace(motion(name))
-    assert list(columns) == list(UNITS)
+    assert list(columns) == list(HISTORY)
     assert all(c.shape == columns["time"].shape for c in columns.values())
     assert float(columns["displacement"][-1]) == pytest.approx(m.run_out, rel=1e-12)
     start = float(m.energy.kinetic_start)
@@ -356,7 +357,7 @@ def test_reactions_push_inwards_and_against_the_motion(name: str, way: int) -> N
 
 
 def test_ladder() -> None:
-    rungs = plan(SCENES["vaiont"]).ladder()
+    rungs = ladder(SCENES["vaiont"])
     ax = plots.ladder(rungs, drawn((9.0, 3.5)))
     assert [bar.get_width() for bar in ax.patches] == [r.run_out for r in rungs]
     assert [bool(bar.get_hatch()) for bar in ax.patches] == [not r.arrested for r in rungs]
@@ -422,10 +423,10 @@ def test_number(value: float, shown: str) -> None:
 
 
 def test_scaled() -> None:
-    assert plotstyle.scaled(2.7e6, "Pa") == (1e-6, "MPa")
-    assert plotstyle.scaled(np.array([0.0, -5e11]), "J") == (1e-9, "GJ")
-    assert plotstyle.scaled(1e6, "m") == (1.0, "m")
-    assert plotstyle.scaled(0.0, "J") == (1.0, "J")
+    assert prefixed(2.7e6, "Pa") == (1e-6, "MPa")
+    assert prefixed(np.array([0.0, -5e11]), "J") == (1e-9, "GJ")
+    assert prefixed(1e6, "m") == (1.0, "m")
+    assert prefixed(0.0, "J") == (1.0, "J")
 
 
 # --- CSV -----------------------------------------------------------------------------------------------------------

@@ -23,8 +23,8 @@ from slipcircle.files.scenefile import find
 from slipcircle.outputs import pictures
 from slipcircle.outputs.info import facts
 from slipcircle.outputs.provenance import comments, inputs
-from slipcircle.outputs.report import RESULTS, report
-from slipcircle.outputs.tables import motion_record
+from slipcircle.motion.quantities import RESULTS, record as record_of
+from slipcircle.outputs.report import report
 
 COMMAND = "slipcircle run wet-slope --report report.html"
 
