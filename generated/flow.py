@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 45af98f40938818367c48d82ac337eec0599604e824b92a3a9a22424aaac7d2e
+# sha256 of the text below: dcb7de425915a99e1c37cdf230c883fd90cd7fcddbe24761f11d6d7cd734cad4
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -27,6 +27,8 @@ class Fragment(NamedTuple):
     states: tuple[tuple[str, str], ...] = ()
     table: tuple[str, str, int] | None = None
 
+
+Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 
 # Cells that every program has, first and in this order.
 MEANINGS = {
@@ -79,6 +81,40 @@ CELLS = tuple(MEANINGS)
 
 # What fragments add to.
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')
+
+# Operations that make the tangents of an operation's results, marked by a prime, under the names of its own
+# results and arguments; other names are for what is made on the way.
+CELL_TANGENTS: dict[str, Tangents] = {
+    'add': (('d', 'a', 'b', 'e'), (('add', "d'", "a'", "b'"),)),
+    'sub': (('d', 'a', 'b', 'e'), (('sub', "d'", "a'", "b'"),)),
+    'mul': (('d', 'a', 'b', 'e'), (('mul', '*.t4', 'a', "b'"), ('mul', '*.t5', "a'", 'b'), ('add', "d'", '*.t4', '*.t5'))),
+    'div': (('d', 'a', 'b', 'e'), (('div', '*.t4', "a'", 'b'), ('mul', '*.t5', 'b', 'b'), ('div', '*.t6', 'a', '*.t5'), ('mul', '*.t7', '*.t6', "b'"), ('sub', "d'", '*.t4', '*.t7'))),
+    'neg': (('d', 'a', 'b', 'e'), (('neg', "d'", "a'"),)),
+    'sin': (('d', 'a', 'b', 'e'), (('cos', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
+    'cos': (('d', 'a', 'b', 'e'), (('sin', '*.t2', 'a'), ('mul', '*.t3', '*.t2', "a'"), ('neg', "d'", '*.t3'))),
+    'tan': (('d', 'a', 'b', 'e'), (('tan', '*.t3', 'a'), ('mul', '*.t4', '*.t3', '*.t3'), ('add', '*.t5', '=1.0', '*.t4'), ('mul', "d'", '*.t5', "a'"))),
+    'exp': (('d', 'a', 'b', 'e'), (('exp', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
+    'expm1': (('d', 'a', 'b', 'e'), (('exp', '*.t2', 'a'), ('mul', "d'", '*.t2', "a'"))),
+    'log': (('d', 'a', 'b', 'e'), (('div', "d'", "a'", 'a'),)),
+    'log1p': (('d', 'a', 'b', 'e'), (('add', '*.t3', '=1.0', 'a'), ('div', "d'", "a'", '*.t3'))),
+    'sqrt': (('d', 'a', 'b', 'e'), (('sqrt', '*.t3', 'a'), ('div', '*.t4', '=0.5', '*.t3'), ('mul', "d'", '*.t4', "a'"))),
+    'abs': (('d', 'a', 'b', 'e'), (('neg', '*.t3', "a'"), ('less', '*.t4', 'a', '=0.0'), ('select', "d'", '*.t4', '*.t3', "a'"))),
+    'min': (('d', 'a', 'b', 'e'), (('less', '*.t4', 'a', 'b'), ('select', "d'", '*.t4', "a'", "b'"))),
+    'max': (('d', 'a', 'b', 'e'), (('less', '*.t4', 'a', 'b'), ('select', "d'", '*.t4', "b'", "a'"))),
+    'less': (('d', 'a', 'b', 'e'), (('less', '*.t3', 'a', 'b'), ('select', "d'", '*.t3', '=0.0', '=0.0'))),
+    'select': (('d', 'a', 'b', 'e'), (('less', '*.t4', '=0.0', 'a'), ('select', "d'", '*.t4', "b'", "e'"))),
+}
+
+SERIES_TANGENTS: dict[str, Tangents] = {
+    'mul': (('d', 'a', 'b'), (('mul', "a*b'", 'a', "b'"), ('mul', "a'*b", "a'", 'b'), ('lin', "d'", '', (('=1.0', "a*b'"), ('=1.0', "a'*b"))))),
+    'sqr': (('d', 'a'), (('mul', "a*a'", 'a', "a'"), ('lin', "d'", '', (('=2.0', "a*a'"),)))),
+    'tim': (('q', 'a'), (('tim', "q'", "a'"),)),
+    'turn': (('s', 'v', 'q', 'x'), (('mul', "v*x'", 'v', "x'"), ('lin', "s'", '', (('=-1.0', "v*x'"), ('=1.0', "x'"))), ('mul', "s*x'", 's', "x'"), ('lin', "v'", '', (('=1.0', "s*x'"),)))),
+    'exp': (('e', 'm', 'q', 'z'), (('mul', "e*z'", 'e', "z'"), ('lin', "e'", '', (('=1.0', "e*z'"),)), ('lin', "m'", '', (('=1.0', "e*z'"),)))),
+    'rec': (('h', 'm', 'z'), (('sqr', 'h*h', 'h'), ('mul', "h*h*z'", 'h*h', "z'"), ('lin', "h'", '', (('=-1.0', "h*h*z'"),)), ('lin', "m'", '', (('=-1.0', "h*h*z'"),)))),
+    'log': (('l', 'z'), (('rec', 'h', '*.h_less_1', 'z'), ('mul', "h*z'", 'h', "z'"), ('lin', "l'", '', (('=1.0', "h*z'"),)))),
+    'pow': (('p', 'm', 'z', 'power'), (('rec', 'h', '*.h_less_1', 'z'), ('log', 'l', 'z'), ('mul', 'h*p', 'h', 'p'), ('mul', "h*p*z'", 'h*p', "z'"), ('mul', 'l*p', 'l', 'p'), ('lin', "p'", '', (('power', "h*p*z'"), ("power'", 'l*p'))), ('lin', "m'", '', (('power', "h*p*z'"), ("power'", 'l*p'))))),
+}
 
 FRAGMENTS: dict[str, Fragment] = {
     'gravity': Fragment(
@@ -606,26 +642,27 @@ FRAGMENTS: dict[str, Fragment] = {
             ('mul', 'friction_0', 'balance.4', 'normal_0'),
             ('mul', 'balance.3', 'grip', 'normal_0'),
             ('sub', 'gap', 'LIMIT', 'mu_0'),
-            ('sub', 'balance.t27', 'driving_0', 'resisting_0'),
-            ('less', 'balance.t28', '=0.0', 'balance.t27'),
-            ('select', 'balance.t29', 'balance.t28', '=1.0', '=0.0'),
-            ('mul', 'balance.t30', 'balance.t29', 'grip'),
-            ('less', 'balance.t31', '=0.0', 'TIME'),
-            ('select', 'first', 'balance.t31', '=0.0', 'balance.t30'),
-            ('add', 'balance.t33', 'LIMIT_LOW', 'gap'),
-            ('mul', 'balance.t34', 'balance.t33', 'normal_0'),
-            ('sub', 'balance.t35', 'driving_0', 'friction_0'),
-            ('sub', 'balance.t36', 'balance.t35', 'resisting_0'),
-            ('less', 'balance.t37', '=0.0', 'first'),
-            ('select', 'drive', 'balance.t37', 'balance.t34', 'balance.t36'),
-            ('abs', 'balance.t40', 'drive'),
-            ('add', 'balance.t41', 'driving_size', 'resisting_size'),
-            ('add', 'balance.t42', 'lifting_size', 'pressing_size'),
-            ('mul', 'balance.t43', 'balance.t42', 'grip'),
-            ('mul', 'balance.t44', 'balance.t43', 'mu_0'),
-            ('add', 'balance.t45', 'balance.t41', 'balance.t44'),
-            ('select', 'balance.t46', 'balance.t37', 'balance.t40', 'balance.t45'),
-            ('mul', 'drive_scale', '=2.220446049250313e-16', 'balance.t46'),
+            ('sub', 'balance.t26', 'driving_0', 'resisting_0'),
+            ('div', 'limit_0', 'balance.t26', 'normal_0'),
+            ('less', 'balance.t29', '=0.0', 'balance.t26'),
+            ('select', 'balance.t30', 'balance.t29', '=1.0', '=0.0'),
+            ('mul', 'balance.t31', 'balance.t30', 'grip'),
+            ('less', 'balance.t32', '=0.0', 'departed'),
+            ('select', 'first', 'balance.t32', '=0.0', 'balance.t31'),
+            ('add', 'balance.t34', 'LIMIT_LOW', 'gap'),
+            ('mul', 'balance.t35', 'balance.t34', 'normal_0'),
+            ('sub', 'balance.t36', 'driving_0', 'friction_0'),
+            ('sub', 'balance.t37', 'balance.t36', 'resisting_0'),
+            ('less', 'balance.t38', '=0.0', 'first'),
+            ('select', 'drive', 'balance.t38', 'balance.t35', 'balance.t37'),
+            ('abs', 'balance.t41', 'drive'),
+            ('add', 'balance.t42', 'driving_size', 'resisting_size'),
+            ('add', 'balance.t43', 'lifting_size', 'pressing_size'),
+            ('mul', 'balance.t44', 'balance.t43', 'grip'),
+            ('mul', 'balance.t45', 'balance.t44', 'mu_0'),
+            ('add', 'balance.t46', 'balance.t42', 'balance.t45'),
+            ('select', 'balance.t47', 'balance.t38', 'balance.t41', 'balance.t46'),
+            ('mul', 'drive_scale', '=2.220446049250313e-16', 'balance.t47'),
         ),
         series=(
             ('lin', 'dnormal', '', (('=-1.0', 'dlifting'), ('=1.0', 'dpressing'))),

@@ -15,8 +15,8 @@ from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations
 from generated import flow, series
-from slipcircle.flow import program as programs
-from slipcircle.flow.program import join
+from slipcircle.flow.link import RESULTS
+from slipcircle.flow.program import Program, join
 
 CASES = random.Random(7).sample(list(flow_oracle.cases()), 80)
 RECURRENCES = ("turn", "exp", "rec", "log", "pow")
@@ -131,7 +131,7 @@ def test_a_planted_fault_shows(
 
 def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
 
-    def names(p: programs.Program) -> list[str]:
+    def names(p: Program) -> list[str]:
         return [op[0] for op in p.series]
 
     frozen = join((), ("constant",))
@@ -154,7 +154,7 @@ def test_reading_order_and_places(fresh: None) -> None:
         p = join(*case)
         known = {*(register for _, register, _ in p.states)}
         for op, *names in p.series:
-            results = names[: programs.RESULTS.get(op, 1)]
+            results = names[: RESULTS.get(op, 1)]
             reads = [r for _, r in names[2]] if op == "lin" else [] if op == "ramp" else names[len(results) :]
             reads = reads[:-1] if op == "pow" else reads
             assert {*reads} <= known
@@ -256,3 +256,23 @@ def test_energy_is_kept(case: flow_oracle.Case) -> None:
         kinetic = sum((omega[k] * omega[i - k] for k in range(i + 1)), arb(0)) / 2
         assert abs(work[i] - lost[i] - kinetic) < arb(1e-60)
     assert abs(work[1]) > arb(1e-9)
+
+
+@pytest.mark.parametrize("case", CASES[:40], ids=str)
+def test_a_program_differentiates_itself(case: flow_oracle.Case) -> None:
+    for seed in range(2):
+        assert flow_oracle.tangent_difference(case, seed) < 1e-60
+
+
+@pytest.mark.parametrize(
+    ("table", "op", "sign"), [(flow.SERIES_TANGENTS, "turn", "=-1.0"), (flow.CELL_TANGENTS, "mul", "add")]
+)
+def test_a_wrong_derivative_shows(
+    table: dict[str, Any], op: str, sign: str, fresh: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own, template = table[op]
+    wrong = eval(repr(template).replace(sign, {"=-1.0": "=1.0", "add": "sub"}[sign]))
+    assert wrong != template
+    monkeypatch.setitem(table, op, (own, wrong))
+    case = ("rotation", "centripetal", "shaking"), ("exponential", "rate_weakening"), ("k_h",), ()
+    assert not flow_oracle.tangent_difference(case, 0) < 1e-3

@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
 from derive.flow.fragments import CELLS, INPUTS, QUANTITIES, fragments
 from derive.flow.lowering import Fragment
+from derive.flow.operations import OPERATIONS, SCALARS
+from derive.flow.tangents import of_cells, of_series
 
 _HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
@@ -34,6 +36,8 @@ class Fragment(NamedTuple):
     table: tuple[str, str, int] | None = None
 
 
+Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
+
 '''
 
 
@@ -48,6 +52,16 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
         text.append(f"# {comment}\n{name} = {{\n{lines}}}\n\n")
     text.append("CELLS = tuple(MEANINGS)\n\n")
     text.append(f"# What fragments add to.\nQUANTITIES = {QUANTITIES!r}\n\n")
+    text.append(
+        "# Operations that make the tangents of an operation's results, marked by a prime, under the names of its own\n"
+        "# results and arguments; other names are for what is made on the way.\n"
+    )
+    for name, own, templates in (
+        ("CELL_TANGENTS", dict.fromkeys(SCALARS, "dabe"), of_cells()),
+        ("SERIES_TANGENTS", {o.name: (*o.results, *o.arguments, *o.numbers) for o in OPERATIONS.values()}, of_series()),
+    ):
+        lines = "".join(f"    {x!r}: ({(*map(str, own[x]),)!r}, {template!r}),\n" for x, template in templates.items())
+        text.append(f"{name}: dict[str, Tangents] = {{\n{lines}}}\n\n")
     text += ["FRAGMENTS: dict[str, Fragment] = {\n", *(_fragment(f) for f in fragments(effects, laws)), "}\n"]
     return "".join(text)
 

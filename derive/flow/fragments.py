@@ -247,8 +247,9 @@ def balance() -> Fragment:
     # At the start the limit friction is given, in two numbers, and what drives is made of what is left of it.
     low.cells["gap"] = cell("LIMIT") - cell("mu_0")
     given = cell("normal_0") * (cell("gap") + cell("LIMIT_LOW"))
+    low.cells["limit_0"] = (cell("driving_0") - cell("resisting_0")) / cell("normal_0")  # only for its derivative
     driven = Select(0, cell("driving_0") - cell("resisting_0"), 1, 0)
-    low.cells["first"] = Select(0, cell("TIME"), 0, GRIP * driven)
+    low.cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
     low.cells["drive"] = Select(0, cell("first"), given, static)
     drives, resists, presses, lifts = (cell(f"{x}_size") for x in QUANTITIES)
     whole = drives + resists + GRIP * cell("mu_0") * (presses + lifts)

@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from derive.algebra.integrate import prove_zero
-from derive.algebra.stable import Expm1, Log1p
+from derive.algebra.stable import Expm1, Log1p, Select
 
 n, k = sp.symbols("n k", integer=True)
 A, B, Q, X, Z, E, H, P, S, V, L = (sp.IndexedBase(x) for x in "abqxzehpsvl")
@@ -122,13 +122,17 @@ def first(
     return found
 
 
-# Operations on cells: how many arguments (a, b, e), in C over vectors of lanes, and in NumPy.
-SCALARS = {
-    "add": (2, "a + b", "np.add"), "sub": (2, "a - b", "np.subtract"), "mul": (2, "a * b", "np.multiply"),
-    "div": (2, "a / b", "np.divide"), "neg": (1, "-a", "np.negative"),
-    **{x: (1, f"IN(map)({x}, a)", f"np.{x}") for x in ("sin", "cos", "tan", "exp", "expm1", "log", "log1p", "sqrt")},
-    "abs": (1, "IN(choose)(a < 0.0, -a, a)", "np.abs"), "min": (2, "IN(choose)(a < b, a, b)", "np.minimum"),
-    "max": (2, "IN(choose)(a < b, b, a)", "np.maximum"),
-    "less": (2, "IN(choose)(a < b, (V){0} + 1.0, (V){0})", "_less"),
-    "select": (3, "IN(choose)(a > 0.0, b, e)", "_select"),
+# Operations on cells: what they make of a, b and e, in C over vectors of lanes, and in NumPy.
+_a, _b, _e = sp.symbols("a b e", real=True)
+_CALLS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "exp": sp.exp, "expm1": Expm1, "log": sp.log, "log1p": Log1p,
+          "sqrt": sp.sqrt}  # fmt: skip
+SCALARS: dict[str, tuple[sp.Expr, str, str]] = {
+    "add": (_a + _b, "a + b", "np.add"), "sub": (_a - _b, "a - b", "np.subtract"),
+    "mul": (_a * _b, "a * b", "np.multiply"), "div": (_a / _b, "a / b", "np.divide"), "neg": (-_a, "-a", "np.negative"),
+    **{x: (call(_a), f"IN(map)({x}, a)", f"np.{x}") for x, call in _CALLS.items()},
+    "abs": (Select(_a, 0, -_a, _a), "IN(choose)(a < 0.0, -a, a)", "np.abs"),
+    "min": (Select(_a, _b, _a, _b), "IN(choose)(a < b, a, b)", "np.minimum"),
+    "max": (Select(_a, _b, _b, _a), "IN(choose)(a < b, b, a)", "np.maximum"),
+    "less": (Select(_a, _b, 1, 0), "IN(choose)(a < b, (V){0} + 1.0, (V){0})", "_less"),
+    "select": (Select(0, _a, _b, _e), "IN(choose)(a > 0.0, b, e)", "_select"),
 }  # fmt: skip

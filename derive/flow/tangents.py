@@ -1,0 +1,71 @@
+"""What a small change of its arguments makes of the result of each operation: a program that differentiates itself.
+
+Derived from what the operations mean, by SymPy, and lowered to the same operations. A prime marks a tangent: of the
+result d of an operation on cells a, b and e it is ``d'``, made of these and of ``a'``, ``b'`` and ``e'``.
+"""
+
+import sympy as sp
+
+from derive.algebra.stable import Select
+from derive.flow.lowering import Increment, Lowering, cell, total
+from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
+
+ONE = sp.Integer(1)
+Template = tuple[tuple[object, ...], ...]
+
+
+def of_cells() -> dict[str, Template]:
+    """For each operation on cells the operations that make its tangent."""
+    return {name: _of_cell(means) for name, (means, _, _) in SCALARS.items()}
+
+
+def _of_cell(means: sp.Expr) -> Template:
+    def tangent(e: sp.Expr) -> sp.Expr:
+        if isinstance(e, Select):  # of the branch that is taken
+            return Select(*e.args[:2], tangent(e.args[2]), tangent(e.args[3]))
+        return sum(sp.diff(e, x) * cell(f"{x}'") for x in sorted(e.free_symbols, key=str))
+
+    low = Lowering("*", {})
+    low.cells["d'"] = tangent(means)
+    return low.scalar()
+
+
+# What a derivative is made of, as registers, and the operation that makes one which is not there.
+_s, _v, _x, _e, _z, _p, _l, _h = (cell(x) for x in "svxezplh")
+_KNOWN = {
+    sp.cos(_x): 1 - _v, sp.sin(_x): _s, sp.exp(_z): _e, (1 + _z) ** POWER: _p, sp.log(1 + _z): _l, 1 / (1 + _z): _h,
+}  # fmt: skip
+_HELPERS = {_l: ("log", "l", "z"), _h: ("rec", "h", "*.h_less_1", "z")}
+
+
+def of_series() -> dict[str, Template]:
+    """For each operation on series the operations that make the tangents of its results."""
+    return {name: _of_series(o) for name, o in OPERATIONS.items()}
+
+
+def _of_series(o: Operation) -> Template:
+    if o.name == "tim":  # linear in its argument
+        return (("tim", "q'", "a'"),)
+    low = Lowering("*", {})
+    symbols = {x: cell(str(x)) for x in (*o.results, *o.arguments)}
+    for result, means in zip(o.results, o.means, strict=True):
+        increment: Increment = {}
+        for x in (*o.arguments, *o.numbers):
+            slope = sp.diff(means.xreplace(symbols), symbols.get(x, x))
+            for function, register in _KNOWN.items():
+                slope = slope.subs(function, register)
+            for helper in _HELPERS.keys() & slope.free_symbols - {*symbols.values()}:
+                low.put(*_HELPERS[helper])
+            for term in sp.Add.make_args(sp.expand(slope)):
+                powers = term.as_powers_dict()
+                names = [str(y) for y, power in powers.items() if isinstance(y, sp.Symbol) and y != POWER
+                         for _ in range(int(power))]  # fmt: skip
+                number = sp.Mul(*(y**power for y, power in powers.items() if y == POWER or y.is_Number))
+                if x in o.arguments:
+                    names.append(f"{x}'")
+                increment = total(
+                    (ONE, increment),
+                    (ONE, {tuple(sorted(names)): number * (ONE if x in o.arguments else cell(f"{x}'"))}),
+                )
+        low.put("lin", f"{result}'", "", low.sum(increment))
+    return tuple(low.series)
