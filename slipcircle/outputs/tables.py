@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generated.effects import EFFECTS
+from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
 from slipcircle.motion.quantities import OUTCOMES, RESULTS, plain, record, shown, words
