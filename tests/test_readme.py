@@ -19,7 +19,7 @@ import slipcircle
 from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
-from slipcircle import Motion, load, plan, solve
+from slipcircle import Motion, load, solve
 from slipcircle.__main__ import main
 
 ROOT = Path(__file__).resolve().parent.parent

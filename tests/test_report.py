@@ -20,10 +20,11 @@ from slipcircle import Motion, Scene, load, solve
 from slipcircle.__main__ import main
 from slipcircle.base import files
 from slipcircle.files.scenefile import find
+from slipcircle.motion.quantities import RESULTS
+from slipcircle.motion.quantities import record as record_of
 from slipcircle.outputs import pictures
 from slipcircle.outputs.info import facts
 from slipcircle.outputs.provenance import comments, inputs
-from slipcircle.motion.quantities import RESULTS, record as record_of
 from slipcircle.outputs.report import report
 
 COMMAND = "slipcircle run wet-slope --report report.html"

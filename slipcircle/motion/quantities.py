@@ -75,20 +75,19 @@ class Quantity:
         return "_".join(filter(None, (self.name, self.unit.replace("/", "_").replace("^", ""))))
 
 
-_REACH = "greatest displacement from the start"
 RESULTS: tuple[Quantity, ...] = (
     Quantity("moves", "", "moves", "moves"),
     Quantity("arrested", "", "comes to rest", "arrested"),
-    Quantity("reach", "m", _REACH, "reach.displacement", solved=True),
+    Quantity("reach", "m", "greatest displacement", "reach.displacement", solved=True),
     Quantity("reach_time", "s", "time of the greatest displacement", "reach.time", solved=True),
     Quantity("run_out", "m", "run-out along the arc", "run_out", solved=True),
     Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
     Quantity("duration", "s", "duration", "duration", solved=True),
-    Quantity("factor_of_safety", "", "factor of safety at the start", "factor_of_safety"),
-    Quantity("yield_coefficient", "", "yield coefficient k_y at the start", "yield_coefficient"),
-    Quantity("friction", "", "friction angle at the start", "friction", degrees=True),
-    Quantity("limit_friction", "", "limit friction angle at the start", "limit_friction", degrees=True),
+    Quantity("factor_of_safety", "", "factor of safety", "factor_of_safety"),
+    Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
+    Quantity("friction", "", "friction angle", "friction", degrees=True),
+    Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True),
     Quantity("end_rotation", "rad", "rotation at the end", "end.rotation", degrees=True, solved=True),
     Quantity("end_velocity", "m/s", "velocity at the end", "end.velocity", solved=True),
     Quantity("peak_displacement", "m", "displacement at the peak velocity", "peak.displacement", solved=True),
@@ -182,5 +181,3 @@ def prefixed(values: Any, unit: str) -> tuple[float, str]:
         return 1.0, unit
     per, prefix = next(((p, name) for p, name in _PREFIXES if size >= p), (1.0, ""))
     return 1.0 / per, prefix + unit
-
-

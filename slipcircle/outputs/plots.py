@@ -51,18 +51,9 @@ OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
 def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
-    """One quantity over time, with the peak velocity, the reach of a mass that swings back, and the end marked.
+    """One of `HISTORIES` over time, with the peak velocity, the reach of a mass that swings back, and the end marked.
 
-    Parameters
-    ----------
-    motion : Motion
-    what : str
-        One of `HISTORIES`. Besides the friction stands the one at which the mass would stand still where it is.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
+    Besides the friction stands the one at which the mass would stand still where it is.
     """
     if what not in HISTORIES:
         raise ValueError(f"what = {what!r}: must be one of {', '.join(HISTORIES)}")
@@ -221,11 +212,7 @@ def _rung(r: Rung) -> str:
 def overview(motion: Motion, figure: Any = None) -> Any:
     """The section, the phase plane and the histories in one figure, which it returns.
 
-    Parameters
-    ----------
-    motion : Motion
-    figure : matplotlib figure or subfigure, optional
-        An empty one with a constrained layout, of `size`.
+    A given figure or subfigure is an empty one with a constrained layout, of `size`.
     """
     figure = sheet(figure, size(motion))
     name = shorten(motion.plan.scene.name, 80)

@@ -17,17 +17,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
     """The section: the mass at the start, at the peak velocity and at the end, with the forces at the start.
 
     It is drawn turned by s/R (1.2), also where the geometry is frozen: there the forces stay those of the start;
-    the legend says so.
-
-    Parameters
-    ----------
-    motion : Motion
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-        In metres from the centre K, x to the right and y up.
+    the legend says so. Axes are metres from the centre K, x to the right and y up.
     """
     from matplotlib.patches import Polygon
 

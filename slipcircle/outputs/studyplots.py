@@ -1,6 +1,6 @@
 """Pictures of uncertain scenes: exceedance curves, sensitivity indices, and what a change of each number changes.
 
-Every function draws on a given matplotlib axis, or on one of its own, and returns it.
+Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of its own, and returns it.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -30,23 +30,12 @@ _DEGREES, _SHARE = 1.0, 0.01  # changes in a tornado, by default
 
 
 def exceedance(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
-    """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
-
-    Parameters
-    ----------
-    found : Ensemble
-        Of samples, not a grid.
-    output : str
-        One of `OUTCOMES`.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
+    """The probability that an output is at least so large, in its confidence band, with two quantiles marked."""
     _drawn(found, output, tuple(OUTCOMES))
     ax, unit = axis(ax), OUTCOMES[output].unit
-    ax.set(xlabel=f"{OUTCOMES[output].label} ({unit})", ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02))
+    ax.set(
+        xlabel=f"{OUTCOMES[output].label} ({unit})", ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02)
+    )
     ax.grid(alpha=0.3)
     curve, moving = found.exceedance(output, _POINTS), found.moving
     if not curve.at.size or moving.value == 0.0:
@@ -70,20 +59,7 @@ def exceedance(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
 
 
 def indices(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
-    """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence.
-
-    Parameters
-    ----------
-    found : Ensemble
-        With ``sensitivity``.
-    output : str
-        One of `OUTCOMES`, or moves.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
+    """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence."""
     _drawn(found, output, (*OUTCOMES, "moves"))
     if output not in found.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
@@ -122,8 +98,7 @@ def tornado(
     ----------
     table : Sensitivity
         Of a motion: ``motion.sensitivity()``.
-    output : str
-        One of `OUTCOMES`.
+    output : str, optional
     changes : mapping, optional
         By how much each number changes, in the unit of its key in a scene file, ``{"friction.angle_deg": 2.0}``, and
         only these are drawn; by default each angle by 1 degree, and everything else by 1 %.
@@ -167,20 +142,7 @@ def tornado(
 
 
 def response(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
-    """An output over the first number of a grid; of a second one, a curve for each of its values.
-
-    Parameters
-    ----------
-    found : Ensemble
-        Of a grid.
-    output : str
-        One of `OUTCOMES`.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
+    """An output over the first number of a grid; of a second one, a curve for each of its values."""
     _known("response", "output", output, OUTCOMES)
     levels, keys = found.study.levels, [u.key for u in found.study.inputs.values()]
     check_grid([len(x) for x in levels])
@@ -216,12 +178,6 @@ def overview(found: "Ensemble", figure: Any = None) -> Any:
     """Exceedance of reach and of peak velocity, and below what each unknown adds to them, in one figure.
 
     Of a grid, reach and peak velocity over its numbers.
-
-    Parameters
-    ----------
-    found : Ensemble
-    figure : matplotlib figure or subfigure, optional
-        An empty one with a constrained layout, of `size`.
     """
     figure = sheet(figure, size(found))
     grid = figure.add_gridspec(1 + bool(found.sensitivity), 2, height_ratios=_heights(found))

@@ -5,7 +5,7 @@ import shutil
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
-from itertools import chain, combinations
+from itertools import chain, combinations, zip_longest
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from slipcircle.motion.sensitivity import Sensitivity
     from slipcircle.studies.backanalysis import BackAnalysis
 
-WIDTH = 100
+WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
 Rows = Iterable[Sequence[str]]
 
 # --- motions ---------------------------------------------------------------------------------------------------------
@@ -38,9 +38,9 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     chosen = [q for q in RESULTS if verbose or q.name in KEY]
     found = {q.label: q.text(motion) for q in chosen}
     if not motion.arrested:
-        found["comes to rest"] = "no, still moving at the end"
+        found["comes to rest"] = "no, still moving"
     if motion.plan.law != "constant":
-        found["friction angle at the start"] += f", {motion.plan.law}"
+        found["friction angle"] += f", {motion.plan.law}"
     found |= {
         "effects": ", ".join(motion.plan.effects) or "none",
         "left out": ", ".join(motion.plan.left_out) or "none",
@@ -83,9 +83,7 @@ def combination_rows() -> list[list[str]]:
     """Operations of every combination of effects, with a constant friction."""
     every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
     shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    return [
-        [", ".join(e) or "none", counted(join(e, ("constant",), shaken if "shaking" in e else ()))] for e in every
-    ]
+    return [[", ".join(e) or "none", counted(join(e, ("constant",), shaken if "shaking" in e else ()))] for e in every]
 
 
 _OF_RUNG = {n: q for n, q in OUTCOMES.items() if n in Rung.__dataclass_fields__}
@@ -111,21 +109,8 @@ def _seconds(x: float) -> str:
 
 
 def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:
-    """Derivatives as JSON holds them: SI units and radians, null for an elasticity of what is zero."""
-    columns = zip(found.parameters.items(), found.values.T, found.elasticities.T, strict=True)
-    return plain(
-        {
-            "outputs": [{"name": n, "unit": unit, "value": found.at[n]} for n, unit in found.outputs.items()],
-            "parameters": [
-                {
-                    "name": name, "unit": unit, "value": found.at[name],
-                    "derivatives": dict(zip(found.outputs, slopes, strict=True)),
-                    "elasticities": dict(zip(found.outputs, per, strict=True)),
-                }
-                for (name, unit), slopes, per in columns
-            ],
-        }
-    )  # fmt: skip
+    """Derivatives as JSON holds them: matrices of outputs by parameters in their order; null for what has no value."""
+    return plain(vars(found) | {"elasticities": found.elasticities})
 
 
 def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
@@ -150,24 +135,9 @@ def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
 
 def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
     """A back-analysis as JSON holds it: null for what is not known; matrices by fields in their order."""
-    from slipcircle.studies.backanalysis import angle_deg
-
-    return plain(
-        {
-            "scene": found.motion.plan.scene.name,
-            "fields": [{"name": name, "unit": unit} for name, unit in found.units.items()],
-            "method": found.method,
-            "observed": {n: {"value": value, "standard_error": sigma} for n, (value, sigma) in found.observed.items()},
-            "degrees_of_freedom": found.degrees_of_freedom,
-            "solutions": [
-                {n: v for n, v in vars(s).items() if n != "motion"}
-                | {"standard_errors": s.standard_errors, "correlation": s.correlation, "friction_angles_deg": {n: d for n, v in s.values.items() 
-                       if (d := angle_deg(n, v)) is not None}, "motion": record(s.motion)}
-                for s in found.solutions
-            ],
-            "warnings": found.warnings,
-        }
-    )  # fmt: skip
+    derived = ("standard_errors", "correlation")
+    solutions = [vars(s) | {n: getattr(s, n) for n in derived} | {"motion": record(s.motion)} for s in found.solutions]
+    return plain({"scene": found.motion.plan.scene.name} | vars(found) | {"solutions": solutions})
 
 
 def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
@@ -227,51 +197,33 @@ def show(head: Sequence[str], rows: Rows, title: str = "", caption: str = "") ->
 
 def layout(head: Sequence[str], rows: Rows, title: str, caption: str, width: int) -> Iterator[str]:
     """The lines of a table: long cells are wrapped; columns for which there is no room follow below the others."""
-    table = [[clean(cell) for cell in row] for row in (head, *rows)]
-    columns = [[*column] for column in zip(*table, strict=True)]
+    first, *rest = ([clean(cell) for cell in column] for column in zip(head, *rows, strict=True))
     yield from wrap(clean(title), width)
-    first = _width(columns[0])
-    start, least = 1, [_least(c) for c in columns]
-    while start < max(len(columns), 2):
-        end = start + 1
-        while end < len(columns) and first + sum(least[start : end + 1]) + 2 * (end + 1 - start) <= width:
-            end += 1
-        part = [columns[0], *columns[start:end]]
-        yield from _part(part, _widths(part, [first, *least[start:end]], width), any(head))
+    while rest:
+        room, shown = width - max(map(len, first)), 1
+        while shown < len(rest) and sum(_widths(rest[: shown + 1], _LEAST)) + _GAP * (shown + 1) <= room:
+            shown += 1
+        part, rest = rest[:shown], rest[shown:]
+        most = next((m for m in range(width, _LEAST, -1) if sum(_widths(part, m)) + _GAP * shown <= room), _LEAST)
+        yield from _lines([first, *part], [max(map(len, first)), *_widths(part, most)], any(head))
         yield ""
-        start = end
     yield from wrap(clean(caption), width, break_on_hyphens=False)
 
 
-def _width(column: Sequence[str]) -> int:
-    return max(map(len, column))
+def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
+    """Widths of columns whose cells are wrapped at some width, but with every word whole."""
+    longest = (max(len(word) for cell in column for word in (*cell.split(), "")) for column in columns)
+    return [min(max(map(len, c)), max(most, word)) for c, word in zip(columns, longest, strict=True)]
 
 
-def _least(column: Sequence[str]) -> int:
-    """What a column needs at least: its longest word, or 24."""
-    return min(_width(column), max(24, *(len(w) for cell in column for w in cell.split()), 1))
-
-
-def _widths(columns: Sequence[Sequence[str]], least: Sequence[int], width: int) -> list[int]:
-    """Widths as wide as the cells, the widest cut until all fit, none below what it needs."""
-    found = [_width(c) for c in columns]
-    while sum(found) + 2 * (len(found) - 1) > width:
-        room = [k for k, n in enumerate(found) if n > least[k]]
-        if not room:
-            break
-        found[max(room, key=found.__getitem__)] -= 1
-    return found
-
-
-def _part(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
+def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
     for number, row in enumerate(zip(*columns, strict=True)):
         if number or headed:
-            cells = [wrap(c, w, break_on_hyphens=False) or [""] for c, w in zip(row, widths, strict=True)]
-            for k in range(max(map(len, cells))):
-                parts = (c[k] if k < len(c) else "" for c in cells)
+            cells = (wrap(c, w, break_on_hyphens=False) for c, w in zip(row, widths, strict=True))
+            for parts in zip_longest(*(c or [""] for c in cells), fillvalue=""):
                 yield "  ".join(p.ljust(w) for p, w in zip(parts, widths, strict=True)).rstrip()
         if not number and headed:
-            yield "-" * (sum(widths) + 2 * (len(widths) - 1))
+            yield "-" * (sum(widths) + _GAP * (len(widths) - 1))
 
 
 def clean(text: str) -> str:
