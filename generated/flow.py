@@ -1,12 +1,13 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: dcb7de425915a99e1c37cdf230c883fd90cd7fcddbe24761f11d6d7cd734cad4
+# sha256 of the text below: 175eef6ecc91c22acbc3de5bba9d3807007214f206fb6aef24ab3d97e6825e8b
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
 began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 
 class Fragment(NamedTuple):
@@ -78,6 +79,12 @@ INPUTS = {
 }
 
 CELLS = tuple(MEANINGS)
+
+# Laws of slip in pieces: the parameter that is their scale, where they begin over it, and polynomials of what
+# is beyond, from the constant up.
+PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
+    'linear': ('length', (0.0, 1.0), lambda peak, residual, **_: ((peak, -peak + residual), (residual, 0.0))),
+}
 
 # What fragments add to.
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')
@@ -631,7 +638,7 @@ FRAGMENTS: dict[str, Fragment] = {
         words=(
             '(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted',
             'normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed',
-            'drive = normal ((limit - mu) + limit_low) at the start; drive_scale is the rounding of its terms',
+            'drive = normal ((limit - mu) + limit_low) as at the start; drive_scale is the rounding of its terms',
         ),
         inputs=(),
         optional=(),

@@ -276,3 +276,30 @@ def test_a_wrong_derivative_shows(
     monkeypatch.setitem(table, op, (own, wrong))
     case = ("rotation", "centripetal", "shaking"), ("exponential", "rate_weakening"), ("k_h",), ()
     assert not flow_oracle.tangent_difference(case, 0) < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("effects", "laws", "moving", "departed"),
+    [
+        ((), ("exponential",), (), None),
+        (("cohesion", "drag"), ("prescribed",), (), None),
+        (("rotation", "centripetal"), ("constant",), (), "ROTATION"),
+        (("rotation", "shaking"), ("constant",), ("k_h",), "TIME"),
+        (("thermal_pressurisation",), ("constant",), (), "TIME"),
+        (("shaking",), ("constant",), (), None),
+    ],
+)
+def test_the_limit_friction_is_used_as_long_as_it_is_that_of_the_start(
+    effects: tuple[str, ...], laws: tuple[str, ...], moving: tuple[str, ...], departed: str | None
+) -> None:
+    """Another value of it changes the drive until what it depends on has changed, and never after."""
+    program = join(effects, laws, moving, (), ("energy",))
+    start = {"DIRECTION": arb(1), "fall": arb(1), "press": arb(1), "level": arb(1)} | {
+        x: arb(0.1) for x in program.cells if x.partition(".")[0] in laws
+    }
+    for name in (None, "TIME", "ROTATION", "SLIP"):
+        cells = start | ({name: arb(0.01)} if name else {})
+        one, other = (flow_oracle.prologue(program, cells | {"LIMIT": arb(x)}) for x in (0.5, 0.7))
+        drive = program.roles["cell_drive"]
+        same = abs(one[drive] - other[drive]) < arb(1e-30)
+        assert same == (name is not None and name == departed)

@@ -119,7 +119,7 @@ _EXP, _HYPERBOLA = sp.exp(-SLIP / _L), 1 / (1 + SLIP / _L)
 
 LAWS = (
     Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)", "angle_deg"),), (),
-        "friction does not change", sp.Symbol("coefficient", real=True)),
+        "friction does not change"),
     Law("exponential", "Fig. 4-1", (_PEAK, _RESIDUAL, _LENGTH), ("slip",),
         "residual + (peak - residual) exp(-slip/length)", _R + (_P - _R) * _EXP,
         (_P - _R) * _EXP * -Expm1(-MORE / _L), "length"),

@@ -2,8 +2,10 @@
 
 from collections.abc import Sequence
 
+import sympy as sp
+
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
-from derive.flow.fragments import CELLS, INPUTS, QUANTITIES, fragments
+from derive.flow.fragments import CELLS, INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import Fragment
 from derive.flow.operations import OPERATIONS, SCALARS
 from derive.flow.tangents import of_cells, of_series
@@ -14,7 +16,8 @@ Fragments are joined to a scene's program by the names of what they make and tak
 began and ``d...`` the series of its increment since; ``=1.0`` is a constant.
 """
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 
 class Fragment(NamedTuple):
@@ -51,6 +54,19 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
         lines = "".join(f"    {x!r}: {words!r},\n" for x, words in table.items())
         text.append(f"# {comment}\n{name} = {{\n{lines}}}\n\n")
     text.append("CELLS = tuple(MEANINGS)\n\n")
+    text.append(
+        "# Laws of slip in pieces: the parameter that is their scale, where they begin over it, and polynomials of what\n"
+        "# is beyond, from the constant up.\n"
+        "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {\n"
+    )
+    for law in (law for law in laws if law.kinks):
+        breaks, polynomials = pieces(law)
+        names = sorted({str(x) for p in polynomials for c in p for x in c.free_symbols})
+        rows = ", ".join(f"({', '.join(sp.sstr(sp.Float(c) if c.is_Number else c) for c in p)})" for p in polynomials)
+        text.append(
+            f"    {law.name!r}: ({law.scale!r}, {(*map(float, breaks),)!r}, lambda {', '.join(names)}, **_: ({rows})),\n"
+        )
+    text.append("}\n\n")
     text.append(f"# What fragments add to.\nQUANTITIES = {QUANTITIES!r}\n\n")
     text.append(
         "# Operations that make the tangents of an operation's results, marked by a prime, under the names of its own\n"

@@ -177,10 +177,11 @@ def of_effect(effect: Effect) -> Fragment:
 def of_law(law: Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
     low, words = Lowering(law.name, moving()), [f"({law.equation}) {law.help}"]
-    if law.coefficient is not None and not law.kinks:
+    coefficient = law.coefficient if law.depends_on else cell("coefficient")
+    if coefficient is not None and not law.kinks:
         own = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
-        words.append(f"mu = {sp.sstr(law.coefficient)}")
-        return low.fragment(words, {"mu": law.coefficient.xreplace(own)}, [str(x) for x in own.values()])
+        words.append(f"mu = {sp.sstr(coefficient)}")
+        return low.fragment(words, {"mu": coefficient.xreplace(own)}, [str(x) for x in own.values()])
     value, argument = cell(f"{law.name}.VALUE"), "x"
     if law.depends_on == ("time",):
         low.moving, argument = {value: (value, series(f"d{law.name}"))}, f"d{law.name}"
@@ -197,6 +198,28 @@ def of_law(law: Law) -> Fragment:
     of = "x" if argument == "x" else "log(omega/omega_0)"
     words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
     return low.fragment(words, {"mu": value}, table=(law.depends_on[0], argument, law.degree))
+
+
+def pieces(law: Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:
+    """Where the pieces of a law with kinks begin, over its scale, and their polynomials in what is beyond.
+
+    A piece takes the branch of each minimum or maximum that holds there, so that a constant piece is the number given.
+    """
+    s, y, scale = cell("s"), cell("y"), cell(law.scale)
+    breaks = [ZERO, *(cell(kink) / scale for kink in law.kinks)]
+    found = []
+    for start, end in zip(breaks, [*breaks[1:], breaks[-1] + 1], strict=True):
+        inside = (
+            sp.sympify(law.coefficient)
+            .subs(SLIP, s * scale)
+            .replace(
+                lambda e: isinstance(e, (sp.Min, sp.Max)),
+                lambda e, at=(start + end) / 2: next(x for x in e.args if x.subs(s, at) == e.subs(s, at)),
+            )
+        )
+        beyond = sp.Poly(sp.expand(inside.subs(s, start + y)), y).all_coeffs()[::-1]
+        found.append([*beyond, *[ZERO] * (law.degree + 1 - len(beyond))])
+    return breaks, found
 
 
 def gravity() -> Fragment:
@@ -244,7 +267,8 @@ def balance() -> Fragment:
     static, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
     low.put("lin", "net", "drive", (("=1.0", "dnet"),))
-    # At the start the limit friction is given, in two numbers, and what drives is made of what is left of it.
+    # As long as nothing that it depends on has departed from the start, the limit friction is the number given there,
+    # in two parts, and what drives is made of what is left of it.
     low.cells["gap"] = cell("LIMIT") - cell("mu_0")
     given = cell("normal_0") * (cell("gap") + cell("LIMIT_LOW"))
     low.cells["limit_0"] = (cell("driving_0") - cell("resisting_0")) / cell("normal_0")  # only for its derivative
@@ -257,7 +281,7 @@ def balance() -> Fragment:
     words = [
         "(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted",
         "normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed",
-        "drive = normal ((limit - mu) + limit_low) at the start; drive_scale is the rounding of its terms",
+        "drive = normal ((limit - mu) + limit_low) as at the start; drive_scale is the rounding of its terms",
     ]
     return low.fragment(words, {})
 

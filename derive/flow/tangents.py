@@ -54,8 +54,9 @@ def _of_series(o: Operation) -> Template:
             slope = sp.diff(means.xreplace(symbols), symbols.get(x, x))
             for function, register in _KNOWN.items():
                 slope = slope.subs(function, register)
-            for helper in _HELPERS.keys() & slope.free_symbols - {*symbols.values()}:
-                low.put(*_HELPERS[helper])
+            for helper, operation in _HELPERS.items():
+                if helper in slope.free_symbols - {*symbols.values()}:
+                    low.put(*operation)
             for term in sp.Add.make_args(sp.expand(slope)):
                 powers = term.as_powers_dict()
                 names = [str(y) for y, power in powers.items() if isinstance(y, sp.Symbol) and y != POWER

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS, LAWS
+from generated.flow import PIECES
 from slipcircle.base.series import Pulse, Series
 from slipcircle.flow import tables, walk
 from slipcircle.flow.program import Program, join
@@ -173,8 +174,8 @@ def _law(name: str, parameters: Mapping[str, Any], radius: Any, time_scale: Any,
         pieces[name], grown[name] = (data, radius, 1.0), Grown(function, "friction", first)
         return
     law, speed = LAWS[name], radius / time_scale
-    if name == "linear":
-        pieces[name] = tables.ramp(parameters["peak"], parameters["residual"]), radius / parameters["length"], 1.0
+    if name in PIECES:
+        pieces[name] = tables.of_law(name, parameters), radius / parameters[PIECES[name][0]], 1.0
     elif law.parameters[0].kind == "list":
         place, values = (np.asarray(parameters[p.name], dtype=np.float64) for p in law.parameters)
         match law.depends_on:

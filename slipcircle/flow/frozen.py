@@ -22,10 +22,12 @@ def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Sam
     """As `slipcircle.flow.walk.walk`, for lanes that friction presses on throughout; others it leaves as they are."""
     lanes = w.Lanes(program, tables, cells.copy(), samples, np.arange(cells.shape[1]), log)
     with np.errstate(all="ignore"):
-        lanes.on(lanes.c[w.STATUS] == w.START, w.Lanes.start)
+        lanes.on(lanes.c[w.STATUS] == w.START, "start")
         pressed = (lanes.c[program.roles["cell_normal0"]] > 0.0) & np.isfinite(lanes.c[w.OMEGA])
         while np.any(moving := (lanes.c[w.STATUS] == w.MOVING) & pressed):
-            lanes.on(moving, _phase)
+            part = lanes.part(moving)
+            _phase(part)
+            lanes.c[:, moving] = part.c
     cells[:, pressed] = lanes.c[:, pressed]
 
 
@@ -50,12 +52,14 @@ def _phase(lanes: w.Lanes) -> None:
         return tuple(getattr(formulas, f"{prefix}_{n}")(*(x[k] for x in of), t) for n in names)  # type: ignore[return-value]
 
     x, speed, rate = state(until)
+    fastest = (c[w.PEAK_TIME] == c[w.TIME]) & (np.abs(c[w.PEAK_OMEGA]) == omega)  # at the start, by the same formula
+    c[w.PEAK_RATE] = np.where(fastest, c[w.DIRECTION] * state(np.zeros_like(until))[2], c[w.PEAK_RATE])
     if lanes.samples is not None:
         _read(lanes, until, stops, state)
     c[w.X], c[w.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
     c[w.TIME] = np.where(stops, c[w.TIME] + until, c[w.END_TIME])
     lanes._fastest(c[w.OMEGA], c[w.TIME], c[w.ROTATION] + c[w.DIRECTION] * c[w.X], rate, ~stops & ~endless)
-    lanes.on(stops, w.Lanes.stand)
+    lanes.on(stops, "stand")
     ends = ~stops & ~endless
     for cell, value in ((w.END_ROTATION, c[w.ROTATION] + c[w.DIRECTION] * c[w.X]),
                         (w.END_OMEGA, c[w.DIRECTION] * c[w.OMEGA]), (w.END_RATE, c[w.DIRECTION] * rate)):  # fmt: skip

@@ -64,13 +64,27 @@ class Linker:
                 return x
             case ("mul", ("=0.0", _)) | ("mul", (_, "=0.0")) | ("div", ("=0.0", _)) | ("neg" | "abs", ("=0.0",)):
                 return ZERO
-            case ("select", (_, "=0.0", "=0.0")):
+            case ("select", (_, "=0.0", "=0.0")) | ("less", ("=0.0", "=0.0")):
                 return ZERO
+            case ("select", ("=0.0", _, x)):
+                return x
             case ("sub", ("=0.0", x)) | ("mul", (x, "=-1.0")) | ("mul", ("=-1.0", x)):
                 return self.compute("neg", x, name=name)
             case ("neg", ("=1.0",)):
                 return MINUS
         return self.scalar.setdefault((op, *a), name or f"cell{len(self.scalar)}")
+
+    def origins(self, names: Iterable[str]) -> set[str]:
+        """The cells that come from outside of those that cells are computed of."""
+        todo, found = [*map(self.cell, names)], set[str]()
+        by_name = {name: op for op, name in self.scalar.items()}
+        while todo:
+            name = todo.pop()
+            if name in by_name:
+                todo += by_name.pop(name)[1:]
+            else:
+                found.add(name)
+        return found
 
     # --- registers -----------------------------------------------------------------------------------------------
 

@@ -120,10 +120,6 @@ def join(
     link.cells |= dict.fromkeys(absent, ("set", ZERO)) | {
         f"LIMIT'{j}": ("set", f"limit_0'{j}") for j in range(directions)
     }
-    # The limit friction at the start stands for what drives until something of that has changed.
-    lasts = ("abs", "ROTATION") if "upright" in link.registers else ("set", ZERO)
-    timed = moving or any(FRAGMENTS[name].states for name in effects)
-    link.cells["departed"] = ("set", "TIME") if timed else lasts
     chosen = ("gravity", *effects, *laws, *(x for x in asked if x in FRAGMENTS))
     for quantity in (*QUANTITIES, "mu", *(("slip_mu", "rate_mu") if len(laws) > 1 else ())):
         for part, which in (("_0", 0), ("_size", 1)):
@@ -157,6 +153,10 @@ def _linked(
     roots = [*dict.fromkeys((*read, *asked, *(x + prime for prime in primes for x in read)))]
     link.known |= {x: x for x in fixed}
     link.made |= {x: x for x in rates}
+    # The limit friction given is that of the start, until something has changed of what it depends on.
+    of = link.origins(("driving_0", "resisting_0", "normal_0"))
+    later = "TIME" if of & {*rates, *own} else "SLIP" if "SLIP" in of else "ROTATION" if "ROTATION" in of else ZERO
+    link.cells["departed"] = ("abs" if later == "ROTATION" else "set", later)
     link.keep(roots)
     made = {x: link.register(x) for x in roots}
     still = {d[0] for op, d in link.series.items() if op[0] == "lin" and not op[2]}  # as where the phase began

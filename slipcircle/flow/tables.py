@@ -1,10 +1,12 @@
 """Functions in pieces, as the flow walks them: laws by table, records, pulses, and functions given in Python."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from generated.flow import PIECES
 
 Floats = NDArray[np.float64]
 
@@ -34,11 +36,12 @@ class Data(NamedTuple):
         return np.asarray(self.coefficients[piece].T)
 
 
-def ramp(peak: ArrayLike, residual: ArrayLike) -> Data:
-    """From one value to another over a unit, then exactly the other: the linear law, over its length."""
-    peak, residual = np.broadcast_arrays(*map(np.asarray, (peak, residual)))
-    pieces = np.array([[peak, residual - peak], [residual, 0.0 * residual]], dtype=np.float64)
-    return Data(np.array([0.0, 1.0]), pieces, np.zeros(2))
+def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
+    """A law of slip that is given in pieces, over its scale."""
+    _, breaks, polynomials = PIECES[name]
+    rows = polynomials(**{n: np.asarray(value, dtype=np.float64) for n, value in parameters.items()})
+    found = np.array(np.broadcast_arrays(*(c for row in rows for c in row)))
+    return Data(np.array(breaks), found.reshape(len(rows), -1, *found.shape[1:]), np.zeros(len(rows)))
 
 
 def lines(places: Floats, values: Floats, before: float, after: float) -> Data:

@@ -88,21 +88,19 @@ class Lanes:
             self.program, [t.lanes(k) for t in self.tables], self.c[:, k], self.samples, self.which[k], self.log
         )
 
-    def on(self, mask: Any, do: Any, *args: Any) -> Any:
-        """Do something with some of the lanes, and take over what became of them."""
-        if not np.any(mask):
-            return None
-        part = self.part(mask)
-        found = do(part, *args)
-        if part is not self:
-            self.c[:, mask] = part.c
-        return found
+    def on(self, mask: Any, do: str, *args: Any) -> None:
+        """Let some of the lanes do something, and take over what became of them."""
+        if np.any(mask):
+            part = self.part(mask)
+            getattr(part, do)(*args)
+            if part is not self:
+                self.c[:, mask] = part.c
 
     def round(self) -> None:
         status = self.c[STATUS].copy()
-        self.on(status == START, Lanes.start)
-        self.on(status == MOVING, Lanes.step)
-        self.on(status == RESTING, Lanes.wait)
+        self.on(status == START, "start")
+        self.on(status == MOVING, "step")
+        self.on(status == RESTING, "wait")
         lost = ~np.isfinite(self.c[TIME] + self.c[X] + self.c[OMEGA] + self.c[ROTATION]) & (self.c[STATUS] <= RESTING)
         self.c[STATUS, lost] = FAILED
         self.c[STATUS, (self.c[STEPS] > MOST_STEPS) & (self.c[STATUS] <= RESTING)] = TOO_LONG
@@ -114,8 +112,8 @@ class Lanes:
         c = self.c
         c[DIRECTION] = np.sign(c[OMEGA])
         c[OMEGA] = np.abs(c[OMEGA])
-        self.on(c[OMEGA] > 0.0, Lanes.begin)
-        self.on(c[OMEGA] == 0.0, Lanes.decide)
+        self.on(c[OMEGA] > 0.0, "begin")
+        self.on(c[OMEGA] == 0.0, "decide")
 
     def base(self) -> None:
         """The numbers of a phase that begins where the lane is: pieces of tables, and the prologue."""
@@ -138,9 +136,10 @@ class Lanes:
         c = self.c
         c[STATUS], c[PASSED], c[LIFTED] = MOVING, NOTHING, 0.0
         self.base()
-        if (normal := self.program.roles["normal"]) >= 0:
-            c[LIFTED] = self._series(0)[0][normal, 0] < 0.0
-            self.on(c[LIFTED] > 0.0, Lanes.base)
+        normal = self.program.roles["normal"]
+        presses = c[self.program.roles["cell_normal0"]] if normal < 0 else self._series(0)[0][normal, 0]
+        c[LIFTED] = presses < 0.0
+        self.on(c[LIFTED] > 0.0, "base")
         c[PHASES] += 1.0
         c[TURNS] += c[LAST_WAY] * c[DIRECTION] < 0.0
         c[LAST_WAY] = c[DIRECTION]
@@ -157,12 +156,12 @@ class Lanes:
             net = self._margin(side)
             best = np.where((net > 0.0) & (best == 0.0), side, best)
         c[DIRECTION] = best
-        self.on(best != 0.0, Lanes.begin)
+        self.on(best != 0.0, "begin")
         still = best == 0.0
         waits = still & self._changes()
         c[STATUS, waits] = RESTING
         c[STATUS, still & ~waits] = ARRESTED
-        self.on(still & ~waits, Lanes.rest)
+        self.on(still & ~waits, "rest")
 
     def _margin(self, side: float) -> Floats:
         """The drive less the resistance at rest, in one direction; minus infinity where it may not start that way."""
@@ -183,7 +182,7 @@ class Lanes:
         c[DIRECTION], c[LIFTED] = side, 0.0
         self.base()
         c[LIFTED] = c[self.program.roles["cell_normal0"]] <= 0.0
-        self.on(c[LIFTED] > 0.0, Lanes.base)
+        self.on(c[LIFTED] > 0.0, "base")
 
     def may_start(self, side: float) -> Any:
         """Shaking starts a one-way mass only down-slope, the way in which gravity pulls it where it lies."""
@@ -378,11 +377,13 @@ class Lanes:
         for k in self.timed:
             slot = p.tables[k]
             c[slot.cells + INC] += increment(r[slot.register], tau)
-        self.on(event == 0, Lanes.stand)
+        self.on(event == 0, "stand")
         if 1 <= event.max(initial=-1):
             lifting = event == 1
             c[LIFTED, lifting] = 1.0 - c[LIFTED, lifting]
             self._lift_time(lifting & (c[LIFTED] > 0.0))
+            if lifting[0] and c[LIFTED, 0] == 0.0:
+                self._note(LANDS)
             kinks = event >= 1
             part, rates = self.part(kinks), rate[kinks]
             part.kink(event[kinks], rates)
@@ -401,7 +402,7 @@ class Lanes:
             c[STATUS, ends] = ENDED
         leaps = self._pass_breaks(at_limit & ~ends & going)
         if np.any(leaps) and p.roles["normal"] >= 0:
-            self.on(leaps, Lanes.leapt)
+            self.on(leaps, "leapt")
 
     def _far(self, r: Floats) -> Floats:
         """The end of a step where the motion is a polynomial, of degree two at most as a rule: past its standstill."""
@@ -464,8 +465,8 @@ class Lanes:
         self._note(STANDS)
         c[FIRST_STOP] = np.where(np.isnan(c[FIRST_STOP]), c[TIME], c[FIRST_STOP])
         self._reach(np.ones(c.shape[1], dtype=bool))
-        self.on(c[FIRST_ONLY] == 0.0, Lanes.decide)
-        self.on(c[FIRST_ONLY] > 0.0, Lanes._carried)
+        self.on(c[FIRST_ONLY] == 0.0, "decide")
+        self.on(c[FIRST_ONLY] > 0.0, "_carried")
 
     def _carried(self) -> None:
         """A mass that nothing brings to rest stops its walk at the first standstill where that is so."""
@@ -476,8 +477,8 @@ class Lanes:
         most = np.hypot(p0, ps0)
         never = (c[FIRST_ONLY] == 1.0) | (c[roles["cell_normal0"]] + (most - p0) <= 0.01 * most)
         c[STATUS, never] = STOPPED
-        self.on(never, Lanes.rest)
-        self.on(~never, Lanes.decide)
+        self.on(never, "rest")
+        self.on(~never, "decide")
 
     def kink(self, event: NDArray[np.intp], rate: Floats) -> None:
         """Base the phase anew where it enters a piece of a table, or is lifted or lands."""
@@ -522,12 +523,14 @@ class Lanes:
         self._lift_time(other & lifted)
         c[LIFTED] = lifted
 
-        def again(lanes: "Lanes") -> None:
-            lanes.c[ROTATION] += lanes.c[DIRECTION] * lanes.c[X]
-            lanes.c[SLIP] += lanes.c[X]
-            lanes.base()
+        self.on(other, "rebase")
 
-        self.on(other, again)
+    def rebase(self) -> None:
+        """The phase goes on from where it is."""
+        c = self.c
+        c[ROTATION] += c[DIRECTION] * c[X]
+        c[SLIP] += c[X]
+        self.base()
 
     # --- rest --------------------------------------------------------------------------------------------------------
 
@@ -565,19 +568,20 @@ class Lanes:
         c[STEPS] += 1.0
         c[DIRECTION] = way
         c[STATUS, over] = ARRESTED
-        self.on(over, Lanes.rest)
+        self.on(over, "rest")
         c[TIME] = np.where(over, c[TIME], until)
         self._pass_breaks(~starts & ~over & (c[TIME] >= limit))
         ended = starts & late
         c[STATUS, ended] = ENDED
-        self.on(ended, Lanes.rest)
-
-        def go(lanes: "Lanes", jump: Any) -> None:
-            lanes.begin()
-            lanes.c[lanes.program.roles["cell_drive"], ~jump] = 0.0
+        self.on(ended, "rest")
 
         goes = starts & ~late
-        self.on(goes, go, jumps[goes])
+        self.on(goes, "start_again", jumps[goes])
+
+    def start_again(self, jump: Any) -> None:
+        """A phase from rest, where the margin passes zero: unless that leaps, what drives is zero and no more."""
+        self.begin()
+        self.c[self.program.roles["cell_drive"], ~jump] = 0.0
 
     # --- what is remembered ------------------------------------------------------------------------------------------
 
@@ -632,7 +636,7 @@ class Lanes:
 
     def _lift_time(self, mask: Any) -> None:
         c = self.c
-        if self.log is not None and self.which[0] == 0 and mask[0]:
+        if mask[0]:
             self._note(LIFTS)
         first = mask & np.isnan(c[LIFT_TIME])
         c[LIFT_TIME, first] = c[TIME, first]

@@ -209,7 +209,9 @@ class Motion:
     @cached_property
     def peak(self) -> State:
         rows = (walk.PEAK_ROTATION, walk.PEAK_OMEGA, walk.PEAK_RATE)
-        return self._state(self._of(walk.PEAK_TIME) * self._lanes.bound.time_scale, *map(self._of, rows))
+        last = (self._of(walk.PEAK_TIME) == self._of(walk.END_TIME)) & (self._of(walk.STATUS) == walk.ENDED)
+        time = np.where(last, self._duration, self._of(walk.PEAK_TIME) * self._lanes.bound.time_scale)
+        return self._state(time, *map(self._of, rows))
 
     @cached_property
     def reach(self) -> State:
@@ -227,8 +229,14 @@ class Motion:
     @property
     def lift_off(self) -> tuple[float, ...]:
         """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
-        scale = float(np.ravel(self._lanes.bound.time_scale)[0])
-        return tuple(scale * t for kind, t, _, _ in self._log if kind == walk.LIFTS)
+        scale, found = float(np.ravel(self._lanes.bound.time_scale)[0]), list[float]()
+        lifted, begun = False, -1.0  # as long as it is carried on through standstills it is one lift-off
+        for kind, t, _, _ in self._log:
+            if kind == walk.LIFTS and not lifted and begun != t:
+                found.append(t * scale)
+            begun = t if kind == walk.BEGINS and lifted else -1.0
+            lifted = kind == walk.LIFTS or (lifted and kind == walk.STANDS)
+        return tuple(found)
 
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
