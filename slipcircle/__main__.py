@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 import slipcircle
-from slipcircle import Motion, Scene, load, plan, solve
+from slipcircle import Scene, load, plan, solve
 from slipcircle.base import files
 from slipcircle.files.scenefile import find, shipped
 from slipcircle.motion.quantities import OUTCOMES, plain, record, words
@@ -138,8 +138,8 @@ def _print(found: Any) -> None:
 
 def _run(options: argparse.Namespace) -> None:
     paths = [find(name) for name in options.scenes]
-    asked = {kind: path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
-    files.check("run", {f"--{kind}": path for kind, path in asked.items()}, [str(path) for path in paths])
+    asked = {f"--{kind}": path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
+    files.check("run", asked, [str(path) for path in paths])
     if options.times is not None and not options.csv:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
     if options.plot or options.report:
@@ -148,7 +148,18 @@ def _run(options: argparse.Namespace) -> None:
         pictures.check("run", options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
     motions = [_speaking_of(load(name), solve) for name in options.scenes]
-    for path, content in [(path, _content(kind, path, motions, sources, options)) for kind, path in asked.items()]:
+    made: dict[str, bytes] = {}  # all before the first is written
+    if options.csv:
+        from slipcircle.outputs.trace import csv
+
+        made[options.csv] = csv(motions, options.times).encode()
+    if options.plot:
+        made[options.plot] = pictures.overview(motions, Path(options.plot).suffix[1:].lower())
+    if options.report:
+        from slipcircle.outputs.report import report
+
+        made[options.report] = report(motions, sources, options.line).encode()
+    for path, content in made.items():
         files.write(path, content)
     if options.json:
         _print([record(m) for m in motions])
@@ -172,21 +183,6 @@ def _speaking_of(scene: Scene, work: Callable[[Scene], T]) -> T:
         return work(scene)
     except ValueError as error:
         raise ValueError(f"{scene.name}: {re.sub('end_time(?!_)', 'end_time_s', str(error))}") from error
-
-
-def _content(kind: str, path: str, motions: list[Motion], sources: list[bytes], options: argparse.Namespace) -> bytes:
-    """A file that `run` writes."""
-    if kind == "csv":
-        from slipcircle.outputs.trace import csv
-
-        return csv(motions, options.times).encode()
-    if kind == "plot":
-        from slipcircle.outputs.pictures import overview
-
-        return overview(motions, Path(path).suffix[1:].lower())
-    from slipcircle.outputs.report import report
-
-    return report(motions, sources, options.line).encode()
 
 
 def _times(text: str) -> Any:
