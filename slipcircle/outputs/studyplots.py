@@ -90,7 +90,7 @@ def indices(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
 
 
 def tornado(
-    table: "Sensitivity", output: str = "reach", changes: Mapping[str, float] | None = None, ax: Any = None
+    table: "Sensitivity", output: str = "run_out", changes: Mapping[str, float] | None = None, ax: Any = None
 ) -> Any:
     """How much an output changes, to first order, with a change of each number of a scene; the largest on top.
 

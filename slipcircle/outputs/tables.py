@@ -117,9 +117,9 @@ def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
     """Derivatives as rows of a table, per unit of the key that a scene file has for each parameter."""
     from slipcircle.base.distributions import keys_of
 
-    rows = [["", "", *(shown(found.at[n], 6) for n in found.outputs)]]
+    rows, keys = [["", "", *(shown(found.at[n], 6) for n in found.outputs)]], keys_of()
     for k, name in enumerate(found.parameters):
-        of = keys_of()[name]
+        of = keys[name]
         value = of.from_si(found.at[name])
         cells = []
         for output, slope in zip(found.outputs, found.values[:, k] * of.slope(value), strict=True):
