@@ -160,6 +160,7 @@ class Lanes:
         c[DIRECTION] = best
         self.on(best != 0.0, "begin")
         still = best == 0.0
+        self._lift_time(still & (c[LIFTED] > 0.0))
         waits = still & self._changes()
         c[STATUS, waits] = RESTING
         c[STATUS, still & ~waits] = ARRESTED
@@ -174,7 +175,7 @@ class Lanes:
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
         scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
         # What has just stopped does not go on the way it came: rounding must not say so.
-        allowed = self._allowed(side) & ((c[PASSED] != STOOD) | (c[LAST_WAY] != side))
+        allowed = self.may_start(side) & ((c[PASSED] != STOOD) | (c[LAST_WAY] != side))
         c[CLOSE] = np.where(allowed, np.minimum(c[CLOSE], np.abs(net) / scale), c[CLOSE])
         return np.where(allowed, net, -np.inf)
 
@@ -187,7 +188,7 @@ class Lanes:
         c[LIFTED] = np.where(toggled, lifted, c[self.program.roles["cell_normal0"]] <= 0.0)
         self.on(c[LIFTED] > 0.0, "base")
 
-    def _allowed(self, side: float) -> Any:
+    def may_start(self, side: float) -> Any:
         """Shaking starts a one-way mass only down-slope, the way in which gravity pulls it where it lies."""
         c = self.c
         pulled = c[self.program.roles["cell_f0"]]  # in the direction of this side
@@ -559,7 +560,8 @@ class Lanes:
             r, last = self._series(int(c[ORDER].max()), frozen=True)
             stretch = np.minimum(stretch, self._length(r, last, [net_of]))
             touching = np.abs(r[net_of, 0]) <= 2 * c[p.roles["cell_drive_scale"]]
-            margins.append((side, r[net_of].copy(), self._allowed(side) | np.zeros(c.shape[1], dtype=bool), touching))
+            margins.append((side, r[net_of].copy(), self.may_start(side) | np.zeros(c.shape[1], dtype=bool), touching))
+        self._lift_time(c[LIFTED] > 0.0)
         for side, net, allowed, touching in margins:
             now = allowed & (net[0] > 0.0) & ~touching
             series = -net
