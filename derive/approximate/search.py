@@ -176,7 +176,7 @@ def best(kernel: Kernel) -> Best:
     """The pieces with the least bound and the fewest operations.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
-    Of a base quantity first where it cannot fall at the seam, then elsewhere.
+    Of a base quantity first where it cannot fall at the seam; then elsewhere, where it may fall by an ulp there.
 
     Raises
     ------
@@ -216,7 +216,7 @@ def refined(kernel: Kernel, rising: bool) -> Best | None:
             judge(shape)
     for shape in ranked()[:6]:
         made = [variant(shape, "fused"), variant(shape, "plain")]
-        if kept(made) and not any(falls(v, shape[0].seam) for v in made):
+        if kept(made) and not (rising and any(falls(v, shape[0].seam) for v in made)):
             return shape
     return None
 
