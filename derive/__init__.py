@@ -7,9 +7,11 @@ Nothing here is imported at run time. The stages, in the order in which `python 
 ``rules``, ``remainders``     closed form -> form without cancellation, by named rules, each step proved
 ``minimax``, ``shapes``       closed form -> best polynomials and rationals, in the shapes that are recorded
 ``programs``, ``search``      shapes -> the kernels' programs for each tier of accuracy; and where the shapes come from
-``dynamics``, ``phase``       balance laws -> equation of motion -> its solutions in time and in the phase plane, proved
-``effects``                   what a scene may ask for, declared once as data, and the balance of each combination
-``sensitivity``               derivatives of the closed forms, proved
+``dynamics``                  balance laws -> equation of motion -> its solution in time, proved
+``effects``                   what a scene may ask for, declared once as data
+``growth``                    how the moments of an arc grow with its half angle, proved
+``fragments``, ``lowering``   effects, laws and the balance -> operations on Taylor series: the parts of flow programs
+``series``, ``tangents``      what these operations do, proved, in C and in NumPy; and their derivatives
 ``program``, ``exact``        SymPy expression -> straight-line `Program`, and its value as every machine rounds it
 ``functions``                 the functions of `generated`: each with its program, its domain and its words
 ``emit``, ``emit_c``          `Program` -> NumPy source, and C source of ufunc loops
@@ -48,6 +50,5 @@ It is then a function of `generated` in every tier, each with its certificate, a
 approximants (a minute) and records them. A weight with sin(theta) or cos(theta) names its amplitude too. Other weights
 than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused, or with ``certified=False`` sampled only.
 
-Of an effect the tests ask for the same again in words of their own, its symbols in ``tests/test_specialised.py``, its
-term in ``tests/test_physics.py``.
+Of an effect the tests ask for the same again in words of their own, its term in ``tests/test_physics.py``.
 """

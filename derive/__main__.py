@@ -42,7 +42,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive.algebra import dynamics, integrate, phase, rules, sensitivity
+    from derive.algebra import dynamics, growth, integrate, rules
     from derive.approximate import search, shapes
     from derive.code import write
     from derive.declare.quantities import MOMENTS
@@ -68,11 +68,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
-    timed("phase plane", "solve", "{0} claims proved", lambda: len(phase.prove_energies()))
-    for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
-                        ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
-        timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
-    timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(integrate.closed_forms())))
+    timed("arc", "slopes", "{0} claims proved", lambda: len(growth.prove_arc_growth(integrate.closed_forms())))
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)
 

@@ -179,7 +179,7 @@ CENTRIPETAL: dict[str, Callable[..., mpf]] = {
     "frozen_centripetal_arrest_rotation": arrest_rotation,
 }
 _ZERO = mpf(0)
-# Without the centripetal term b is zero; the drive is what (3.17) says.
+# Without the centripetal term b is zero.
 MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
     "frozen_angular_velocity": lambda a, w, t: angular_velocity(a, mpf(0), w, t),
     "frozen_rotation": lambda a, w, t: rotation(a, mpf(0), w, t),
@@ -189,32 +189,8 @@ MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
 }
 
 
-def _energy(x: mpf, start: mpf, q: mpf, drive: Callable[[mpf], mpf], decay: mpf = _ZERO) -> mpf:
-    """E(x) of E' = 2 drive(x) - q E by quadrature with the integrating factor; split where drive falls at a rate."""
-    splits = [k / decay for k in (1, 10, 100, 1000) if decay * x > k]
-    rate = lambda y: 2 * drive(y) * mpmath.exp(q * (y - x))  # noqa: E731
-    return mpmath.exp(-q * x) * start + mpmath.quad(rate, [0, *splits, x])
-
-
-def _turned(x: mpf, drive: mpf, tilt: mpf, constant: mpf = _ZERO) -> mpf:
-    """The drive of a turning mass at x."""
-    return (drive + constant) * mpmath.cos(x) - tilt * mpmath.sin(x) - constant
-
-
-# Functions of the balance that have a hard case.
-BALANCE: dict[str, Callable[..., mpf]] = {
-    "drive": lambda press, mu, limit: press * limit - press * mu,
-    "normal_pore_pressure": lambda press, level, ratio, pressure: press - ratio * press - level * pressure,
-    "energy": lambda x, e, a, tilt: _energy(x, e, _ZERO, lambda y: _turned(y, a, tilt)),
-    "energy_braked": lambda x, e, a, tilt, b: _energy(x, e, 2 * b, lambda y: _turned(y, a, tilt)),
-    "energy_braked_constant": lambda x, e, a, tilt, k, b: _energy(x, e, 2 * b, lambda y: _turned(y, a, tilt, k)),
-    "energy_softening": lambda x, e, a, tilt, drop, p, press, rise: _energy(
-        x,
-        e,
-        _ZERO,
-        lambda y: _turned(y, a, tilt) - drop * mpmath.expm1(-p * y) * (press * mpmath.cos(y) + rise * mpmath.sin(y)),
-        p,
-    ),
+# Functions of the friction laws that have a hard case.
+LAWS: dict[str, Callable[..., mpf]] = {
     "drop_exponential": lambda slip, more, peak, residual, length: (
         (peak - residual) * (mpmath.exp(-slip / length) - mpmath.exp(-(slip + more) / length))
     ),
@@ -228,7 +204,7 @@ def motion(name: str, *arguments: float) -> Reference | None:
 
     The working precision grows until two of them agree.
     """
-    function = (MOTION | BALANCE)[name]
+    function = (MOTION | LAWS)[name]
     previous: Reference | None = None
     # Small arguments cost as many digits as their product is below 1: log(1 + tiny). None is silently lost.
     start = 120 + sum(int(2 * abs(np.log10(abs(x)))) for x in arguments if x)

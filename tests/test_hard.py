@@ -11,7 +11,7 @@ from test_motion_formulas import BOUND as MOTION_BOUND
 from derive.__main__ import main
 from derive.algebra import dynamics
 from derive.judge.hard import CASES, HardCase, Result, measured, report
-from generated import _compiled, balance, kernels, motion
+from generated import _compiled, kernels, laws, motion
 
 
 @pytest.fixture(scope="module")
@@ -22,9 +22,9 @@ def results() -> list[Result]:
 @pytest.mark.parametrize("case", CASES, ids=lambda c: f"{c.function}{c.arguments}")
 def test_case(case: HardCase) -> None:
     """Within the function's own bound, by quadrature of its definition or by the equation of motion; no warning."""
-    module = next(m for m in (kernels, motion, balance) if case.function in m.__all__)
-    # The bare text of `balance` runs where underflow is silent, as it is by NumPy's default.
-    with np.errstate(all="raise", under="ignore" if module is balance else "raise"):
+    module = next(m for m in (kernels, motion, laws) if case.function in m.__all__)
+    # The bare text of `laws` runs where underflow is silent, as it is by NumPy's default.
+    with np.errstate(all="raise", under="ignore" if module is laws else "raise"):
         value = float(getattr(module, case.function)(*case.arguments))
     if module is not kernels:
         reference = oracle.motion(case.function, *case.arguments)
@@ -39,7 +39,7 @@ def test_case(case: HardCase) -> None:
 
 
 def test_every_kernel_and_motion_formula_has_one() -> None:
-    wanted = {*kernels.__all__, *(f.name for f in dynamics.FORMS), *oracle.BALANCE}
+    wanted = {*kernels.__all__, *(f.name for f in dynamics.FORMS), *oracle.LAWS}
     assert wanted == {c.function for c in CASES}
 
 

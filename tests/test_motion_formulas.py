@@ -11,7 +11,7 @@ import oracle
 import pytest
 from mpmath import mpf
 
-from generated import balance, motion
+from generated import motion
 
 Formula = Callable[..., Any]
 
@@ -211,15 +211,3 @@ def test_it_stands_still_at_the_arrest() -> None:
         assert abs(motion.frozen_centripetal_angular_velocity(a, b, w, time)) <= 8e-16 * (w + abs(a) * time)
         turn = motion.frozen_centripetal_rotation(a, b, w, time)
         np.testing.assert_allclose(turn, motion.frozen_centripetal_arrest_rotation(a, b, w), rtol=1e-14)
-
-
-@pytest.mark.parametrize("braked", [False, True])
-def test_the_state_in_one_is_the_three_formulas_bit_for_bit(braked: bool) -> None:
-    rng = np.random.default_rng(5)
-    a, b, omega_0 = rng.normal(0.0, 0.5, 200), rng.uniform(0.0, 0.5, 200), rng.uniform(0.0, 1.0, 200)
-    t = rng.uniform(0.0, 1.0, 200)
-    given = (a, b, omega_0, t) if braked else (a, omega_0, t)
-    states = (balance.frozen_braked_state if braked else balance.frozen_state)(*given)
-    prefix = "frozen_centripetal" if braked else "frozen"
-    for state, name in zip(states, ("rotation", "angular_velocity", "angular_acceleration"), strict=True):
-        np.testing.assert_array_equal(state, getattr(motion, f"{prefix}_{name}")(*given))

@@ -23,7 +23,6 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicHermiteSpline, PchipInterpolator
 from scipy.optimize import brentq
 
-from generated.effects import COMBINATIONS as EVERY
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Scene, solve
 
@@ -40,7 +39,8 @@ ARCS = {
 }
 # What depends on position, and on speed by its square: the rest is in test_time_scenes.py.
 LATER = {e for e, effect in EFFECTS.items() if {"time", "speed", "history"} & set(effect.depends_on)}
-COMBINATIONS = [c for c in EVERY if not LATER & set(c)]
+STEADY = [e for e in EFFECTS if e not in LATER]
+COMBINATIONS = [c for n in range(len(STEADY) + 1) for c in itertools.combinations(STEADY, n)]
 SLIP_LAWS = [n for n, law in LAWS.items() if not {"time", "speed"} & set(law.depends_on)]
 FRICTIONS = (*SLIP_LAWS, "callable")
 

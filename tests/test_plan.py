@@ -10,8 +10,7 @@ from itertools import combinations, pairwise
 import numpy as np
 import pytest
 
-from generated import balance
-from generated.effects import COMBINATIONS, EFFECTS
+from generated.effects import EFFECTS
 from slipcircle import Scene, load, plan, solve
 from slipcircle.__main__ import main
 from slipcircle.base.series import Series
@@ -91,17 +90,6 @@ def test_a_plan_depends_on_what_is_called_for_never_on_values() -> None:
             )  # fmt: skip
             assert one.effects == effects
             assert set(one.left_out) == set(EFFECTS) - set(effects)
-
-
-def test_its_functions_exist_and_are_of_the_effects_called_for() -> None:
-    for effects in COMBINATIONS:
-        for name in plan(scene(effects)).functions:
-            module, function = name.split(".")
-            assert module == "balance"
-            assert hasattr(balance, function)
-            named = function.replace("thermal_pressurisation", "heat")
-            assert all(e in effects for e in EFFECTS if e in named)
-            assert "heat" not in named or "thermal_pressurisation" in effects
 
 
 def test_none_of_the_methods_imports_scipy() -> None:
@@ -184,9 +172,7 @@ def test_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert [r["added"] for r in found["ladder"]] == ["", "rotation", "centripetal"]
     assert found["ladder"][-1]["run_out"] == pytest.approx(677.3, abs=0.1)
     assert main(["plan", "--all", "--json"]) == 0
-    assert [r["operations"] for r in json.loads(capsys.readouterr().out)] == [
-        str(c.count) for c in COMBINATIONS.values()
-    ]
+    assert len(json.loads(capsys.readouterr().out)) == 2 ** len(EFFECTS)
     assert main(["plan", "--all"]) == 0
     assert max(map(len, capsys.readouterr().out.splitlines())) <= 100
     with pytest.raises(SystemExit, match="2"):

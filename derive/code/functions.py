@@ -1,34 +1,30 @@
 """What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
 
 import re
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from functools import cache
 
 import sympy as sp
 
 from derive.algebra import dynamics
+from derive.algebra.growth import arc_growth
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
-from derive.algebra.phase import CONSTANT, ENERGIES, WATER
 from derive.algebra.remainders import RoundingError
 from derive.algebra.rules import fall, stable
 from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
-from derive.code.program import Program, operations, program
+from derive.code.program import Program, program
 from derive.declare.effects import (
     EFFECTS,
     LAWS,
     MORE,
-    ORDER,
-    PRESS,
     SLIP,
     VALUE,
     Effect,
     Law,
     Parameter,
     formulas,
-    specialised,
 )
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
@@ -212,78 +208,36 @@ def printed() -> list[tuple[Program, str]]:
     ]  # fmt: skip
 
 
+def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+    """How the moments of the arc grow with alpha."""
+    words = "relative slopes of C_theta, C_r, I_p*, lambda, all over Theta*, and of Theta* times alpha"
+    return [(program("arc_growth", ("alpha",), *arc_growth(closed), let=_CLIP), words)]
+
+
 @cache
-def balance() -> tuple[list[tuple[Program, str]], dict[tuple[str, ...], dict[str, str]]]:
-    """The specialised functions with their formulas, and for each combination of effects which it needs."""
-    variants, table = specialised()
-    found = [_specialised(v.name, v.expression, v.what, ORDER) for v in variants.values()]
+def laws() -> list[tuple[Program, str]]:
+    """Each friction law that has a formula and, of a law of slip, how far it falls."""
+    found = []
     for law in LAWS:
         if law.coefficient is not None:
-            order = ("slip", "more", "speed", *(p.name for p in law.parameters))
-            found.append(_specialised(f"friction_{law.name}", law.coefficient, f"friction: {law.help}", order))
+            found.append(_law(f"friction_{law.name}", law, law.coefficient, f"friction: {law.help}"))
             if "slip" in law.depends_on:
                 drop = fall(law.coefficient, SLIP, MORE)
-                found.append(_specialised(f"drop_{law.name}", drop, "its fall over `more` slip, from `slip`", order))
-    known = {v.name for v in variants.values()}
-    for chosen, served in table.items():
-        if "rotation" not in chosen or {"damping", "fall", "pressurisation"} & set(served):
-            continue  # E obeys no linear equation in the rotation, or not alone
-        absent = {} if "constant" in served else {CONSTANT: 0}
-        absent |= {} if variants[served["normal"]].expression.subs(PRESS, 0) else {WATER: 0}
-        for energy in ENERGIES:
-            if energy.braked != ("brake" in served):
-                continue
-            gone = [
-                n
-                for n, x in (("constant", CONSTANT), ("water", WATER))
-                if x in absent or x not in energy.form.free_symbols
-            ]
-            name = "_".join((energy.name, *(n for n in ("constant", "water") if n not in gone)))
-            served["energy_softening" if "softening" in energy.name else "energy"] = name
-            if name not in known:
-                known.add(name)
-                found.append(_specialised(name, energy.form.subs(absent), energy.help, ENERGY_ORDER))
-    return found + [_state("frozen", "frozen_state"), _state("frozen_centripetal", "frozen_braked_state")], table
+                found.append(_law(f"drop_{law.name}", law, drop, "its fall over `more` slip, from `slip`"))
+    return found
 
 
-def _state(prefix: str, name: str) -> tuple[Program, str]:
-    """Rotation, angular velocity and acceleration of a frozen slide in one: they share most of their parts."""
-    forms = [f for f in dynamics.FORMS if f.name in [f"{prefix}_{n}" for n in STATE]]
-    forms.sort(key=lambda f: STATE.index(f.name.removeprefix(f"{prefix}_")))
-    let = {symbol: value for f in forms for symbol, value in f.let.items()}
-    names = tuple(x.name for x in forms[0].inputs)
-    return program(name, names, *(f.result for f in forms), let=let), "rotation, velocity and acceleration at a time"
-
-
-STATE = ("rotation", "angular_velocity", "angular_acceleration")
-ENERGY_ORDER = ("x", "start", "drive", "tilt", "constant", "brake", "drop", "decay", "press", "press_rise", "water")
-
-
-def _specialised(name: str, expression: sp.Expr, words: str, order: tuple[str, ...]) -> tuple[Program, str]:
-    known = (*order, "limit_friction")
-    names = tuple(sorted((x.name for x in expression.free_symbols), key=known.index))
-    return program(name, names, expression), words
+def _law(name: str, law: Law, form: sp.Expr, words: str) -> tuple[Program, str]:
+    order = ("slip", "more", "speed", *(p.name for p in law.parameters))
+    return program(name, tuple(sorted((x.name for x in form.free_symbols), key=order.index)), form), words
 
 
 def effects_module() -> str:
-    """The runtime half of the effects: plain data, and which functions serve which combination."""
-    programs, table = balance()
-    by_name = {p.name: p for p, _ in programs}
-    arguments = [f"    {n!r}: {p.inputs!r}," for n, p in sorted(by_name.items())]
+    """The runtime half of the effects: plain data."""
     return _EFFECTS_HEAD + "\n".join([
         "LAWS = {", *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS), "}", "",
         "EFFECTS = {", *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS), "}", "",
-        "# Arguments of the functions in `generated.balance`.",
-        "ARGUMENTS: dict[str, tuple[str, ...]] = {", *arguments, "}", "",
-        "# Functions of each combination of effects, and the operations of one evaluation of all of them.",
-        "COMBINATIONS = {", *(f"    {c!r}: {_combination(f, by_name)}," for c, f in table.items()), "}", "",
     ])  # fmt: skip
-
-
-def _combination(served: dict[str, str], programs: dict[str, Program]) -> str:
-    counted = [programs[n] for what, n in served.items() if what != "energy_softening"]
-    total: Counter[str] = sum((p.operations() for p in counted), start=Counter())
-    return f"Combination({served!r}, {sum(total.values())}, {operations(total)!r})"
 
 
 def _effect(e: Effect | Law, kind: str) -> str:
@@ -307,7 +261,7 @@ def _bound(value: float) -> str:
     return {float("inf"): "INFINITY", float("-inf"): "-INFINITY"}.get(value, repr(value))
 
 
-_EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for, and the functions that serve them."""
+_EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -361,15 +315,6 @@ class Effect:
     turns: bool
     any_of: tuple[str, ...] = ()
     formulas: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Combination:
-    """Functions in `generated.balance` of a combination of effects, by what they give, and their operations."""
-
-    functions: Mapping[str, str]
-    count: int
-    operations: str
 
 
 '''

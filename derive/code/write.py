@@ -10,7 +10,6 @@ from pathlib import Path
 
 import sympy as sp
 
-from derive.algebra import sensitivity
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import variants
@@ -27,9 +26,9 @@ TEMPLATES = Path(__file__).resolve().parent / "templates"
 MEND = "python -m derive"
 KERNELS = "Moments, weights and quotients of the arc, from their definitions."
 MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
-BALANCE = "The balance of momentum and the energy in the phase plane, specialised to the effects that are present."
+GROWTH = "How the moments of an arc grow with its half angle."
+LAWS = "The friction laws that have a formula, and how far they fall over a slip."
 STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
-SENSITIVITY = "Derivatives of the closed forms, of the balance and of the arc: what a small change makes of them."
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
@@ -41,16 +40,16 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "definitions.py": definitions_module(closed),
         "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
-        "balance.py": emit.plain_module(BALANCE, functions.balance()[0]),
         "effects.py": functions.effects_module(),
         "flow.py": flow.module(),
+        "growth.py": emit.plain_module(GROWTH, functions.growth(closed)),
         "kernels.py": emit.module(KERNELS, kernels),
+        "laws.py": emit.plain_module(LAWS, functions.laws()),
         "motion.py": emit.module(MOTION, motion),
         "_flow.c": walk_source(),
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
         "series.py": series.numpy_text(),
-        "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs(closed)),
         "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),

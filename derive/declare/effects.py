@@ -1,16 +1,13 @@
 """What a scene may ask for, declared once as data: friction laws, and effects as terms of the balance of momentum.
 
-A new effect is one more `Effect` here. From it follow the specialised functions (`specialised`), the runtime half
-(names, units, bounds, help, conversions) in `generated/effects.py`, and with that scenes, plans, schema and help.
+A new effect is one more `Effect` here. From it follow its part of the flow programs (`derive.flow.fragments`), the
+runtime half (names, units, bounds, help, conversions) in `generated/effects.py`, and with that scenes, plans, schema
+and help.
 """
 
 from dataclasses import dataclass
-from functools import cache
-from itertools import combinations
 
 import sympy as sp
-
-from derive.algebra.prove import prove_zero
 
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
@@ -20,7 +17,6 @@ THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
 # polar = I_p*/Theta*; fall_slope and press_slope are their derivatives by psi.
 FALL, PRESS, LEVEL, POLAR = sp.symbols("fall press level polar", real=True)
 FALL_SLOPE, PRESS_SLOPE = sp.symbols("fall_slope press_slope", real=True)
-STATIC_LIMIT = sp.Symbol("static_limit", real=True)  # fall/press, in one number: J_theta/J_r (3.21)
 # What parameters are converted with: half angle, gravity, radius, density, Theta*, the reference stress (2.13).
 ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, VALUE = sp.symbols(
     "half_angle gravity radius density reference_stress value", real=True
@@ -256,109 +252,5 @@ def formulas(effect: Effect) -> tuple[str, ...]:
     return (*found, *(f"{s}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}" for s, p in scaled.items()))
 
 
-@dataclass(frozen=True)
-class Variant:
-    """A function of the balance, with the terms of the effects that it needs and no others."""
-
-    what: str
-    effects: tuple[str, ...]
-    expression: sp.Expr
-
-    @property
-    def name(self) -> str:
-        """Of the generated function."""
-        return "_".join((self.what, *self.effects))
-
-
-# Order of arguments: the position, what every scene has, then what each effect brings.
-ORDER = (
-    *("static_limit", "fall", "press", "fall_slope", "press_slope", "level", "polar", "mu", "omega", "omega_2"),
-    *(x.name for e in EFFECTS for x in (*(p.symbol for p in e.parameters), *e.given) if x is not None),
-)
-
-
-@cache
-def terms(chosen: tuple[Effect, ...]) -> dict[str, sp.Expr]:
-    """The balance with the chosen effects, split into what the methods need; all over Theta*.
-
-    The drive is written with the limit friction, normal (mu_eq - mu), so that the decision whether the mass moves and
-    the size of its drive come from one number.
-    """
-    over_theta = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, A: POLAR / LEVEL}
-
-    def scaled(e: sp.Expr) -> sp.Expr:
-        return sp.expand(sp.expand(e.subs(over_theta)))
-
-    stress = (J_R + sum(e.press for e in chosen)) / LAMBDA + sum(e.stress for e in chosen)
-    effective = stress - sum(e.pressure for e in chosen)
-    drives = J_THETA + sum(e.fall for e in chosen)
-    rate = scaled((drives - sum(e.resistance for e in chosen) - LAMBDA * MU * effective) / THETA)
-    effective, stress, fall = scaled(effective), scaled(stress), scaled(drives / THETA)
-    start, brake, damping = rate.subs({OMEGA: 0, OMEGA_2: 0}), -rate.coeff(OMEGA_2, 1), -rate.coeff(OMEGA, 1)
-    _prove(rate - (start - brake * OMEGA_2 - damping * OMEGA), "the rate is linear in omega**2 and omega")
-    normal = sp.collect(sp.expand(LEVEL * effective.coeff(OMEGA_2, 0)), PRESS)
-    # The limit friction is one number, and the drive is made of it: normal (limit - mu), with normal limit in full.
-    _prove(start.coeff(MU, 0) - normal * MU - start, "the drive, written with the limit friction")
-    tilt = sum(sp.diff(start, x) * slope for x, slope in BY_PSI.items())
-    tilt = sp.collect(sp.expand(tilt), (FALL_SLOPE, PRESS_SLOPE, FALL, PRESS), lambda e: sp.collect(e, MU))
-    still = dict.fromkeys(BY_PSI, 0)
-    constant = sp.factor(-start.subs(still))
-    dynamic = sp.expand(effective * LEVEL - normal)
-    static = stress.coeff(OMEGA_2, 0)
-    _prove(dynamic - sp.expand((stress - static) * LEVEL), "water changes the static stress only")
-    constant_resistance = sp.expand(-start.subs(still | {MU: 0}))
-    growing = sp.expand(brake.subs(MU, 0) * OMEGA_2 + damping * OMEGA)
-    _prove(constant_resistance + MU * (normal + dynamic) + growing - (fall - rate), "the resistance")
-    effective = (normal + dynamic) / LEVEL
-    return {
-        "normal": normal,
-        "limit_friction": (start.coeff(MU, 0).subs(FALL, STATIC_LIMIT * PRESS)) / normal,
-        "drive": normal * (sp.Symbol("limit_friction", real=True) - MU),
-        "fall": sp.collect(fall, FALL) if fall != FALL else sp.Integer(0),
-        "brake": brake,
-        "damping": damping,
-        "tilt": tilt,
-        "constant": constant,
-        "resistance": constant_resistance + MU * (normal + dynamic) + growing,
-        "effective_stress": effective,
-        "normal_stress": (sp.collect(sp.expand(static * LEVEL), PRESS) + dynamic) / LEVEL,
-        "pressurisation": sum((e.growth for e in chosen), sp.Integer(0)).subs(EFFECTIVE, effective),
-    }
-
-
-def _prove(zero: sp.Expr, claim: str) -> None:
-    """Polynomials, as these are, mostly vanish when they are expanded."""
-    if sp.expand(zero) != 0:
-        prove_zero(zero, claim)
-
-
 # The derivatives by psi of what turns with the mass.
 BY_PSI = {FALL: FALL_SLOPE, PRESS: PRESS_SLOPE, FALL_SLOPE: -FALL, PRESS_SLOPE: -PRESS}
-
-
-def specialised() -> tuple[dict[str, Variant], dict[tuple[str, ...], dict[str, str]]]:
-    """The distinct functions by name, and for each combination of effects the name of each of its functions.
-
-    A function is named after the effects whose terms are left in it, so combinations share what they have in common.
-    """
-    variants: dict[str, Variant] = {}
-    table: dict[tuple[str, ...], dict[str, str]] = {}
-    symbols = {e.name: _symbols(e) for e in EFFECTS}
-    for count in range(len(EFFECTS) + 1):
-        for chosen in combinations(EFFECTS, count):
-            served = {}
-            for what, expression in terms(tuple(e for e in chosen if not e.turns)).items():
-                if expression == 0 or (what == "tilt" and not any(e.turns for e in chosen)):
-                    continue
-                present = tuple(e.name for e in chosen if symbols[e.name] & expression.free_symbols)
-                variant = Variant(what, present, expression)
-                variants.setdefault(variant.name, variant)
-                served[what] = variant.name
-            table[tuple(e.name for e in chosen)] = served
-    return variants, table
-
-
-def _symbols(effect: Effect) -> set[sp.Symbol]:
-    """What shows that an effect's term is present: its parameters, or omega**2's coefficient where it has none."""
-    own = {p.symbol for p in effect.parameters if p.symbol is not None} | set(effect.given)
-    return own or ((effect.stress + effect.resistance).free_symbols and {POLAR})

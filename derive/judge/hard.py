@@ -16,7 +16,6 @@ import numpy as np
 import sympy as sp
 
 from derive.algebra.integrate import PSI, closed_forms, derive
-from derive.algebra.phase import BRAKE, CONSTANT, DECAY, DRIVE, DROP, PRESS, PRESS_RISE, START, TILT, X
 from derive.check import measure
 from derive.code import functions
 from derive.code.program import Program, program
@@ -119,25 +118,6 @@ CASES = (
              "omega = 0 in (3.20)"),
     HardCase("frozen_centripetal_arrest_rotation", (-0.1, 1e-17, 0.2), "b -> 0: the logarithm of nearly 1, over b",
              "(4.3) at the arrest"),
-    HardCase("drive", (1.2, 0.41919999999999996, 0.4192), "friction an ulp below its limit",
-             "(J_theta - J_r mu)/Theta*"),
-    HardCase("drive", (1.2, 0.4192 * (1 - 1e-12), 0.4192), "friction just below its limit",
-             "(J_theta - J_r mu)/Theta*"),
-    HardCase("drive", (1.2, 0.41920000000000007, 0.4192), "friction an ulp above its limit",
-             "(J_theta - J_r mu)/Theta*"),
-    HardCase("normal_pore_pressure", (1.1, 0.9, 1 - 2.0**-50, 0.0), "r_u of nearly 1", "J_r - r_u J_r"),
-    HardCase("energy_braked", (1e-7, 0.0, 1.1e-7, 1.1, 0.2), "the peak of a slide next to its limit",
-             "P(x) - P(0) exp(-qx), the textbook solution"),
-    HardCase("energy_braked", (1e-9, 0.0, 0.24, 1.0, 1e6), "drag so strong that the speed follows at once",
-             "P(x) - P(0) exp(-qx), the textbook solution"),
-    HardCase("energy_braked_constant", (0.2, 0.0, 0.2, 1.0, 0.1, 1e-14), "cohesion, and hardly any brake: constant/q",
-             "P(x) - P(0) exp(-qx), the textbook solution"),
-    HardCase("energy", (1e-7, 0.0, 1.1e-7, 1.1), "the peak of a slide next to its limit",
-             "S sin x - B (1 - cos x)"),
-    HardCase("energy_softening", (1e-3, 0.0, 1e-6, 1.1, 0.2, 1e-9, 0.9, 0.4), "softening over 1e12 m",
-             "its integrals, each by itself"),
-    HardCase("energy_softening", (1e-14, 0.0, 0.01, 1.1, 0.2, 1e15, 0.9, 0.4), "softening over 1e-12 m",
-             "its integrals, each by itself"),
     HardCase("drop_exponential", (0.0, 1e-9, 0.41, 0.18, 1.0), "the first nanometre of slip",
              "mu(slip) - mu(slip + more)"),
 )  # fmt: skip
@@ -176,17 +156,11 @@ def _forms() -> dict[str, Forms]:
             inputs = ours[full].inputs
             naive = program(full, inputs, form, let={} if "b" in inputs else {b: sp.Integer(0)})
             found[full] = Forms(ours[full], naive, exact)
-    limit, mu, press = sp.symbols("limit_friction mu press", real=True)
-    drive = next(p for p, _ in functions.balance()[0] if p.name == "drive")
-    found["drive"] = Forms(drive, program("drive", drive.inputs, limit * press - press * mu), press * (limit - mu))
-    ours = {p.name: p for p, _ in functions.balance()[0]}
-    ratio = sp.Symbol("pore_ratio", real=True)
-    normal = ours["normal_pore_pressure"]
-    level, pressure = sp.symbols("level pore_pressure", real=True)
-    water = press - ratio * press - level * pressure
-    found[normal.name] = Forms(normal, program(normal.name, normal.inputs, water), water)
-    for name, form in _phase_plane().items():
-        found[name] = Forms(ours[name], program(name, ours[name].inputs, form), form)
+    slip, more, peak, residual, length = sp.symbols("slip more peak residual length", real=True)
+    law = residual + (peak - residual) * sp.exp(-slip / length)
+    drop = next(p for p, _ in functions.laws() if p.name == "drop_exponential")
+    fallen = law - law.subs(slip, slip + more)
+    found[drop.name] = Forms(drop, program(drop.name, drop.inputs, fallen), fallen)
     return found
 
 
@@ -196,27 +170,6 @@ def _terms(closed: sp.Expr) -> sp.Expr:
     form = sp.expand_trig(closed).subs(sp.atanh(sp.sin(alpha)), h).subs({sp.sin(alpha): s, sp.cos(alpha): c})
     form = sp.expand(sp.rem(sp.expand(form), s**2 + c**2 - 1, s))
     return form.subs({h: sp.atanh(sp.sin(alpha)), s: sp.sin(alpha), c: sp.cos(alpha)})
-
-
-def _phase_plane() -> dict[str, sp.Expr]:
-    """Textbook forms of the energy in the phase plane, and of friction's fall, by name."""
-    x, s, c, q = X, sp.sin(X), sp.cos(X), 2 * BRAKE
-    turning = DRIVE + CONSTANT
-    steady = 2 * ((q * turning + TILT) * c + (turning - q * TILT) * s) / (1 + q**2) - 2 * CONSTANT / q
-    braked = steady + (START - steady.subs(x, 0)) * sp.exp(-q * x)
-    plain = START + 2 * (DRIVE * s - TILT * (1 - c))
-    p, rest = DECAY, sp.exp(-DECAY * x)
-    along = s - (p - rest * (p * c - s)) / (1 + p**2)
-    across = 1 - c - (1 - rest * (p * s + c)) / (1 + p**2)
-    slip, more, peak, residual, length = sp.symbols("slip more peak residual length", real=True)
-    law = residual + (peak - residual) * sp.exp(-slip / length)
-    return {
-        "energy": plain,
-        "energy_braked": braked.subs(CONSTANT, 0),
-        "energy_braked_constant": braked,
-        "energy_softening": plain + 2 * DROP * (PRESS * along + PRESS_RISE * across),
-        "drop_exponential": law - law.subs(slip, slip + more),
-    }
 
 
 def _motion() -> dict[str, tuple[sp.Expr, sp.Expr]]:

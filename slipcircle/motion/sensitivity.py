@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import sensitivity as slopes
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
+from generated.growth import arc_growth
 from slipcircle.flow import walk as w
 from slipcircle.flow.bind import law_parts
 from slipcircle.flow.polynomials import value
@@ -111,7 +111,7 @@ class _Seeds:
         dip_dot = -(self.one("theta_1") + self.one("theta_2")) / 2
         radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
-        weight, radial, polar, level, inertia = (float(g) for g in slopes.arc_growth(alpha))
+        weight, radial, polar, level, inertia = (float(g) for g in arc_growth(alpha))
         self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
         c, at = lanes.bound.cells[:, 0], {n: k for k, n in enumerate(lanes.bound.program.cells)}
         fall, press, fall_slope, press_slope = (float(c[at[n]]) for n in _COMPONENTS)

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import balance
+from generated import laws
 from generated.effects import LAWS
 from slipcircle.base.checks import mistakes, number
 
@@ -169,7 +169,7 @@ def _named(given: Mapping[str, Any]) -> Friction:
         place, values = (np.asarray(given[p.name], dtype=float) for p in law.parameters)
         return _tabulated(name, place, values, parameters)
     numbers = {k: v if np.ndim(v) else float(v) for k, v in parameters.items()}
-    formula = getattr(balance, f"friction_{name}")
+    formula = getattr(laws, f"friction_{name}")
     if law.depends_on == ("speed",):
         return Friction(
             name,
@@ -180,7 +180,7 @@ def _named(given: Mapping[str, Any]) -> Friction:
             numbers,
             law.depends_on,
         )
-    drop = getattr(balance, f"drop_{name}")
+    drop = getattr(laws, f"drop_{name}")
     rises = numbers["peak"] < numbers["residual"]  # what it rises by is added, or a low start is lost in a high end
 
     def coefficient(s: Any, v: Any = 0.0, t: Any = 0.0) -> Any:
