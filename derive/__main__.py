@@ -43,11 +43,11 @@ def derive_all(anew: bool = False) -> dict[str, str]:
         If a step of the derivation does not hold.
     """
     from derive.algebra import dynamics, growth, integrate, rules
+    from derive.algebra.appendices import APPENDICES, reduction
     from derive.approximate import search, shapes
-    from derive.code import write
     from derive.declare.quantities import MOMENTS
     from derive.flow import operations
-    from derive.judge.appendices import APPENDICES, reduction
+    from derive.generate import write
 
     for moment in MOMENTS:
         told = "operations {0.operations[0]} -> {0.operations[1]}"
@@ -120,7 +120,7 @@ def main(argv: list[str] | None = None) -> int:
         print(hard_report("json" if options.json else "table"))
         return 0
     from derive.approximate import shapes
-    from derive.code import write
+    from derive.generate import write
 
     start = time.perf_counter()
     try:

@@ -12,10 +12,7 @@ import mpmath as mp
 import pytest
 import sympy as sp
 
-from derive.algebra.integrate import quadrature
-from derive.check.proof import ProofError
-from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
-from derive.judge.appendices import (
+from derive.algebra.appendices import (
     APPENDICES,
     APPENDIX_I,
     APPENDIX_II,
@@ -29,6 +26,9 @@ from derive.judge.appendices import (
     simplify,
     unreadable,
 )
+from derive.algebra.integrate import quadrature
+from derive.check.proof import ProofError
+from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
 
 ROOT = Path(__file__).parents[1]
 each = pytest.mark.parametrize("appendix", APPENDICES, ids=lambda appendix: appendix.name)
@@ -234,7 +234,7 @@ def test_real_arithmetic(appendix: Appendix, start: str, end: str, fails: bool) 
 
 def test_same_output_under_any_hash_seed() -> None:
     code = (
-        "from derive.judge.appendices import *\n"
+        "from derive.algebra.appendices import *\n"
         "for a in APPENDICES:\n"
         "    p = simplify(a)\n"
         "    print(parse(a), p.expression, p.integrand, p.steps, real_arithmetic_fails(a), sep='\\n')\n"

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from derive.approximate import search
 from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import HALF_PI, kernels, records
-from derive.check import exact, measure
 from derive.check.records import TIERS
-from derive.code import arithmetic
+from derive.code import arithmetic, exact, measure
 from derive.code.program import Op
 
 Floats = NDArray[np.float64]

@@ -18,10 +18,11 @@ from flint import arb, ctx
 
 from derive.approximate import certificates
 from derive.approximate.programs import Variant, variants
-from derive.check import certify, exact, proof, records, rounding, table, truth
+from derive.check import certify, proof, records, rounding, table, truth
 from derive.check.proof import ProofError
 from derive.check.records import Record, digest, read
 from derive.check.truth import SEGMENTS, TOP
+from derive.code import exact
 
 RECORDS = read()
 DEFINITIONS = {r["kernel"]: tuple(r["definition"]) for r in RECORDS}

@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 
 from derive import build
 from derive.approximate.programs import Variant, variants
-from derive.check import exact
-from derive.code import emit_c, write
+from derive.code import exact
 from derive.code.text import seam
+from derive.generate import emit_c, write
 from generated import _compiled, kernels
 
 Floats = NDArray[np.float64]

@@ -8,9 +8,9 @@ from mpmath import mpf
 from derive.algebra import dynamics
 from derive.algebra.integrate import PSI, closed_forms, compare, derive, quadrature
 from derive.algebra.remainders import unfold
-from derive.code import functions
 from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
 from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1
+from derive.generate import functions
 
 each_moment = pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 DIGITS = 40

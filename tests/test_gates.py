@@ -18,10 +18,10 @@ from derive.approximate.shapes import Kernel
 from derive.check import certify, truth
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, read
-from derive.code import emit_c, write
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS, RESISTANCE, Moment
 from derive.declare.symbols import alpha, r, theta
+from derive.generate import emit_c, write
 
 # Quantity, check, the number found and the number wanted.
 SENTENCE = r"^{}: .*{}.*: found \S.*, wanted \S.*$"

@@ -18,7 +18,7 @@ import pytest
 
 import generated
 from derive.__main__ import derive_all, main
-from derive.code import write
+from derive.generate import write
 from generated import kernels, motion
 
 Function = Callable[..., Any]

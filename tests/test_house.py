@@ -5,7 +5,8 @@ import os
 import subprocess
 import sys
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -115,6 +116,74 @@ def test_imports_go_one_way(package: str) -> None:
 )
 def test_the_import_rule_sees(package: str, source: str, names: set[str]) -> None:
     assert forbidden(package, source) == names
+
+
+# Folders and modules of each package, from what needs nothing of it to what nothing in it needs.
+LAYERS = {
+    "derive": (
+        *("__init__", "check", "declare", "algebra", "code", "approximate", "flow", "generate", "judge"),
+        *("build", "build_hook", "__main__"),
+    ),
+    "generated": (
+        *("definitions", "effects", "flow", "laws", "series", "tiers", "_evaluate", "_compiled"),
+        *("growth", "kernels", "motion", "printed", "stable", "__init__"),
+    ),
+    "slipcircle": (
+        *("base", "records", "scene", "flow", "motion", "files", "studies", "__init__", "outputs", "cost"),
+        "__main__",
+    ),
+}
+
+
+def inner(name: str, source: str, known: Collection[str]) -> set[str]:
+    """The modules among the known ones that a module imports, wherever in its text; a folder's own are its contents."""
+    found = set()
+    for node in ast.walk(ast.parse(source)):
+        match node:
+            case ast.Import(names=names):
+                found |= {alias.name for alias in names}
+            case ast.ImportFrom(module=str(module), names=names, level=0):
+                of = {f"{module}.{alias.name}" for alias in names}
+                found |= of & set(known) if of <= set(known) else of | {module}
+    return found & set(known) - {name}
+
+
+def graph(package: str) -> dict[str, set[str]]:
+    """What each module of a package imports of it."""
+    text = {}
+    for path in sources(package):
+        name = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+        text[name.removesuffix(".__init__")] = path.read_text("utf-8")
+    return {name: inner(name, source, text) for name, source in text.items()}
+
+
+def layer(name: str) -> int:
+    """The place of a module in its package's layers."""
+    package, _, rest = name.partition(".")
+    return LAYERS[package].index(rest.partition(".")[0] or "__init__")
+
+
+@pytest.mark.parametrize("package", LAYERS)
+def test_imports_go_down_the_layers_without_a_circle(package: str) -> None:
+    """Lazy and typing imports included."""
+    found = graph(package)
+    assert not [f"{name} imports {x}" for name, of in found.items() for x in of if layer(x) > layer(name)]
+    TopologicalSorter(found).prepare()  # CycleError names a circle
+
+
+@pytest.mark.parametrize(
+    ("source", "wanted"),
+    [
+        ("def late():\n    from derive.judge import verify", {"derive.judge.verify"}),
+        ("if TYPE_CHECKING:\n    from derive.judge.verify import report", {"derive.judge.verify"}),
+        ("import derive.code.emit, numpy", {"derive.code.emit"}),
+        ("from derive.code.emit import TEMPLATES as verify", {"derive.code.emit"}),
+        ("from derive.judge import verify, words", {"derive.judge", "derive.judge.verify"}),
+    ],
+)
+def test_the_layers_see(source: str, wanted: set[str]) -> None:
+    known = {"derive", "derive.judge", "derive.judge.verify", "derive.code.emit", "derive.code.write"}
+    assert inner("derive.code.write", source, known) == wanted
 
 
 @pytest.mark.parametrize("package", ["generated", "slipcircle"])

@@ -17,10 +17,10 @@ import test_motion_formulas
 from derive.algebra import dynamics, integrate, rules
 from derive.algebra.integrate import PSI, Derivation
 from derive.check.proof import ProofError
-from derive.code import write
 from derive.declare import quantities
 from derive.declare.quantities import MOMENTS
 from derive.declare.symbols import a, alpha, omega_0, r
+from derive.generate import write
 from generated import kernels
 
 FOLDER = test_generated.FOLDER

@@ -9,8 +9,8 @@ from mpmath import mpf
 from derive.algebra import rules
 from derive.algebra.integrate import derive
 from derive.algebra.remainders import Expm1, Log1p, Remainder, sinhc, taylor, unfold
-from derive.check import measure
 from derive.check.proof import ProofError
+from derive.code import measure
 from derive.code.program import program
 from derive.declare.quantities import Moment
 from derive.declare.symbols import alpha, r, t, theta

@@ -17,8 +17,9 @@ from derive.approximate.programs import variants
 from derive.approximate.shapes import kernels as kernels_of_alpha
 from derive.approximate.shapes import limit as limit_at_0
 from derive.approximate.shapes import near_fit, records
-from derive.check import exact, truth
+from derive.check import truth
 from derive.check.truth import TOP
+from derive.code import exact
 from derive.code.program import Op, Program
 from generated import _compiled, kernels
 

@@ -10,9 +10,10 @@ import sympy as sp
 from derive.algebra.remainders import Horner, Select
 from derive.approximate.programs import variants
 from derive.check.proof import ProofError
-from derive.code import emit, emit_c, operations, text
+from derive.code import emit, operations, text
 from derive.code.program import program
 from derive.declare.symbols import a, alpha, omega_0, t
+from derive.generate import emit_c
 
 FITTED = [v for v in variants() if v.form != "numpy"]
 

@@ -14,10 +14,10 @@ import mpmath as mp
 import pytest
 import sympy as sp
 
+from derive.algebra.appendices import mended_text
 from derive.check.proof import ProofError
 from derive.judge import postulates, verify
 from derive.judge import section as s
-from derive.judge.appendices import mended_text
 from derive.judge.paper import CLAIMS, VERDICTS, Claim
 from derive.judge.verify import KEYS, SIMPLY, Row, judge, report, rows
 

@@ -13,9 +13,10 @@ import numpy as np
 from flint import arb, ctx
 
 from derive.approximate.programs import Variant
-from derive.check import certify, exact, truth
+from derive.check import certify, truth
 from derive.check.certify import Worst
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
+from derive.code import exact
 from derive.code.arithmetic import Floats
 
 

@@ -1,1 +1,1 @@
-"""From expressions to programs, and from programs to the text of `generated`."""
+"""From expressions to programs; what a program gives as every machine rounds it; and the text of programs."""

@@ -68,7 +68,8 @@ class PythonText:
         return text
 
 
-HELPERS = runpy.run_path(str(Path(__file__).resolve().parent / "templates" / "_evaluate.py"))
+TEMPLATES = Path(__file__).resolve().parent / "templates"
+HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
 def function(f: Function, text: PythonText) -> str:

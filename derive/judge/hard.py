@@ -16,11 +16,11 @@ import numpy as np
 import sympy as sp
 
 from derive.algebra.integrate import PSI, closed_forms, derive
-from derive.check import measure
-from derive.code import functions
+from derive.code import measure
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
+from derive.generate import functions
 
 
 @dataclass(frozen=True)

@@ -14,12 +14,12 @@ from typing import Any, Literal
 import mpmath as mp
 import sympy as sp
 
+from derive.algebra.appendices import APPENDIX_I, APPENDIX_II, Appendix
 from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
 from derive.declare.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2
 from derive.judge import mechanics as m
 from derive.judge import postulates
 from derive.judge import section as s
-from derive.judge.appendices import APPENDIX_I, APPENDIX_II, Appendix
 
 VERDICTS = {
     "holds": "the form is proved equal to what precedes it, or every value lies where it is said to lie",

@@ -12,13 +12,13 @@ from typing import Any
 import mpmath as mp
 import sympy as sp
 
+from derive.algebra.appendices import APPENDIX_II, simplify
 from derive.algebra.dynamics import R
 from derive.algebra.integrate import PSI, Derivation, derive, quadrature
 from derive.check.proof import ProofError
 from derive.declare.quantities import MOMENTS
 from derive.declare.symbols import alpha, theta_m
 from derive.judge import mechanics
-from derive.judge.appendices import APPENDIX_II, simplify
 
 # Table 2-1 in m, kN/m^3 and degrees; the residual friction angle, and the seconds that section 4 shows.
 GIVEN = {"R": "1492.6", "gamma": "20", "theta_10": "215.2", "theta_20": "276.9", "phi_res": "10", "span": "30"}

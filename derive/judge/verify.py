@@ -20,6 +20,7 @@ import mpmath as mp
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from derive.algebra.appendices import Appendix, parse, real_arithmetic_fails, repairs, simplify, unreadable
 from derive.algebra.dynamics import R
 from derive.algebra.integrate import quadrature
 from derive.algebra.prove import prove_zero
@@ -28,7 +29,6 @@ from derive.declare.quantities import CHORD
 from derive.declare.symbols import theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
-from derive.judge.appendices import Appendix, parse, real_arithmetic_fails, repairs, simplify, unreadable
 from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Claim
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
 
@@ -272,7 +272,7 @@ def _appendix(claim: Claim) -> Judgement:
 
 
 def _brackets(appendix: Appendix) -> str:
-    """How many brackets are missing, by the rule of `derive.judge.appendices`; nothing if the print will do."""
+    """How many brackets are missing, by the rule of `derive.algebra.appendices`; nothing if the print will do."""
     places = repairs(appendix)
     lost = sum(unreadable(appendix, x) for x in places)
     if not places or (not lost and vanishes(parse(appendix, places) - parse(appendix))):

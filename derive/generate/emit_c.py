@@ -5,15 +5,15 @@ import struct
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from derive.approximate.programs import Code, Variant, logarithm
+from derive.code import emit
 from derive.code.emit import identifier
 from derive.code.program import Program, without_dead
 from derive.code.text import Language, Part, Reader, seam, statements
 
-TEMPLATE = Path(__file__).resolve().parent / "templates" / "_kernels.c"
+TEMPLATE = emit.TEMPLATES / "_kernels.c"
 HALF_PI = float.fromhex("0x1.921fb54442d18p+0")
 # The largest alpha that is inside: half discs given in degrees land a little above pi/2.
 END = {name: HALF_PI * (1.0 + 4.0 * eps) for name, eps in (("double", 2.0**-52), ("float", 2.0**-23))}

@@ -14,15 +14,15 @@ from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import variants
 from derive.check.records import Record, read
-from derive.code import emit, emit_c, functions
+from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
 from derive.declare.symbols import r, theta
 from derive.flow import emit as flow
 from derive.flow import series
+from derive.generate import emit_c, functions
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
-TEMPLATES = Path(__file__).resolve().parent / "templates"
 MEND = "python -m derive"
 KERNELS = "Moments, weights and quotients of the arc, from their definitions."
 MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
@@ -37,9 +37,9 @@ def files(proved: list[Record]) -> dict[str, str]:
     kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
     c_source = emit_c.source(variants(), functions.comments(kernels, proved))
     texts = {
-        "_compiled.py": (TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
+        "_compiled.py": (emit.TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "definitions.py": definitions_module(closed),
-        "_evaluate.py": (TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
+        "_evaluate.py": (emit.TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "effects.py": functions.effects_module(),
         "flow.py": flow.module(),
         "growth.py": emit.plain_module(GROWTH, functions.growth(closed)),
@@ -62,7 +62,7 @@ def files(proved: list[Record]) -> dict[str, str]:
 
 def walk_source() -> str:
     """The compiled walk, with the operations that it knows."""
-    text = (TEMPLATES / "_flow.c").read_text(encoding="utf-8")
+    text = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
     made = {"CODES": series.c_enums(), "SERIES": series.c_series(), "CELL_OPERATIONS": series.c_cells()}
     for mark, lines in made.items():
         text = text.replace(f"@{mark}@\n", lines)

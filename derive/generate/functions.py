@@ -7,6 +7,7 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra import dynamics
+from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.growth import arc_growth
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.remainders import RoundingError
@@ -28,7 +29,6 @@ from derive.declare.effects import (
 )
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
-from derive.judge.appendices import APPENDICES, parse
 
 HALF_PI = repr(float(sp.N(sp.pi / 2, 40)))
 PAPER = "the paper"

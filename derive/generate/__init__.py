@@ -1,0 +1,1 @@
+"""The files of `generated`: which functions they hold, and their text."""
