@@ -193,8 +193,3 @@ def sinc(x: sp.Expr) -> sp.Expr:
 def sine_defect(x: sp.Expr) -> sp.Expr:
     """(x - sin x)/x**3."""
     return -Remainder(sp.sin, 3, x)
-
-
-def sinhc(z: sp.Expr) -> sp.Expr:
-    """sinh(sqrt z)/sqrt z, sin(sqrt -z)/sqrt -z where z < 0: a series in z, for -pi**2 <= z <= 1."""
-    return Remainder(sp.sinh, 1, sp.sqrt(z))
