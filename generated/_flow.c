@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "3d12ad7161c53a140c2232571e3659cf598b73b4a6fdf4ca419a742544a8085f"
+#define DIGEST "64746cb82971b13e317cfd462a92ab67bda7c9cd11ff440234919061a4729f5f"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -20,7 +20,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, MOST_TABLES = 16, MOST_STATES = 16 };
+enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct {
@@ -28,7 +28,7 @@ typedef struct {
     int64_t pieces, across; /* across: lanes of the coefficients, or 0 where lanes share them */
     int terms, sine, open;
 } Data;
-/* Registers, and cells that the prologue fills; -1 where the program has none. */
+/* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
     int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, f0, p0, ps0, driving, resisting, mu;
 } Roles;
@@ -37,7 +37,7 @@ typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
      * states, tables, those of time and those of slip or speed. */
     int cells, made, registers, states, tables, timed, sloped;
-    const int32_t *scalar, *scalar_end, *series, *series_end, *state;
+    const int32_t *scalar, *scalar_end, *series, *series_end, *later_end, *state; /* after `series` what no rate needs */
     const Table *table;
     const Roles *role;
     Data data[MOST_TABLES];
@@ -48,7 +48,7 @@ typedef struct {
     int64_t samples, times_across;
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
-    void *memory; /* of zeros, for the lanes in hand: a vector for each cell, and order + 2 for each register */
+    void *memory; /* zeros, for the lanes in hand: a vector for each cell, and STRIDE for each register */
     int order; /* the highest of all lanes */
 } Walk;
 
@@ -88,9 +88,9 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers
- * and of those on series, roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
-enum { HEAD = 7, WIDEST = 64 };
+/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
+ * of those on series and of those on series that no rate needs, roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 8, WIDEST = 64 };
 
 static int read_program(Walk *w, const Py_buffer *program)
 {
@@ -100,7 +100,7 @@ static int read_program(Walk *w, const Py_buffer *program)
     w->scalar = p + HEAD + sizeof(Roles) / 4;
     w->role = (const Roles *)(p + HEAD);
     w->scalar_end = w->series = w->scalar + p[5];
-    w->series_end = w->state = w->series + p[6];
+    w->series_end = w->series + p[6], w->later_end = w->state = w->series_end + p[7];
     w->table = (const Table *)(w->state + 3 * w->states);
     for (int t = 0; t < w->tables; t++) w->timed += w->table[t].kind == 2, w->sloped += w->table[t].kind != 2;
     return (const int32_t *)(w->table + w->tables) == end && w->tables <= MOST_TABLES && w->states <= MOST_STATES ? 0 : -1;
@@ -147,7 +147,7 @@ static PyObject *walk(PyObject *self, PyObject *args)
     }
     w.notes = notes.buf, w.notes_room = notes.len / 32;
     w.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(w.cells + w.registers * (order + 2)) + 1, WIDEST);
+    void *memory = PyMem_RawCalloc((size_t)(w.cells + w.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -227,8 +227,7 @@ enum { READY, BEGIN, FACE, GO, ENTER, LEAP, ANEW }; /* what is to be based befor
 /* The lanes in hand, beside their cells. */
 typedef struct {
     Walk *w;
-    V *c, *r; /* cells, and registers: coefficient n of register i at r[i * stride + n] */
-    int stride;
+    V *c, *r; /* cells, and registers: coefficient n of the register that begins at i is r[i + n] */
     int64_t column[LANES];
     unsigned held; /* a bit for each lane */
     int todo[LANES], faced[LANES], jumps[LANES];
@@ -341,13 +340,18 @@ INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
+/* What is added at each k from the first to below another, by turns into parts j = 0 and 1 that do not wait for each
+ * other. */
+#define OVER(first, below, add) do { int k = first; \
+    while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
+    if (k < (below)) { const int j = 0; add; } } while (0)
+
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
  * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
  * Register i begins at r + i * stride; by_n is 1 / n. */
 static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
                                                                         int n, double by_n) {
-    const double order = n;
     switch (at[0]) {
     case LIN: {
         V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){0};
@@ -366,11 +370,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         if (n == 0) {
             d[0] = a[0] * b[0];
         } else {
-            V sum0 = {0}, sum0_ = {0};
-            int k = 0;
-            for (; k + 1 < n + 1; k += 2) { sum0 += a[k] * b[n - k], sum0_ += a[k + 1] * b[n - k - 1]; }
-            if (k < n + 1) { sum0 += a[k] * b[n - k]; }
-            sum0 += sum0_;
+            V part0[2] = {{0}};
+            OVER(0, n + 1, part0[j] += a[k] * b[n - k]);
+            V sum0 = (part0[0] + part0[1]);
             d[n] = sum0;
         }
         return at + 4;
@@ -381,12 +383,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         if (n == 0) {
             d[0] = a[0] * a[0];
         } else {
-            V sum0 = {0}, sum0_ = {0};
-            int k = 0;
-            for (; k + 1 < n - k - 1; k += 2) { sum0 += a[k] * a[n - k], sum0_ += a[k + 1] * a[n - k - 1]; }
-            if (k < n - k) { sum0 += a[k] * a[n - k]; }
-            sum0 += sum0_;
-            sum0 *= 2.0;
+            V part0[2] = {{0}};
+            OVER(0, (n + 1) / 2, part0[j] += a[k] * a[n - k]);
+            V sum0 = 2.0 * (part0[0] + part0[1]);
             if (n % 2 == 0) sum0 += a[n / 2] * a[n / 2];
             d[n] = sum0;
         }
@@ -398,7 +397,7 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
         if (n == 0) {
             q[0] = (V){0};
         } else {
-            q[n] = a[n] * order;
+            q[n] = a[n] * n;
         }
         return at + 3;
     }
@@ -413,12 +412,10 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
             s[0] = f0;
             v[0] = 2.0 * f1 * f1;
         } else {
-            V sum0 = {0}, sum0_ = {0}, sum1 = {0}, sum1_ = {0};
-            int k = 1;
-            for (; k + 1 < n + 1; k += 2) { sum0 += q[k] * s[n - k], sum0_ += q[k + 1] * s[n - k - 1]; sum1 += q[k] * v[n - k], sum1_ += q[k + 1] * v[n - k - 1]; }
-            if (k < n + 1) { sum0 += q[k] * s[n - k]; sum1 += q[k] * v[n - k]; }
-            sum0 += sum0_;
-            sum1 += sum1_;
+            V part0[2] = {{0}}, part1[2] = {{0}};
+            OVER(1, n + 1, part0[j] += q[k] * s[n - k]; part1[j] += q[k] * v[n - k]);
+            V sum0 = (part0[0] + part0[1]);
+            V sum1 = (part1[0] + part1[1]);
             s[n] = (q[n] - sum1) * by_n;
             v[n] = sum0 * by_n;
         }
@@ -435,11 +432,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
             e[0] = f1;
             m[0] = f0;
         } else {
-            V sum0 = {0}, sum0_ = {0};
-            int k = 1;
-            for (; k + 1 < n + 1; k += 2) { sum0 += q[k] * e[n - k], sum0_ += q[k + 1] * e[n - k - 1]; }
-            if (k < n + 1) { sum0 += q[k] * e[n - k]; }
-            sum0 += sum0_;
+            V part0[2] = {{0}};
+            OVER(1, n + 1, part0[j] += q[k] * e[n - k]);
+            V sum0 = (part0[0] + part0[1]);
             e[n] = sum0 * by_n;
             m[n] = e[n];
         }
@@ -453,11 +448,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
             h[0] = 1.0 / (1.0 + z[0]);
             m[0] = -z[0] / (1.0 + z[0]);
         } else {
-            V sum0 = {0}, sum0_ = {0};
-            int k = 1;
-            for (; k + 1 < n + 1; k += 2) { sum0 += z[k] * h[n - k], sum0_ += z[k + 1] * h[n - k - 1]; }
-            if (k < n + 1) { sum0 += z[k] * h[n - k]; }
-            sum0 += sum0_;
+            V part0[2] = {{0}};
+            OVER(1, n + 1, part0[j] += z[k] * h[n - k]);
+            V sum0 = (part0[0] + part0[1]);
             h[n] = -sum0 * h[0];
             m[n] = h[n];
         }
@@ -470,11 +463,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
             const V f0 = IN(map)(log1p, z[0]);
             l[0] = f0;
         } else {
-            V sum0 = {0}, sum0_ = {0};
-            int k = 1;
-            for (; k + 1 < n - 1 + 1; k += 2) { sum0 += (double)(k) * l[k] * z[n - k], sum0_ += (double)(k + 1) * l[k + 1] * z[n - k - 1]; }
-            if (k < n - 1 + 1) { sum0 += (double)(k) * l[k] * z[n - k]; }
-            sum0 += sum0_;
+            V part0[2] = {{0}};
+            OVER(1, n + 0, part0[j] += k * l[k] * z[n - k]);
+            V sum0 = (part0[0] + part0[1]);
             l[n] = (z[n] - sum0 * by_n) / (1.0 + z[0]);
         }
         return at + 3;
@@ -490,11 +481,9 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
             p[0] = (1.0 + f1);
             m[0] = f1;
         } else {
-            V sum0 = {0}, sum0_ = {0};
-            int k = 1;
-            for (; k + 1 < n + 1; k += 2) { sum0 += ((double)(k) + (double)(k) * power - order) * z[k] * p[n - k], sum0_ += ((double)(k + 1) + (double)(k + 1) * power - order) * z[k + 1] * p[n - k - 1]; }
-            if (k < n + 1) { sum0 += ((double)(k) + (double)(k) * power - order) * z[k] * p[n - k]; }
-            sum0 += sum0_;
+            V part0[2] = {{0}};
+            OVER(1, n + 1, part0[j] += (k + k * power - n) * z[k] * p[n - k]);
+            V sum0 = (part0[0] + part0[1]);
             p[n] = sum0 / (1.0 + z[0]) * by_n;
             m[n] = p[n];
         }
@@ -505,7 +494,7 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
     }
 }
 
-/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, its result, its arguments. */
+/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, result and arguments. */
 static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
     while (at < end) {
         const V a = c[at[2]];
@@ -741,15 +730,23 @@ INLINE V next_break(const Hand *h)
 
 /* --- series --- */
 
-/* Coefficient n of every register that operations make. */
+/* Coefficient n of every register that the rates need. */
 INLINE void operate(const Hand *h, int n)
 {
     const Walk *const w = h->w;
     const double per = h->inverse[n];
-    for (const int32_t *at = w->series; at < w->series_end;) at = IN(operate)(at, h->r, h->c, h->stride, n, per);
+    for (const int32_t *at = w->series; at < w->series_end;) at = IN(operate)(at, h->r, h->c, 1, n, per);
 }
 
-#define REGISTER(i) (h->r + (ptrdiff_t)(i) * h->stride)
+/* Coefficients below n of all others. */
+INLINE void operate_later(const Hand *h, int n)
+{
+    const Walk *const w = h->w;
+    for (const int32_t *at = w->series_end, *next = at; at < w->later_end; at = next)
+        for (int k = 0; k < n; k++) next = IN(operate)(at, h->r, h->c, 1, k, h->inverse[k]);
+}
+
+#define REGISTER(i) (h->r + (i))
 
 /* Order 0 of the registers that do not come from operations. */
 INLINE void begin_series(const Hand *h)
@@ -808,6 +805,7 @@ INLINE int expand(const Hand *h, V room, unsigned which, int frozen, V *order)
         last = pick(ends, lesser(last, flat(n + 1.0)), last), even = 0;
         if (!bits(last > n + 1.0)) top = n + 1;
     }
+    operate_later(h, top);
     if (!even)
         for (int n = 0; n < top; n++) {
             const M within = last > (double)n;
@@ -966,6 +964,7 @@ static void rests(Hand *h, unsigned k)
         return;
     }
     c[STATUS][k] = RESTING;
+    if (c[LIFTED][k] > 0.0) lifted_now(h, k);
     if (!allowed(h, k)) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
 }
 
@@ -978,6 +977,13 @@ static int never_rests(const Hand *h, unsigned k)
     return c[FIRST_ONLY][k] == 1.0 || c[role->normal0][k] + (most - p0) <= 0.01 * most;
 }
 
+/* What presses now, where order 0 of the series is there. */
+INLINE double presses(const Hand *h, unsigned k)
+{
+    const Roles *const role = h->w->role;
+    return role->normal < 0 ? h->c[role->normal0][k] : REGISTER(role->normal)[0][k];
+}
+
 /* Base what waits for it anew, and decide what follows, until every lane is ready for a step. */
 static void settle(Hand *h)
 {
@@ -988,8 +994,8 @@ static void settle(Hand *h)
         unsigned which = 0, series = 0;
         for (unsigned k = 0; k < LANES; k++) {
             if (h->todo[k] == LEAP) { /* what presses has leapt: is it lifted? */
-                begin_series(h), operate(h, 0);
-                const int lifted = role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0;
+                begin_series(h), operate(h, 0), operate_later(h, 1);
+                const int lifted = presses(h, k) < 0.0;
                 if (lifted && c[LIFTED][k] == 0.0) lifted_now(h, k);
                 h->todo[k] = (c[LIFTED][k] > 0.0) == lifted ? READY : ANEW;
                 c[LIFTED][k] = lifted;
@@ -1002,13 +1008,12 @@ static void settle(Hand *h)
         if (!which) return;
         if (w->tables) EACH(k, which) pieces(h, k);
         IN(prologue)(w->scalar, w->scalar_end, c, lanes(which));
-        if (series) begin_series(h), operate(h, 0);
+        if (series) begin_series(h), operate(h, 0), operate_later(h, 1);
         EACH(k, which) {
             const double net = REGISTER(role->net)[0][k];
             if (h->todo[k] == BEGIN || h->todo[k] == FACE || h->todo[k] == GO) {
                 const int of_velocity = h->todo[k] == BEGIN;
-                const int free = of_velocity ? role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0
-                                             : c[role->normal0][k] <= 0.0;
+                const int free = of_velocity ? presses(h, k) < 0.0 : c[role->normal0][k] <= 0.0;
                 if (free && c[LIFTED][k] == 0.0) {
                     c[LIFTED][k] = 1.0;
                     continue;
@@ -1054,8 +1059,8 @@ static void enters(Hand *h, unsigned k, double rate)
     h->todo[k] = ENTER;
 }
 
-/* A lane comes to its standstill. The way it came it does not go on: its drive is what has become negative. */
-static void stands(Hand *h, unsigned k, double rate)
+/* A lane comes to its standstill. It does not go on the way it came, whatever rounding says. */
+static void stands(Hand *h, unsigned k)
 {
     V *const c = h->c;
     base(h, k);
@@ -1063,8 +1068,8 @@ static void stands(Hand *h, unsigned k, double rate)
     c[REST_SINCE][k] = c[TIME][k];
     note(h, k, CAME_TO_REST);
     if (isnan(c[FIRST_STOP][k])) c[FIRST_STOP][k] = c[TIME][k];
-    h->faced[k] = rate < 0.0;
-    face(h, k, rate < 0.0 ? -c[DIRECTION][k] : c[DIRECTION][k]);
+    h->faced[k] = 1;
+    face(h, k, -c[DIRECTION][k]);
     h->todo[k] = FACE;
 }
 
@@ -1225,7 +1230,7 @@ static void step(Hand *h, unsigned which)
             if (!(at_limit >> k & 1)) continue;
             if (c[TIME][k] >= c[END_TIME][k]) ends(h, k, rate[k], ENDED);
             else if (pass_breaks(h, k)) h->todo[k] = LEAP;
-        } else if (event[k] == STANDS) stands(h, k, rate[k]);
+        } else if (event[k] == STANDS) stands(h, k);
         else if (event[k] == LIFTS) {
             c[LIFTED][k] = 1.0 - c[LIFTED][k];
             if (c[LIFTED][k] > 0.0) lifted_now(h, k);
@@ -1280,7 +1285,7 @@ static void wait(Hand *h, unsigned which)
     for (int i = 0; i < w->tables; i++) { /* the same for both directions, since it was based at the last */
         V *const inc = c + w->table[i].cell + INC;
         if (w->table[i].kind == OF_TIME)
-            *inc = pick(lanes(which), *inc + change(REGISTER(w->table[i].reg), h->stride - 2, stretch), *inc);
+            *inc = pick(lanes(which), *inc + change(REGISTER(w->table[i].reg), w->order, stretch), *inc);
     }
     EACH(k, which) {
         const int starts = begins[k] <= stretch[k], turned = !starts && (turns[k] & 1);
@@ -1318,6 +1323,15 @@ static void take(Hand *h, unsigned k, int64_t column)
         c[DIRECTION][k] = c[OMEGA][k] < 0.0 ? -1.0 : 1.0;
         c[OMEGA][k] = fabs(c[OMEGA][k]), c[X][k] = 0.0, c[LIFTED][k] = 0.0;
         h->todo[k] = c[OMEGA][k] > 0.0 ? BEGIN : FACE;
+        for (int i = 0; w->sloped && i < w->tables; i++) {
+            const Table *const t = w->table + i;
+            const Data *const d = w->data + i;
+            if (t->kind == OF_TIME) continue;
+            const double at = c[t->kind == OF_SLIP ? SLIP : OMEGA][k] * c[t->cell + SCALE][k];
+            int64_t piece = 0;
+            while (piece < d->pieces - 1 && d->breaks[piece + 1] <= at) piece++;
+            c[t->cell + PIECE][k] = (double)piece;
+        }
     } else if (c[STATUS][k] == NEED) { /* a table that goes on */
         c[STATUS][k] = c[OMEGA][k] > 0.0 ? MOVING : RESTING;
         base(h, k);
@@ -1354,7 +1368,7 @@ enum { LEAST_FREE = LANES / 2 };
 int64_t NAMED(flow_walk, LEVEL)(Walk *w);
 int64_t NAMED(flow_walk, LEVEL)(Walk *w)
 {
-    Hand hand = {.w = w, .c = w->memory, .r = (V *)w->memory + w->cells, .stride = w->order + 2}, *const h = &hand;
+    Hand hand = {.w = w, .c = w->memory, .r = (V *)w->memory + w->cells}, *const h = &hand;
     V *const c = h->c;
     int64_t next = w->begin;
     for (int n = 1; n < HIGHEST + 2; n++) h->inverse[n] = 1.0 / n;

@@ -303,3 +303,26 @@ def test_the_limit_friction_is_used_as_long_as_it_is_that_of_the_start(
         drive = program.roles["cell_drive"]
         same = abs(one[drive] - other[drive]) < arb(1e-30)
         assert same == (name is not None and name == departed)
+
+
+@pytest.mark.parametrize("law", ["exponential", "hyperbolic"])
+@pytest.mark.parametrize(("peak", "residual"), [(0.6, 0.1), (0.1, 0.6), (1e9, 0.3), (0.3, 1e9), (0.1 + 2.0**-57, 0.1)])
+def test_friction_where_a_phase_begins_keeps_its_digits(law: str, peak: float, residual: float, fresh: None) -> None:
+    """The peak itself at no slip, and full accuracy at any: neither form of the law has it everywhere."""
+    program = join((), (law,))
+    slips = np.concatenate([[0.0], np.geomspace(1e-18, 40.0, 200)])
+    c = np.zeros((len(program.cells), slips.size))
+    given = {f"{law}.peak": peak, f"{law}.residual": residual, f"{law}.length": 0.7, "DIRECTION": 1.0, "press": 1.0}
+    for name, value in {**given, **program.constants}.items():
+        c[program.cells.index(name)] = value
+    c[program.cells.index("SLIP")] = slips
+    series.scalar_ops(program.scalar, c)
+    found = c[program.roles["cell_mu"]]
+    assert found[0] == peak
+    ctx.prec = 200
+    for slip, value in zip(slips, found, strict=True):
+        s = arb(float(slip)) / arb(0.7)
+        exact = arb(residual) + (arb(peak) - arb(residual)) * ((-s).exp() if law == "exponential" else 1 / (1 + s))
+        # What the slip's own rounding changes is no fault of the formula's.
+        own = float(abs(exact - arb(residual)) * (s if law == "exponential" else 1)) * 2.0**-51
+        assert abs(float(arb(float(value)) - exact)) <= 4 * 2.0**-53 * float(exact) + own

@@ -8,8 +8,6 @@ import sympy as sp
 from derive.flow.fragments import CELLS
 from derive.flow.operations import OPERATIONS, SCALARS, Operation, k, n
 
-_BOUND = {"C": "const V {} = {};", "NumPy": "{} = {}"}
-
 
 @dataclass(frozen=True)
 class _Sum:
@@ -27,10 +25,10 @@ class _Sum:
         """Whether its second half repeats the first."""
         return self.a.base == self.b.base and self.weight == 1
 
-    def factor(self, at: str, order: str) -> str:
+    @property
+    def factor(self) -> str:
         """The weight as text, with a times sign, where there is one."""
-        known = {k: at, n: order} | {x: str(x) for x in self.weight.free_symbols - {k, n}}
-        return "" if self.weight == 1 else f"{_text(self.weight, known)} * "
+        return "" if self.weight == 1 else f"{_text(self.weight, {})} * "
 
 
 def _sums(o: Operation) -> dict[sp.Sum, _Sum]:
@@ -49,6 +47,10 @@ def _text(e: sp.Expr, known: Mapping[sp.Expr, str]) -> str:
     """An expression as C and Python both write it."""
     if e in known:
         return known[e]
+    if isinstance(e, sp.Indexed):
+        return f"{e.base}[{e.indices[0]}]"
+    if isinstance(e, sp.Symbol):
+        return str(e)
     if isinstance(e, sp.Add):
         terms = sorted(e.args, key=lambda x: (x.could_extract_minus_sign(), str(x)))
         return f"({' + '.join(_text(x, known) for x in terms).replace('+ -', '- ')})"
@@ -67,40 +69,43 @@ def _text(e: sp.Expr, known: Mapping[sp.Expr, str]) -> str:
     raise ValueError(f"no text for {e}")
 
 
-def _start(o: Operation, language: str, at: str) -> tuple[list[str], list[str]]:
-    """Order 0: functions by name, then the results; ``at`` is how the first coefficient of a series is written."""
-    known: dict[sp.Expr, str] = {x: at.format(x.base) for e in o.start for x in e.atoms(sp.Indexed)}
-    known |= {x: str(x) for x in o.numbers}
-    lines = []
-    functions = sorted(
-        {f for e in o.start for f in e.atoms(sp.Function)}, key=lambda f: (len(f.atoms(sp.Function)), str(f))
-    )
-    for i, f in enumerate(functions):
-        name, argument = type(f).__name__.lower(), _text(f.args[0], known)
-        call = f"IN(map)({name}, {argument})" if language == "C" else f"np.{name}({argument})"
-        lines.append(_BOUND[language].format(f"f{i}", call))
+def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[str], list[str]]:
+    """Statements for order 0, functions first, and for order n, whose sums have their names."""
+    known: dict[sp.Expr, str] = {total: s.name for total, s in _sums(o).items()}
+    found = {f for e in o.start for f in e.atoms(sp.Function)}
+    start = []
+    for i, f in enumerate(sorted(found, key=lambda f: (len(f.atoms(sp.Function)), str(f)))):
+        start.append(f"{let}f{i} = {call.format(type(f).__name__.lower(), _text(f.args[0], known))}{end}")
         known[f] = f"f{i}"
-    return lines, [_text(e, known) if e != 0 else "" for e in o.start]
+    start += [f"{x}[0] = {_text(e, known) if e else zero}{end}" for x, e in zip(o.results, o.start, strict=True)]
+    return start, [f"{x}[n] = {_text(e, known)}{end}" for x, e in zip(o.results, o.step, strict=True)]
 
 
-def _step(o: Operation, at: str) -> list[str]:
-    """Order n: the results, with sums by name."""
-    known: dict[sp.Expr, str] = {total: s.name for total, s in _sums(o).items()} | {n: "order"}
-    for x in {x for e in o.step for x in e.atoms(sp.Indexed)}:
-        known[x] = at.format(x.base, x.indices[0])
-    return [_text(e, known) for e in o.step]
+def _read(o: Operation) -> list[sp.IndexedBase]:
+    """The series that an operation's results are made of."""
+    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(sp.Indexed)}
+    return [x for x in o.arguments if x in used]
+
+
+def _means(o: Operation) -> str:
+    return ", ".join(f"{x} = {m}" for x, m in zip(o.results, o.means, strict=True))
 
 
 # --- C -------------------------------------------------------------------------------------------------------------
 
 _C = """\
+/* What is added at each k from the first to below another, by turns into parts j = 0 and 1 that do not wait for each
+ * other. */
+#define OVER(first, below, add) do {{ int k = first; \\
+    while (k + 1 < (below)) {{ {{ const int j = 0; add; }} k++; {{ const int j = 1; add; }} k++; }} \\
+    if (k < (below)) {{ const int j = 0; add; }} }} while (0)
+
 /* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
  * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
  * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
  * Register i begins at r + i * stride; by_n is 1 / n. */
 static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
                                                                         int n, double by_n) {{
-    const double order = n;
     switch (at[0]) {{
     case LIN: {{
         V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){{0}};
@@ -117,7 +122,7 @@ static inline __attribute__((always_inline)) const int32_t *IN(operate)(const in
     }}
 }}
 
-/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, its result, its arguments. */
+/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, result and arguments. */
 static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {{
     while (at < end) {{
         const V a = c[at[2]];
@@ -129,41 +134,34 @@ static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {{
 """
 
 
-def _c_loop(sums: list[_Sum]) -> list[str]:
-    """Sums over the same k, two terms at a time so that they do not wait for each other."""
-
-    def term(s: _Sum, at: str) -> str:
-        return f"{s.factor(f'(double)({at})', 'order')}{s.a.base}[{at}] * {s.b.base}[n - {at.replace('+', '-')}]"
-
-    s = sums[0]
-    limit = "n - k" if s.symmetric else f"n{f' - {s.short}' if s.short else ''} + 1"  # k stays below it
-    both = " ".join(f"{s.name} += {term(s, 'k')}, {s.name}_ += {term(s, 'k + 1')};" for s in sums)
-    lines = [f"V {', '.join(f'{s.name} = {{0}}, {s.name}_ = {{0}}' for s in sums)};", f"int k = {s.first};",
-             f"for (; k + 1 < {limit.replace('n - k', 'n - k - 1')}; k += 2) {{ {both} }}",
-             f"if (k < {limit}) {{ {' '.join(f'{s.name} += {term(s, chr(107))};' for s in sums)} }}",
-             *(f"{s.name} += {s.name}_;" for s in sums)]  # fmt: skip
-    if s.symmetric:
-        lines += [f"{s.name} *= 2.0;", f"if (n % 2 == 0) {s.name} += {s.a.base}[n / 2] * {s.a.base}[n / 2];"]
+def _c_sums(o: Operation) -> list[str]:
+    """All sums of an operation in one loop."""
+    sums = [*_sums(o).values()]
+    if not sums:
+        return []
+    below = "(n + 1) / 2" if sums[0].symmetric else f"n + {1 - sums[0].short}"
+    parts = [s.name.replace("sum", "part") for s in sums]
+    adds = (f"{p}[j] += {s.factor}{s.a.base}[k] * {s.b.base}[n - k]" for p, s in zip(parts, sums, strict=True))
+    lines = [
+        f"V {', '.join(f'{p}[2] = {{{{0}}}}' for p in parts)};",
+        f"OVER({sums[0].first}, {below}, {'; '.join(adds)});",
+    ]
+    for p, s in zip(parts, sums, strict=True):
+        lines.append(f"V {s.name} = {'2.0 * ' if s.symmetric else ''}({p}[0] + {p}[1]);")
+        if s.symmetric:
+            lines.append(f"if (n % 2 == 0) {s.name} += {s.a.base}[n / 2] * {s.a.base}[n / 2];")
     return lines
 
 
 def _c_case(o: Operation) -> str:
-    place = iter(range(1, 9))
-    lines = [f"V *restrict {x} = r + (ptrdiff_t)at[{next(place)}] * stride;" for x in o.results]
-    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(sp.Indexed)}
-    for x in o.arguments:
-        i = next(place)
-        lines += [f"const V *{x} = r + (ptrdiff_t)at[{i}] * stride;"] if x in used else []
-    lines += [f"const V {x} = c[at[{next(place)}]];" for x in o.numbers]
-    functions, start = _start(o, "C", "{}[0]")
-    body = [*functions, *(f"{x}[0] = {e or '(V){0}'};" for x, e in zip(o.results, start, strict=True))]
-    lines += ["if (n == 0) {", *(f"    {x}" for x in body), "} else {"]
-    sums = [*_sums(o).values()]
-    body = _c_loop(sums) if sums else []
-    body += [f"{x}[n] = {e};" for x, e in zip(o.results, _step(o, "{}[{}]"), strict=True)]
-    lines += [*(f"    {x}" for x in body), "}", f"return at + {next(place)};"]
-    means = ", ".join(f"{x} = {m}" for x, m in zip(o.results, o.means, strict=True))
-    return f"    case {o.name.upper()}: {{ /* {means} */\n" + "".join(f"        {x}\n" for x in lines) + "    }\n"
+    at = {x: f"at[{i}]" for i, x in enumerate((*o.results, *o.arguments, *o.numbers), 1)}
+    lines = [f"V *restrict {x} = r + (ptrdiff_t){at[x]} * stride;" for x in o.results]
+    lines += [f"const V *{x} = r + (ptrdiff_t){at[x]} * stride;" for x in _read(o)]
+    lines += [f"const V {x} = c[{at[x]}];" for x in o.numbers]
+    start, step = _body(o, "const V ", "IN(map)({}, {})", "(V){0}", ";")
+    lines += ["if (n == 0) {", *(f"    {x}" for x in start), "} else {"]
+    lines += [*(f"    {x}" for x in (*_c_sums(o), *step)), "}", f"return at + {len(at) + 1};"]
+    return f"    case {o.name.upper()}: {{ /* {_means(o)} */\n" + "".join(f"        {x}\n" for x in lines) + "    }\n"
 
 
 def c_text() -> str:
@@ -172,7 +170,8 @@ def c_text() -> str:
     for name, (means, text, _) in SCALARS.items():
         arguments = len(means.free_symbols)
         loads = "".join(f"const V {x} = c[at[{i}]]; " for i, x in ((3, "b"), (4, "e"))[: arguments - 1])
-        scalar += f"        case S_{name.upper()}: {{ {loads}*d = IN(choose)(here, {text}, *d); at += {2 + arguments}; break; }}\n"
+        case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {2 + arguments}; break; }}"
+        scalar += f"        case S_{name.upper()}: {case}\n"
     return _C.format(cases="".join(map(_c_case, OPERATIONS.values())), scalar_cases=scalar)
 
 
@@ -252,27 +251,19 @@ def _numpy_sum(s: _Sum) -> list[str]:
     if s.weight == 1:
         return [f"{s.name} = _over({a}, {b}, n, {s.first}, {last})"]
     return ["k = np.arange(n + 1.0)[:, None]",
-            f"{s.name} = _over({s.factor('k', 'n')}{a}[: n + 1], {b}, n, {s.first}, {last})"]  # fmt: skip
+            f"{s.name} = _over({s.factor}{a}[: n + 1], {b}, n, {s.first}, {last})"]  # fmt: skip
 
 
 def _numpy_function(o: Operation) -> str:
-    names = [*o.results, *o.arguments, *o.numbers]
-    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(sp.Indexed)}
-    means = ", ".join(f"{x} = {m}" for x, m in zip(o.results, o.means, strict=True))
-    lines = [f"def _{o.name}(r: Floats, c: Floats, n: int, {', '.join(f'{x}_: int' for x in names)}) -> None:",
-             f'    """{means}."""']  # fmt: skip
-    taken = [x for x in (*o.results, *o.arguments) if x in o.results or x in used]
-    lines.append(f"    {', '.join(map(str, taken))} = {', '.join(f'r[{x}_]' for x in taken)}")
+    series = [*o.results, *_read(o)]
+    start, step = _body(o, "", "np.{}({})", "0.0", "")
+    names = ", ".join(f"{x}_: int" for x in (*o.results, *o.arguments, *o.numbers))
+    lines = [f"def _{o.name}(r: Floats, c: Floats, n: int, {names}) -> None:", f'    """{_means(o)}."""',
+             f"    {', '.join(map(str, series))} = {', '.join(f'r[{x}_]' for x in series)}"]  # fmt: skip
     lines += [f"    {x} = c[{x}_]" for x in o.numbers]
-    functions, start = _start(o, "NumPy", "{}[0]")
-    lines += ["    if n == 0:", *(f"        {x}" for x in functions)]
-    lines += [f"        {x}[0] = {e or '0.0'}" for x, e in zip(o.results, start, strict=True)]
-    step = _step(o, "{}[{}]")
-    lines += ["    else:", *(f"        {x}" for s in _sums(o).values() for x in _numpy_sum(s))]
-    lines += [
-        f"        {x}[n] = {e.replace('by_n', '(1.0 / n)').replace('order', 'n')}"
-        for x, e in zip(o.results, step, strict=True)
-    ]
+    lines += ["    if n == 0:", *(f"        {x}" for x in start), "    else:"]
+    lines += [f"        {x}" for s in _sums(o).values() for x in _numpy_sum(s)]
+    lines += [f"        {x.replace('by_n', '(1.0 / n)')}" for x in step]
     return "\n".join(lines) + "\n\n\n"
 
 

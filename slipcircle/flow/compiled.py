@@ -21,6 +21,7 @@ Floats = NDArray[np.float64]
 KINDS = ("slip", "speed", "time")
 ROLES = ("x", "omega", "net", "normal", "upright", "cell_drive", "cell_drive_scale", "cell_normal0", "cell_f0",
          "cell_p0", "cell_ps0", "cell_driving", "cell_resisting", "cell_mu")  # fmt: skip
+STRIDE = 42  # coefficients from one register to the next: the highest order that the C walk takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
 NOTES = 4096  # events that one call may note
 _NOTHING = np.empty(0)
@@ -42,21 +43,40 @@ def module() -> Any:
 
 @lru_cache(maxsize=256)
 def flat(program: Program) -> bytes:
-    """A program as the C walk reads it: sizes, roles, operations, states and tables."""
-    series: list[int] = []
-    for op, *names in program.series:
+    """A program as the C walk reads it: sizes, roles, operations, states and tables; registers by where they begin."""
+    at = [k * STRIDE for k in range(len(program.registers))] + [-1]
+    results = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}
+    ready = {r: place for place, (op, *names) in enumerate(program.series) for r in names[: results.get(op, 1)]}
+
+    def coded(op: str, names: Sequence[Any]) -> list[int]:
         if op == "lin":
             d, constant, terms = names
-            names = [d, constant, len(terms), *(i for term in terms for i in term)]
-        series += [SERIES[op], *names]
+            terms = sorted(terms, key=lambda term: ready.get(term[1], -1))  # a sum waits for its last term only
+            return [SERIES[op], at[d], constant, len(terms), *(i for cell, r in terms for i in (cell, at[r]))]
+        last = names[-1:] if op in ("pow", "ramp") else ()  # a cell or a table
+        return [SERIES[op], *(at[r] for r in names[: len(names) - len(last)]), *last]
+
+    # What no rate needs is computed when the series of the states are complete.
+    needed = {rate for _, _, rate in program.states}
+    inner, outer = list[list[int]](), list[list[int]]()
+    for op, *names in reversed(program.series):
+        made = {*names[: results.get(op, 1)]}
+        if needed & made:
+            needed |= {r for _, r in names[2]} if op == "lin" else {*names}
+            inner.insert(0, coded(op, names))
+        else:
+            outer.insert(0, coded(op, names))
+    series, later = ([i for code in part for i in code] for part in (inner, outer))
     scalar = [i for op, *names in program.scalar for i in (SCALAR[op], *names)]
     # A lane at its start has no use for the cells from the first that the prologue makes on, but for constants.
-    made = min(d for _, d, *_ in program.scalar)
-    sizes = (len(program.cells), made, len(program.registers), len(program.states), len(program.tables), len(scalar),
-             len(series))  # fmt: skip
+    made_first = min(d for _, d, *_ in program.scalar)
+    sizes = (len(program.cells), made_first, len(program.registers), len(program.states), len(program.tables),
+             len(scalar), len(series), len(later))  # fmt: skip
     roles = [program.roles.get(name, -1) for name in ROLES]
-    tables = [(KINDS.index(t.kind), t.register, t.cells, t.degree) for t in program.tables]
-    parts = (sizes, roles, scalar, series, *program.states, *tables)
+    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(ROLES, roles, strict=True)]
+    states = [(cell, at[r], at[rate]) for cell, r, rate in program.states]
+    tables = [(KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
+    parts = (sizes, roles, scalar, series, later, *states, *tables)
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
 

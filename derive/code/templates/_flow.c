@@ -18,7 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { HIGHEST = 40, MOST_TABLES = 16, MOST_STATES = 16 };
+enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct {
@@ -26,7 +26,7 @@ typedef struct {
     int64_t pieces, across; /* across: lanes of the coefficients, or 0 where lanes share them */
     int terms, sine, open;
 } Data;
-/* Registers, and cells that the prologue fills; -1 where the program has none. */
+/* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
     int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, f0, p0, ps0, driving, resisting, mu;
 } Roles;
@@ -35,7 +35,7 @@ typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
      * states, tables, those of time and those of slip or speed. */
     int cells, made, registers, states, tables, timed, sloped;
-    const int32_t *scalar, *scalar_end, *series, *series_end, *state;
+    const int32_t *scalar, *scalar_end, *series, *series_end, *later_end, *state; /* after `series` what no rate needs */
     const Table *table;
     const Roles *role;
     Data data[MOST_TABLES];
@@ -46,7 +46,7 @@ typedef struct {
     int64_t samples, times_across;
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
-    void *memory; /* of zeros, for the lanes in hand: a vector for each cell, and order + 2 for each register */
+    void *memory; /* zeros, for the lanes in hand: a vector for each cell, and STRIDE for each register */
     int order; /* the highest of all lanes */
 } Walk;
 
@@ -86,9 +86,9 @@ static int runs(int kind)
     return can[kind];
 }
 
-/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers
- * and of those on series, roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
-enum { HEAD = 7, WIDEST = 64 };
+/* The program as integers: cells (and `made`), registers, states, tables, integers of operations on numbers,
+ * of those on series and of those on series that no rate needs, roles; then these operations, states (3 each), tables (4 each), as the structs have them. */
+enum { HEAD = 8, WIDEST = 64 };
 
 static int read_program(Walk *w, const Py_buffer *program)
 {
@@ -98,7 +98,7 @@ static int read_program(Walk *w, const Py_buffer *program)
     w->scalar = p + HEAD + sizeof(Roles) / 4;
     w->role = (const Roles *)(p + HEAD);
     w->scalar_end = w->series = w->scalar + p[5];
-    w->series_end = w->state = w->series + p[6];
+    w->series_end = w->series + p[6], w->later_end = w->state = w->series_end + p[7];
     w->table = (const Table *)(w->state + 3 * w->states);
     for (int t = 0; t < w->tables; t++) w->timed += w->table[t].kind == 2, w->sloped += w->table[t].kind != 2;
     return (const int32_t *)(w->table + w->tables) == end && w->tables <= MOST_TABLES && w->states <= MOST_STATES ? 0 : -1;
@@ -145,7 +145,7 @@ static PyObject *walk(PyObject *self, PyObject *args)
     }
     w.notes = notes.buf, w.notes_room = notes.len / 32;
     w.order = order;
-    void *memory = PyMem_RawCalloc((size_t)(w.cells + w.registers * (order + 2)) + 1, WIDEST);
+    void *memory = PyMem_RawCalloc((size_t)(w.cells + w.registers * STRIDE) + 1, WIDEST);
     if (memory == NULL) {
         PyErr_NoMemory();
         goto done;
@@ -223,8 +223,7 @@ enum { READY, BEGIN, FACE, GO, ENTER, LEAP, ANEW }; /* what is to be based befor
 /* The lanes in hand, beside their cells. */
 typedef struct {
     Walk *w;
-    V *c, *r; /* cells, and registers: coefficient n of register i at r[i * stride + n] */
-    int stride;
+    V *c, *r; /* cells, and registers: coefficient n of the register that begins at i is r[i + n] */
     int64_t column[LANES];
     unsigned held; /* a bit for each lane */
     int todo[LANES], faced[LANES], jumps[LANES];
@@ -547,15 +546,23 @@ INLINE V next_break(const Hand *h)
 
 /* --- series --- */
 
-/* Coefficient n of every register that operations make. */
+/* Coefficient n of every register that the rates need. */
 INLINE void operate(const Hand *h, int n)
 {
     const Walk *const w = h->w;
     const double per = h->inverse[n];
-    for (const int32_t *at = w->series; at < w->series_end;) at = IN(operate)(at, h->r, h->c, h->stride, n, per);
+    for (const int32_t *at = w->series; at < w->series_end;) at = IN(operate)(at, h->r, h->c, 1, n, per);
 }
 
-#define REGISTER(i) (h->r + (ptrdiff_t)(i) * h->stride)
+/* Coefficients below n of all others. */
+INLINE void operate_later(const Hand *h, int n)
+{
+    const Walk *const w = h->w;
+    for (const int32_t *at = w->series_end, *next = at; at < w->later_end; at = next)
+        for (int k = 0; k < n; k++) next = IN(operate)(at, h->r, h->c, 1, k, h->inverse[k]);
+}
+
+#define REGISTER(i) (h->r + (i))
 
 /* Order 0 of the registers that do not come from operations. */
 INLINE void begin_series(const Hand *h)
@@ -614,6 +621,7 @@ INLINE int expand(const Hand *h, V room, unsigned which, int frozen, V *order)
         last = pick(ends, lesser(last, flat(n + 1.0)), last), even = 0;
         if (!bits(last > n + 1.0)) top = n + 1;
     }
+    operate_later(h, top);
     if (!even)
         for (int n = 0; n < top; n++) {
             const M within = last > (double)n;
@@ -772,6 +780,7 @@ static void rests(Hand *h, unsigned k)
         return;
     }
     c[STATUS][k] = RESTING;
+    if (c[LIFTED][k] > 0.0) lifted_now(h, k);
     if (!allowed(h, k)) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
 }
 
@@ -784,6 +793,13 @@ static int never_rests(const Hand *h, unsigned k)
     return c[FIRST_ONLY][k] == 1.0 || c[role->normal0][k] + (most - p0) <= 0.01 * most;
 }
 
+/* What presses now, where order 0 of the series is there. */
+INLINE double presses(const Hand *h, unsigned k)
+{
+    const Roles *const role = h->w->role;
+    return role->normal < 0 ? h->c[role->normal0][k] : REGISTER(role->normal)[0][k];
+}
+
 /* Base what waits for it anew, and decide what follows, until every lane is ready for a step. */
 static void settle(Hand *h)
 {
@@ -794,8 +810,8 @@ static void settle(Hand *h)
         unsigned which = 0, series = 0;
         for (unsigned k = 0; k < LANES; k++) {
             if (h->todo[k] == LEAP) { /* what presses has leapt: is it lifted? */
-                begin_series(h), operate(h, 0);
-                const int lifted = role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0;
+                begin_series(h), operate(h, 0), operate_later(h, 1);
+                const int lifted = presses(h, k) < 0.0;
                 if (lifted && c[LIFTED][k] == 0.0) lifted_now(h, k);
                 h->todo[k] = (c[LIFTED][k] > 0.0) == lifted ? READY : ANEW;
                 c[LIFTED][k] = lifted;
@@ -808,13 +824,12 @@ static void settle(Hand *h)
         if (!which) return;
         if (w->tables) EACH(k, which) pieces(h, k);
         IN(prologue)(w->scalar, w->scalar_end, c, lanes(which));
-        if (series) begin_series(h), operate(h, 0);
+        if (series) begin_series(h), operate(h, 0), operate_later(h, 1);
         EACH(k, which) {
             const double net = REGISTER(role->net)[0][k];
             if (h->todo[k] == BEGIN || h->todo[k] == FACE || h->todo[k] == GO) {
                 const int of_velocity = h->todo[k] == BEGIN;
-                const int free = of_velocity ? role->normal >= 0 && REGISTER(role->normal)[0][k] < 0.0
-                                             : c[role->normal0][k] <= 0.0;
+                const int free = of_velocity ? presses(h, k) < 0.0 : c[role->normal0][k] <= 0.0;
                 if (free && c[LIFTED][k] == 0.0) {
                     c[LIFTED][k] = 1.0;
                     continue;
@@ -860,8 +875,8 @@ static void enters(Hand *h, unsigned k, double rate)
     h->todo[k] = ENTER;
 }
 
-/* A lane comes to its standstill. The way it came it does not go on: its drive is what has become negative. */
-static void stands(Hand *h, unsigned k, double rate)
+/* A lane comes to its standstill. It does not go on the way it came, whatever rounding says. */
+static void stands(Hand *h, unsigned k)
 {
     V *const c = h->c;
     base(h, k);
@@ -869,8 +884,8 @@ static void stands(Hand *h, unsigned k, double rate)
     c[REST_SINCE][k] = c[TIME][k];
     note(h, k, CAME_TO_REST);
     if (isnan(c[FIRST_STOP][k])) c[FIRST_STOP][k] = c[TIME][k];
-    h->faced[k] = rate < 0.0;
-    face(h, k, rate < 0.0 ? -c[DIRECTION][k] : c[DIRECTION][k]);
+    h->faced[k] = 1;
+    face(h, k, -c[DIRECTION][k]);
     h->todo[k] = FACE;
 }
 
@@ -1031,7 +1046,7 @@ static void step(Hand *h, unsigned which)
             if (!(at_limit >> k & 1)) continue;
             if (c[TIME][k] >= c[END_TIME][k]) ends(h, k, rate[k], ENDED);
             else if (pass_breaks(h, k)) h->todo[k] = LEAP;
-        } else if (event[k] == STANDS) stands(h, k, rate[k]);
+        } else if (event[k] == STANDS) stands(h, k);
         else if (event[k] == LIFTS) {
             c[LIFTED][k] = 1.0 - c[LIFTED][k];
             if (c[LIFTED][k] > 0.0) lifted_now(h, k);
@@ -1086,7 +1101,7 @@ static void wait(Hand *h, unsigned which)
     for (int i = 0; i < w->tables; i++) { /* the same for both directions, since it was based at the last */
         V *const inc = c + w->table[i].cell + INC;
         if (w->table[i].kind == OF_TIME)
-            *inc = pick(lanes(which), *inc + change(REGISTER(w->table[i].reg), h->stride - 2, stretch), *inc);
+            *inc = pick(lanes(which), *inc + change(REGISTER(w->table[i].reg), w->order, stretch), *inc);
     }
     EACH(k, which) {
         const int starts = begins[k] <= stretch[k], turned = !starts && (turns[k] & 1);
@@ -1124,6 +1139,15 @@ static void take(Hand *h, unsigned k, int64_t column)
         c[DIRECTION][k] = c[OMEGA][k] < 0.0 ? -1.0 : 1.0;
         c[OMEGA][k] = fabs(c[OMEGA][k]), c[X][k] = 0.0, c[LIFTED][k] = 0.0;
         h->todo[k] = c[OMEGA][k] > 0.0 ? BEGIN : FACE;
+        for (int i = 0; w->sloped && i < w->tables; i++) {
+            const Table *const t = w->table + i;
+            const Data *const d = w->data + i;
+            if (t->kind == OF_TIME) continue;
+            const double at = c[t->kind == OF_SLIP ? SLIP : OMEGA][k] * c[t->cell + SCALE][k];
+            int64_t piece = 0;
+            while (piece < d->pieces - 1 && d->breaks[piece + 1] <= at) piece++;
+            c[t->cell + PIECE][k] = (double)piece;
+        }
     } else if (c[STATUS][k] == NEED) { /* a table that goes on */
         c[STATUS][k] = c[OMEGA][k] > 0.0 ? MOVING : RESTING;
         base(h, k);
@@ -1160,7 +1184,7 @@ enum { LEAST_FREE = LANES / 2 };
 int64_t NAMED(flow_walk, LEVEL)(Walk *w);
 int64_t NAMED(flow_walk, LEVEL)(Walk *w)
 {
-    Hand hand = {.w = w, .c = w->memory, .r = (V *)w->memory + w->cells, .stride = w->order + 2}, *const h = &hand;
+    Hand hand = {.w = w, .c = w->memory, .r = (V *)w->memory + w->cells}, *const h = &hand;
     V *const c = h->c;
     int64_t next = w->begin;
     for (int n = 1; n < HIGHEST + 2; n++) h->inverse[n] = 1.0 / n;
