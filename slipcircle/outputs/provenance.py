@@ -9,7 +9,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
-from slipcircle.files.scenekeys import Key, Table, tables_of
+from slipcircle.scene.keys import Key, Table, tables_of
 from slipcircle.scene.arc import QUANTITIES
 from slipcircle.scene.friction import RATE_LAWS
 from slipcircle.scene.scene import Scene
