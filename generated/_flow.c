@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "64746cb82971b13e317cfd462a92ab67bda7c9cd11ff440234919061a4729f5f"
+#define DIGEST "9d06509064a914b86065aeac1f5c064111ca20650e9a2c4f3b9d45b3b19fd308"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -211,7 +211,7 @@ enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
-#define MOST_STEPS 1e7
+enum { MOST_STEPS = 200000, MOST_TURNS = 2000 }; /* of a lane, breaks of what changes with time left out */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_LOW, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, FIRST_STOP, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
 enum { LIN, RAMP, MUL, SQR, TIM, TURN, EXP, REC, LOG, POW };
@@ -1222,7 +1222,7 @@ static void step(Hand *h, unsigned which)
         if (w->table[i].kind == OF_TIME) *inc = pick(here, *inc + change(REGISTER(w->table[i].reg), top, tau), *inc);
     }
     c[TIME] = pick(here, until_[0], c[TIME]);
-    c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
+    c[STEPS] = pick(here & ~lanes(at_limit), c[STEPS] + 1.0, c[STEPS]);
     c[PASSED] = pick(here, zero, c[PASSED]);
     CANDIDATE(here, c[OMEGA], c[TIME], c[X], rate);
     EACH(k, which) {
@@ -1293,7 +1293,7 @@ static void wait(Hand *h, unsigned which)
         const double until = starts ? c[TIME][k] + begins[k] : at_break ? limit[k] : c[TIME][k] + stretch[k];
         const int over = !starts && !(until < INFINITY);
         if (w->samples) read_off(h, k, c[TIME][k], fmin(until, c[END_TIME][k]), 0, 0);
-        c[STEPS][k] += 1.0, c[PASSED][k] = NOTHING;
+        c[STEPS][k] += !at_break, c[PASSED][k] = NOTHING;
         if (over) {
             stays(h, k, ARRESTED);
             continue;
@@ -1339,12 +1339,13 @@ static void take(Hand *h, unsigned k, int64_t column)
     }
 }
 
-/* Of a lane that has come to its end nobody asks for more than what the walk has written. */
+/* Of a lane that has come to its end nobody asks for more than the first cells. */
 static void put(Hand *h, unsigned k)
 {
     const Walk *const w = h->w;
     const double status = h->c[STATUS][k];
-    const int count = status <= RESTING || status == NEED ? w->cells : OMEGA - 1 + w->states;
+    const int on = status <= RESTING || status == NEED || status == TOO_LONG;
+    const int count = on ? w->cells : OMEGA - 1 + w->states;
     double *to = w->all + h->column[k];
     for (int i = 0; i < count; i++, to += w->count) *to = h->c[i][k];
     h->held &= ~(1u << k);
@@ -1389,7 +1390,8 @@ int64_t NAMED(flow_walk, LEVEL)(Walk *w)
         if (moving | resting) settle(h);
         const V sum = c[TIME] + c[X] + c[OMEGA] + c[ROTATION];
         const M going = c[STATUS] <= (double)RESTING;
-        c[STATUS] = pick(going & (c[STEPS] > MOST_STEPS), flat(TOO_LONG), c[STATUS]);
+        const M turns = w->timed ? lanes(0) : c[TURNS] > (double)MOST_TURNS;
+        c[STATUS] = pick(going & ((c[STEPS] > (double)MOST_STEPS) | turns), flat(TOO_LONG), c[STATUS]);
         c[STATUS] = pick(going & ~(sum - sum == 0.0), flat(FAILED), c[STATUS]);
         EACH(k, h->held & ~bits(c[STATUS] <= (double)RESTING)) put(h, k);
     }

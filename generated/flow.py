@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 175eef6ecc91c22acbc3de5bba9d3807007214f206fb6aef24ab3d97e6825e8b
+# sha256 of the text below: b3ab9730df6e6e46c3d232c549c4b3cb4330d609fae580cbab4cae2844a34d56
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -29,6 +29,8 @@ class Fragment(NamedTuple):
     table: tuple[str, str, int] | None = None
 
 
+# The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime
+# marks a tangent, other names are for what is made on the way.
 Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 
 # Cells that every program has, first and in this order.
@@ -78,19 +80,12 @@ INPUTS = {
     'polar': 'I_p*/Theta*',
 }
 
-CELLS = tuple(MEANINGS)
-
-# Laws of slip in pieces: the parameter that is their scale, where they begin over it, and polynomials of what
-# is beyond, from the constant up.
+# Laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond.
 PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {
     'linear': ('length', (0.0, 1.0), lambda peak, residual, **_: ((peak, -peak + residual), (residual, 0.0))),
 }
 
-# What fragments add to.
-QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')
-
-# Operations that make the tangents of an operation's results, marked by a prime, under the names of its own
-# results and arguments; other names are for what is made on the way.
+# Operations that make the tangent of a cell.
 CELL_TANGENTS: dict[str, Tangents] = {
     'add': (('d', 'a', 'b', 'e'), (('add', "d'", "a'", "b'"),)),
     'sub': (('d', 'a', 'b', 'e'), (('sub', "d'", "a'", "b'"),)),
@@ -112,6 +107,7 @@ CELL_TANGENTS: dict[str, Tangents] = {
     'select': (('d', 'a', 'b', 'e'), (('less', '*.t4', '=0.0', 'a'), ('select', "d'", '*.t4', "b'", "e'"))),
 }
 
+# Operations that make the tangents of a register.
 SERIES_TANGENTS: dict[str, Tangents] = {
     'mul': (('d', 'a', 'b'), (('mul', "a*b'", 'a', "b'"), ('mul', "a'*b", "a'", 'b'), ('lin', "d'", '', (('=1.0', "a*b'"), ('=1.0', "a'*b"))))),
     'sqr': (('d', 'a'), (('mul', "a*a'", 'a', "a'"), ('lin', "d'", '', (('=2.0', "a*a'"),)))),
@@ -123,6 +119,7 @@ SERIES_TANGENTS: dict[str, Tangents] = {
     'pow': (('p', 'm', 'z', 'power'), (('rec', 'h', '*.h_less_1', 'z'), ('log', 'l', 'z'), ('mul', 'h*p', 'h', 'p'), ('mul', "h*p*z'", 'h*p', "z'"), ('mul', 'l*p', 'l', 'p'), ('lin', "p'", '', (('power', "h*p*z'"), ("power'", 'l*p'))), ('lin', "m'", '', (('power', "h*p*z'"), ("power'", 'l*p'))))),
 }
 
+# Parts of programs.
 FRAGMENTS: dict[str, Fragment] = {
     'gravity': Fragment(
         words=(
@@ -706,3 +703,6 @@ FRAGMENTS: dict[str, Fragment] = {
         table=None,
     ),
 }
+
+CELLS = tuple(MEANINGS)
+QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')  # what fragments add to

@@ -194,7 +194,7 @@ def test_names_are_whole_however_many_scenes(tmp_path: Path, capsys: pytest.Capt
 
 
 def test_a_table_has_no_more_digits_than_the_error_leaves() -> None:
-    assert [digits_left(x) for x in (0.0, 1e-9, 4e-4, 0.004, 0.04, 0.4, 1.0)] == [4, 4, 3, 2, 1, 1, 1]
+    assert [digits_left(x) for x in (0.0, 1e-9, 4e-4, 6e-4, 0.004, 0.04, 0.4, 1.0)] == [4, 4, 3, 2, 2, 1, 1, 1]
     assert [shown(x) for x in (0.43284, 12345.6, 1e-7, 0.0, -0.0, 1020.35, 1.5e9)] == [
         "0.4328", "12350", "1e-07", "0", "0", "1020", "1.5e+09"]  # fmt: skip
     assert [shown(27.9721, n) for n in (1, 2, 3)] == ["30", "28", "28"]

@@ -204,6 +204,18 @@ def test_friction_to_stand_still_crosses_at_the_peak() -> None:
     assert columns["holding_friction"][0] == pytest.approx(m.limit_friction)
 
 
+def test_friction_to_stand_still_with_water_and_cohesion() -> None:
+    """(J_theta - lambda c*)/(J_r - lambda u*) at the start, u* the share r_u of J_r/lambda."""
+    m = motion("wet-slope")
+    arc, d, called = m.plan.scene.arc, m.plan.scene.arc.dimensionless, m.plan.scene.called
+    cohesion = called["cohesion"]["cohesion"] / (20e3 * 40.0 * (1.0 - np.cos(arc.half_angle)))
+    wanted = (d.weight_moment - d.resistance_factor * cohesion) / (
+        d.radial_weight * (1 - called["pore_pressure"]["ratio"])
+    )
+    assert trace(m)["holding_friction"][0] == pytest.approx(wanted, rel=1e-13)
+    assert m.limit_friction == pytest.approx(wanted, rel=1e-13)
+
+
 def test_friction_is_that_of_the_speed() -> None:
     """By the law as it is declared: halfway at 0.0017 m/s; and at rest, before and after, its peak."""
     columns = trace(motion("vaiont-rate"))

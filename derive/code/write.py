@@ -59,7 +59,10 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
 def walk_source() -> str:
     """The compiled walk, with the operations that it knows."""
     text = (TEMPLATES / "_flow.c").read_text(encoding="utf-8")
-    return text.replace("@CODES@\n", series.c_enums()).replace("@OPERATIONS@\n", series.c_text())
+    made = {"CODES": series.c_enums(), "SERIES": series.c_series(), "CELL_OPERATIONS": series.c_cells()}
+    for mark, lines in made.items():
+        text = text.replace(f"@{mark}@\n", lines)
+    return text
 
 
 def header(name: str, text: str) -> str:

@@ -7,7 +7,7 @@ import sympy as sp
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
 from derive.flow.fragments import CELLS, INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import Fragment
-from derive.flow.operations import OPERATIONS, SCALARS
+from derive.flow.operations import OPERATIONS
 from derive.flow.tangents import of_cells, of_series
 
 _HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
@@ -39,6 +39,8 @@ class Fragment(NamedTuple):
     table: tuple[str, str, int] | None = None
 
 
+# The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime
+# marks a tangent, other names are for what is made on the way.
 Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 
 '''
@@ -46,44 +48,36 @@ Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 
 def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
+    own = {o.name: (*map(str, (*o.results, *o.arguments, *o.numbers)),) for o in OPERATIONS.values()}
+    of_cell = {name: repr((("d", "a", "b", "e"), template)) for name, template in of_cells().items()}
+    of_register = {name: repr((own[name], template)) for name, template in of_series().items()}
+    parts = {f.name: _fragment(f) for f in fragments(effects, laws)}
+    kinked = {law.name: _pieces(law) for law in laws if law.kinks}
+    blocks = (
+        ("cells that every program has, first and in this order", "MEANINGS", {x: repr(y) for x, y in CELLS.items()}),
+        ("numbers that every scene gives", "INPUTS", {x: repr(y) for x, y in INPUTS.items()}),
+        ("laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
+         "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]", kinked),
+        ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", of_cell),
+        ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", of_register),
+        ("parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
+    )  # fmt: skip
     text = [_HEAD]
-    for comment, name, table in (
-        ("Cells that every program has, first and in this order.", "MEANINGS", CELLS),
-        ("Numbers that every scene gives.", "INPUTS", INPUTS),
-    ):
-        lines = "".join(f"    {x!r}: {words!r},\n" for x, words in table.items())
-        text.append(f"# {comment}\n{name} = {{\n{lines}}}\n\n")
-    text.append("CELLS = tuple(MEANINGS)\n\n")
-    text.append(
-        "# Laws of slip in pieces: the parameter that is their scale, where they begin over it, and polynomials of what\n"
-        "# is beyond, from the constant up.\n"
-        "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]] = {\n"
-    )
-    for law in (law for law in laws if law.kinks):
-        breaks, polynomials = pieces(law)
-        names = sorted({str(x) for p in polynomials for c in p for x in c.free_symbols})
-        rows = ", ".join(f"({', '.join(sp.sstr(sp.Float(c) if c.is_Number else c) for c in p)})" for p in polynomials)
-        text.append(
-            f"    {law.name!r}: ({law.scale!r}, {(*map(float, breaks),)!r}, lambda {', '.join(names)}, **_: ({rows})),\n"
-        )
-    text.append("}\n\n")
-    text.append(f"# What fragments add to.\nQUANTITIES = {QUANTITIES!r}\n\n")
-    text.append(
-        "# Operations that make the tangents of an operation's results, marked by a prime, under the names of its own\n"
-        "# results and arguments; other names are for what is made on the way.\n"
-    )
-    for name, own, templates in (
-        ("CELL_TANGENTS", dict.fromkeys(SCALARS, "dabe"), of_cells()),
-        ("SERIES_TANGENTS", {o.name: (*o.results, *o.arguments, *o.numbers) for o in OPERATIONS.values()}, of_series()),
-    ):
-        lines = "".join(f"    {x!r}: ({(*map(str, own[x]),)!r}, {template!r}),\n" for x, template in templates.items())
-        text.append(f"{name}: dict[str, Tangents] = {{\n{lines}}}\n\n")
-    text += ["FRAGMENTS: dict[str, Fragment] = {\n", *(_fragment(f) for f in fragments(effects, laws)), "}\n"]
-    return "".join(text)
+    for comment, name, rows in blocks:
+        lines = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
+        text.append(f"# {comment[0].upper()}{comment[1:]}.\n{name} = {{\n{lines}}}\n\n")
+    return "".join(text) + f"CELLS = tuple(MEANINGS)\nQUANTITIES = {QUANTITIES!r}  # what fragments add to\n"
+
+
+def _pieces(law: Law) -> str:
+    breaks, polynomials = pieces(law)
+    names = ", ".join(sorted({str(x) for p in polynomials for c in p for x in c.free_symbols}))
+    rows = ", ".join(f"({', '.join(sp.sstr(sp.Float(c) if c.is_Number else c) for c in p)})" for p in polynomials)
+    return f"({law.scale!r}, {(*map(float, breaks),)!r}, lambda {names}, **_: ({rows}))"
 
 
 def _fragment(f: Fragment) -> str:
-    lines = [f"    {f.name!r}: Fragment(\n"]
+    lines = []
     for name in ("words", "inputs", "optional", "scalar", "series", "adds", "states", "table"):
         value = getattr(f, name)
         if name in ("words", "scalar", "series") and value:
@@ -94,4 +88,4 @@ def _fragment(f: Fragment) -> str:
             lines.append(f"        {name}={{\n{rows}        }},\n")
         else:
             lines.append(f"        {name}={value!r},\n")
-    return "".join(lines) + "    ),\n"
+    return f"Fragment(\n{''.join(lines)}    )"

@@ -9,22 +9,15 @@ from derive.algebra.stable import Select
 from derive.declare import effects as declared
 from derive.declare.effects import (
     BY_PSI,
-    EFFECTIVE,
     EFFECTS,
     FALL,
-    J_R,
-    J_THETA,
     LAMBDA,
     LAWS,
     LEVEL,
     MU,
     OMEGA,
-    OMEGA_2,
-    POLAR,
     PRESS,
-    PRESS_SLOPE,
     SLIP,
-    SPEED,
     THETA,
     Effect,
     Law,
@@ -95,7 +88,7 @@ def seen(q: sp.Symbol) -> sp.Symbol:
 
 def sign(q: sp.Symbol) -> sp.Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
-    return DIRECTION if q in (FALL, PRESS_SLOPE) else ONE
+    return DIRECTION if q in (FALL, declared.PRESS_SLOPE) else ONE
 
 
 def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
@@ -109,8 +102,13 @@ def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
 
 def scaled(e: sp.Expr) -> sp.Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
-    over = {J_THETA: THETA * FALL, J_R: THETA * PRESS, LAMBDA: THETA * LEVEL, declared.A: POLAR / LEVEL}
-    return sp.expand(sp.expand(sp.expand(e).subs(over | {OMEGA_2: OMEGA**2})) / THETA)
+    over = {
+        declared.J_THETA: THETA * FALL,
+        declared.J_R: THETA * PRESS,
+        LAMBDA: THETA * LEVEL,
+        declared.A: declared.POLAR / LEVEL,
+    }
+    return sp.expand(sp.expand(sp.expand(e).subs(over | {declared.OMEGA_2: OMEGA**2})) / THETA)
 
 
 def quantities(effect: Effect) -> dict[str, sp.Expr]:
@@ -134,7 +132,7 @@ def odd(effect: Effect) -> set[sp.Symbol]:
     adds = quantities(effect)
     symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
     for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
-        mirror = {x: -x for x in (FALL, PRESS_SLOPE, *chosen)}
+        mirror = {x: -x for x in (FALL, declared.PRESS_SLOPE, *chosen)}
         if all(sp.expand(e.xreplace(mirror) - (-e if q == "driving" else e)) == 0 for q, e in adds.items()):
             return set(chosen)
     raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
@@ -143,7 +141,7 @@ def odd(effect: Effect) -> set[sp.Symbol]:
 def moving(effect: Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
     """What may change along a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
-    found = position() | {OMEGA: speed, SPEED: speed, SLIP: (BEGAN, series("x"))}
+    found = position() | {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
     if effect is not None:
         signs = dict.fromkeys(odd(effect), DIRECTION)
         for p in effect.parameters:
@@ -163,7 +161,7 @@ def of_effect(effect: Effect) -> Fragment:
         low.cells |= {f"{x}_less": -x, f"{x}_0": -cell(f"{x}_less")}  # the state's own cell moves on along the phase
         low.put("lin", f"d{x}", f"{x}_less", (("=1.0", str(x)),))
     low.moving = {**low.moving, **TOTALS}
-    rate = sp.expand(effect.growth * OMEGA).subs(EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
+    rate = sp.expand(effect.growth * OMEGA).subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
     symbols = [p for p in effect.parameters if p.symbol is not None]
     return low.fragment(
         (f"({effect.equation}) {effect.help}", *declared.formulas(effect)),

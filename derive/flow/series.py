@@ -93,46 +93,6 @@ def _means(o: Operation) -> str:
 
 # --- C -------------------------------------------------------------------------------------------------------------
 
-_C = """\
-/* What is added at each k from the first to below another, by turns into parts j = 0 and 1 that do not wait for each
- * other. */
-#define OVER(first, below, add) do {{ int k = first; \\
-    while (k + 1 < (below)) {{ {{ const int j = 0; add; }} k++; {{ const int j = 1; add; }} k++; }} \\
-    if (k < (below)) {{ const int j = 0; add; }} }} while (0)
-
-/* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
- * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
- * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
- * Register i begins at r + i * stride; by_n is 1 / n. */
-static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
-                                                                        int n, double by_n) {{
-    switch (at[0]) {{
-    case LIN: {{
-        V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){{0}};
-        const int32_t *const end = at + 4 + 2 * at[3];
-        for (const int32_t *term = at + 4; term < end; term += 2)
-            sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
-        r[(ptrdiff_t)at[1] * stride + n] = sum;
-        return end;
-    }}
-    case RAMP:
-        return at + 3;
-{cases}    default:
-        __builtin_unreachable();
-    }}
-}}
-
-/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, result and arguments. */
-static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {{
-    while (at < end) {{
-        const V a = c[at[2]];
-        V *const d = c + at[1];
-        switch (at[0]) {{
-{scalar_cases}        }}
-    }}
-}}
-"""
-
 
 def _c_sums(o: Operation) -> list[str]:
     """All sums of an operation in one loop."""
@@ -164,15 +124,20 @@ def _c_case(o: Operation) -> str:
     return f"    case {o.name.upper()}: {{ /* {_means(o)} */\n" + "".join(f"        {x}\n" for x in lines) + "    }\n"
 
 
-def c_text() -> str:
-    """The C of all operations."""
-    scalar = ""
+def c_series() -> str:
+    """The cases of the operations on series, of which each returns where the next stands."""
+    return "".join(map(_c_case, OPERATIONS.values()))
+
+
+def c_cells() -> str:
+    """The cases of the operations on cells."""
+    found = ""
     for name, (means, text, _) in SCALARS.items():
         arguments = len(means.free_symbols)
         loads = "".join(f"const V {x} = c[at[{i}]]; " for i, x in ((3, "b"), (4, "e"))[: arguments - 1])
         case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {2 + arguments}; break; }}"
-        scalar += f"        case S_{name.upper()}: {case}\n"
-    return _C.format(cases="".join(map(_c_case, OPERATIONS.values())), scalar_cases=scalar)
+        found += f"        case S_{name.upper()}: {case}\n"
+    return found
 
 
 def c_enums() -> str:

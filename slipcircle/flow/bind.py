@@ -53,7 +53,7 @@ def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
 
 
 def bind(arc: Arc, called: Mapping[str, Mapping[str, Any]], friction: Any, velocity: Any, end_time: Any,
-         accuracy: float, lanes: int, asked: tuple[str, ...] = ()) -> Bound:  # fmt: skip
+         accuracy: float, lanes: int, asked: tuple[str, ...] = (), directions: int = 0) -> Bound:  # fmt: skip
     """Lanes of scenes that share their effects and laws.
 
     Parameters
@@ -74,7 +74,7 @@ def bind(arc: Arc, called: Mapping[str, Mapping[str, Any]], friction: Any, veloc
     known = [(p.symbol, called[e].get(p.name)) for e in effects for p in EFFECTS[e].parameters if p.symbol]
     moving = tuple(symbol for symbol, value in known if callable(value))
     absent = tuple(symbol for symbol, value in known if value is None)
-    program = join(effects, tuple(name for name, _ in parts), moving, absent, asked)
+    program = join(effects, tuple(name for name, _ in parts), moving, absent, asked, directions)
     time_scale, radius = arc.time_scale, np.asarray(arc.radius, dtype=np.float64)
     d, (weight, radial) = arc.dimensionless, arc.amplitudes_per_inertia
     press, limit = arc.press(), d.limit_friction

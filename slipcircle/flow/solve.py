@@ -1,7 +1,7 @@
 """Lanes of scenes that share their effects and laws: bound, walked to their end, and asked for what they passed."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -9,30 +9,35 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.flow import compiled, frozen, tables, walk
+from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
 from slipcircle.scene.arc import Arc
 
 Floats = NDArray[np.float64]
 
 
-def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = None,
-           log: walk.Log | None = None) -> Floats:  # fmt: skip
+def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = None, log: walk.Log | None = None,
+           walker: Any = None) -> Floats:  # fmt: skip
     """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
     cells, data = bound.cells.copy(), list(bound.tables)
     if closed:
         frozen.walk(bound.program, data, cells, samples, log)
     while True:
-        (compiled.run if compiled.module() else walk.walk)(bound.program, data, cells, samples, log)
+        (walker or (compiled.run if compiled.module() else walk.walk))(bound.program, data, cells, samples, log)
         asking = cells[walk.STATUS] == walk.NEED
         if not np.any(asking):
-            return cells
+            break
         for k, grown in bound.functions.items():
             data[k] = _longer(data[k], grown)
         lanes = walk.Lanes(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
         lanes.base()
         cells[:, asking] = lanes.c
         cells[walk.STATUS, asking] = walk.MOVING
+    long = (cells[walk.STATUS] == walk.TOO_LONG) & (cells[walk.STEPS] > walk.MOST_STEPS)
+    long &= np.isfinite(cells[walk.END_TIME])  # creep without an end has none
+    if np.any(long):
+        stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
+    return cells
 
 
 def _longer(data: tables.Data, grown: Grown) -> tables.Data:
@@ -83,10 +88,10 @@ class Lanes:
     def bound(self) -> Bound:
         return self.bind()
 
-    def bind(self, asked: tuple[str, ...] = (), without: Sequence[str] = (), more: Mapping[str, Any] = {}) -> Bound:
-        """Bound numbers, with other outputs or effects than the scene's own."""
-        called = {e: p for e, p in self.called.items() if e not in without} | dict(more)
-        return bind(self.arc, called, self.friction, self.velocity, self.end_time, self.accuracy, self.count, asked)
+    def bind(self, asked: tuple[str, ...] = (), directions: int = 0) -> Bound:
+        """Bound numbers, with further outputs, or derivatives in so many directions."""
+        return bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count,
+                    asked, directions)  # fmt: skip
 
     @property
     def radius(self) -> Any:

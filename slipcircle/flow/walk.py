@@ -26,7 +26,7 @@ CELLS = generated.CELLS
 assert CELLS[:33][-2:] == ("x", "omega")
 START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED = range(10)
 PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 = range(8)  # of a table's cells
-MOST_STEPS = 1e4
+MOST_STEPS, MOST_TURNS = 2e5, 2000
 NOTHING, LIFT, FASTER, SLOWER, STOOD = range(5)  # what a phase has just passed, and that it has just ended
 BEGINS, STANDS, LIFTS, LANDS = 1, 2, 3, 4  # kinds of events in a log
 Log = list[tuple[int, float, float, float]]  # kind, time, rotation, direction
@@ -103,7 +103,8 @@ class Lanes:
         self.on(status == RESTING, "wait")
         lost = ~np.isfinite(self.c[TIME] + self.c[X] + self.c[OMEGA] + self.c[ROTATION]) & (self.c[STATUS] <= RESTING)
         self.c[STATUS, lost] = FAILED
-        self.c[STATUS, (self.c[STEPS] > MOST_STEPS) & (self.c[STATUS] <= RESTING)] = TOO_LONG
+        long = (self.c[STEPS] > MOST_STEPS) | ((self.c[TURNS] > MOST_TURNS) & (len(self.timed) == 0))
+        self.c[STATUS, long & (self.c[STATUS] <= RESTING)] = TOO_LONG
 
     # --- phases ------------------------------------------------------------------------------------------------------
 
@@ -112,6 +113,7 @@ class Lanes:
         c = self.c
         c[DIRECTION] = np.sign(c[OMEGA])
         c[OMEGA] = np.abs(c[OMEGA])
+        self.find_pieces()
         self.on(c[OMEGA] > 0.0, "begin")
         self.on(c[OMEGA] == 0.0, "decide")
 
@@ -301,11 +303,7 @@ class Lanes:
         """All registers, (registers, order + 1, lanes), and their coefficients' last useful order in each lane."""
         c, p = self.c, self.program
         r = np.zeros((len(p.registers), order + 1, c.shape[1]))
-        for k in self.timed:
-            slot = p.tables[k]
-            terms = self._local(slot, self.tables[k])[: order + 1]
-            r[slot.register, : len(terms)] = terms
-            r[slot.register, 0] = c[slot.cells + INC]
+        self._ramps(r)
         for cell, register, _ in p.states:
             r[register, 0] = c[cell]
         last = c[ORDER].copy()
@@ -331,6 +329,14 @@ class Lanes:
         if np.any(last < order):
             r *= np.arange(order + 1)[None, :, None] <= last
         return r, last
+
+    def _ramps(self, r: Floats) -> None:
+        """The registers of what changes with time, as increments since the phase began."""
+        for k in self.timed:
+            slot = self.program.tables[k]
+            terms = self._local(slot, self.tables[k])[: r.shape[1]]
+            r[slot.register, : len(terms)] = terms
+            r[slot.register, 0] = self.c[slot.cells + INC]
 
     def _length(self, r: Floats, last: Floats, registers: Sequence[int]) -> Floats:
         """The step: a share of the least radius of convergence that the last four coefficients tell."""
@@ -368,15 +374,19 @@ class Lanes:
         at_limit &= event < 0
         self._peak(net, x, omega, tau)
         self._read(c[TIME], np.where(at_limit, limit, c[TIME] + tau), (x, omega, net, r))
-        c[STEPS] += 1.0
-        c[PASSED] = NOTHING
-        rate = value(net, tau)
+        c[STEPS] += ~at_limit  # a record takes as many as it has samples
         for cell, register, _ in p.states:
             c[cell] += increment(r[register], tau)
-        c[TIME] = np.where(at_limit, limit, c[TIME] + tau)
         for k in self.timed:
             slot = p.tables[k]
             c[slot.cells + INC] += increment(r[slot.register], tau)
+        c[TIME] = np.where(at_limit, limit, c[TIME] + tau)
+        self.settle(event, value(net, tau), at_limit)
+
+    def settle(self, event: NDArray[np.intp], rate: Floats, at_limit: Any) -> None:
+        """What follows from where a step has ended: an event, a break of what changes with time, the end."""
+        c, p = self.c, self.program
+        c[PASSED] = NOTHING
         self.on(event == 0, "stand")
         if 1 <= event.max(initial=-1):
             lifting = event == 1
@@ -565,7 +575,6 @@ class Lanes:
         over = ~starts & ~np.isfinite(until)
         late = (until >= c[END_TIME]) & ~over
         self._read(c[TIME], np.minimum(until, c[END_TIME]), None)
-        c[STEPS] += 1.0
         c[DIRECTION] = way
         c[STATUS, over] = ARRESTED
         self.on(over, "rest")

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,9 @@ from slipcircle.flow import walk
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
+
+if TYPE_CHECKING:
+    from slipcircle.motion.sensitivity import Sensitivity
 
 Floats = NDArray[np.float64]
 
@@ -406,6 +409,23 @@ class Motion:
         e = self.energy
         most = np.maximum(np.maximum(np.abs(e.work), e.dissipation), np.maximum(e.kinetic_end, 1e-300))
         return np.abs(e.residual) / most
+
+    def sensitivity(self) -> "Sensitivity":
+        """Exact derivatives of a single motion by every number of its scene: `slipcircle.motion.sensitivity`.
+
+        Raises
+        ------
+        ValueError
+            If the scene is exactly at its limit, where the motion has no derivative; or is one of arrays.
+        """
+        from slipcircle.motion.sensitivity import sensitivity
+
+        if self.shape:
+            raise ValueError("sensitivity: takes one scene at a time; solve a lane by itself")
+        if not self.moves and self.limit_friction == self.friction:
+            raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
+        at = {"peak_velocity": self.peak.velocity, "run_out": self.run_out, "duration": self.duration}
+        return sensitivity(self.plan.scene, self._lanes, at if self.moves else dict.fromkeys(at, 0.0))
 
     @property
     def warnings(self) -> tuple[str, ...]:

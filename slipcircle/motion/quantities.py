@@ -170,7 +170,7 @@ def shown(value: float, digits: int = DIGITS) -> str:
 
 
 def digits_left(error: float) -> int:
-    """Significant digits, at most `DIGITS`, that a relative error leaves."""
+    """Significant digits, at most `DIGITS`, of which a relative error moves the last one by half a unit at most."""
     return DIGITS if error <= 0.0 else max(1, min(DIGITS, math.floor(-math.log10(min(2 * error, 1.0)))))
 
 

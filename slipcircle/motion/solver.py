@@ -9,6 +9,7 @@ import numpy as np
 
 from generated.effects import EFFECTS
 from slipcircle.flow.solve import Lanes
+from slipcircle.flow.walk import MOST_TURNS
 from slipcircle.motion.motion import Motion, Status
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.scene.arc import QUANTITIES, Arc
@@ -119,6 +120,11 @@ def _refuse(motion: Motion) -> None:
     if status == Status.ENDLESS and not turns:
         raise ValueError(
             "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
+        )
+    if status == Status.ENDLESS and motion.turnings < MOST_TURNS:
+        raise ValueError(
+            "end_time: this mass creeps to its rest, ever more slowly as what resists falls with the speed, and never "
+            "quite reaches it; give end_time in s"
         )
     if status == Status.ENDLESS:
         times = motion.turnings

@@ -32,7 +32,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
             places.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
     turned = [rotation for _, rotation, _ in places]
     swept = np.linspace(first + min(turned), second + max(turned), 400)
-    ax.plot(*_points(radius, swept), label="slip surface", **LINES["help"])
+    ax.plot(*_points(radius, swept), label="slip surface", color="0.45", lw=1.2)
     outlines = [_points(radius, np.linspace(first, second, 200) + rotation) for rotation in turned]
     shown = _view(ax, radius, np.concatenate(outlines, axis=1))
     small = 2 * radius * math.sin((second - first) / 2) < _SMALL * shown

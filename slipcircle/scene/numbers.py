@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from generated.effects import LAWS
 from slipcircle.base.distributions import distribution_mistakes, made
 from slipcircle.scene.friction import law_names
 from slipcircle.scene.keys import Table, tables_of
@@ -103,9 +104,13 @@ def number_of(path: str, friction: Any) -> Number:
     raise ValueError(f"{path}: is no number of a scene{asked or '; known are ' + ', '.join(keys)}")
 
 
-def keyed(name: str, friction: Any) -> Number | None:
-    """A number by the first of its keys, such as the angle of a friction; none where a file cannot say it."""
-    return next((n for n in numbers_of(friction).values() if n.name == name), None)
+def keyed() -> dict[str, Number]:
+    """The first key that a scene file has for each name in `Scene.numbers`, such as the angle of a friction."""
+    found: dict[str, Number] = {}
+    for law in ("constant", *LAWS):
+        for number in numbers(tables_of(law)).values():
+            found.setdefault(number.name, number)
+    return found
 
 
 @dataclass(frozen=True)

@@ -209,7 +209,7 @@ enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
-#define MOST_STEPS 1e7
+enum { MOST_STEPS = 200000, MOST_TURNS = 2000 }; /* of a lane, breaks of what changes with time left out */
 
 @CODES@
 enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -336,7 +336,45 @@ INLINE V sqrt_of(V x) { return by_lanes(sqrt, x); }
 #define vector_map(f, x) f##_of(x)
 #define vector_choose pick
 
-@OPERATIONS@
+/* What is added at each k from the first to below another, by turns into parts j = 0 and 1 that do not wait for each
+ * other. */
+#define OVER(first, below, add) do { int k = first; \
+    while (k + 1 < (below)) { { const int j = 0; add; } k++; { const int j = 1; add; } k++; } \
+    if (k < (below)) { const int j = 0; add; } } while (0)
+
+/* One operation on series at order n: coefficient n of its results, and where the next operation stands. It is its
+ * code, its results, its arguments and the cells of its numbers; a sum is its code, its result, the cell of its
+ * constant or -1, how many terms, and the cell and the register of each. What is read off a table is there already.
+ * Register i begins at r + i * stride; by_n is 1 / n. */
+static inline __attribute__((always_inline)) const int32_t *IN(operate)(const int32_t *at, V *r, const V *c, int stride,
+                                                                        int n, double by_n) {
+    switch (at[0]) {
+    case LIN: {
+        V sum = n == 0 && at[2] >= 0 ? c[at[2]] : (V){0};
+        const int32_t *const end = at + 4 + 2 * at[3];
+        for (const int32_t *term = at + 4; term < end; term += 2)
+            sum += c[term[0]] * r[(ptrdiff_t)term[1] * stride + n];
+        r[(ptrdiff_t)at[1] * stride + n] = sum;
+        return end;
+    }
+    case RAMP:
+        return at + 3;
+@SERIES@
+    default:
+        __builtin_unreachable();
+    }
+}
+
+/* The operations on cells of a prologue, to their end, in some of the lanes: each its code, result and arguments. */
+static void IN(prologue)(const int32_t *at, const int32_t *end, V *c, M here) {
+    while (at < end) {
+        const V a = c[at[2]];
+        V *const d = c + at[1];
+        switch (at[0]) {
+@CELL_OPERATIONS@
+        }
+    }
+}
 /* --- polynomials in the time of a step: coefficients p[0] to p[n] --- */
 
 INLINE V value(const V *p, int n, V t)
@@ -1038,7 +1076,7 @@ static void step(Hand *h, unsigned which)
         if (w->table[i].kind == OF_TIME) *inc = pick(here, *inc + change(REGISTER(w->table[i].reg), top, tau), *inc);
     }
     c[TIME] = pick(here, until_[0], c[TIME]);
-    c[STEPS] = pick(here, c[STEPS] + 1.0, c[STEPS]);
+    c[STEPS] = pick(here & ~lanes(at_limit), c[STEPS] + 1.0, c[STEPS]);
     c[PASSED] = pick(here, zero, c[PASSED]);
     CANDIDATE(here, c[OMEGA], c[TIME], c[X], rate);
     EACH(k, which) {
@@ -1109,7 +1147,7 @@ static void wait(Hand *h, unsigned which)
         const double until = starts ? c[TIME][k] + begins[k] : at_break ? limit[k] : c[TIME][k] + stretch[k];
         const int over = !starts && !(until < INFINITY);
         if (w->samples) read_off(h, k, c[TIME][k], fmin(until, c[END_TIME][k]), 0, 0);
-        c[STEPS][k] += 1.0, c[PASSED][k] = NOTHING;
+        c[STEPS][k] += !at_break, c[PASSED][k] = NOTHING;
         if (over) {
             stays(h, k, ARRESTED);
             continue;
@@ -1155,12 +1193,13 @@ static void take(Hand *h, unsigned k, int64_t column)
     }
 }
 
-/* Of a lane that has come to its end nobody asks for more than what the walk has written. */
+/* Of a lane that has come to its end nobody asks for more than the first cells. */
 static void put(Hand *h, unsigned k)
 {
     const Walk *const w = h->w;
     const double status = h->c[STATUS][k];
-    const int count = status <= RESTING || status == NEED ? w->cells : OMEGA - 1 + w->states;
+    const int on = status <= RESTING || status == NEED || status == TOO_LONG;
+    const int count = on ? w->cells : OMEGA - 1 + w->states;
     double *to = w->all + h->column[k];
     for (int i = 0; i < count; i++, to += w->count) *to = h->c[i][k];
     h->held &= ~(1u << k);
@@ -1205,7 +1244,8 @@ int64_t NAMED(flow_walk, LEVEL)(Walk *w)
         if (moving | resting) settle(h);
         const V sum = c[TIME] + c[X] + c[OMEGA] + c[ROTATION];
         const M going = c[STATUS] <= (double)RESTING;
-        c[STATUS] = pick(going & (c[STEPS] > MOST_STEPS), flat(TOO_LONG), c[STATUS]);
+        const M turns = w->timed ? lanes(0) : c[TURNS] > (double)MOST_TURNS;
+        c[STATUS] = pick(going & ((c[STEPS] > (double)MOST_STEPS) | turns), flat(TOO_LONG), c[STATUS]);
         c[STATUS] = pick(going & ~(sum - sum == 0.0), flat(FAILED), c[STATUS]);
         EACH(k, h->held & ~bits(c[STATUS] <= (double)RESTING)) put(h, k);
     }

@@ -1,0 +1,434 @@
+"""Exact derivatives of a motion by the numbers of its scene: the program differentiates itself, the walk its events.
+
+A name with `_dot` holds derivatives, one for each parameter, those of states at a fixed time. At an event g = 0 the
+time of the event has t_dot = -g_dot/(dg/dt); what begins there begins with total derivatives, value_dot + rate t_dot,
+and goes on at fixed times, less the new rate times t_dot.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import sensitivity as slopes
+from generated.effects import EFFECTS, LAWS
+from generated.flow import PIECES
+from slipcircle.flow import walk as w
+from slipcircle.flow.bind import law_parts
+from slipcircle.flow.polynomials import value
+from slipcircle.flow.program import Program, Table
+from slipcircle.flow.solve import Lanes, walked
+from slipcircle.flow.tables import Data, of_law
+from slipcircle.scene.scene import Scene
+
+Floats = NDArray[np.float64]
+
+OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s"}
+ARC = {"theta_1": "rad", "theta_2": "rad", "radius": "m", "unit_weight": "N/m^3", "gravity": "m/s^2"}
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Derivatives of a motion by the parameters of its scene.
+
+    Attributes
+    ----------
+    outputs : mapping
+        Unit of each row: peak_velocity, run_out, duration; signed as `Motion` gives them.
+    parameters : mapping
+        Unit of each column: friction, theta_1, ..., and the effects' parameters as ``effect.parameter``.
+    at : dict of float
+        Value of each output and each parameter.
+    values : ndarray
+        d(output)/d(parameter), SI units and radians.
+    elasticities : ndarray
+        (parameter/output) d(output)/d(parameter): per cent for a per cent; NaN where the output is zero.
+    """
+
+    outputs: Mapping[str, str]
+    parameters: Mapping[str, str]
+    at: Mapping[str, float]
+    values: Floats
+
+    @property
+    def elasticities(self) -> Floats:
+        of = np.array([self.at[n] for n in self.outputs])[:, None]
+        by = np.array([self.at[n] for n in self.parameters])
+        return np.asarray(self.values * by / np.where(of == 0.0, np.nan, of))
+
+    def derivative(self, output: str, parameter: str) -> float:
+        """One of the values."""
+        return float(self.values[list(self.outputs).index(output), list(self.parameters).index(parameter)])
+
+
+def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sensitivity:
+    """Derivatives of a single motion's outputs by every number of its scene.
+
+    Notes
+    -----
+    Angles are left out where the arc's coefficients are given instead of computed, and the initial velocity where the
+    mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill.
+    """
+    parameters = _parameters(scene)
+    values = np.zeros((len(OUTPUTS), len(parameters)))
+    if any(outputs.values()):
+        values[:] = _followed(lanes, list(parameters))
+    at = dict(outputs) | {n: v for n, (_, v) in parameters.items()}
+    return Sensitivity(OUTPUTS, {n: unit for n, (unit, _) in parameters.items()}, at, values)
+
+
+def _parameters(scene: Scene) -> dict[str, tuple[str, float]]:
+    """Unit and value of each free parameter."""
+    units: dict[str, str] = {"friction": "", **ARC, "initial_velocity": "m/s"}
+    for name, _ in law_parts(scene.friction):
+        if name in LAWS:
+            units |= {f"friction.{p.name}": p.unit for p in LAWS[name].parameters}
+    for name, effect in EFFECTS.items():
+        units |= {f"{name}.{p.name}": p.unit for p in effect.parameters if p.symbol or p.kind == "number"}
+    found = {n: (units[n], float(np.asarray(v))) for n, v in scene.numbers.items() if n in units and not callable(v)}
+    if found["initial_velocity"][1] == 0.0:
+        del found["initial_velocity"]
+    if scene.arc.given is not None:
+        del found["theta_1"], found["theta_2"]
+    known = {f"{e}.{p.name}" for e in EFFECTS for p in EFFECTS[e].parameters if p.kind == "number" and not p.symbol}
+    return {n: v for n, v in found.items() if n not in known or n.partition(".")[0] in ("viscosity", *_HEATS)}
+
+
+_HEATS = tuple(e for e, effect in EFFECTS.items() if "history" in effect.depends_on)
+
+
+class _Seeds:
+    """How the numbers of a program change with each parameter of the scene."""
+
+    def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
+        self.lanes, self.names = lanes, names
+        arc = lanes.arc
+        alpha = float(arc.half_angle)
+        alpha_dot = (self.one("theta_2") - self.one("theta_1")) / 2
+        dip_dot = -(self.one("theta_1") + self.one("theta_2")) / 2
+        radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
+        unit_weight = self.relative("unit_weight", arc.unit_weight)
+        weight, radial, polar, level, inertia = (float(g) for g in slopes.arc_growth(alpha))
+        self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
+        c, at = lanes.bound.cells[:, 0], {n: k for k, n in enumerate(lanes.bound.program.cells)}
+        fall, press, fall_slope, press_slope = (float(c[at[n]]) for n in _COMPONENTS)
+        self.inputs = {
+            "fall": fall * weight * alpha_dot + fall_slope * dip_dot,
+            "fall_slope": fall_slope * weight * alpha_dot - fall * dip_dot,
+            "press": press * radial * alpha_dot + press_slope * dip_dot,
+            "press_slope": press_slope * radial * alpha_dot - press * dip_dot,
+            "polar": c[at["polar"]] * polar * alpha_dot, "level": c[at["level"]] * level * alpha_dot,
+        }  # fmt: skip
+        # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
+        self.growths = {
+            "half_angle": alpha_dot / alpha, "gravity": gravity, "Theta": inertia / alpha * alpha_dot, "radius": radius,
+            "reference_stress": unit_weight + radius + alpha_dot / math.tan(alpha / 2),
+            "density": unit_weight - gravity,
+        }  # fmt: skip
+        self.tables: dict[str, tuple[Any, Any, list[Data] | None]] = {}  # growth of scale, of factor; data by parameter
+        self._effects(c, at)
+        self._laws(c, at)
+        self.omega = c[w.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
+
+    def one(self, name: str) -> Floats:
+        return np.array([float(n == name) for n in self.names])
+
+    def relative(self, name: str, at: Any) -> Floats:
+        return self.one(name) / float(at) if float(at) else self.one(name) * 0.0
+
+    def _effects(self, c: Floats, at: Mapping[str, int]) -> None:
+        arc = self.lanes.arc
+        scales = {
+            "half_angle": float(arc.half_angle), "gravity": float(arc.gravity), "radius": float(arc.radius),
+            "reference_stress": float(arc.reference_stress), "Theta": float(arc.dimensionless.moment_of_inertia),
+            "density": float(arc.unit_weight) / float(arc.gravity),
+        }  # fmt: skip
+        for effect, given in self.lanes.called.items():
+            own = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
+            numbers = {n: float(v) for n, v in own.items() if not callable(v)}
+            growths = self.growths | {n: self.relative(f"{effect}.{n}", v) for n, v in numbers.items()}
+            for p in EFFECTS[effect].parameters:
+                if not p.symbol:
+                    continue
+                # What makes a parameter dimensionless is a product of powers: each is told by doubling what it is of.
+                growth = 0.0 * self.time_growth
+                unit = p.dimensionless(1.0, scales | numbers)
+                for name, amount in (scales | numbers).items():
+                    if name == p.name or not amount:
+                        continue
+                    doubled = p.dimensionless(1.0, scales | numbers | {name: 2 * amount})
+                    growth = growth + round(2 * math.log2(doubled / unit)) / 2 * growths[name]
+                amount = given.get(p.name, 0.0)
+                if callable(amount):
+                    self.tables[p.symbol] = (self.time_growth, growth, None)
+                    continue
+                power = 1.0 if not amount else round(2 * math.log2(p.dimensionless(2.0, scales | numbers) / unit)) / 2
+                value_dot = growth * p.dimensionless(amount, scales | numbers) if amount else 0.0 * growth
+                whole = p.dimensionless(amount, scales | numbers) if amount else unit
+                self.inputs[p.symbol] = value_dot + whole * power / (amount or 1.0) * self.one(f"{effect}.{p.name}")
+
+    def _laws(self, c: Floats, at: Mapping[str, int]) -> None:
+        for name, given in law_parts(self.lanes.friction):
+            if name == "callable":
+                self.tables[name] = (self.radius_growth, 0.0 * self.time_growth, None)
+                continue
+            law = LAWS[name]
+            growth = {"m": self.radius_growth, "m/s": self.speed_growth, "": 0.0 * self.time_growth}
+            if name in PIECES:
+                scale = PIECES[name][0]
+                length = self.radius_growth - self.relative(f"friction.{scale}", given[scale])
+                own = [n.removeprefix("friction.") for n in self.names]
+                data = [_changed(name, given, n if n in given and n != scale else "") for n in own]
+                self.tables[name] = (length, 0.0 * length, data)
+            elif law.parameters[0].kind == "list":
+                scale = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
+                self.tables[name] = (scale[law.depends_on[0]], 0.0 * self.time_growth, None)
+            else:
+                for p in law.parameters:
+                    cell = c[at[f"{name}.{p.name}"]] if f"{name}.{p.name}" in at else 0.0
+                    own = self.one("friction" if name == "constant" else f"friction.{p.name}")
+                    per = cell / float(given[p.name]) if float(given[p.name]) else 1.0
+                    self.inputs[f"{name}.{p.name}"] = own * per - cell * growth[p.unit]
+
+
+def _changed(name: str, given: Mapping[str, Any], parameter: str) -> Data:
+    """How the pieces of a law change with a coefficient, in which they are linear."""
+    numbers = {n: float(v) for n, v in given.items()}
+    up, down = (of_law(name, numbers | ({parameter: numbers[parameter] + by} if parameter else {})) for by in (1, -1))
+    return up._replace(coefficients=(up.coefficients - down.coefficients) / 2)
+
+
+_COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
+
+
+def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
+    """Rows: peak velocity, run-out, duration; a column for each parameter."""
+    seeds = _Seeds(lanes, names)
+    bound = lanes.bind(directions=len(names))
+    places = {n: k for k, n in enumerate(bound.program.cells)}
+    for j, tangent in enumerate(bound.program.tangents):
+        for name, dot in seeds.inputs.items():
+            if name in places and places[name] in tangent.cells:
+                bound.cells[tangent.cells[places[name]]] = dot[j]
+        bound.cells[tangent.cells[w.OMEGA]] = abs(seeds.omega[j]) * np.sign(seeds.omega[j] * bound.cells[w.OMEGA])
+    walks: list[_Walk] = []
+
+    def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
+        if not walks:
+            walks.append(_Walk(program, data, cells, seeds))
+        walks[0].tables = data
+        with np.errstate(all="ignore"):
+            while walks[0].c[w.STATUS, 0] <= w.RESTING:
+                walks[0].round()
+
+    walked(bound, walker=follow)
+    one, scale, radius = walks[0], float(bound.time_scale), float(np.asarray(lanes.arc.radius))
+    c = one.c[:, 0]
+    ended = c[w.STATUS] == w.ENDED
+    rotation = one.dot(w.ROTATION)
+    if ended and c[w.OMEGA] != 0.0:
+        rotation = rotation + c[w.DIRECTION] * (one.dot(w.X) + c[w.OMEGA] * one.end_dot)
+    peak = np.sign(c[w.PEAK_OMEGA]) * one.peak_dot + c[w.PEAK_OMEGA] * seeds.speed_growth
+    run_out = radius * (rotation + c[w.END_ROTATION] * seeds.radius_growth)
+    duration = 0.0 * peak if ended else scale * (one.rest_dot + c[w.REST_SINCE] * seeds.time_growth)
+    return np.array([radius / scale * peak, run_out, duration])
+
+
+class _Walk(w.Lanes):
+    """One lane on its way with its derivatives."""
+
+    def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, seeds: _Seeds) -> None:
+        super().__init__(program, tables, cells, None, np.arange(1))
+        self.seeds = seeds
+        self.none = np.zeros(len(program.tangents))
+        self.event_dot = self.none  # of the time at which the phase in hand begins
+        self.peak_dot = self.rest_dot = self.none
+        self.end_dot = -cells[w.END_TIME, 0] * seeds.time_growth if np.isfinite(cells[w.END_TIME, 0]) else self.none
+        self.r: Any = None
+        self.total = self.none
+
+    def dot(self, cell: int) -> Floats:
+        """Derivatives of a cell."""
+        places = [t.cells.get(cell, -1) for t in self.program.tangents]
+        return np.array([self.c[k, 0] if k >= 0 else 0.0 for k in places])
+
+    def put(self, cell: int, dots: Any) -> None:
+        for tangent, dot in zip(self.program.tangents, np.broadcast_to(dots, self.none.shape), strict=True):
+            if cell in tangent.cells:
+                self.c[tangent.cells[cell], 0] = dot
+
+    def of(self, register: int, at: float) -> Floats:
+        """Derivatives of a register at a time since the step began."""
+        found = [t.registers.get(register, -1) for t in self.program.tangents]
+        return np.array([float(value(self.r[k][:, 0], at)) if k >= 0 else 0.0 for k in found])
+
+    # --- tables ------------------------------------------------------------------------------------------------------
+
+    def _piece(self, slot: Table, data: Data) -> None:
+        super()._piece(slot, data)
+        scale_growth, factor_growth, by_parameter = self.seeds.tables[slot.name]
+        at, c = slot.cells, self.c
+        scale, factor = c[at + w.SCALE, 0], c[at + w.SCALED_BY, 0]
+        if slot.kind == "time":
+            _, dots = self._course(slot, data, 1)
+            self.put(at + w.VALUE, dots[0] + self._local(slot, data)[1:2].sum() * self.event_dot)
+            return
+        piece = int(c[at + w.PIECE, 0])
+        slips = slot.kind == "slip"
+        if slips:
+            local = max(c[w.SLIP, 0] * scale - data.breaks[piece], 0.0)
+            moved = self.dot(w.SLIP) * scale + c[w.SLIP, 0] * scale * scale_growth
+        elif piece:
+            local = math.log(c[w.OMEGA, 0] * scale / data.breaks[piece])
+            moved = self.dot(w.OMEGA) / c[w.OMEGA, 0] + scale_growth
+        else:
+            local, moved = 0.0, self.none
+        terms = w.shifted(data.polynomial(np.array([piece])), np.array([local]))[:, 0]
+        terms = np.append(terms, 0.0)
+        for j in range(slot.degree + 1):
+            unit = scale**j if slips else 1.0
+            here = terms[j] if j < len(terms) else 0.0
+            more = (j + 1) * terms[j + 1] if j + 1 < len(terms) else 0.0
+            dots = factor * unit * (here * (factor_growth + (j * scale_growth if slips else 0.0)) + more * moved)
+            if by_parameter is not None:
+                own = [w.shifted(d.polynomial(np.array([piece])), np.array([local]))[:, 0] for d in by_parameter]
+                dots = dots + factor * unit * np.array([o[j] if j < len(o) else 0.0 for o in own])
+            self.put(at + w.VALUE if j == 0 else at + w.Q1 + j - 1, dots)
+
+    def _course(self, slot: Table, data: Data, order: int) -> tuple[Floats, Floats]:
+        """Taylor coefficients about now of a function of time, and their derivatives at fixed time, (terms, ...)."""
+        scale_growth, factor_growth, _ = self.seeds.tables[slot.name]
+        terms = np.zeros(order + 2)
+        local = self._local(slot, data)[: order + 2, 0]
+        terms[: len(local)] = local
+        n = np.arange(order + 1)
+        faster = self.c[w.TIME, 0] * (n + 1) * terms[1:] + n * terms[:-1]
+        return terms[:-1], terms[:-1, None] * factor_growth + faster[:, None] * scale_growth
+
+    def _ramps(self, r: Floats) -> None:
+        super()._ramps(r)
+        for k in self.timed:
+            slot = self.program.tables[k]
+            _, dots = self._course(slot, self.tables[k], r.shape[1] - 1)
+            dots[0] -= self.dot(slot.cells + w.VALUE)
+            for tangent, dot in zip(self.program.tangents, dots.T, strict=True):
+                if slot.register in tangent.registers:
+                    r[tangent.registers[slot.register], :, 0] = dot
+
+    # --- events ------------------------------------------------------------------------------------------------------
+
+    def _events(self, r: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
+        self.r = r
+        self.tau, event = super()._events(r, h)
+        self.before = [float(value(r[rate][:, 0], self.tau[0])) for _, _, rate in self._own]
+        return self.tau, event
+
+    @property
+    def _own(self) -> Any:
+        """The states that are no derivatives."""
+        count = len(self.program.states) // (1 + len(self.program.tangents))
+        return self.program.states[:count]
+
+    def _depart(self, event_dot: Floats) -> None:
+        """Total derivatives where the lane is now, for a phase that begins here."""
+        c = self.c
+        omega = c[w.OMEGA, 0]
+        gone = self.dot(w.X) + omega * event_dot
+        self.put(w.ROTATION, self.dot(w.ROTATION) + c[w.DIRECTION, 0] * gone)
+        self.put(w.SLIP, self.dot(w.SLIP) + gone)
+        self.put(w.X, -omega * event_dot)
+        self.totals = {cell: self.dot(cell) + rate * event_dot
+                       for (cell, _, _), rate in zip(self._own[1:], self.before[1:], strict=True)}  # fmt: skip
+        self.event_dot = event_dot
+        self.total = self.totals[w.OMEGA]
+
+    def _arrive(self) -> None:
+        """At fixed times again, now that the rates of what begins are known."""
+        r = self._series(0)[0]
+        for cell, _, rate in self._own[1:]:
+            after = r[rate, 0, 0] if rate != self.program.roles["omega"] else self.c[w.OMEGA, 0]
+            self.put(cell, self.totals[cell] - after * self.event_dot)
+        self.event_dot = self.none
+
+    def stand(self) -> None:
+        event_dot = -self.dot(w.OMEGA) / self.before[1]
+        self.c[w.OMEGA, 0] = 0.0
+        self._depart(event_dot)
+        self.rest_dot = event_dot
+        super().stand()
+        if self.c[w.STATUS, 0] == w.MOVING:
+            self._arrive()
+        else:
+            self.put(w.OMEGA, 0.0)
+            self.event_dot = self.none
+
+    def kink(self, event: NDArray[np.intp], rate: Floats) -> None:
+        c, k = self.c, int(event[0])
+        if k == 1:
+            normal = self.program.roles["normal"]
+            falls = float(value(w.slopes(self.r[normal]), self.tau)[0])
+            event_dot = -self.of(normal, float(self.tau[0])) / falls
+        else:
+            slot, data = self.program.tables[k // 2 - 1], self.tables[k // 2 - 1]
+            scale_growth = self.seeds.tables[slot.name][0]
+            piece = int(c[slot.cells + w.PIECE, 0]) + (k % 2 == 0)
+            edge = data.breaks[piece] / c[slot.cells + w.SCALE, 0]
+            if slot.kind == "slip":
+                event_dot = (-edge * scale_growth - self.dot(w.SLIP) - self.dot(w.X)) / c[w.OMEGA, 0]
+            else:
+                event_dot = (-edge * scale_growth - self.dot(w.OMEGA)) / float(rate[0])
+        self._depart(event_dot)
+        super().kink(event, rate)
+        self._arrive()
+
+    def _pass_breaks(self, at_break: Any) -> Any:
+        moving = self.c[w.STATUS, 0] == w.MOVING
+        found = super()._pass_breaks(at_break)
+        if moving and np.any(at_break) and np.any(found):
+            event_dot = -self.c[w.TIME, 0] * self.seeds.time_growth
+            after = self._series(0)[0]
+            for (cell, _, rate), before in zip(self._own[1:], self.before[1:], strict=True):
+                self.put(cell, self.dot(cell) + (before - after[rate, 0, 0]) * event_dot)
+        return found
+
+    def rebase(self) -> None:
+        self.before = [float(self._series(0)[0][rate, 0, 0]) for _, _, rate in self._own]
+        self._depart(-self.c[w.TIME, 0] * self.seeds.time_growth)
+        super().rebase()
+        self._arrive()
+
+    def start_again(self, jump: Any) -> None:
+        self.event_dot = self.none
+        self.base()
+        drive = self.program.roles["cell_drive"]
+        rises = self._series(1, frozen=True)[0][self.program.roles["net"], 1, 0]
+        leaps = bool(jump[0])
+        event_dot = -self.c[w.TIME, 0] * self.seeds.time_growth if leaps else -self.dot(drive) / rises
+        self.before = [0.0 for _ in self._own]
+        self._depart(event_dot)
+        super().start_again(jump)
+        if leaps:
+            self._arrive()
+        else:
+            self.put(drive, 0.0)
+            self.put(w.OMEGA, 0.0)
+            self.event_dot = self.none
+
+    # --- the greatest speed ------------------------------------------------------------------------------------------
+
+    def _set_peak(self, k: Any, time: Any, gone: Any, speed: Any, rate: Any) -> None:
+        super()._set_peak(k, time, gone, speed, rate)
+        if len(k):
+            self.peak_dot = self.of(self.program.roles["omega"], float(time[0] - self.c[w.TIME, 0]))
+
+    def _fastest(self, speed: Floats, time: Floats, rotation: Floats, rate: Floats, mask: Any = True) -> None:
+        before = float(self.c[w.PEAK_OMEGA, 0])
+        super()._fastest(speed, time, rotation, rate, mask)
+        if float(self.c[w.PEAK_OMEGA, 0]) != before:
+            late = float(time[0]) >= float(self.c[w.END_TIME, 0])
+            self.peak_dot = self.dot(w.OMEGA) + float(rate[0]) * (self.end_dot if late else self.none)
+            if not late and np.any(self.event_dot):
+                self.peak_dot = self.total

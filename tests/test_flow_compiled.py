@@ -1,0 +1,128 @@
+"""The compiled walk beside the one in NumPy: the same lanes, whoever walks beside them, wherever it is interrupted."""
+
+import math
+import threading
+from typing import Any
+
+import numpy as np
+import pytest
+
+import slipcircle
+from slipcircle.base.series import Pulse, Series
+from slipcircle.flow import compiled, walk
+from slipcircle.flow.bind import Bound, bind
+
+pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled walk here")
+
+LANES = 37
+TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+MU = np.tan(np.radians(np.linspace(12.0, 31.0, LANES)))
+_RNG = np.random.default_rng(20240229)
+PUSHED = np.where(np.arange(LANES) % 3 == 0, _RNG.normal(size=LANES) * 3.0, 0.0)
+
+
+def _record(size: float) -> Series:
+    values = np.convolve(_RNG.normal(size=420), np.exp(-np.arange(21) / 5.0), "valid") * size
+    return Series(np.arange(400) * 0.05, values, held=False)
+
+
+SHAKEN = {"horizontal": _record(0.08), "vertical": _record(0.2)}
+SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
+    "constant": (TURNING, MU, math.inf),
+    "softening": (TURNING, {"law": "exponential", "peak": MU, "residual": 0.7 * MU, "length": 20.0}, math.inf),
+    "kinks": (TURNING, {"law": "tabulated", "slip": [0.0, 10.0, 30.0], "coefficient": [0.3, 0.2, 0.15]}, math.inf),
+    "rates": (TURNING, {"law": "rate_tabulated", "speed": [1e-3, 0.1, 1.0], "coefficient": [0.2, 0.18, 0.15]}, 300.0),
+    "water": (TURNING | {"pore_pressure": {"pressure": Series(np.array([0.0, 30, 60]), np.array([0.0, 2e6, 1e5]))}},
+              MU, 200.0),
+    "record": (TURNING | {"shaking": SHAKEN}, MU, math.inf),
+    "two ways": (TURNING | {"shaking": SHAKEN | {"two_way": True}}, MU + 0.2, 15.0),
+    "pulse": (TURNING | {"shaking": {"horizontal": Pulse("sine", 0.3, 0.5, 12.0, 6.0)}}, MU, math.inf),
+    "heat": (TURNING | {"thermal_pressurisation": {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}},
+             MU, 200.0),
+}  # fmt: skip
+RESULTS = slice(0, walk.OMEGA + 1)
+
+
+def lanes(name: str, accuracy: float = 1e-11) -> Bound:
+    called, friction, end = SCENES[name]
+    return bind(slipcircle.load("vaiont").arc, called, friction, PUSHED, end, accuracy, LANES)
+
+
+def run(bound: Bound, which: Any = slice(None), **options: Any) -> Any:
+    cells = np.ascontiguousarray(bound.cells[:, which])
+    compiled.run(bound.program, bound.tables, cells, **options)
+    return cells[RESULTS]
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    bound = lanes(name)
+    whole, order = run(bound), np.random.default_rng(1).permutation(LANES)
+    assert np.array_equal(run(bound, order), whole[:, order], equal_nan=True)
+    alone = [run(bound, [k])[:, 0] for k in range(LANES)]
+    assert np.array_equal(np.array(alone).T, whole, equal_nan=True)
+    monkeypatch.setattr(compiled, "ROUNDS", 2)
+    assert np.array_equal(run(bound), whole, equal_nan=True)
+
+
+def alike(one: Any, other: Any, within: float) -> None:
+    assert np.array_equal(one[[walk.STATUS, walk.PHASES]], other[[walk.STATUS, walk.PHASES]])
+    for cell in (walk.TIME, walk.PEAK_OMEGA, walk.END_ROTATION, walk.REACH_ROTATION, walk.FIRST_STOP, walk.LIFT_TIME):
+        a, b = one[cell], other[cell]
+        assert np.array_equal(np.isnan(a), np.isnan(b))
+        assert np.nanmax(np.abs(a - b), initial=0.0) <= within * np.nanmax(np.abs(a), initial=1e-300), cell
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_the_walk_in_numpy_is_the_same(name: str) -> None:
+    bound = lanes(name)
+    cells = bound.cells.copy()
+    walk.walk(bound.program, bound.tables, cells)
+    alike(run(bound), cells[RESULTS], 1e-11)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_every_kind_of_processor_gives_the_same(name: str) -> None:
+    bound = lanes(name)
+    for level in compiled.module().LEVELS:
+        alike(run(bound), run(bound, level=level), 1e-12)
+
+
+def test_samples_and_notes_are_those_of_numpy() -> None:
+    bound = lanes("record")
+    found: list[Any] = []
+    for walker in (compiled.run, walk.walk):
+        times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / np.float64(bound.time_scale), (1, LANES))
+        samples = walk.Samples(times, np.full((4, 61, LANES), np.nan))
+        log: walk.Log = []
+        walker(bound.program, bound.tables, bound.cells.copy(), samples, log)
+        found.append(
+            (samples.states, [(kind, round(t, 9)) for kind, t, *_ in log if kind in (walk.BEGINS, walk.STANDS)])
+        )
+    states, other = found[0][0], found[1][0]
+    assert np.all(np.isfinite(states))
+    # The rate leaps where a sample meets a standstill or a break.
+    for row in (0, 1, 3):
+        assert np.max(np.abs(states[row] - other[row])) <= 1e-10 * np.max(np.abs(states[row]))
+    assert found[0][1] == found[1][1]
+
+
+def test_threads_walk_side_by_side() -> None:
+    bound = lanes("softening")
+    whole, halves = run(bound), [bound.cells[:, :18].copy(), bound.cells[:, 18:].copy()]
+    threads = [threading.Thread(target=compiled.run, args=(bound.program, bound.tables, half)) for half in halves]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert np.array_equal(np.concatenate(halves, axis=1)[RESULTS], whole, equal_nan=True)
+
+
+def test_what_does_not_fit_is_refused() -> None:
+    bound = lanes("constant")
+    code, cells, nothing = compiled.flat(bound.program), bound.cells.copy(), np.empty(0)
+    for bad in (code[:-4], code + code[:4]):
+        with pytest.raises(ValueError, match="do not fit"):
+            compiled.module().walk(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
+    with pytest.raises(ValueError, match="do not fit"):
+        compiled.module().walk(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
