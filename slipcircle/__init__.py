@@ -31,8 +31,9 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 # Asked for by name, since one motion needs nothing of them.
 _LATE = {
-    "BackAnalysis": "studies.backanalysis", "Study": "studies.study", "grid": "studies.study", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "ensemble": "studies.study", "load": "files.scenefile",
+    "BackAnalysis": "studies.backanalysis", "Study": "studies.study", "Unattainable": "studies.backanalysis",
+    "backanalyse": "studies.backanalysis", "ensemble": "studies.study", "grid": "studies.study",
+    "load": "files.scenefile",
 }  # fmt: skip
 __all__ = [
     "Arc",

@@ -257,7 +257,7 @@ def _backanalyse(options: argparse.Namespace) -> None:
             try:
                 low, high = map(float, between.split(":"))
             except ValueError:
-                raise ValueError(f"--field {text}: must be KEY or KEY=LOW:HIGH, such as friction.angle_deg=5:15") from None
+                raise ValueError(f"--field {text}: must be KEY or KEY=LOW:HIGH: friction.angle_deg=5:15") from None
             bounds[name] = low, high
     seen = {name: getattr(options, name) for name in OUTCOMES}
     if all(value is None for value in seen.values()):

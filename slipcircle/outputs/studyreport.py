@@ -10,13 +10,11 @@ import numpy as np
 from slipcircle.motion.motion import Status
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES, plain, shown, words
-from slipcircle.outputs import pictures
+from slipcircle.outputs import pictures, written
 from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
 from slipcircle.outputs.report import given
 from slipcircle.outputs.studyplots import DRAWN
-from slipcircle.outputs import written
-from slipcircle.studies.statistics import Estimate
-from slipcircle.studies.statistics import BIN_ERROR
+from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
 if TYPE_CHECKING:
     from slipcircle.studies.study import Study

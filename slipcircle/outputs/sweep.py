@@ -18,6 +18,7 @@ from slipcircle.files.scenefile import find, load
 from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES, words
 from slipcircle.outputs import pictures, studyplots, tables, written
+from slipcircle.scene.scene import Scene
 from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine
 from slipcircle.studies.statistics import BIN_ERROR, Estimate

@@ -7,10 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.motion.motion import Status
-from slipcircle.studies.study import Curve, Study
-from slipcircle.studies.statistics import Estimate
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.studies.statistics import BIN_ERROR
+from slipcircle.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.studies.study import Curve, Study
 
 UNITS = {n: q.unit for n, q in OUTCOMES.items()}
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)

@@ -255,8 +255,9 @@ def _met(scene: Scene, field: Number, observed: Observations, values: Floats) ->
 def _fitted(scene: Scene, fields: Sequence[Number], observed: Observations, ranges: Sequence[Floats]) -> BackAnalysis:
     names = ", ".join(f.key for f in fields)
     space = search.Space(scene, fields, ranges, observed)
-    tried = np.stack([np.interp(p, np.linspace(0.0, 1.0, len(r)), r)
-                      for p, r in zip(sobol(0, (5,), 0, _STARTS * len(fields), len(fields)), ranges, strict=True)])  # fmt: skip
+    points = sobol(0, (5,), 0, _STARTS * len(fields), len(fields))
+    pairs = zip(points, ranges, strict=True)
+    tried = np.stack([np.interp(p, np.linspace(0.0, 1.0, len(r)), r) for p, r in pairs])
     fits = search.fits(space, space.shares(tried))
     if not fits:
         raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
@@ -367,7 +368,9 @@ def _doubts(first: Solution, observed: Observations, ranges: Mapping[str, Floats
     return tuple(said)
 
 
-def _check(scene: Scene, fields: Sequence[Number], observed: Observations, bounds: Any, between: Mapping[str, Bounds]) -> None:
+def _check(
+    scene: Scene, fields: Sequence[Number], observed: Observations, bounds: Any, between: Mapping[str, Bounds]
+) -> None:
     """Refuse what makes no sense together."""
     wrong, full, seen = [], [f.name for f in fields], ", ".join(observed)
     if not fields:
@@ -384,7 +387,9 @@ def _check(scene: Scene, fields: Sequence[Number], observed: Observations, bound
             "as many observations as fields, or fewer fields"
         )
     if isinstance(bounds, tuple) and len(fields) > 1:
-        wrong.append(f"bounds = {bounds!r}: of several fields give a mapping, such as {{{fields[0].key!r}: {bounds!r}}}")
+        wrong.append(
+            f"bounds = {bounds!r}: of several fields give a mapping, such as {{{fields[0].key!r}: {bounds!r}}}"
+        )
     if other := [n for n in between if n not in [f.key for f in fields]]:
         wrong.append(f"bounds: {', '.join(other)} is none of the fields")
     raise_all("backanalyse", wrong)

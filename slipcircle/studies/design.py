@@ -25,6 +25,7 @@ METHODS = ("monte-carlo", "sobol", "latin-hypercube")
 REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
 
+
 class Piece(NamedTuple):
     """A stretch of a sequence of points."""
 
@@ -139,7 +140,7 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
     -------
     dict of ndarray
         ``status`` counts; of each output the bins that are not empty, their counts, the extremes and the `moments`; the
-        samples where they are kept. For sensitivity indices instead the sums of `slipcircle.studies.statistics.indices`.
+        samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
     """
     first = design.sample_blocks(size)
     if index >= first:

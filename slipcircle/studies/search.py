@@ -14,6 +14,7 @@ from slipcircle.scene.scene import Scene
 from slipcircle.studies.motions import motions
 
 Floats = NDArray[np.float64]
+Curve = Callable[[Floats], tuple[Floats, NDArray[Any]]]  # of values an outcome, and of what kind each motion is
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
 FINE = 1e-13  # accuracy of motions in a search
 PARTS = 16  # of a stretch that is looked into: each round gains four bits
@@ -45,7 +46,7 @@ def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> Sampled:
 # --- one number, one observation -------------------------------------------------------------------------------------
 
 
-def roots(sample: Callable[[Floats], tuple[Floats, NDArray[Any]]], values: Floats, wanted: float) -> list[float]:
+def roots(sample: Curve, values: Floats, wanted: float) -> list[float]:
     """All values at which an outcome is as wanted: every stretch that may hold one is divided, all of them at once.
 
     That is where the outcome passes it, where the motion changes its kind near it, and where the outcome turns back
@@ -89,7 +90,7 @@ def _worth_a_look(x: Floats, miss: Floats, kind: NDArray[Any], wanted: float) ->
     return (np.concatenate([left[passes], x[:, :-2][turns]]), np.concatenate([right[passes], x[:, 2:][turns]]))
 
 
-def extreme(sample: Callable[[Floats], tuple[Floats, NDArray[Any]]], values: Floats, sign: float) -> tuple[float, float]:
+def extreme(sample: Curve, values: Floats, sign: float) -> tuple[float, float]:
     """The greatest (sign 1) or least (sign -1) outcome that is found, and where."""
     best = (-math.inf, math.nan)
     for _ in range(ROUNDS):

@@ -38,7 +38,6 @@ def moments(values: Floats) -> Floats:
     return np.array([values.size, mean, np.sum(squares), np.sum(squares * off), np.sum(squares * squares)])
 
 
-
 class Estimate(NamedTuple):
     """A value and its confidence interval; NaN where the samples are too few to say."""
 

@@ -1,4 +1,4 @@
-"""Studies: the distribution of reach and peak velocity where a scene's numbers are uncertain, or their values on a grid."""
+"""Studies: how far and how fast a scene gets where its numbers are uncertain, or take the values of a grid."""
 
 import hashlib
 import math
