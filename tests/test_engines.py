@@ -188,7 +188,7 @@ def test_what_is_no_number_goes_into_the_blocks(name: str) -> None:
     """Shaking, heat and laws: a study's scenes are those that `solve` solves one by one."""
     scene = load(name)
     with ThreadPoolExecutor(2) as pool:
-        found = grid(scene, {"radius": [1000.0, 1500.0]}, pool)
+        found = grid(scene, {"radius": [1000.0, 1500.0]}, pool, accuracy=1e-14)
     for k, radius in enumerate((1000.0, 1500.0)):
         wanted = solve(replace(scene, arc=replace(scene.arc, radius=radius)))
         assert found.samples["run_out"][k] == pytest.approx(wanted.run_out, rel=1e-12)
