@@ -243,7 +243,8 @@ def _met(scene: Scene, field: Number, observed: Observations, values: Floats) ->
         return BackAnalysis({field.key: field.unit}, dict(observed), tuple(solutions), ROOT)
     if not np.any(np.isfinite(sample(values)[0])):
         raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    ends = tuple(search.extreme(sample, values, sign) for sign in (-1.0, 1.0))
+    places = [search.extreme(sample, values, sign)[1] for sign in (-1.0, 1.0)]
+    ends = tuple((float(solve(scene_with(scene, {field.name: field.to_si(at)})).outcomes[name]), at) for at in places)
     unit = OUTCOMES[name].unit
     words = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in ends)
     if ends[1][0] - ends[0][0] <= 1e-9 * abs(ends[1][0]):

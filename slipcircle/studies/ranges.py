@@ -7,10 +7,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
+from slipcircle.motion.plan import plan
+from slipcircle.motion.solver import lanes_of
 from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import value_in
-from slipcircle.studies.motions import motions
+from slipcircle.scene.varied import scenes_with, value_in
 from slipcircle.studies.search import MOST_SWINGS
 
 Floats = NDArray[np.float64]
@@ -48,7 +49,8 @@ def range_of(scene: Scene, field: Number, alone: bool) -> Floats:
 
 def _frictions(scene: Scene, field: Number, alone: bool) -> Floats:
     """From so little that the mass swings to the limit, beyond which nothing moves from rest."""
-    limit = float(motions(scene, {field.name: np.zeros(1)}).limit_friction[0])
+    still, _ = scenes_with(scene, {field.name: np.zeros(1)})
+    limit = float(lanes_of(plan(still)).statics["limit_friction"][0])
     limit = limit if 1e-6 < limit < math.inf else 1.0
     shares = [np.geomspace(0.5 / MOST_SWINGS, 1.0, 129), np.linspace(0.5 / MOST_SWINGS, 1.0, 129),
               1.0 - 10.0 ** -np.arange(3.0, 13.0)]  # fmt: skip

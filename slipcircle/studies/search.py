@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,6 +17,7 @@ from slipcircle.studies.motions import motions
 Floats = NDArray[np.float64]
 Curve = Callable[[Floats], tuple[Floats, NDArray[Any]]]  # of values an outcome, and of what kind each motion is
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
+PATIENCE = 500.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 FINE = 1e-13  # accuracy of motions in a search
 PARTS = 16  # of a stretch that is looked into: each round gains four bits
 ROUNDS = 16
@@ -34,8 +36,10 @@ class Sampled(NamedTuple):
 
 
 def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> Sampled:
-    """Motions at values (fields, count) in the fields' units: those that move, and rest or end."""
-    motion = motions(scene, {f.name: f.to_si(v) for f, v in zip(fields, values, strict=True)}, FINE)
+    """Motions at values (fields, count) in the fields' units: those that move, and rest or end before long."""
+    until = PATIENCE * float(scene.arc.time_scale)
+    followed = scene if scene.end_time is not None else replace(scene, end_time=until, uncertain={})
+    motion = motions(followed, {f.name: f.to_si(v) for f, v in zip(fields, values, strict=True)}, FINE)
     counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
     if scene.end_time is None:
         counts &= motion.status != Status.MOVING
