@@ -64,7 +64,8 @@ def scene_with(scene: Scene, values: Mapping[str, float]) -> Scene:
 
 def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:
     """A scene of arrays, unchecked, and which of them are no scenes: the first that is one stands in their place."""
-    bad, own = _no_scenes(scene, values), {n: value_in(scene, number_in(scene, n)) for n in values}
+    bad = _no_scenes(scene, values)
+    own: dict[str, Any] = {n: value_in(scene, number_in(scene, n)) for n in values}
     fill = own if np.all(bad) else {n: v[np.argmin(bad)] for n, v in values.items()}
     parts = parts_with(scene, {n: np.where(bad, fill[n], v) for n, v in values.items()})
     found = object.__new__(Scene)

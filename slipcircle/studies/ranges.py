@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from generated.effects import EFFECTS
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import lanes_of
+from slipcircle.scene.friction import law_depends
 from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.varied import scenes_with, value_in
@@ -57,7 +58,8 @@ def _frictions(scene: Scene, field: Number, alone: bool) -> Floats:
     if field.name == "friction" and scene.end_time is None and not any(EFFECTS[e].turns for e in scene.called):
         shares = [np.ones(1)]  # with less it never rests
     shaken = "shaking" in scene.called  # it moves what would stand
-    if alone and (float(np.asarray(scene.initial_velocity)) != 0.0 or field.name != "friction"):
+    creeps = "speed" in law_depends(scene.friction)  # with more it creeps, which takes long to follow
+    if alone and not creeps and (float(np.asarray(scene.initial_velocity)) != 0.0 or field.name != "friction"):
         shares.append(np.geomspace(1.0, 1e3, 61))
     if shaken or not alone:
         shares.append(np.linspace(1.0, max(3.0 / limit, 2.0), 81))

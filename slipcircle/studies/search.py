@@ -17,7 +17,7 @@ from slipcircle.studies.motions import motions
 Floats = NDArray[np.float64]
 Curve = Callable[[Floats], tuple[Floats, NDArray[Any]]]  # of values an outcome, and of what kind each motion is
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
-PATIENCE = 500.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
+PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 FINE = 1e-13  # accuracy of motions in a search
 PARTS = 16  # of a stretch that is looked into: each round gains four bits
 ROUNDS = 16
