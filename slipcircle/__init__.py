@@ -26,13 +26,14 @@ from slipcircle.scene.scene import Scene
 if TYPE_CHECKING:
     from slipcircle.files.scenefile import load
     from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
-    from slipcircle.studies.study import Study, ensemble, grid
+    from slipcircle.studies.conduct import ensemble, grid
+    from slipcircle.studies.study import Study
 
 __version__ = "0.1.0"
 # Asked for by name, since one motion needs nothing of them.
 _LATE = {
     "BackAnalysis": "studies.backanalysis", "Study": "studies.study", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "ensemble": "studies.study", "grid": "studies.study",
+    "backanalyse": "studies.backanalysis", "ensemble": "studies.conduct", "grid": "studies.conduct",
     "load": "files.scenefile",
 }  # fmt: skip
 __all__ = [

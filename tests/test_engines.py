@@ -19,9 +19,10 @@ from slipcircle import Scene, ensemble, load, solve
 from slipcircle.base.files import replacing, write
 from slipcircle.base.series import Series
 from slipcircle.outputs import written
+from slipcircle.studies.conduct import grid
 from slipcircle.studies.design import Design, Result
 from slipcircle.studies.engines import Progress, computed, engine, forecast, stored
-from slipcircle.studies.study import Study, grid
+from slipcircle.studies.study import Study
 
 ROOT = Path(__file__).parents[1]
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}

@@ -20,6 +20,7 @@ from slipcircle.files.scenekeys import schema
 from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.outputs import written
+from slipcircle.studies.conduct import grid
 from slipcircle.studies.sampling import latin, monte_carlo, sobol
 from slipcircle.studies.statistics import (
     BIN_ERROR,
@@ -35,7 +36,7 @@ from slipcircle.studies.statistics import (
     spread,
     sums,
 )
-from slipcircle.studies.study import Study, grid
+from slipcircle.studies.study import Study
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = load("vaiont")

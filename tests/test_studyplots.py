@@ -20,7 +20,7 @@ from slipcircle import Ensemble, ensemble, load, solve
 from slipcircle.__main__ import main
 from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.studyreport import study_report
-from slipcircle.studies.ensembles import grid
+from slipcircle.studies.conduct import grid
 
 matplotlib.use("agg")
 
@@ -205,7 +205,7 @@ def test_every_study_has_a_report(name: str, monkeypatch: pytest.MonkeyPatch) ->
 def test_what_cannot_be_written_is_said_before_the_work(
     more: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("slipcircle.studies.sweep._compute", lambda *_: pytest.fail("computed"))
+    monkeypatch.setattr("slipcircle.outputs.sweep._compute", lambda *_: pytest.fail("computed"))
     assert main(["sweep", "vaiont", *(m.replace("{}", str(tmp_path)) for m in more)]) == 1
     assert said.replace("{}", str(tmp_path)) in capsys.readouterr().err
     assert not list(tmp_path.iterdir())

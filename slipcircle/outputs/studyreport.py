@@ -74,7 +74,7 @@ def _study(found: "Study", file: bytes | None) -> Iterable[Raw]:
     text = None if file is None else file.decode("utf-8-sig")
     yield from given(plan(found.scene, study.accuracy), text)
     yield tag("h3", "What is uncertain")
-    yield table([[Raw(f'<code class="path">{escaped(u.key)}</code>'), _said(u.record)] for u in study.inputs.values()],
+    yield table([[Raw(f'<code class="path">{escaped(u.key)}</code>'), _said(u.record)] for u in study.drawn.values()],
                 ["input", "distribution, independent of the others"])  # fmt: skip
     yield tag("h3", "Method and accuracy")
     ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}

@@ -19,10 +19,11 @@ from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES, words
 from slipcircle.outputs import pictures, studyplots, tables, written
 from slipcircle.scene.scene import Scene
+from slipcircle.studies.conduct import ensemble, grid
 from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
-from slipcircle.studies.study import Study, ensemble, grid
+from slipcircle.studies.study import Study
 
 UNITS = {n: q.unit for n, q in OUTCOMES.items()}
 _MOST_ROWS = 60  # of a grid, on the screen

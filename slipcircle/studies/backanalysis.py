@@ -7,19 +7,19 @@ in the sense of least squares, from starts all over the fields' ranges. All cand
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.checks import EPS, raise_all
+from slipcircle.base.checks import EPS
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
 from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import DIP, number_in, scene_with
+from slipcircle.scene.varied import number_in, scene_with
 from slipcircle.studies import search
+from slipcircle.studies.asked import Bounds, Observations, Observed, between, check, observations
 from slipcircle.studies.motions import derivatives
 from slipcircle.studies.ranges import range_of
 from slipcircle.studies.sampling import sobol
@@ -31,10 +31,6 @@ _STARTS = 512  # points a field, of which the best are followed
 _MET = 1e-12  # sum of squares below which all is met exactly
 _NOISE = 1e-7  # relative, of derivatives
 _WORST = 1e-3  # probability of so large a misfit, below which it is told
-
-Observed = float | tuple[float, float]
-Observations = Mapping[str, tuple[float, float | None]]
-Bounds = tuple[float, float]
 
 
 class Unattainable(ValueError):
@@ -211,18 +207,18 @@ def backanalyse(
     >>> round(found.value, 4)
     15.2147
     """
-    observed = _observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
+    observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     paths = [field] if isinstance(field, str) else list(field)
     given = dict.fromkeys(paths[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
     try:
         fields = [number_in(scene, path) for path in paths]
-        between = {number_in(scene, path).key: b for path, b in given.items()}
+        limits = {number_in(scene, path).key: b for path, b in given.items()}
     except ValueError as error:
         raise ValueError(f"backanalyse: field: {error}") from error
-    _check(scene, fields, observed, bounds, between)
-    ranges = [_between(f.key, *between[f.key]) if f.key in between else range_of(scene, f, len(fields) == 1)
+    check(scene, fields, observed, bounds, limits)
+    ranges = [between(f.key, *limits[f.key]) if f.key in limits else range_of(scene, f, len(fields) == 1)
               for f in fields]  # fmt: skip
     if len(fields) == len(observed) == 1:
         return _met(scene, fields[0], observed, ranges[0])
@@ -367,60 +363,3 @@ def _doubts(first: Solution, observed: Observations, ranges: Mapping[str, Floats
                 f"{free} degrees of freedom ({of})"
             )
     return tuple(said)
-
-
-def _check(
-    scene: Scene, fields: Sequence[Number], observed: Observations, bounds: Any, between: Mapping[str, Bounds]
-) -> None:
-    """Refuse what makes no sense together."""
-    wrong, full, seen = [], [f.name for f in fields], ", ".join(observed)
-    if not fields:
-        wrong.append("field = []: name one at least")
-    if twice := sorted({f.key for f in fields if full.count(f.name) > 1}):
-        wrong.append(f"field: {', '.join(twice)} is named twice")
-    if DIP.name in full and {"theta_1", "theta_2"} & {*full}:
-        wrong.append("field: arc.dip_deg turns theta_1 and theta_2 together; leave it or them out")
-    if scene.arc.given is not None and {DIP.name, "theta_1", "theta_2"} & {*full}:
-        wrong.append("field: the arc's coefficients are given, and do not follow its angles")
-    if len(fields) > len(observed):
-        wrong.append(
-            f"{len(fields)} fields from {len(observed)} of what is observed ({seen}): they cannot be told apart; give "
-            "as many observations as fields, or fewer fields"
-        )
-    if isinstance(bounds, tuple) and len(fields) > 1:
-        wrong.append(
-            f"bounds = {bounds!r}: of several fields give a mapping, such as {{{fields[0].key!r}: {bounds!r}}}"
-        )
-    if other := [n for n in between if n not in [f.key for f in fields]]:
-        wrong.append(f"bounds: {', '.join(other)} is none of the fields")
-    raise_all("backanalyse", wrong)
-
-
-def _observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float, float | None]]:
-    found, wrong = {}, []
-    for name, value in given.items():
-        if value is None:
-            continue
-        try:
-            seen, sigma = map(float, value) if isinstance(value, (tuple, list)) else (float(value), None)
-        except (TypeError, ValueError):
-            seen, sigma = math.nan, None
-        positive = sigma is None or 0.0 < sigma < math.inf
-        if not positive or not math.isfinite(seen) or seen == 0.0 or (name == "duration" and seen < 0.0):
-            wrong.append(f"{name} = {value!r}: must be a number other than 0, or it and its positive standard error")
-        else:
-            found[name] = (seen, sigma)
-    if not found and not wrong:
-        wrong.append(f"nothing observed: give one of {', '.join(given)}")
-    if len({sigma is None for _, sigma in found.values()}) > 1:
-        wrong.append("standard errors: give them for all observations, or for none")
-    raise_all("backanalyse", wrong)
-    return found
-
-
-def _between(name: str, low: float, high: float) -> Floats:
-    if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        raise ValueError(
-            f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
-        )
-    return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
