@@ -34,7 +34,6 @@ def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = No
         cells[:, asking] = lanes.c
         cells[walk.STATUS, asking] = walk.MOVING
     long = (cells[walk.STATUS] == walk.TOO_LONG) & (cells[walk.STEPS] > walk.MOST_STEPS)
-    long &= np.isfinite(cells[walk.END_TIME])  # creep without an end has none
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells
@@ -195,6 +194,16 @@ class Lanes:
             lanes.base()
         return lanes
 
+    @property
+    def brake(self) -> Floats:
+        """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
+        bound = self.bound
+        lanes = walk.Lanes(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
+        lanes.c[walk.DIRECTION] = 1.0
+        with np.errstate(all="ignore"):
+            lanes.base()
+            return 2 * frozen.brake(lanes)
+
     @cached_property
     def statics(self) -> dict[str, Floats]:
         """Limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
@@ -230,7 +239,8 @@ class Lanes:
                 normals.append(c[roles["cell_normal0"]].copy())
         with np.errstate(all="ignore"):
             (free0, drive0), (free1, drive1) = drives
-            drive0 = np.where(normals[0] > 0.0, normals[0] * (found["limit_friction"] - found["friction"]), free0)
+            exact = normals[0] * (found["limit_friction"] - found["friction"])
+            drive0 = np.where(normals[0] > 0.0, exact, free0 - found["friction"] * normals[0])
             drive1 = free1 - found["friction"] * normals[1]
             yields = -drive0 / (drive1 - (free0 - found["friction"] * normals[0]))
             lifted = normals[0] + yields * (normals[1] - normals[0]) < 0.0

@@ -166,6 +166,11 @@ class Motion:
         return self._shaped(self._of(walk.TIME) * self._lanes.bound.time_scale)
 
     @property
+    def brake(self) -> Any:
+        """q, twice what a unit of omega*^2 takes from the rate at the start: the speed falls like exp(-q phi/2)."""
+        return self._shaped(self._lanes.brake)
+
+    @property
     def turnings(self) -> Any:
         """How often the mass has turned back."""
         return self._shaped(self._of(walk.TURNS).astype(int))
@@ -293,6 +298,10 @@ class Motion:
         shape = (*self.shape, *time.shape)
         lanes = self._lanes
         scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.bound.time_scale, lanes.radius))
+        rests = np.where(self._of(walk.STATUS) == walk.ARRESTED, self._duration, np.inf)
+        over = np.ravel(time)[:, None] >= rests  # to the last bit, whatever the time was divided by
+        rows[0] = np.where(over, self._of(walk.END_ROTATION), rows[0])
+        rows[1:3] = np.where(over, 0.0, rows[1:3])
         rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
         stress = lanes.stress_along(np.ravel(time), rows)
         speed = omega / scale
