@@ -26,28 +26,31 @@ from slipcircle.scene.scene import Scene
 if TYPE_CHECKING:
     from slipcircle.files.scenefile import load
     from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
-    from slipcircle.studies.ensembles import Ensemble, ensemble
+    from slipcircle.studies.conduct import ensemble, grid
+    from slipcircle.studies.study import Study
 
 __version__ = "0.1.0"
 # Asked for by name, since one motion needs nothing of them.
 _LATE = {
-    "BackAnalysis": "studies.backanalysis", "Ensemble": "studies.ensembles", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "ensemble": "studies.ensembles", "load": "files.scenefile",
+    "BackAnalysis": "studies.backanalysis", "Study": "studies.study", "Unattainable": "studies.backanalysis",
+    "backanalyse": "studies.backanalysis", "ensemble": "studies.conduct", "grid": "studies.conduct",
+    "load": "files.scenefile",
 }  # fmt: skip
 __all__ = [
     "Arc",
     "BackAnalysis",
     "Dimensionless",
     "Energy",
-    "Ensemble",
     "Motion",
     "Plan",
     "Scene",
     "State",
     "Status",
+    "Study",
     "Unattainable",
     "backanalyse",
     "ensemble",
+    "grid",
     "load",
     "plan",
     "solve",

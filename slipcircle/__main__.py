@@ -25,7 +25,6 @@ from slipcircle.motion.quantities import OUTCOMES, plain, record, words
 from slipcircle.outputs import tables
 
 T = TypeVar("T")
-OBSERVED = {"runout": "run_out", "peak_velocity": "peak_velocity", "duration": "duration"}
 MOST_TIMES = 1_000_000
 EPILOG = """\
 scenes that ship:
@@ -107,16 +106,17 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     swept = command("sweep", _sweep, "a scene on a grid of values, or for samples of its uncertain numbers")
     swept.add_argument("scene", metavar="SCENE", help=which)
     if "sweep" in argv:  # no other command needs what it loads
-        from slipcircle.studies import sweep
+        from slipcircle.outputs import sweep
 
         sweep.arguments(swept)
-    back = command("backanalyse", _backanalyse, "the friction, or another field, that explains an observed motion")
+    back = command("backanalyse", _backanalyse, "the friction, or another number, that explains an observed motion")
     back.add_argument("scene", metavar="SCENE", help=which)
-    for dest, (option, name) in _observed_options().items():
-        back.add_argument(option, type=_observed, dest=dest, metavar="X[+-S]",
+    for name, option in _observed_options().items():
+        back.add_argument(option, type=_observed, dest=name, metavar="X[+-S]",
                           help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20")  # fmt: skip
-    back.add_argument("--field", action="append", metavar="NAME[=LOW:HIGH]", help="what is looked for, by default "
-                      "friction, and between which values, in SI units; several for several observations")  # fmt: skip
+    back.add_argument("--field", action="append", metavar="KEY[=LOW:HIGH]", help="what is looked for, a scene "
+                      "file's key, by default friction.angle_deg, and between which values; several for several "
+                      "observations")  # fmt: skip
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
     schema = command("schema", _schema, "what a scene file may say: every effect, law, key and unit")
@@ -223,7 +223,7 @@ def _plan(options: argparse.Namespace) -> None:
 
 
 def _sweep(options: argparse.Namespace) -> None:
-    from slipcircle.studies import sweep
+    from slipcircle.outputs import sweep
 
     found = sweep.run(options)
     if options.json:
@@ -234,12 +234,9 @@ def _sweep(options: argparse.Namespace) -> None:
         _say(f"{found.scene.name}: {warning}")
 
 
-def _observed_options() -> dict[str, tuple[str, str]]:
-    """By argument of `backanalyse`: the option, which ends in its unit, and the outcome."""
-    return {
-        kind: (f"--{kind}-{OUTCOMES[name].unit}".replace("_", "-").replace("/", "-"), name)
-        for kind, name in OBSERVED.items()
-    }
+def _observed_options() -> dict[str, str]:
+    """The options of `backanalyse` by outcome; each ends in its unit."""
+    return {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OUTCOMES.items()}
 
 
 def _observed(text: str) -> float | tuple[float, float]:
@@ -253,18 +250,18 @@ def _observed(text: str) -> float | tuple[float, float]:
 
 def _backanalyse(options: argparse.Namespace) -> None:
     fields, bounds = [], {}
-    for text in options.field or ["friction"]:
+    for text in options.field or ["friction.angle_deg"]:
         name, given, between = text.partition("=")
         fields.append(name)
         if given:
             try:
                 low, high = map(float, between.split(":"))
             except ValueError:
-                raise ValueError(f"--field {text}: must be NAME or NAME=LOW:HIGH, such as friction=0.1:0.3") from None
+                raise ValueError(f"--field {text}: must be KEY or KEY=LOW:HIGH: friction.angle_deg=5:15") from None
             bounds[name] = low, high
-    seen = {kind: getattr(options, kind) for kind in OBSERVED}
+    seen = {name: getattr(options, name) for name in OUTCOMES}
     if all(value is None for value in seen.values()):
-        wanted = ", ".join(option for option, _ in _observed_options().values())
+        wanted = ", ".join(_observed_options().values())
         raise ValueError(f"backanalyse: nothing observed: give one of {wanted}")
     found = slipcircle.backanalyse(load(options.scene), field=fields, bounds=bounds, **seen)
     name = found.motion.plan.scene.name

@@ -40,8 +40,8 @@ COMMANDS = """run vaiont vaiont-softening wet-slope | run vaiont --json | run va
 run wet-slope --json
 run newmark-pulse --csv {}/a.csv | run wet-slope vaiont-heated --csv {}/b.csv | run lifted.toml --json | run lifted.toml
 run vaiont --report {}/c.html | plan vaiont-shaken | plan vaiont --json | plan wet-slope | sensitivity wet-slope
-sensitivity vaiont --json | backanalyse vaiont --runout-m 500+-20 --json | backanalyse wet-slope --runout-m 6
-backanalyse vaiont --runout-m 700+-10 --peak-velocity-m-s 29+-1 --field friction --field initial_velocity=0:5
+sensitivity vaiont --json | backanalyse vaiont --run-out-m 500+-20 --json | backanalyse wet-slope --run-out-m 6
+backanalyse vaiont --run-out-m 700+-10 --peak-velocity-m-s 29+-1 --field friction --field initial_velocity=0:5
 sweep vaiont --grid friction.angle_deg=8:24:9 --json
 sweep wet-slope --samples 300 --seed 4 --uncertain pore_pressure.ratio=uniform:0:0.4
 sweep vaiont --samples 128 --seed 1 --method sobol --uncertain friction.angle_deg=normal:12:1 --csv {}/d.csv

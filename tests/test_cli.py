@@ -257,7 +257,7 @@ def test_no_environment_variable_makes_a_pipe_wide_or_narrow() -> None:
         (["run", "viaont"], 1, "scene 'viaont' is unknown; known are newmark-pulse, vaiont, vaiont-as-printed"),
         (["run", "vaiont-frozen", "viaont"], 1, "scene 'viaont' is unknown"),
         (["run", "viaont", "--json"], 1, "scene 'viaont' is unknown"),
-        (["backanalyse", "vaiont"], 1, "give one of --runout-m, --peak-velocity-m-s, --duration-s"),
+        (["backanalyse", "vaiont"], 1, "give one of --reach-m, --run-out-m, --peak-velocity-m-s, --duration-s"),
         (["cost", "polar"], 1, "function 'polar' is unknown; known are polar_moment, moment_of_inertia"),
         ([], 2, "required: COMMAND"),
         (["run"], 2, "required: SCENE"),

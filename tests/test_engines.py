@@ -18,10 +18,11 @@ import pytest
 from slipcircle import Scene, ensemble, load, solve
 from slipcircle.base.files import replacing, write
 from slipcircle.base.series import Series
-from slipcircle.studies import written
+from slipcircle.outputs import written
+from slipcircle.studies.conduct import grid
+from slipcircle.studies.design import Design, Result
 from slipcircle.studies.engines import Progress, computed, engine, forecast, stored
-from slipcircle.studies.ensembles import Ensemble, grid
-from slipcircle.studies.study import Result, Study
+from slipcircle.studies.study import Study
 
 ROOT = Path(__file__).parents[1]
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
@@ -30,7 +31,7 @@ SCENE = replace(load("vaiont"), uncertain={"friction.angle_deg": ANGLE, "arc.rad
 MANY: dict[str, Any] = {"n": 6000, "rng": 7, "size": 512, "sensitivity": 640}
 
 
-def same(one: Ensemble, two: Ensemble) -> None:
+def same(one: Study, two: Study) -> None:
     """All arrays, bit for bit."""
     a, b = written.arrays(one), written.arrays(two)
     assert a.keys() == b.keys()
@@ -158,8 +159,8 @@ def test_another_study_is_refused(tmp_path: Path) -> None:
     for scene, n, seed, word in (
         (SCENE, 200, 1, "samples"),
         (SCENE, 100, 2, "seed"),
-        (replace(SCENE, initial_velocity=1.0), 100, 1, "values"),
-        (replace(SCENE, uncertain={"friction.angle_deg": ANGLE}), 100, 1, "inputs"),
+        (replace(SCENE, initial_velocity=1.0), 100, 1, "numbers"),
+        (replace(SCENE, uncertain={"friction.angle_deg": ANGLE}), 100, 1, "drawn"),
     ):
         with pytest.raises(ValueError, match=f"another study: .*{word}"):
             ensemble(scene, n, seed, folder=tmp_path)
@@ -173,7 +174,7 @@ def test_another_record_or_law_is_refused(tmp_path: Path) -> None:
         if k:
             grid(two, {"friction": [0.4]}, folder=tmp_path / str(k))
             continue
-        with pytest.raises(ValueError, match="another study: fixed differ"):
+        with pytest.raises(ValueError, match="another study: effects differ"):
             grid(two, {"friction": [0.4]}, folder=tmp_path / str(k))
     with pytest.raises(ValueError, match="needs a name of its own"):
         grid(replace(load("vaiont"), friction=lambda s: 0.2 + 0 * s), {"radius": [1e3]}, folder=tmp_path / "law")
@@ -188,7 +189,7 @@ def test_what_is_no_number_goes_into_the_blocks(name: str) -> None:
     """Shaking, heat and laws: a study's scenes are those that `solve` solves one by one."""
     scene = load(name)
     with ThreadPoolExecutor(2) as pool:
-        found = grid(scene, {"radius": [1000.0, 1500.0]}, pool)
+        found = grid(scene, {"radius": [1000.0, 1500.0]}, pool, accuracy=1e-14)
     for k, radius in enumerate((1000.0, 1500.0)):
         wanted = solve(replace(scene, arc=replace(scene.arc, radius=radius)))
         assert found.samples["run_out"][k] == pytest.approx(wanted.run_out, rel=1e-12)
@@ -255,7 +256,7 @@ def test_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
 
 
 def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(study: Study, index: int, seed: int, size: int) -> Result:
+    def fails(design: Design, index: int, seed: int, size: int) -> Result:
         raise MemoryError(f"block {index}")
 
     monkeypatch.setattr("slipcircle.studies.engines.run_block", fails)
@@ -283,7 +284,7 @@ def test_forecast() -> None:
 
 
 def test_blocks_come_in_their_order() -> None:
-    study = ensemble(SCENE, **MANY).study
+    study = ensemble(SCENE, **MANY).design
     with ThreadPoolExecutor(2) as pool:
         found = list(computed(study, 7, 512, pool))
     assert len(found) == study.blocks(512) == 12 + 32

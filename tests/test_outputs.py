@@ -387,7 +387,7 @@ def test_backanalysis_finds_what_was_there(files: dict[str, Path], capsys: pytes
     given, h = SCENES["slides"], 1e-6
     e, ends = exact("slides"), [Exact(given | {"friction": 0.14 + s * h}) for s in (-1.0, 1.0)]
     slope = (ends[1].run_out - ends[0].run_out) / (2 * h)
-    argv = ("backanalyse", files["slides"], f"--runout-m={e.run_out!r}+-0.25", "--field", "friction=0.12:0.2")
+    argv = ("backanalyse", files["slides"], f"--run-out-m={e.run_out!r}+-0.25", "--field", "friction=0.12:0.2")
     (found,) = json.loads(said(capsys, *argv, "--json"))["solutions"]
     assert found["values"]["friction"] == pytest.approx(0.14, rel=1e-9)
     assert found["standard_errors"]["friction"] == pytest.approx(abs(0.25 / slope), rel=1e-4)

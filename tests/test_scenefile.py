@@ -17,7 +17,8 @@ from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
 from slipcircle import Arc, Scene, load, solve
 from slipcircle.__main__ import main
 from slipcircle.files.scenefile import read, shipped
-from slipcircle.files.scenekeys import schema, tables_of
+from slipcircle.files.scenekeys import schema
+from slipcircle.scene.keys import tables_of
 from slipcircle.outputs.guide import guide
 from slipcircle.scene.arc import QUANTITIES
 

@@ -16,11 +16,11 @@ from matplotlib.figure import Figure
 from test_plots import clashes, drawn, motion
 from test_report import rows, tree
 
-from slipcircle import Ensemble, ensemble, load, solve
+from slipcircle import Study, ensemble, load, solve
 from slipcircle.__main__ import main
 from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.studyreport import study_report
-from slipcircle.studies.ensembles import grid
+from slipcircle.studies.conduct import grid
 
 matplotlib.use("agg")
 
@@ -38,7 +38,7 @@ each_case = pytest.mark.parametrize("name", CASES)
 
 
 @cache
-def found(name: str) -> Ensemble:
+def found(name: str) -> Study:
     uncertain, more = CASES[name]
     return ensemble(replace(load("wet-slope"), uncertain=uncertain), rng=1, **({"n": 2000} | more))
 
@@ -81,7 +81,7 @@ def test_indices_are_bars_with_errors() -> None:
     e = found("three, Sobol")
     ax = studyplots.indices(e, "run_out", drawn())
     keys = [t.get_text() for t in ax.get_yticklabels()]
-    of = {u.key: k for k, u in enumerate(e.study.inputs.values())}
+    of = {u.key: k for k, u in enumerate(e.design.inputs.values())}
     assert set(keys) == set(of)
     first, total = e.sensitivity["run_out"]
     widths = [bar.get_width() for bar in ax.patches]
@@ -205,7 +205,7 @@ def test_every_study_has_a_report(name: str, monkeypatch: pytest.MonkeyPatch) ->
 def test_what_cannot_be_written_is_said_before_the_work(
     more: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("slipcircle.studies.sweep._compute", lambda *_: pytest.fail("computed"))
+    monkeypatch.setattr("slipcircle.outputs.sweep._compute", lambda *_: pytest.fail("computed"))
     assert main(["sweep", "vaiont", *(m.replace("{}", str(tmp_path)) for m in more)]) == 1
     assert said.replace("{}", str(tmp_path)) in capsys.readouterr().err
     assert not list(tmp_path.iterdir())

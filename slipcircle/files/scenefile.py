@@ -13,9 +13,12 @@ from pathlib import Path
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.files.scenekeys import Key, Table, model_of, tables_of
+from slipcircle.base.distributions import distribution_mistakes, made
+from slipcircle.files.scenekeys import model_of
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
+from slipcircle.scene.keys import Key, Table, tables_of
+from slipcircle.scene.numbers import numbers
 from slipcircle.scene.scene import Scene
 
 _FOLDER = resources.files("slipcircle") / "scenes"
@@ -128,23 +131,21 @@ def _drawn(
     document: dict[str, Any], tables: Mapping[str, Table]
 ) -> tuple[dict[str, Any], dict[str, Any], list[str], set[str]]:
     """The document with a number for each distribution in it, its median; these, their mistakes, tables with any."""
-    from slipcircle.base.distributions import Uncertain, distribution_mistakes, numbers_of, range_of
-
     out = {k: dict(v) if isinstance(v, dict) else v for k, v in document.items()}
     uncertain: dict[str, Any] = {}
     found: list[str] = []
     wrong: set[str] = set()
-    for path, k, _, key in numbers_of(tables):
+    for number in numbers(tables).values():
+        path, _, k = number.key.rpartition(".")
         held = out.get(path) if path else out
         given = held.get(k) if isinstance(held, dict) else None
         if not isinstance(held, dict) or not isinstance(given, dict):
             continue
-        shown, (low, high) = f"{path}.{k}".lstrip("."), range_of(key)
+        shown, low, high = number.key, number.low, number.high
         said = distribution_mistakes(given, (low, high))
         if not said:
             uncertain[shown] = given
-            numbers = {n: float(v) for n, v in given.items() if n != "distribution"}
-            held[k] = float(Uncertain(shown, given["distribution"], numbers).drawn(0.5))
+            held[k] = float(made(given).median())
             continue
         found += [f"{shown}: {m}" for m in said]
         wrong.add(path or k)

@@ -209,7 +209,17 @@ class Motion:
 
     @property
     def run_out(self) -> Any:
-        return self.end.displacement
+        return self.outcomes["run_out"]
+
+    @cached_property
+    def outcomes(self) -> dict[str, Any]:
+        """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
+        scale, radius = self._lanes.bound.time_scale, self._lanes.radius
+        rows = {"reach": walk.REACH_ROTATION, "run_out": walk.END_ROTATION}
+        found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
+        found["peak_velocity"] = radius * (self._of(walk.PEAK_OMEGA) / scale + 0.0)
+        answered = {n: np.where(self._answered, v, np.nan) for n, v in found.items()}
+        return {n: self._shaped(v) for n, v in (answered | {"duration": self._duration}).items()}
 
     @cached_property
     def end(self) -> State:

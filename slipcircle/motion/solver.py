@@ -47,19 +47,24 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     first standstill.
     """
     chosen = plan(scene, accuracy)
-    lanes = lanes_of(chosen)
-    log: list[Any] = []
-    if lanes.count <= BLOCK:
-        cells = lanes.solve(None if scene.shape else log)
-    else:
-        cells = np.concatenate([part.solve() for part in parts(lanes, BLOCK)], axis=1)
-    motion = Motion(chosen, lanes, cells, log)
+    motion = motion_of(chosen)
     if not scene.shape:
         _refuse(motion)
     return motion
 
 
-def lanes_of(chosen: Plan) -> Lanes:
+def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
+    """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
+    lanes = lanes_of(chosen, invalid)
+    log: list[Any] = []
+    if lanes.count <= BLOCK:
+        cells = lanes.solve(None if chosen.scene.shape else log)
+    else:
+        cells = np.concatenate([part.solve() for part in parts(lanes, BLOCK)], axis=1)
+    return Motion(chosen, lanes, cells, log)
+
+
+def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
     """The lanes of a scene, flat."""
     scene = chosen.scene
     count = math.prod(scene.shape)
@@ -81,7 +86,8 @@ def lanes_of(chosen: Plan) -> Lanes:
         law = flat(law)
     end = np.inf if scene.end_time is None else flat(scene.end_time)
     closed = chosen.method == CLOSED_IN_TIME
-    return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, closed, count)
+    return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, closed, count,
+                 invalid)  # fmt: skip
 
 
 def parts(lanes: Lanes, size: int) -> list[Lanes]:

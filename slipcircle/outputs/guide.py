@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import DISTRIBUTIONS
-from slipcircle.files.scenekeys import Table, tables_of
+from slipcircle.scene.keys import Table, tables_of
 
 WIDTH, INDENT = 100, 28
 HEAD = """\

@@ -13,7 +13,7 @@ from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.plotstyle import missing, work
 
 if TYPE_CHECKING:
-    from slipcircle.studies.ensembles import Ensemble
+    from slipcircle.studies.study import Study
 
 _Picture = tuple[str, str, Callable[[Any], Any], tuple[float, float]]  # name, caption, what draws it, inches
 _KINDS = ("png", "svg", "pdf", "jpg")
@@ -117,6 +117,6 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     return [(name, caption, partial(render, draw, size)) for name, caption, draw, size in found]
 
 
-def study(found: "Ensemble", kind: str) -> bytes:
+def study(found: "Study", kind: str) -> bytes:
     """Exceedance curves of uncertain scenes, and which unknown matters, as a file of a kind such as png."""
     return render(partial(studyplots.overview, found), studyplots.size(found), kind)

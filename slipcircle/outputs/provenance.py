@@ -9,9 +9,9 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
-from slipcircle.files.scenekeys import Key, Table, tables_of
 from slipcircle.scene.arc import QUANTITIES
 from slipcircle.scene.friction import RATE_LAWS
+from slipcircle.scene.keys import Key, Table, tables_of
 from slipcircle.scene.scene import Scene
 
 _SI = dict(zip(QUANTITIES, ("m", "rad", "rad", "N/m^3", "m/s^2", "m"), strict=True))

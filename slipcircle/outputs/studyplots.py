@@ -14,7 +14,7 @@ from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note
 
 if TYPE_CHECKING:
     from slipcircle.motion.sensitivity import Sensitivity
-    from slipcircle.studies.ensembles import Ensemble
+    from slipcircle.studies.study import Study
 
 DRAWN = ("reach", "peak_velocity")  # a hazard is how far and how fast it comes, not where it ends
 _POINTS = 801  # of a curve, from 0 to the largest value
@@ -29,7 +29,7 @@ _STYLES: tuple[Mapping[str, Any], ...] = tuple(
 _DEGREES, _SHARE = 1.0, 0.01  # changes in a tornado, by default
 
 
-def exceedance(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
+def exceedance(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     """The probability that an output is at least so large, in its confidence band, with two quantiles marked."""
     _drawn(found, output, tuple(OUTCOMES))
     ax, unit = axis(ax), OUTCOMES[output].unit
@@ -58,12 +58,12 @@ def exceedance(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
     return ax
 
 
-def indices(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
+def indices(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence."""
     _drawn(found, output, (*OUTCOMES, "moves"))
     if output not in found.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
-    keys, of = [u.key for u in found.study.inputs.values()], found.sensitivity[output]
+    keys, of = [u.key for u in found.design.inputs.values()], found.sensitivity[output]
     order = np.argsort([-e.value for e in of.total], kind="stable").tolist()
     ax = axis(ax, (7.0, 1.6 + 0.6 * len(keys)))
     ax.set(xlabel=f"share of the variance of {_label(output)} (–)", ylim=(len(keys) - 0.5, -0.5))
@@ -108,10 +108,10 @@ def tornado(
     -------
     matplotlib axis
     """
-    from slipcircle.base.distributions import keys_of
+    from slipcircle.scene.numbers import keyed
 
     _known("tornado", "output", output, table.outputs)
-    keys = keys_of()
+    keys = keyed()
     if changes is not None:
         for changed in changes:
             _known("tornado", "changes", changed, [keys[n].key for n in table.parameters])
@@ -141,10 +141,10 @@ def tornado(
     return ax
 
 
-def response(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
+def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     """An output over the first number of a grid; of a second one, a curve for each of its values."""
     _known("response", "output", output, OUTCOMES)
-    levels, keys = found.study.levels, [u.key for u in found.study.inputs.values()]
+    levels, keys = found.design.levels, [u.key for u in found.design.inputs.values()]
     check_grid([len(x) for x in levels])
     ax = axis(ax)
     values = np.where(np.isnan(found.samples["peak_velocity"]), np.nan, found.samples[output])
@@ -174,7 +174,7 @@ def check_grid(counts: Sequence[int]) -> None:
         )
 
 
-def overview(found: "Ensemble", figure: Any = None) -> Any:
+def overview(found: "Study", figure: Any = None) -> Any:
     """Exceedance of reach and of peak velocity, and below what each unknown adds to them, in one figure.
 
     Of a grid, reach and peak velocity over its numbers.
@@ -182,30 +182,30 @@ def overview(found: "Ensemble", figure: Any = None) -> Any:
     figure = sheet(figure, size(found))
     grid = figure.add_gridspec(1 + bool(found.sensitivity), 2, height_ratios=_heights(found))
     for k, output in enumerate(DRAWN):
-        (response if found.study.method == "grid" else exceedance)(found, output, figure.add_subplot(grid[0, k]))
+        (response if found.design.method == "grid" else exceedance)(found, output, figure.add_subplot(grid[0, k]))
         if found.sensitivity:
             indices(found, output, figure.add_subplot(grid[1, k]))
     figure.suptitle(shorten(found.scene.name, 80), parse_math=False, fontweight="bold")
     return figure
 
 
-def size(found: "Ensemble") -> tuple[float, float]:
+def size(found: "Study") -> tuple[float, float]:
     """Inches of the overview."""
     return 14.0, sum(_heights(found)) + 0.4
 
 
-def _heights(found: "Ensemble") -> list[float]:
-    return [5.2, 1.6 + 0.55 * len(found.study.inputs)] if found.sensitivity else [5.2]
+def _heights(found: "Study") -> list[float]:
+    return [5.2, 1.6 + 0.55 * len(found.design.inputs)] if found.sensitivity else [5.2]
 
 
 def _label(output: str) -> str:
     return OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
 
 
-def _drawn(found: "Ensemble", output: str, known: tuple[str, ...]) -> None:
-    _known("Ensemble", "output", output, known)
-    if found.study.method == "grid":
-        raise ValueError("Ensemble: values on a grid have no probability; draw samples of uncertain numbers")
+def _drawn(found: "Study", output: str, known: tuple[str, ...]) -> None:
+    _known("Study", "output", output, known)
+    if found.design.method == "grid":
+        raise ValueError("Study: values on a grid have no probability; draw samples of uncertain numbers")
 
 
 def _known(where: str, what: str, given: str, known: Iterable[str]) -> None:

@@ -10,26 +10,24 @@ import numpy as np
 from slipcircle.motion.motion import Status
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES, plain, shown, words
-from slipcircle.outputs import pictures
+from slipcircle.outputs import pictures, written
 from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
 from slipcircle.outputs.report import given
 from slipcircle.outputs.studyplots import DRAWN
-from slipcircle.studies import written
-from slipcircle.studies.estimates import Estimate
-from slipcircle.studies.study import BIN_ERROR
+from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
 if TYPE_CHECKING:
-    from slipcircle.studies.ensembles import Ensemble
+    from slipcircle.studies.study import Study
 
 QUANTILES = (0.05, 0.5, 0.95, 0.99)
 
 
-def study_report(found: "Ensemble", file: bytes | None = None, command: str = "") -> str:
+def study_report(found: "Study", file: bytes | None = None, command: str = "") -> str:
     """A report on an ensemble as HTML.
 
     Parameters
     ----------
-    found : Ensemble
+    found : Study
         Of samples, not a grid.
     file : bytes, optional
         Its scene's file, where there is one.
@@ -49,8 +47,8 @@ def study_report(found: "Ensemble", file: bytes | None = None, command: str = ""
                         *repeat([(name, file)], command)])  # fmt: skip
 
 
-def _study(found: "Ensemble", file: bytes | None) -> Iterable[Raw]:
-    study, inputs = found.study, [u.key for u in found.study.inputs.values()]
+def _study(found: "Study", file: bytes | None) -> Iterable[Raw]:
+    study, inputs = found.design, [u.key for u in found.design.inputs.values()]
     if found.scene.note:
         yield tag("p", found.scene.note)
     for warning in found.warnings:
@@ -76,7 +74,7 @@ def _study(found: "Ensemble", file: bytes | None) -> Iterable[Raw]:
     text = None if file is None else file.decode("utf-8-sig")
     yield from given(plan(found.scene, study.accuracy), text)
     yield tag("h3", "What is uncertain")
-    yield table([[Raw(f'<code class="path">{escaped(u.key)}</code>'), _said(u.record)] for u in study.inputs.values()],
+    yield table([[Raw(f'<code class="path">{escaped(u.key)}</code>'), _said(u.record)] for u in study.drawn.values()],
                 ["input", "distribution, independent of the others"])  # fmt: skip
     yield tag("h3", "Method and accuracy")
     ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}

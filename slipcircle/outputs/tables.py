@@ -9,8 +9,6 @@ from itertools import chain, combinations, zip_longest
 from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
@@ -115,9 +113,9 @@ def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:
 
 def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
     """Derivatives as rows of a table, per unit of the key that a scene file has for each parameter."""
-    from slipcircle.base.distributions import keys_of
+    from slipcircle.scene.numbers import keyed
 
-    rows, keys = [["", "", *(shown(found.at[n], 6) for n in found.outputs)]], keys_of()
+    rows, keys = [["", "", *(shown(found.at[n], 6) for n in found.outputs)]], keyed()
     for k, name in enumerate(found.parameters):
         of = keys[name]
         value = of.from_si(found.at[name])
@@ -142,26 +140,19 @@ def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
 
 def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     """A back-analysis as rows of a table, a column for each solution."""
-    from slipcircle.studies.backanalysis import FITTED, angle_deg
-    from slipcircle.studies.fields import OBSERVED
+    from slipcircle.studies.backanalysis import FITTED
 
     columns = []
     for s in found.solutions:
         rows, errors = {}, s.standard_errors or {}
         for name, value in s.values.items():
-            unit, error = found.units[name], errors.get(name, 0.0)
-            rows[f"{name} ({unit})" if unit else name] = _with_error(value, error, ".8g")
-            if (degrees := angle_deg(name, value)) is not None:
-                angle = _with_error(degrees, np.degrees(error / (1 + value**2)), ".4f")
-                rows["friction angle" if name == "friction" else f"{name}, angle"] = f"{angle} deg"
-            elif unit == "rad":
-                rows[f"{name} (deg)"] = _with_error(np.degrees(value), np.degrees(error), ".4f")
+            rows[name] = _with_error(value, errors.get(name, 0.0), ".8g")
         if s.correlation is not None:
             names = list(s.values)
             for i, j in combinations(range(len(names)), 2):
                 rows[f"correlation of {names[i]} and {names[j]}"] = f"{s.correlation[i, j]:+.3f}"
-        for kind, name in OBSERVED.items():
-            seen, sigma = found.observed.get(kind, (None, None))
+        for name in OUTCOMES:
+            seen, sigma = found.observed.get(name, (None, None))
             of = "" if seen is None else f" (observed {seen:.6g}" + (f" +- {sigma:.2g})" if sigma else ")")
             rows[words(name, OUTCOMES[name].unit)] = f"{OUTCOMES[name].read(s.motion):.6g}{of}"
         if found.method == FITTED:

@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike
 from generated.effects import EFFECTS, LAWS, Parameter
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 from slipcircle.records.given import resolved
-from slipcircle.scene.arc import ARC_BOUNDS, QUANTITIES, Arc
+from slipcircle.scene.arc import QUANTITIES, Arc
 from slipcircle.scene.friction import law_mistakes
+from slipcircle.scene.numbers import declared
 
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
@@ -105,8 +106,6 @@ class Scene:
                     found.append(str(error))
         found += [] if found else shape_mistakes(self.numbers)
         if self.uncertain and not found:
-            from slipcircle.base.distributions import declared  # asks for SciPy
-
             drawn, found = declared(self.uncertain, self.friction)
             found += [
                 f"uncertain.{u.key}: the scene has no {n} to vary" for n, u in drawn.items() if n not in self.numbers
@@ -198,12 +197,3 @@ def _allowed(p: Parameter) -> str:
     kinds = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers",
              "series": "a function of time, a Series or a Pulse"}  # fmt: skip
     return kinds.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
-
-
-def bounds(names: Iterable[str]) -> dict[str, tuple[float, float]]:
-    """Open bounds of those of a scene's numbers that have any, the effects' as ``effect.parameter``."""
-    known = {n: (low, high) for n, (low, high, _) in ARC_BOUNDS.items()}
-    known |= {"friction": (-5e-324, INFINITY), "initial_velocity": (-INFINITY, INFINITY)}
-    known |= {f"friction.{p.name}": (p.lower, p.upper) for law in LAWS.values() for p in law.parameters}
-    known |= {f"{e}.{p.name}": (p.lower, p.upper) for e, effect in EFFECTS.items() for p in effect.parameters}
-    return {n: known[n] for n in names if n in known}

@@ -25,7 +25,7 @@ from typing import IO, Any
 import numpy as np
 
 from slipcircle.base.files import replacing, write
-from slipcircle.studies.study import Result, Study, run_block
+from slipcircle.studies.design import Design, Result, run_block
 
 ENGINES = ("serial", "threads", "processes", "dask")
 _AHEAD = 512  # blocks that may be under way beyond the first unfinished one: more than a cluster's workers
@@ -140,21 +140,21 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
 
 
 def computed(
-    study: Study, seed: int, size: int, executor: Executor | None = None, folder: Folder | None = None,
+    design: Design, seed: int, size: int, executor: Executor | None = None, folder: Folder | None = None,
     progress: Callable[[int, int], None] = lambda scenes, kept: None,
 ) -> Iterator[Result]:  # fmt: skip
-    """Results of all blocks of a study, in their order.
+    """Results of all blocks of a design, in their order.
 
     Parameters
     ----------
-    study : Study
+    design : Design
     seed, size : int
     executor : concurrent.futures.Executor, optional
     folder : Folder, optional
     progress : callable, optional
         Told how many scenes each finished block had, and how many of them were there already.
     """
-    blocks = study.blocks(size)
+    blocks = design.blocks(size)
     finished: dict[int, Result] = {}
     running: dict[Future[Result], int] = {}
 
@@ -162,17 +162,17 @@ def computed(
         kept = folder.load(index) if folder else None
         if kept is not None:
             finished[index] = kept
-            progress(study.scenes(index, size), study.scenes(index, size))
+            progress(design.scenes(index, size), design.scenes(index, size))
         elif executor:
-            running[executor.submit(run_block, study, index, seed, size)] = index
+            running[executor.submit(run_block, design, index, seed, size)] = index
         else:
-            done(index, run_block(study, index, seed, size))
+            done(index, run_block(design, index, seed, size))
 
     def done(index: int, result: Result) -> None:
         finished[index] = result
         if folder:
             folder.save(index, result)
-        progress(study.scenes(index, size), 0)
+        progress(design.scenes(index, size), 0)
 
     ahead = _AHEAD if executor else 1
     following = 0

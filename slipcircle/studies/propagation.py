@@ -7,10 +7,10 @@ variances times the squared derivatives, as the inputs are independent (JCGM 100
 import math
 from typing import NamedTuple
 
-from slipcircle.arrays.lanes import scene_of
-from slipcircle.motion.solver import solve
-from slipcircle.motion.quantities import words
-from slipcircle.studies.study import OUTPUTS, Study
+from slipcircle.motion.quantities import OUTCOMES, words
+from slipcircle.scene.varied import scene_with
+from slipcircle.studies.design import Design
+from slipcircle.studies.motions import derivatives
 
 # Shares of the samples' standard deviation, and standard errors of theirs, up to which a difference is not told. What
 # is of second order moves the mean first, and little to what the mean is used for.
@@ -33,34 +33,31 @@ class Sampled(NamedTuple):
     std_error: float
 
 
-def propagated(study: Study) -> dict[str, Linear]:
-    """Mean and standard deviation of each output.
+def propagated(design: Design) -> dict[str, Linear]:
+    """Mean and standard deviation of each outcome.
 
     Raises
     ------
     ValueError
-        If there is no motion at the means, or it has no derivative by one of the inputs.
+        If there is no motion at the means, or no derivative by one of the inputs.
     """
-    known = {n: u.moments for n, u in study.inputs.items()}
-    if wrong := [study.inputs[n].key for n, (mean, std) in known.items() if not math.isfinite(mean + std)]:
+    known = {n: u.moments for n, u in design.drawn.items()}
+    if wrong := [design.inputs[n].key for n, (mean, std) in known.items() if not math.isfinite(mean + std)]:
         raise ValueError(f"{', '.join(wrong)}: has no finite mean and standard deviation")
-    means = {n: float(u.to_si(known[n][0])) for n, u in study.inputs.items()}
-    motion = solve(scene_of(study.effects, {**study.values, **means}, 0, study.law, study.fixed), study.accuracy)
-    table = motion.sensitivity()
-    idle = {"width", *(["end_time"] if motion.arrested else [])}
-    if wrong := [u.key for n, u in study.inputs.items() if n not in idle and n not in table.parameters]:
+    means = {n: float(design.inputs[n].to_si(mean)) for n, (mean, _) in known.items()}
+    at, slopes = derivatives(scene_with(design.scene, means), means, design.accuracy)
+    if wrong := [design.inputs[n].key for n in means if not all(math.isfinite(s[n]) for s in slopes.values())]:
         raise ValueError(f"{', '.join(wrong)}: the motion at the means has no derivative by it")
-    found = {}
-    for output in OUTPUTS:
-        slopes = (table.derivative(output, n) * u.slope(known[n][0]) * known[n][1]
-                  for n, u in study.inputs.items() if n not in idle)  # fmt: skip
-        found[output] = Linear(abs(table.at[output]), math.hypot(*slopes))
-    return found
+    return {
+        outcome: Linear(abs(at[outcome]),
+                        math.hypot(*(by[n] * design.inputs[n].slope(known[n][0]) * known[n][1] for n in means)))
+        for outcome, by in slopes.items()
+    }  # fmt: skip
 
 
 def disagreement(output: str, linear: Linear, sampled: Sampled, accuracy: float) -> str:
     """What to say where they differ by more than a share of the spread and by more than chance; empty elsewhere."""
-    said, unit, few = [], OUTPUTS[output], accuracy * abs(sampled.mean)
+    said, unit, few = [], OUTCOMES[output].unit, accuracy * abs(sampled.mean)
     pairs = (("mean", linear.mean, sampled.mean, sampled.mean_error, _MEAN),
              ("standard deviation", linear.std, sampled.std, sampled.std_error, _STD))  # fmt: skip
     for what, here, there, error, share in pairs:

@@ -1,240 +1,270 @@
-"""A study: a scene with uncertain numbers, or on a grid, cut into blocks that anybody may compute.
+"""Studies: how far and how fast a scene gets where its numbers are uncertain, or take the values of a grid."""
 
-`run_block` is a pure function of the study, the block's index, the seed and the blocks' size: where and when it runs
-does not matter, nor how often. Blocks of samples come first, then those for the sensitivity indices.
-"""
-
-from collections.abc import Mapping
-from dataclasses import dataclass
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property, reduce
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.arrays.lanes import solve_block
-from slipcircle.base.distributions import Uncertain
-from slipcircle.motion.motion import Status
-from slipcircle.studies.sampling import directions, latin, monte_carlo, sobol
+from slipcircle.motion.motion import ANSWERED, Status
+from slipcircle.motion.quantities import OUTCOMES
+from slipcircle.scene.scene import Scene
+from slipcircle.studies.design import Design, Result
+from slipcircle.studies.propagation import Linear, Sampled, disagreement, propagated
+from slipcircle.studies.statistics import (
+    BINS,
+    Estimate,
+    Indices,
+    edges,
+    histogram_quantile,
+    indices,
+    pooled,
+    proportion,
+    ranks,
+    spread,
+    student,
+    width,
+)
 
 Floats = NDArray[np.float64]
-Result = dict[str, NDArray[Any]]
-METHODS = ("monte-carlo", "sobol", "latin-hypercube")
-OUTPUTS = {"run_out": "m", "peak_velocity": "m/s", "duration": "s"}
-REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
-BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
-
-# Bins of a histogram: of equal relative width 2**-10 from 2**-30 to 2**30, one below (zero too) and one above.
-_PARTS = 10
-_LOWEST = (1023 - 30) << _PARTS
-BINS = (60 << _PARTS) + 2
-BIN_ERROR = 2.0**-_PARTS
 
 
-def bins(values: Floats) -> NDArray[np.int64]:
-    """The bin of each magnitude: the exponent and the first bits of the significand of a float64 are its number."""
-    return np.clip((values.view(np.int64) >> (52 - _PARTS)) - _LOWEST + 1, 0, BINS - 1)
+class Curve(NamedTuple):
+    """Probabilities that values are exceeded, with their intervals."""
+
+    at: Floats
+    probability: Floats
+    low: Floats
+    high: Floats
 
 
-def edges() -> Floats:
-    """Lower edges of the bins, and infinity."""
-    inner = (np.arange(BINS - 1, dtype=np.int64) + _LOWEST) << (52 - _PARTS)
-    return np.concatenate([[0.0], inner.view(np.float64), [np.inf]])
+class Convergence(NamedTuple):
+    """What was known after the first n samples."""
+
+    n: int
+    moving: Estimate
+    median: Estimate
+    upper: Estimate
 
 
-def moments(values: Floats) -> Floats:
-    """Number and mean of values, and sums of the second to fourth powers of what they differ from it."""
-    if not values.size:
-        return np.zeros(5)
-    mean = float(np.mean(values))
-    off = values - mean
-    squares = off * off
-    return np.array([values.size, mean, np.sum(squares), np.sum(squares * off), np.sum(squares * squares)])
-
-
-class Piece(NamedTuple):
-    """A stretch of a sequence of points."""
-
-    replicate: int
-    start: int
-    length: int
-
-
-@dataclass(frozen=True)
+@dataclass(repr=False)
 class Study:
-    """What is computed, as plain data.
+    """What a study found; intervals hold with the confidence at each place, not everywhere at once.
 
     Attributes
     ----------
-    effects, values, law, fixed, accuracy
-        As `slipcircle.arrays.lanes.solve_block` takes them.
-    inputs : mapping
-        What varies, by its name among the values.
-    levels : tuple of ndarray
-        Values of each input, in its key's unit: a grid, the last input fastest. Empty where inputs are drawn.
-    method : str
-        One of `METHODS`, or "grid".
-    n : int
-        How many samples.
-    base : int
-        Base points of the sensitivity indices, each of which takes the number of inputs and two more scenes.
-    keep : bool
-        Whether blocks return their samples too.
-    tables : tuple of ndarray
-        Directions of the replicates' Sobol sequences.
+    design : Design
+    seed, size : int
+        With which the same numbers come again.
+    confidence : float
+    counts : ndarray
+        Lanes of each `slipcircle.motion.motion.Status`.
+    sensitivity : mapping
+        `Indices` of each output, and of whether the mass moves, where there is more than one input.
+    convergence : list of Convergence
+        Of the reach: its median and its 95 % quantile.
+    samples : mapping
+        Inputs by key, in the key's unit, outputs and status, where they were kept.
     """
 
-    effects: tuple[str, ...]
-    values: Mapping[str, Any]
-    law: Any
-    fixed: Mapping[str, Mapping[str, Any]]
-    accuracy: float
-    inputs: Mapping[str, Uncertain]
-    levels: tuple[Floats, ...]
-    method: str
-    n: int
-    base: int
-    keep: bool
-    tables: tuple[NDArray[np.uint32], ...] = ()
+    design: Design
+    seed: int
+    size: int
+    confidence: float
+    counts: NDArray[np.int64] = field(init=False)
+    sensitivity: Mapping[str, Indices] = field(init=False)
+    convergence: list[Convergence] = field(init=False, default_factory=list)
+    samples: Mapping[str, NDArray[Any]] = field(init=False, default_factory=dict)
 
     @property
-    def replicates(self) -> int:
-        """How many independent sequences the samples are from."""
-        return min(REPLICATES, self.n) if self.method == "sobol" else 1
+    def scene(self) -> Scene:
+        """Whose numbers vary."""
+        return self.design.scene
 
-    def share(self, replicate: int) -> int:
-        """How many samples a replicate has."""
-        return self.n // self.replicates + (replicate < self.n % self.replicates)
+    def __repr__(self) -> str:
+        counted = ", ".join(f"{int(c)} {s.name.lower()}" for s, c in zip(Status, self.counts, strict=True) if c)
+        return f"<Study {self.scene.name}: {self.design.n} scenes, {self.design.method}; {counted}>"
 
-    def sample_blocks(self, size: int) -> int:
-        """How many blocks of samples there are; the replicates take turns."""
-        return self.replicates * -(-self.share(0) // size)
+    def __post_init__(self) -> None:
+        replicates = self.design.replicates
+        self.counts = np.zeros(len(Status), np.int64)
+        self.sensitivity = {}
+        self._answered = np.zeros(replicates, np.int64)
+        self._moving = np.zeros(replicates, np.int64)
+        self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
+        self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
+        self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
 
-    def blocks(self, size: int) -> int:
-        """How many blocks there are."""
-        return self.sample_blocks(size) + (min(BATCHES, self.base) if self.inputs else 0)
+    @property
+    def n(self) -> int:
+        """Samples with an answer: the others are no scenes, or failed, and are left out of what follows."""
+        return int(self._answered.sum())
 
-    def piece(self, index: int, size: int) -> Piece:
-        """The stretch of a block of samples; a replicate's last one may be empty."""
-        turn, replicate = divmod(index, self.replicates)
-        start = turn * size
-        return Piece(replicate, start, max(0, min(size, self.share(replicate) - start)))
+    @property
+    def moving(self) -> Estimate:
+        """Probability that the mass moves."""
+        curve = self._probability(self._moving[:, None])
+        return Estimate(*(float(x[0]) for x in curve))
 
-    def scenes(self, index: int, size: int) -> int:
-        """How many scenes a block solves."""
-        first = self.sample_blocks(size)
-        return self.piece(index, size).length if index < first else self._batch(index - first) * (len(self.inputs) + 2)
+    def quantile(self, output: str, p: float) -> Estimate:
+        """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it."""
+        counts, ends = self._histograms[output], self._ends[output]
+        if not self.n:
+            return Estimate(math.nan, math.nan, math.nan)
+        if output in self.samples:
+            values = self._ordered(output)
+            value = float(values[max(0, math.ceil(p * self.n) - 1)])
+        else:
+            value = float(histogram_quantile(counts.sum(axis=0), p, ends))
+        if self.design.replicates > 1:
+            each = np.array([histogram_quantile(c, p, ends) for c in counts if c.any()])
+            half = float(student(each, self.confidence))
+            return Estimate(value, max(0.0, value - half), value + half)
+        low, high = ranks(p, self.n, self.confidence)
 
-    def _batch(self, batch: int) -> int:
-        batches = min(BATCHES, self.base)
-        return self.base // batches + (batch < self.base % batches)
+        def at(rank: int) -> float:
+            if not 1 <= rank <= self.n:
+                return math.nan
+            if output in self.samples:
+                return float(values[rank - 1])
+            return float(histogram_quantile(counts.sum(axis=0), rank / self.n, ends))
 
+        return Estimate(value, at(low), at(high))
 
-def sobol_tables(seed: int, n: int, dimensions: int) -> tuple[NDArray[np.uint32], ...]:
-    """Directions of each replicate's sequence of n samples in all."""
-    count = min(REPLICATES, n)
-    return tuple(directions(seed, (1, r), -(-n // count), dimensions) for r in range(count))
+    def mean(self, output: str) -> Estimate:
+        """Mean of an output; what does not move counts as 0."""
+        mean, error, _, _ = self._sampled(output)
+        return self._interval(mean, error)
 
+    def std(self, output: str) -> Estimate:
+        """Standard deviation of an output; what does not move counts as 0."""
+        _, _, std, error = self._sampled(output)
+        return self._interval(std, error)
 
-def _points(study: Study, piece: Piece, seed: int) -> Floats:
-    dimensions = len(study.inputs)
-    if study.method == "sobol":
-        return sobol(study.tables[piece.replicate], piece.start, piece.length)
-    if study.method == "latin-hypercube":
-        return latin(seed, study.n, dimensions)[:, piece.start : piece.start + piece.length]
-    return monte_carlo(seed, (0,), piece.start, piece.length, dimensions)
+    def _sampled(self, output: str) -> Sampled:
+        each = self._moments[output]
+        found = Sampled(*spread(reduce(pooled, each)))
+        filled = each[each[:, 0] > 1]
+        if self.design.replicates == 1 or len(filled) < 2:
+            return found
+        spreads = np.array([spread(m) for m in filled])[:, [0, 2]]
+        errors = np.std(spreads, axis=0, ddof=1) / math.sqrt(len(filled))
+        return found._replace(mean_error=float(errors[0]), std_error=float(errors[1]))
 
+    def _interval(self, value: float, error: float) -> Estimate:
+        half = error * width(self.confidence, self.design.replicates)
+        return Estimate(value, value - half, value + half)
 
-def _solve(study: Study, drawn: list[Floats], count: int) -> tuple[NDArray[np.int8], dict[str, Floats]]:
-    """Status and outputs of scenes, magnitudes; what does not move has moved by 0."""
-    with np.errstate(all="ignore"):  # what is no scene has a status, and nothing to complain about
-        given = {n: u.to_si(x) for (n, u), x in zip(study.inputs.items(), drawn, strict=True)}
-        values = dict(study.values) | given
-        block = solve_block(study.effects, values, study.accuracy, study.law, count, study.fixed)
-        radius = np.asarray(values["radius"])
-        found = {"run_out": np.abs(radius * block.rotation),
-                 "peak_velocity": np.abs(radius * block.peak_angular_velocity), "duration": block.duration}  # fmt: skip
-    answered = (block.status != Status.FAILED) & (block.status != Status.INVALID)
-    return block.status, {"moves": np.where(answered, block.moves, np.nan)} | found
+    @property
+    def linear(self) -> Mapping[str, Linear]:
+        """Mean and standard deviation of each output by linear propagation; empty where there is no derivative."""
+        return self._linear[0]
 
+    @property
+    def no_linear(self) -> str:
+        """Why `linear` is empty."""
+        return self._linear[1]
 
-def run_block(study: Study, index: int, seed: int, size: int) -> Result:
-    """Compute a block.
+    @cached_property
+    def _linear(self) -> tuple[Mapping[str, Linear], str]:
+        if self.design.method == "grid":
+            return {}, "values on a grid have no distribution"
+        try:
+            return propagated(self.design), ""
+        except ValueError as error:
+            return {}, str(error)
 
-    Parameters
-    ----------
-    study : Study
-    index : int
-        From 0 to ``study.blocks(size)``.
-    seed, size : int
-        The study's seed, and how many samples its blocks have; a power of two, 4 at least.
+    def exceedance(self, output: str, points: int = 101) -> Curve:
+        """Probability that an output is at least so large, at edges of bins, where it has no bin error."""
+        high = self._ends[output][1]
+        if not self.n:
+            return Curve(*np.empty((4, 0)))
+        wanted = np.linspace(0.0, high, points)
+        places = np.unique(np.searchsorted(edges(), wanted, side="right") - 1)
+        places = places[places > 0]  # at the first edge the probability is 1
+        above = np.cumsum(self._histograms[output][:, ::-1], axis=1)[:, ::-1][:, places]
+        return Curve(edges()[places], *self._probability(above))
 
-    Returns
-    -------
-    dict of ndarray
-        ``status`` counts; of each output the bins that are not empty, their counts, the extremes and the `moments`; the
-        samples where they are kept. For sensitivity indices instead the sums of `slipcircle.studies.estimates.indices`.
-    """
-    first = study.sample_blocks(size)
-    if index >= first:
-        return {"sums": _sums(study, index - first, seed)}
-    piece = study.piece(index, size)
-    if study.method == "grid":
-        at = np.unravel_index(np.arange(piece.start, piece.start + piece.length), [len(x) for x in study.levels])
-        drawn = [x[k] for x, k in zip(study.levels, at, strict=True)]
-    else:
-        points = _points(study, piece, seed)
-        drawn = [np.asarray(u.drawn(p)) for u, p in zip(study.inputs.values(), points, strict=True)]
-    status, outputs = _solve(study, drawn, piece.length)
-    result: Result = {"status": np.bincount(status, minlength=len(Status))}
-    answered = ~np.isnan(outputs["moves"])
-    result["moving"] = np.array([np.count_nonzero(outputs["moves"] == 1.0)])
-    for name in OUTPUTS:
-        values = outputs[name][answered]
-        result[f"{name}.bins"], result[f"{name}.counts"] = _filled(bins(values))
-        result[f"{name}.moments"] = moments(values)
-        result[f"{name}.ends"] = np.array([values.min(), values.max()]) if values.size else np.array([np.inf, -np.inf])
-    if study.keep:
-        result |= {f"sample.{u.key}": x for u, x in zip(study.inputs.values(), drawn, strict=True)}
-        result |= {f"sample.{n}": outputs[n] for n in OUTPUTS} | {"sample.status": status}
-    return result
+    def bins(self, output: str) -> Floats:
+        """The histogram of an output: from, to and how many, in rows; only bins that hold any."""
+        counts = self._histograms[output].sum(axis=0)
+        filled = np.flatnonzero(counts)
+        return np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
 
+    def _ordered(self, output: str) -> Floats:
+        answered = np.isin(self.samples["status"], ANSWERED)
+        return np.sort(self.samples[output][answered])
 
-def _filled(found: NDArray[np.int64]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
-    """Bins that are not empty, and their counts."""
-    some = found[found > 0]  # without what does not move, the rest mostly lies close together
-    least = int(some.min()) if some.size else 0
-    counts = np.bincount(some - least)
-    filled = np.flatnonzero(counts)
-    none = [0] if some.size < found.size else []
-    return (np.concatenate([none, filled + least]).astype(np.int32),
-            np.concatenate([[found.size - some.size] * len(none), counts[filled]]).astype(np.int32))  # fmt: skip
+    def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
+        """Probabilities and their intervals from how often, (replicates, ...)."""
+        n, total = self.n, hits.sum(axis=0)
+        if not n:
+            return tuple(np.full((3, *total.shape), np.nan))
+        value = total / n
+        low, high = proportion(total, n, self.confidence)
+        if self.design.replicates > 1:
+            filled = self._answered > 0
+            half = student(hits[filled] / self._answered[filled, None], self.confidence)
+            sure = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
+            low, high = (
+                np.where(sure, low, np.maximum(value - half, 0)),
+                np.where(sure, high, np.minimum(value + half, 1)),
+            )
+        return value, low, high
 
+    # -- merging
 
-def _sums(study: Study, batch: int, seed: int) -> Floats:
-    """`sums` of each output for a batch of base points A, B, and A with one column of B for each input."""
-    count, d = study._batch(batch), len(study.inputs)
-    if study.method == "sobol":
-        points = sobol(directions(seed, (2, batch), count, 2 * d), 0, count)
-    else:
-        points = monte_carlo(seed, (2, batch), 0, count, 2 * d)
-    laid = np.tile(points[:d, None, :], (1, d + 2, 1))
-    laid[:, 1] = points[d:]
-    for k in range(d):
-        laid[k, 2 + k] = points[d + k]
-    drawn = [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(study.inputs.values(), laid, strict=True)]
-    _, outputs = _solve(study, drawn, (d + 2) * count)
-    answered = np.all(~np.isnan(outputs["moves"].reshape(d + 2, count)), axis=0)
-    return np.stack([sums(y.reshape(d + 2, count)[:, answered]) for y in outputs.values()])
+    def _merge(self, results: Iterable[Result]) -> None:
+        """Add blocks up, in their order."""
+        design, samples = self.design, self.design.sample_blocks(self.size)
+        kept: dict[str, list[NDArray[Any]]] = {}
+        sums = []
+        for index, result in enumerate(results):
+            if index >= samples:
+                sums.append(result["sums"])
+                continue
+            replicate = index % design.replicates
+            self.counts += result["status"]
+            self._answered[replicate] += result["duration.counts"].sum()
+            self._moving[replicate] += result["moving"][0]
+            for name in OUTCOMES:
+                self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
+                self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
+                ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
+                self._ends[name] = min(ends[0], low), max(ends[1], high)
+            for name, values in result.items():
+                if name.startswith("sample."):
+                    kept.setdefault(name.removeprefix("sample."), []).append(values)
+            turns, rest = divmod(index + 1, design.replicates)
+            if design.method != "grid" and not rest and (turns & (turns - 1) == 0 or index + 1 == samples):
+                upper = self.quantile("reach", 0.95)
+                self.convergence.append(Convergence(self.n, self.moving, self.quantile("reach", 0.5), upper))
+        self.samples = {name: np.concatenate(values) for name, values in kept.items()}
+        if sums:
+            every = np.stack(sums)
+            names = ("moves", *OUTCOMES)
+            self.sensitivity = {n: indices(every[:, k], self.confidence) for k, n in enumerate(names)}
 
+    # -- what to know
 
-def sums(y: Floats) -> Floats:
-    """What `slipcircle.studies.estimates.indices` needs of one output, from yA, yB and then yAB of each input, by rows.
-
-    The number of points, sums of yA + yB and yA**2 + yB**2; for each input of (yAB - yA)**2, yB (yAB - yA), yAB - yA.
-    """
-    a, b = y[0], y[1]
-    found = [np.array([len(a), np.sum(a + b), np.sum(a * a + b * b)])]
-    for mixed in y[2:]:
-        step = mixed - a
-        found.append(np.array([np.sum(step * step), np.sum(b * step), np.sum(step)]))
-    return np.concatenate(found)
+    @property
+    def warnings(self) -> list[str]:
+        """What to know before the numbers are used."""
+        found = []
+        total = int(self.counts.sum())
+        for status, text in (
+            (Status.INVALID, "are no scenes, such as an angle below its bound, and are left out"),
+            (Status.UPRIGHT, "have no answer, as the mass would hang over, and are left out"),
+            (Status.ENDLESS, "have no answer, as they never rest, and are left out"),
+            (Status.FAILED, "have no answer, as their numbers overflow, and are left out"),
+            (Status.MOVING, "still move at their end: run-out and duration are those until then"),
+        ):
+            if count := int(self.counts[status]):
+                found.append(f"{count} of {total} samples {text}")
+        for name, linear in self.linear.items():
+            if said := disagreement(name, linear, self._sampled(name), self.design.accuracy):
+                found.append(said)
+        return found

@@ -1,4 +1,4 @@
-"""Estimates with intervals: probabilities, quantiles of samples and of histograms, sensitivity indices."""
+"""Statistics of samples, in one pass and constant memory: histograms, moments, estimates with their intervals."""
 
 import math
 from typing import Any, NamedTuple
@@ -6,10 +6,36 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.distributions import special
-from slipcircle.studies.study import BINS, edges
+from slipcircle.base.distributions import statistics
 
 Floats = NDArray[np.float64]
+
+# Bins of a histogram: of equal relative width 2**-10 from 2**-30 to 2**30, one below (zero too) and one above.
+_PARTS = 10
+_LOWEST = (1023 - 30) << _PARTS
+BINS = (60 << _PARTS) + 2
+BIN_ERROR = 2.0**-_PARTS
+
+
+def bins(values: Floats) -> NDArray[np.int64]:
+    """The bin of each magnitude: the exponent and the first bits of the significand of a float64 are its number."""
+    return np.clip((values.view(np.int64) >> (52 - _PARTS)) - _LOWEST + 1, 0, BINS - 1)
+
+
+def edges() -> Floats:
+    """Lower edges of the bins, and infinity."""
+    inner = (np.arange(BINS - 1, dtype=np.int64) + _LOWEST) << (52 - _PARTS)
+    return np.concatenate([[0.0], inner.view(np.float64), [np.inf]])
+
+
+def moments(values: Floats) -> Floats:
+    """Number and mean of values, and sums of the second to fourth powers of what they differ from it."""
+    if not values.size:
+        return np.zeros(5)
+    mean = float(np.mean(values))
+    off = values - mean
+    squares = off * off
+    return np.array([values.size, mean, np.sum(squares), np.sum(squares * off), np.sum(squares * squares)])
 
 
 class Estimate(NamedTuple):
@@ -22,11 +48,9 @@ class Estimate(NamedTuple):
 
 def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     """Interval of a probability from independent samples, never too short (Clopper and Pearson 1934)."""
-    betaincinv, hits, tail = special().betaincinv, np.asarray(hits, dtype=np.float64), (1.0 - confidence) / 2
-    # Where there is no hit, or nothing else, the end is exact, and the function's argument may be anything allowed.
-    low = np.where(hits > 0, betaincinv(np.maximum(hits, 1), n - np.maximum(hits, 1) + 1, tail), 0.0)
-    high = np.where(hits < n, betaincinv(np.minimum(hits, n - 1) + 1, n - np.minimum(hits, n - 1), 1.0 - tail), 1.0)
-    return low, high
+    beta, hits, tail = statistics().beta, np.asarray(hits, dtype=np.float64), (1.0 - confidence) / 2
+    low, high = beta.ppf(tail, hits, n - hits + 1), beta.ppf(1.0 - tail, hits + 1, n - hits)
+    return np.where(hits > 0, low, 0.0), np.where(hits < n, high, 1.0)
 
 
 def student(values: Floats, confidence: float) -> Any:
@@ -38,7 +62,7 @@ def student(values: Floats, confidence: float) -> Any:
 
 
 def pooled(a: Floats, b: Floats) -> Floats:
-    """`slipcircle.studies.study.moments` of two sets of values together (Pebay 2008, equations 3.1)."""
+    """`moments` of two sets of values together (Pebay 2008, equations 3.1)."""
     n, m = a[0] + b[0], a[0] * b[0]
     if not m:
         return b if b[0] else a
@@ -66,7 +90,8 @@ def spread(moments: Floats) -> tuple[float, float, float, float]:
 def width(confidence: float, replicates: int = 1) -> float:
     """Standard errors of half an interval: of many samples, or of a few replicates."""
     tail = (1.0 + confidence) / 2
-    return float(special().stdtrit(replicates - 1, tail) if replicates > 1 else special().ndtri(tail))
+    stats = statistics()
+    return float(stats.t.ppf(tail, replicates - 1) if replicates > 1 else stats.norm.ppf(tail))
 
 
 def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
@@ -74,17 +99,8 @@ def ranks(p: float, n: int, confidence: float) -> tuple[int, int]:
 
     The number of samples below the quantile is binomial, whatever the distribution.
     """
-    bdtr, bdtrik, tail = special().bdtr, special().bdtrik, (1.0 - confidence) / 2
-
-    def least(probability: float) -> int:
-        """The smallest k whose distribution function reaches the probability."""
-        k = bdtrik(probability, n, p) if bdtr(0, n, p) < probability else 0.0
-        k = max(0, math.floor(k) - 2)
-        while bdtr(k, n, p) < probability:
-            k += 1
-        return k
-
-    return least(tail), min(least(1.0 - tail), n) + 1
+    binom, tail = statistics().binom, (1.0 - confidence) / 2
+    return int(binom.ppf(tail, n, p)), min(int(binom.ppf(1.0 - tail, n, p)), n) + 1
 
 
 def histogram_quantile(counts: NDArray[np.int64], p: Any, ends: tuple[float, float]) -> Any:
@@ -106,7 +122,7 @@ class Indices(NamedTuple):
 
 
 def indices(sums: Floats, confidence: float) -> Indices:
-    """Indices of one output from the `slipcircle.studies.study.sums` of independent batches, (batches, 3 + 3 inputs).
+    """Indices of one output from the `sums` of independent batches, (batches, 3 + 3 inputs).
 
     First-order as Saltelli et al. (2010), centred, and total as Jansen (1999); intervals from leaving out each batch
     in turn. NaN where the output does not vary.
@@ -130,3 +146,16 @@ def _indices(sums: Floats) -> Floats:
     variance = np.where(variance > 1e-13 * mean**2, variance, np.nan)
     first = (parts[..., 1] - mean * parts[..., 2]) / (n * variance)
     return np.stack([first, parts[..., 0] / (2 * n * variance)], axis=-2)
+
+
+def sums(y: Floats) -> Floats:
+    """What `indices` needs of one output, from yA, yB and then yAB of each input, by rows.
+
+    The number of points, sums of yA + yB and yA**2 + yB**2; for each input of (yAB - yA)**2, yB (yAB - yA), yAB - yA.
+    """
+    a, b = y[0], y[1]
+    found = [np.array([len(a), np.sum(a + b), np.sum(a * a + b * b)])]
+    for mixed in y[2:]:
+        step = mixed - a
+        found.append(np.array([np.sum(step * step), np.sum(b * step), np.sum(step)]))
+    return np.concatenate(found)

@@ -12,18 +12,20 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle import Scene
 from slipcircle.base import files
 from slipcircle.base.distributions import DISTRIBUTIONS
-from slipcircle.files.scenefile import find
+from slipcircle.files.scenefile import find, load
 from slipcircle.motion.motion import Status
-from slipcircle.outputs import pictures, studyplots, tables
-from slipcircle.studies import written
+from slipcircle.motion.quantities import OUTCOMES, words
+from slipcircle.outputs import pictures, studyplots, tables, written
+from slipcircle.scene.scene import Scene
+from slipcircle.studies.conduct import ensemble, grid
+from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine
-from slipcircle.studies.ensembles import Ensemble, ensemble, grid
-from slipcircle.studies.estimates import Estimate
-from slipcircle.studies.study import BIN_ERROR, METHODS, OUTPUTS
+from slipcircle.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.studies.study import Study
 
+UNITS = {n: q.unit for n, q in OUTCOMES.items()}
 _MOST_ROWS = 60  # of a grid, on the screen
 
 
@@ -59,9 +61,9 @@ def _count(text: str) -> int:
     return int(value)
 
 
-def run(options: argparse.Namespace) -> Ensemble:
+def run(options: argparse.Namespace) -> Study:
     """Compute what the options ask for, and write the files."""
-    scene = Scene.load(options.scene)
+    scene = load(options.scene)
     if options.uncertain:
         drawn = _drawn(options.uncertain)
         others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
@@ -96,7 +98,7 @@ def run(options: argparse.Namespace) -> Ensemble:
     return found
 
 
-def _compute(scene: Scene, options: argparse.Namespace) -> Ensemble:
+def _compute(scene: Scene, options: argparse.Namespace) -> Study:
     with engine(options.engine, options.workers, options.scheduler) as executor:
         if options.grid:
             return grid(scene, _levels(options.grid), executor, folder=options.resume, progress=sys.stderr)
@@ -152,10 +154,10 @@ def _levels(given: list[str]) -> dict[str, NDArray[np.float64]]:
     return found
 
 
-def _csv(found: Ensemble) -> str:
+def _csv(found: Study) -> str:
     text = io.StringIO()
     out = csv.writer(text, lineterminator="\n")
-    if found.study.method == "grid":
+    if found.design.method == "grid":
         head, rows = grid_rows(found)
         out.writerow(head)
         out.writerows(rows)
@@ -165,17 +167,17 @@ def _csv(found: Ensemble) -> str:
     return text.getvalue()
 
 
-def grid_rows(found: Ensemble) -> tuple[list[str], list[list[Any]]]:
+def grid_rows(found: Study) -> tuple[list[str], list[list[Any]]]:
     """One row a scene: inputs in their keys' units, outputs, status."""
-    head = [*(u.key for u in found.study.inputs.values()), *(f"{n} ({unit})" for n, unit in OUTPUTS.items()), "status"]
+    head = [*(u.key for u in found.design.inputs.values()), *(f"{n} ({unit})" for n, unit in UNITS.items()), "status"]
     columns = [values.tolist() for name, values in found.samples.items() if name != "status"]
     names = [Status(s).name for s in found.samples["status"].tolist()]
     return head, [list(row) for row in zip(*columns, names, strict=True)]
 
 
-def record(found: Ensemble) -> Any:
+def record(found: Study) -> Any:
     """As JSON holds it."""
-    if found.study.method != "grid":
+    if found.design.method != "grid":
         return written.record(found)
     head, rows = grid_rows(found)
     cells = ([None if isinstance(x, float) and np.isnan(x) else x for x in row] for row in rows)
@@ -192,35 +194,35 @@ def _pm(e: Estimate) -> str:
     return f"{value} [{', '.join(ends)}]"
 
 
-def show(found: Ensemble) -> None:
+def show(found: Study) -> None:
     """Print tables."""
-    study, head = found.study, [tables.words(n, unit) for n, unit in OUTPUTS.items()]
+    study, head = found.design, [words(n, unit) for n, unit in UNITS.items()]
     if study.method == "grid":
         _, rows = grid_rows(found)
         if len(rows) > _MOST_ROWS:
-            said = ", ".join(f"{count} {tables.words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
+            said = ", ".join(f"{count} {words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
             print(f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json")
             return
-        cells = [[*(f"{x:.6g}" for x in numbers), tables.words(status)] for *numbers, status in rows]
+        cells = [[*(f"{x:.6g}" for x in numbers), words(status)] for *numbers, status in rows]
         tables.show([*(u.key for u in study.inputs.values()), *head, "status"], cells, found.scene.name)
         return
     percent = f"{100 * found.confidence:g} %"
     tables.show(
         ["quantile", *head],
-        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTPUTS)] for p in written.QUANTILES],
+        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTCOMES)] for p in written.QUANTILES],
         f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}",
         f"probability of moving {_pm(found.moving)}; {percent} intervals"
         + ("" if found.samples else f"; from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"),
     )
-    rows = [["mean", *(_pm(found.mean(n)) for n in OUTPUTS)], ["std", *(_pm(found.std(n)) for n in OUTPUTS)]]
+    rows = [["mean", *(_pm(found.mean(n)) for n in OUTCOMES)], ["std", *(_pm(found.std(n)) for n in OUTCOMES)]]
     for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
-        rows.insert(2 * k + 1, [what, *(f"{found.linear[n][k]:.6g}" for n in OUTPUTS)])
+        rows.insert(2 * k + 1, [what, *(f"{found.linear[n][k]:.6g}" for n in OUTCOMES)])
     said = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
     tables.show(["", *head], rows, "Mean and standard deviation", said)
     chosen = (0.5, 0.1, 0.01)
-    curve = {n: found.exceedance(n) for n in ("run_out", "peak_velocity")}
+    curve = {n: found.exceedance(n) for n in ("reach", "peak_velocity")}
     tables.show(
-        ["exceeded with probability", *(tables.words(n, OUTPUTS[n]) for n in curve)],
+        ["exceeded with probability", *(words(n, UNITS[n]) for n in curve)],
         [[f"{p:g}", *(f"{found.quantile(n, 1 - p).value:.5g}" for n in curve)] for p in chosen],
         "Exceedance", "the curves are in --csv, --npz and --json",
     )  # fmt: skip
@@ -228,11 +230,11 @@ def show(found: Ensemble) -> None:
         rows = []
         for output, of in found.sensitivity.items():
             for u, first, total in zip(study.inputs.values(), *of, strict=True):
-                rows.append([tables.words(output), u.key, _pm(first), _pm(total)])
+                rows.append([words(output), u.key, _pm(first), _pm(total)])
         tables.show(["output", "input", "first-order index", "total index"], rows, "Which unknown matters",
                     f"from {study.base} base points")  # fmt: skip
     tables.show(
-        ["samples", "probability of moving", "median run-out (m)", "95 % quantile (m)"],
+        ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
         [[str(c.n), _pm(c.moving), _pm(c.median), _pm(c.upper)] for c in found.convergence],
         "Convergence",
     )

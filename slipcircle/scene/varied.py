@@ -1,0 +1,92 @@
+"""Scenes with other numbers: one value of each, or an array of them, of which some may be no scene."""
+
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import kernels
+from generated.effects import EFFECTS
+from slipcircle.scene.arc import QUANTITIES, Arc
+from slipcircle.scene.numbers import Number, number_of, numbers_of
+from slipcircle.scene.scene import Scene
+
+DIP = Number("arc.dip_deg", "dip", "deg", -90.0, 90.0, False, np.pi / 180)  # of the chord: both ends of the arc turn
+
+
+def number_in(scene: Scene, path: str) -> Number:
+    """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
+    if path in (DIP.key, DIP.name):
+        return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", -np.pi / 2, np.pi / 2)
+    only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
+    return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction)
+
+
+def value_in(scene: Scene, number: Number) -> float | None:
+    """The value that a scene has of a number, SI; none where it has none."""
+    value = scene.arc.dip if number.name == DIP.name else scene.numbers.get(number.name)
+    return None if value is None else float(np.asarray(value))
+
+
+def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of a scene with other values of its numbers by name, SI; numbers or arrays, unchecked."""
+    arc: dict[str, Any] = {}
+    effects = {e: dict(given) for e, given in scene.called.items()}
+    top: dict[str, Any] = {"uncertain": {}}
+    friction = scene.friction
+    for name, value in values.items():
+        head, _, tail = name.partition(".")
+        if name == DIP.name:
+            arc |= {n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - value) for n in ("theta_1", "theta_2")}
+        elif name in QUANTITIES:
+            arc[name] = value
+        elif name == "friction":
+            friction = value
+        elif head == "friction":
+            assert isinstance(friction, Mapping)
+            inner, _, last = tail.rpartition(".")  # of a law, or of a law of speed that multiplies it
+            friction = {**friction, inner: {**friction[inner], last: value}} if inner else {**friction, tail: value}
+        elif tail:
+            effects.setdefault(head, {})[tail] = value
+        else:
+            top[name] = value
+    held = {f.name: getattr(scene.arc, f.name) for f in fields(Arc)}
+    return {"arc": held | arc, "effects": effects, "friction": friction} | top
+
+
+def scene_with(scene: Scene, values: Mapping[str, float]) -> Scene:
+    """A scene with other values of its numbers, which are checked."""
+    parts = parts_with(scene, {n: float(v) for n, v in values.items()})
+    return replace(scene, **parts | {"arc": Arc(**parts["arc"])})
+
+
+def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:
+    """A scene of arrays, unchecked, and which of them are no scenes: the first that is one stands in their place."""
+    bad = _no_scenes(scene, values)
+    own: dict[str, Any] = {n: value_in(scene, number_in(scene, n)) for n in values}
+    fill = own if np.all(bad) else {n: v[np.argmin(bad)] for n, v in values.items()}
+    parts = parts_with(scene, {n: np.where(bad, fill[n], v) for n, v in values.items()})
+    found = object.__new__(Scene)
+    for f in fields(Scene):
+        object.__setattr__(found, f.name, getattr(scene, f.name))
+    for name, value in (parts | {"arc": Arc.unchecked(**parts["arc"])}).items():
+        object.__setattr__(found, name, value)
+    return found, bad
+
+
+def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
+    """Where values are out of their bounds, or an arc is none: as `Arc` and `Scene` would refuse them one by one."""
+    known = numbers_of(scene.friction) | {DIP.name: number_in(scene, DIP.name)}
+    bad = np.zeros(np.broadcast_shapes(*(np.shape(v) for v in values.values())), dtype=bool)
+    for name, value in values.items():
+        number = known[name]
+        least = value >= number.low if number.closed else value > number.low
+        bad |= ~(np.isfinite(value) & least & (value < number.high))
+    if {*values} & {"theta_1", "theta_2", DIP.name}:
+        arc = parts_with(scene, values)["arc"]
+        first, second = (np.asarray(arc[n], dtype=np.float64) for n in ("theta_1", "theta_2"))
+        with np.errstate(all="ignore"):
+            bad |= ~((second > first) & (kernels.radial_weight(first, second) > 0.0))
+    return bad

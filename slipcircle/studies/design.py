@@ -1,0 +1,193 @@
+"""The design of a study: which scenes it solves, drawn or on a grid, cut into blocks that anybody may compute.
+
+`run_block` is a pure function of the design, the block's index, the seed and the blocks' size: where and when it runs
+does not matter, nor how often. Blocks of samples come first, then those for the sensitivity indices.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.motion.motion import ANSWERED, Status
+from slipcircle.motion.quantities import OUTCOMES
+from slipcircle.scene.numbers import Number, Uncertain
+from slipcircle.scene.scene import Scene
+from slipcircle.studies.motions import motions
+from slipcircle.studies.sampling import latin, monte_carlo, sobol
+from slipcircle.studies.statistics import bins, moments, sums
+
+Floats = NDArray[np.float64]
+Result = dict[str, NDArray[Any]]
+METHODS = ("monte-carlo", "sobol", "latin-hypercube")
+REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is the error
+BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
+
+
+class Piece(NamedTuple):
+    """A stretch of a sequence of points."""
+
+    replicate: int
+    start: int
+    length: int
+
+
+@dataclass(frozen=True)
+class Design:
+    """What is computed, as plain data.
+
+    Attributes
+    ----------
+    scene : Scene
+        Its own values hold where no input has others.
+    accuracy : float
+    inputs : mapping
+        Numbers that vary, by name.
+    drawn : mapping
+        How those vary that are drawn, by name.
+    levels : tuple of ndarray
+        Values of each input, in its key's unit: a grid, the last input fastest. Empty where inputs are drawn.
+    method : str
+        One of `METHODS`, or "grid".
+    n : int
+        How many samples.
+    base : int
+        Base points of the sensitivity indices, each of which takes the number of inputs and two more scenes.
+    keep : bool
+        Whether blocks return their samples too.
+    """
+
+    scene: Scene
+    accuracy: float
+    inputs: Mapping[str, Number]
+    drawn: Mapping[str, Uncertain]
+    levels: tuple[Floats, ...]
+    method: str
+    n: int
+    base: int
+    keep: bool
+
+    @property
+    def replicates(self) -> int:
+        """How many independent sequences the samples are from."""
+        return min(REPLICATES, self.n) if self.method == "sobol" else 1
+
+    def share(self, replicate: int) -> int:
+        """How many samples a replicate has."""
+        return self.n // self.replicates + (replicate < self.n % self.replicates)
+
+    def sample_blocks(self, size: int) -> int:
+        """How many blocks of samples there are; the replicates take turns."""
+        return self.replicates * -(-self.share(0) // size)
+
+    def blocks(self, size: int) -> int:
+        """How many blocks there are."""
+        return self.sample_blocks(size) + (min(BATCHES, self.base) if self.drawn else 0)
+
+    def piece(self, index: int, size: int) -> Piece:
+        """The stretch of a block of samples; a replicate's last one may be empty."""
+        turn, replicate = divmod(index, self.replicates)
+        start = turn * size
+        return Piece(replicate, start, max(0, min(size, self.share(replicate) - start)))
+
+    def scenes(self, index: int, size: int) -> int:
+        """How many scenes a block solves."""
+        first = self.sample_blocks(size)
+        return self.piece(index, size).length if index < first else self._batch(index - first) * (len(self.inputs) + 2)
+
+    def _batch(self, batch: int) -> int:
+        batches = min(BATCHES, self.base)
+        return self.base // batches + (batch < self.base % batches)
+
+
+def _points(design: Design, piece: Piece, seed: int) -> Floats:
+    dimensions = len(design.inputs)
+    if design.method == "sobol":
+        return sobol(seed, (1, piece.replicate), piece.start, piece.length, dimensions)
+    if design.method == "latin-hypercube":
+        return latin(seed, design.n, dimensions)[:, piece.start : piece.start + piece.length]
+    return monte_carlo(seed, (0,), piece.start, piece.length, dimensions)
+
+
+def _drawn(design: Design, points: Any) -> list[Floats]:
+    return [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(design.drawn.values(), points, strict=True)]
+
+
+def _solve(design: Design, values: list[Floats]) -> tuple[NDArray[np.int8], dict[str, Floats]]:
+    """Status and outcomes of scenes, magnitudes; what does not move has moved by 0."""
+    with np.errstate(all="ignore"):
+        given = {n: number.to_si(x) for (n, number), x in zip(design.inputs.items(), values, strict=True)}
+    motion = motions(design.scene, given, design.accuracy)
+    found = {n: np.abs(v) for n, v in motion.outcomes.items()}
+    moves = np.where(np.isin(motion.status, ANSWERED), motion.moves, np.nan)
+    return motion.status, {"moves": moves} | {n: found[n] for n in OUTCOMES}
+
+
+def run_block(design: Design, index: int, seed: int, size: int) -> Result:
+    """Compute a block.
+
+    Parameters
+    ----------
+    design : Design
+    index : int
+        From 0 to ``design.blocks(size)``.
+    seed, size : int
+        The study's seed, and how many samples its blocks have; a power of two, 4 at least.
+
+    Returns
+    -------
+    dict of ndarray
+        ``status`` counts; of each output the bins that are not empty, their counts, the extremes and the `moments`; the
+        samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
+    """
+    first = design.sample_blocks(size)
+    if index >= first:
+        return {"sums": _sums(design, index - first, seed)}
+    piece = design.piece(index, size)
+    if design.method == "grid":
+        at = np.unravel_index(np.arange(piece.start, piece.start + piece.length), [len(x) for x in design.levels])
+        drawn = [x[k] for x, k in zip(design.levels, at, strict=True)]
+    else:
+        drawn = _drawn(design, _points(design, piece, seed))
+    status, outputs = _solve(design, drawn)
+    result: Result = {"status": np.bincount(status, minlength=len(Status))}
+    answered = ~np.isnan(outputs["moves"])
+    result["moving"] = np.array([np.count_nonzero(outputs["moves"] == 1.0)])
+    for name in OUTCOMES:
+        values = outputs[name][answered]
+        result[f"{name}.bins"], result[f"{name}.counts"] = _filled(bins(values))
+        result[f"{name}.moments"] = moments(values)
+        result[f"{name}.ends"] = np.array([values.min(), values.max()]) if values.size else np.array([np.inf, -np.inf])
+    if design.keep:
+        result |= {f"sample.{u.key}": x for u, x in zip(design.inputs.values(), drawn, strict=True)}
+        result |= {f"sample.{n}": outputs[n] for n in OUTCOMES} | {"sample.status": status}
+    return result
+
+
+def _filled(found: NDArray[np.int64]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    """Bins that are not empty, and their counts."""
+    some = found[found > 0]  # without what does not move, the rest mostly lies close together
+    least = int(some.min()) if some.size else 0
+    counts = np.bincount(some - least)
+    filled = np.flatnonzero(counts)
+    none = [0] if some.size < found.size else []
+    return (np.concatenate([none, filled + least]).astype(np.int32),
+            np.concatenate([[found.size - some.size] * len(none), counts[filled]]).astype(np.int32))  # fmt: skip
+
+
+def _sums(design: Design, batch: int, seed: int) -> Floats:
+    """`sums` of each output for a batch of base points A, B, and A with one column of B for each input."""
+    count, d = design._batch(batch), len(design.inputs)
+    if design.method == "sobol":
+        points = sobol(seed, (2, batch), 0, count, 2 * d)
+    else:
+        points = monte_carlo(seed, (2, batch), 0, count, 2 * d)
+    laid = np.tile(points[:d, None, :], (1, d + 2, 1))
+    laid[:, 1] = points[d:]
+    for k in range(d):
+        laid[k, 2 + k] = points[d + k]
+    _, outputs = _solve(design, _drawn(design, laid))
+    answered = np.all(~np.isnan(outputs["moves"].reshape(d + 2, count)), axis=0)
+    return np.stack([sums(y.reshape(d + 2, count)[:, answered]) for y in outputs.values()])

@@ -1,0 +1,208 @@
+"""Searches over the numbers of a scene, all candidates at once: roots along one number, least squares over several."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.base.checks import EPS
+from slipcircle.motion.motion import ANSWERED, Motion, Status
+from slipcircle.scene.numbers import Number
+from slipcircle.scene.scene import Scene
+from slipcircle.studies.motions import motions
+
+Floats = NDArray[np.float64]
+Curve = Callable[[Floats], tuple[Floats, NDArray[Any]]]  # of values an outcome, and of what kind each motion is
+MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
+PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
+FINE = 1e-13  # accuracy of motions in a search
+PARTS = 16  # of a stretch that is looked into: each round gains four bits
+ROUNDS = 16
+STEEP = 30.0  # per cent that an outcome may change with a per cent of the number, where the motion changes its kind
+MET = 1e-9  # relative: a jump over what was observed misses it by more
+STARTS, APART = 48, 0.03  # of fits, and shares of the ranges between them
+STEPS = 80  # of a fit
+SMALL = 1e-6  # step of differences, of a range
+
+
+class Sampled(NamedTuple):
+    """Outcomes at values of numbers, NaN where a motion does not count; and of what kind each is."""
+
+    outcomes: Mapping[str, Floats]
+    kind: NDArray[np.int64]
+
+
+def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> Sampled:
+    """Motions at values (fields, count) in the fields' units: those that move, and rest or end before long."""
+    until = PATIENCE * float(scene.arc.time_scale)
+    followed = scene if scene.end_time is not None else replace(scene, end_time=until, uncertain={})
+    motion = motions(followed, {f.name: f.to_si(v) for f, v in zip(fields, values, strict=True)}, FINE)
+    counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
+    if scene.end_time is None:
+        counts &= motion.status != Status.MOVING
+    kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
+    return Sampled({n: np.where(counts, y, np.nan) for n, y in motion.outcomes.items()}, kind)
+
+
+# --- one number, one observation -------------------------------------------------------------------------------------
+
+
+def roots(sample: Curve, values: Floats, wanted: float) -> list[float]:
+    """All values at which an outcome is as wanted: every stretch that may hold one is divided, all of them at once.
+
+    That is where the outcome passes it, where the motion changes its kind near it, and where the outcome turns back
+    next to it.
+    """
+    rows, found = values[None, :], list[float]()
+    for _ in range(ROUNDS):
+        y, kind = (a.reshape(rows.shape) for a in sample(rows.ravel()))
+        left, right = _worth_a_look(rows, y - wanted, kind, abs(wanted))
+        fine = right - left <= 4 * EPS * np.maximum(np.abs(left), np.abs(right))
+        found += left[fine].tolist() + right[fine].tolist()
+        left, right = left[~fine], right[~fine]
+        if not left.size:
+            break
+        rows = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, PARTS + 1)
+        rows[:, -1] = right
+    best: list[tuple[float, float]] = []
+    if found:
+        ends = np.unique(found)
+        miss = np.abs(sample(ends)[0] - wanted)
+        for value, off in zip(ends.tolist(), miss.tolist(), strict=True):
+            if off <= MET * abs(wanted):
+                if best and abs(value - best[-1][0]) <= MET * abs(value):
+                    best[-1] = min(best[-1], (value, off), key=lambda pair: pair[1])
+                else:
+                    best.append((value, off))
+    return [value for value, _ in best]
+
+
+def _worth_a_look(x: Floats, miss: Floats, kind: NDArray[Any], wanted: float) -> tuple[Floats, Floats]:
+    """Both ends of the stretches within rows that may hold a root."""
+    a, b, left, right = miss[:, :-1], miss[:, 1:], x[:, :-1], x[:, 1:]
+    share = (right - left) / np.maximum(np.maximum(np.abs(left), np.abs(right)), 1e-300)
+    with np.errstate(invalid="ignore"):
+        near = np.fmin(np.abs(a), np.abs(b)) <= STEEP * np.minimum(share, 1.0) * wanted
+        passes = (a * b <= 0.0) | ((kind[:, :-1] != kind[:, 1:]) & near)
+        size = np.abs(miss)
+        before, here, after = size[:, :-2], size[:, 1:-1], size[:, 2:]
+        turns = (here <= np.fmin(before, after)) & (2 * here <= np.fmax(before, after))
+        turns &= (a[:, :-1] * b[:, :-1] > 0.0) & (a[:, 1:] * b[:, 1:] > 0.0)
+    return (np.concatenate([left[passes], x[:, :-2][turns]]), np.concatenate([right[passes], x[:, 2:][turns]]))
+
+
+def extreme(sample: Curve, values: Floats, sign: float) -> tuple[float, float]:
+    """The greatest (sign 1) or least (sign -1) outcome that is found, and where."""
+    best = (-math.inf, math.nan)
+    for _ in range(ROUNDS):
+        y = np.nan_to_num(sign * sample(values)[0], nan=-math.inf)
+        k = int(np.argmax(y))
+        best = max(best, (float(y[k]), float(values[k])))
+        values = np.linspace(values[max(k - 1, 0)], values[min(k + 1, len(values) - 1)], 2 * PARTS + 1)
+    return sign * best[0], best[1]
+
+
+# --- least squares ---------------------------------------------------------------------------------------------------
+
+
+class Space:
+    """Fields over their ranges as shares from 0 to 1, of the logarithm where a range is wide; and their residuals."""
+
+    def __init__(self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats],
+                 observed: Mapping[str, tuple[float, float | None]]) -> None:  # fmt: skip
+        self.scene, self.fields, self.observed = scene, fields, observed
+        self.low, self.high = (np.array([r[k] for r in ranges])[:, None] for k in (0, -1))
+        self.wide = (self.low > 0.0) & (self.high > 1e3 * self.low)
+
+    def at(self, shares: Floats) -> Floats:
+        """Values of shares, (fields, count)."""
+        ratio = np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), 1.0)
+        return np.asarray(np.where(self.wide, self.low * ratio**shares, self.low + (self.high - self.low) * shares))
+
+    def shares(self, values: Floats) -> Floats:
+        """The other way round."""
+        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), np.e))
+        logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
+        return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
+
+    def residuals(self, shares: Floats) -> Floats:
+        """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
+        found = sampled(self.scene, self.fields, self.at(shares)).outcomes
+        return np.stack([(found[n] - seen) / (sigma or abs(seen)) for n, (seen, sigma) in self.observed.items()])
+
+    def changes(self, shares: Floats) -> tuple[Floats, Floats]:
+        """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
+        k, count = shares.shape
+        moved = np.repeat(shares[:, None, :], 1 + 2 * k, axis=1)
+        for f in range(k):
+            moved[f, 1 + 2 * f] = np.minimum(shares[f] + SMALL, 1.0)
+            moved[f, 2 + 2 * f] = np.maximum(shares[f] - SMALL, 0.0)
+        r = self.residuals(moved.reshape(k, -1)).reshape(-1, 1 + 2 * k, count)
+        slopes = []
+        for f in range(k):
+            high, low = (np.where(np.isnan(r[:, j]), r[:, 0], r[:, j]) for j in (1 + 2 * f, 2 + 2 * f))
+            ends = [np.where(np.isnan(r[0, j]), shares[f], moved[f, j]) for j in (1 + 2 * f, 2 + 2 * f)]
+            slopes.append((high - low) / np.maximum(ends[0] - ends[1], 1e-300))
+        return r[:, 0], np.stack(slopes, axis=1)
+
+
+class Fit(NamedTuple):
+    """Where the observations are best met: shares of the ranges, sum of squares, whether no step makes it smaller."""
+
+    shares: Floats
+    chi_square: float
+    settled: bool
+
+
+def fits(space: Space, shares: Floats) -> list[Fit]:
+    """All different minima that are reached from the best of these shares, (fields, count), the best first."""
+    r = space.residuals(shares)
+    chosen = list[int]()
+    for k in np.argsort(np.sum(r**2, axis=0)):  # NaN comes last
+        if len(chosen) == STARTS or np.isnan(r[0, k]):
+            break
+        if all(np.max(np.abs(shares[:, k] - shares[:, o])) > APART for o in chosen):
+            chosen.append(int(k))
+    if not chosen:
+        return []
+    s, r, slopes, settled = _descended(space, shares[:, chosen])
+    found: list[Fit] = []
+    for k in np.argsort(np.sum(r**2, axis=0)):
+        fit = Fit(s[:, k], float(np.sum(r[:, k] ** 2)), bool(settled[k]))
+        off = [s[:, k] - other.shares for other in found]
+        if not any(np.max(np.abs(o)) < 1e-5 or np.max(np.abs(slopes[:, :, k] @ o)) < 1e-3 for o in off):
+            found.append(fit)
+    return [f for f in found if f.settled] or found
+
+
+def _descended(space: Space, s: Floats) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
+    """Levenberg and Marquardt's steps from all starts at once; a field at the end of its range is left there."""
+    damping = np.full(s.shape[1], 1e-3)
+    r, slopes = space.changes(s)
+    for _ in range(STEPS):
+        matrix, push = np.einsum("ofn,ogn->nfg", slopes, slopes), -np.einsum("ofn,on->nf", slopes, r)
+        held = (((s <= 0.0) & (push.T < 0.0)) | ((s >= 1.0) & (push.T > 0.0))).T
+        size = np.einsum("nff->nf", matrix)
+        matrix = matrix * ~(held[:, :, None] | held[:, None, :])
+        diagonal = np.where(held, 1.0, size * (1.0 + damping[:, None]) + 1e-30)
+        np.einsum("nff->nf", matrix)[...] = diagonal
+        step = np.linalg.solve(matrix, np.where(held, 0.0, push)[..., None])[..., 0].T
+        trial = np.clip(s + np.clip(step, -0.25, 0.25), 0.0, 1.0)
+        new, new_slopes = space.changes(trial)
+        better = np.sum(new**2, axis=0) < np.sum(r**2, axis=0)  # not where nothing moves
+        s, r, slopes = np.where(better, trial, s), np.where(better, new, r), np.where(better, new_slopes, slopes)
+        damping = np.clip(np.where(better, damping / 8, damping * 4), 1e-15, 1e12)
+        if np.all(~better & (damping > 1e8)) or np.max(np.abs(step)) < 1e-14:
+            break
+    length = np.linalg.norm(slopes, axis=0) * np.linalg.norm(r, axis=0)
+    push = -np.einsum("ofn,on->fn", slopes, r) / np.where(length > 0.0, length, 1.0)
+    still = (np.abs(push) < 1e-3) | ((s <= 0.0) & (push < 0.0)) | ((s >= 1.0) & (push > 0.0))
+    return s, r, slopes, np.all(still, axis=0) | (np.linalg.norm(r, axis=0) < 1e-7)
+
+
+def outcomes_of(motion: Motion, names: Sequence[str]) -> Floats:
+    """Outcomes of a single motion."""
+    return np.array([float(motion.outcomes[n]) for n in names])
