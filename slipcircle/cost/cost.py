@@ -14,7 +14,7 @@ from typing import Any, TextIO
 
 import numpy as np
 
-from slipcircle.cost import solvercost
+from slipcircle.cost import scenes
 from slipcircle.cost.reference import Floats, Reference
 from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way, multiprecision
 
@@ -24,7 +24,8 @@ REPEATS = 9
 _TICK, _PASS, _PATIENCE = 5e-4, 0.1, 0.08  # seconds: shortest thing timed, longest single pass, all repeats of one
 _QUICK = 0.02  # seconds for scenes, after which ten times as many are not asked for
 FRONTIER, LOST = "frontier", "beaten: "
-NAMES = [*FUNCTIONS, *solvercost.SOLVERS]
+NAMES = [*FUNCTIONS, *scenes.CASES]
+GROUPS = {"kernels": [*FUNCTIONS], "flow": [*scenes.CASES]}
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     Parameters
     ----------
     names : sequence of str
-        Keys of `ways.FUNCTIONS` or `solvercost.SOLVERS`.
+        Keys of `ways.FUNCTIONS` or `scenes.CASES`, or a group of them.
     progress : text file, optional
         Where to say what is being measured.
 
@@ -103,17 +104,17 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     ImportError
         Without mpmath and python-flint, which give the reference.
     """
+    names = [name for given in names for name in GROUPS.get(given, [given])]
     unknown = [n for n in names if n not in NAMES]
     if unknown:
-        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join(NAMES)}")
+        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join([*GROUPS, *NAMES])}")
     multiprecision(30)
     found = []
     for name in names:
         if progress:
             print(f"measuring {name}", file=progress, flush=True)
-        if name in solvercost.SOLVERS:
-            one, many = _solvers(name, progress)
-            found += [*judged(one), *judged(many)]
+        if name in scenes.CASES:
+            found += [row for many in (False, True) for row in judged(_scenes(name, many, progress))]
         else:
             found += judged(_functions(name, FUNCTIONS[name]()))
     return found
@@ -132,39 +133,30 @@ def _functions(name: str, subject: Subject) -> list[Row]:
     return rows
 
 
-def _solvers(name: str, progress: TextIO | None) -> tuple[list[Row], list[Row]]:
-    """Rows of one scene, and of ten thousand."""
-    ways, exact, (some, of_some) = solvercost.solutions(name, progress)
+def _scenes(name: str, many: bool, progress: TextIO | None) -> list[Row]:
+    """Rows of one scene, or of ten thousand."""
+    count = SIZES[1] if many else 1
+    some = scenes.frictions(len(scenes.ANGLES) if many else 1)
+    near, rest = scenes.exactly(scenes.CASES[name], some)
+    found = scenes.ways(name, many, progress)
+    counts = [_enough(way, count) for way in found.values()]
+    works = [partial(way, scenes.frictions(n)) for way, n in zip(found.values(), counts, strict=True)]
     rows = []
-    for (way, works), seconds in zip(ways.items(), interleaved([w.one for w in ways.values()]), strict=True):
-        error = _apart(np.array(works.one()), np.array(exact))
-        row = Row(name, way, error, (), median(seconds) * 1e9, memory=_memory(works.one, 1))
-        rows.append(replace(row, ours=way.startswith("slipcircle")))
-    alone = {row.way: row for row in rows}
-    kept = {way: works.many for way, works in ways.items() if works.many is not None}
-    counts = [_scenes(many) for many in kept.values()]
-    jobs = [partial(many, solvercost.frictions(n)) for many, n in zip(kept.values(), counts, strict=True)]
-    found = []
-    for (way, many), job, count, seconds in zip(kept.items(), jobs, counts, interleaved(jobs), strict=True):
-        found.append(replace(
-            alone[way], function=f"{name}, {SIZES[1]} scenes", ns_1e4=median(seconds) / count * 1e9, elements=count,
-            error=_apart(many(some), of_some), points=some.size,
-            memory=_memory(job, count) if count == SIZES[1] else None,
-        ))  # fmt: skip
-    return rows, found
+    for (way, call), work, n, seconds in zip(found.items(), works, counts, interleaved(works), strict=True):
+        error = float(np.nanmax(np.abs((call(some) - near) - rest) / near))
+        took = median(seconds) / n * 1e9
+        row = Row(f"{name}, {count} scenes" if many else name, way, error, (), took, took if many else None,
+                  elements=n, points=some.size, memory=_memory(work, n), ours=way.startswith("slipcircle"))  # fmt: skip
+        rows.append(row)
+    return rows
 
 
-def _apart(found: Floats, exact: Floats) -> float:
-    """The worst relative error; absolute where the exact value is 0."""
-    return float(np.max(np.abs(found - exact) / np.where(exact == 0.0, 1.0, np.abs(exact))))
-
-
-def _scenes(many: Callable[[Floats], Floats]) -> int:
-    """How many scenes a pass has time for: ten times as many, while that is quick, up to ten thousand."""
-    count = min(solvercost.FEWEST, SIZES[1])
-    many(solvercost.frictions(count))  # what is imported at first only shall not pass for long work
-    while count < SIZES[1] and _timed(partial(many, solvercost.frictions(count)), 1) < _QUICK:
-        count = min(10 * count, SIZES[1])
+def _enough(way: Callable[[Floats], Floats], most: int) -> int:
+    """How many scenes a pass has time for: ten times as many, while that is quick."""
+    count = min(10, most)
+    way(scenes.frictions(count))  # what is imported at first only shall not pass for long work
+    while count < most and _timed(partial(way, scenes.frictions(count)), 1) < _QUICK:
+        count = min(10 * count, most)
     return count
 
 

@@ -12,7 +12,6 @@ import numpy as np
 
 from generated import _compiled
 from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, Row
-from slipcircle.cost.solvercost import NEW, NEW_NUMPY
 
 WIDTH = 100  # of tables and text, columns
 NOTES = (
@@ -57,11 +56,6 @@ def verdict(rows: Sequence[Row]) -> str:
         if (winner := by.get(r.verdict.removeprefix(LOST)))
     ]
     lines.append(f"Of ours, these lose: {'; '.join(lost)}." if lost else "None of ours is beaten.")
-    if {NEW, NEW_NUMPY} <= by.keys():
-        gain = by[NEW_NUMPY].price / by[NEW].price
-        lines.append(
-            f"With a new arc and every kernel in NumPy it takes {gain:.2f} times as long as with compiled ones."
-        )
     best = min(ours, key=lambda r: r.error)
     exact = [r for r in others if r.error < best.error]
     if exact:
