@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9d06509064a914b86065aeac1f5c064111ca20650e9a2c4f3b9d45b3b19fd308"
+#define DIGEST "9762cc10cb0e3b0fc7c9f16ee0ab1cefb3a90b080ce7c4f318664251ebf17a86"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -579,7 +579,9 @@ static V first_zero(const V *p, int n, V h, unsigned which)
         V s[HIGHEST + 2];
         for (int k = 1; k <= n; k++) s[k - 1] = p[k] * (double)k;
         const V lowest = bracketed(s, n - 1, flat(0.0), s[0], h, slope, dips), least = value(p, n, lowest);
-        const unsigned below = dips & bits(least <= 0.0);
+        V terms = size(p[n]);
+        for (int k = n - 1; k >= 0; k--) terms = terms * h + size(p[k]);
+        const unsigned below = dips & bits(least < -4 * EPS * terms); /* what only touches does not cross */
         high = pick(lanes(below), lowest, high), last = pick(lanes(below), least, last);
         crosses |= below;
     }
@@ -1254,7 +1256,8 @@ static void wait(Hand *h, unsigned which)
     const V zero = flat(0.0), one = flat(1.0), limit = next_break(h);
     const V room = pick(limit < INFINITY, limit - c[TIME], one);
     V stretch = room, begins = flat(INFINITY), way = zero, e[HIGHEST + 2], order;
-    M sudden = lanes(0), turns = sudden;
+    V lifts = begins;
+    M sudden = lanes(0);
     for (int pass = 0; pass < 2; pass++) {
         const unsigned now = pass ? which & bits(c[ONE_WAY] == 0.0) : which;
         if (!now) break;
@@ -1280,7 +1283,7 @@ static void wait(Hand *h, unsigned which)
         if (!ask) continue;
         function(e, normal, top - 1, sign, zero, passed);
         at = first_zero(e, top - 1, stretch, ask);
-        turns |= mine & (at <= stretch), stretch = pick(mine, lesser(at, stretch), stretch);
+        lifts = pick(mine, lesser(at, lifts), lifts), stretch = pick(mine, lesser(at, stretch), stretch);
     }
     for (int i = 0; i < w->tables; i++) { /* the same for both directions, since it was based at the last */
         V *const inc = c + w->table[i].cell + INC;
@@ -1288,7 +1291,9 @@ static void wait(Hand *h, unsigned which)
             *inc = pick(lanes(which), *inc + change(REGISTER(w->table[i].reg), w->order, stretch), *inc);
     }
     EACH(k, which) {
-        const int starts = begins[k] <= stretch[k], turned = !starts && (turns[k] & 1);
+        /* Where both pass zero it is lifted and does not start. */
+        const int turned = lifts[k] <= stretch[k] && lifts[k] <= begins[k] * (1.0 + 1e-9);
+        const int starts = !turned && begins[k] <= stretch[k];
         const int at_break = !starts && !turned && stretch[k] >= room[k];
         const double until = starts ? c[TIME][k] + begins[k] : at_break ? limit[k] : c[TIME][k] + stretch[k];
         const int over = !starts && !(until < INFINITY);

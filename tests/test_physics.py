@@ -715,7 +715,8 @@ def test_friction_never_drives() -> None:
         resisting = state.acceleration * reference.time_scale**2 / reference.radius - gravity
         assert np.all(resisting * np.sign(state.velocity) <= 1e-13), scene
         if motion.arrested:
-            slip = sum(reference.radius * p.solved.end for p in motion.phases)
+            places = [*(p.rotation for p in motion.phases), float(motion.end.rotation)]
+            slip = reference.radius * sum(abs(b - a) for a, b in itertools.pairwise(places))
             holds = reference.resistance(float(motion.end.rotation), 0.0, slip)
             assert abs(reference.fall(float(motion.end.rotation))) <= holds * (1 + 1e-12)
 

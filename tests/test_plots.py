@@ -16,11 +16,14 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
-from slipcircle import Arc, Motion, Scene, load, plan, solve
+from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Pulse, Series
+from slipcircle.motion.quantities import HISTORY, prefixed
 from slipcircle.outputs import pictures, plots, plotstyle
 from slipcircle.outputs.report import report
-from slipcircle.outputs.trace import UNITS, csv, trace
+from slipcircle.outputs.trace import csv
+from slipcircle.outputs.trace import drawn as trace
+from slipcircle.studies.ladder import ladder
 
 matplotlib.use("agg")
 
@@ -145,7 +148,8 @@ def test_history_draws_the_motion(name: str, what: str) -> None:
     assert (time[0], time[-1]) == (0.0, m.duration)
     assert np.allclose(value, wanted, rtol=1e-12, atol=1e-12 * np.max(np.abs(wanted)))
     marks = [line for line in ax.lines if line.get_marker() not in ("None", "")]
-    assert [float(x.get_xdata()[0]) for x in marks] == pytest.approx([float(m.peak.time), m.duration])
+    farthest = [float(m.reach.time)] if what == "displacement" and m.swings_back else []
+    assert [float(x.get_xdata()[0]) for x in marks] == pytest.approx([float(m.peak.time), *farthest, m.duration])
     said = [x.get_text() for x in ax.get_legend().get_texts()]
     assert any(x.startswith("peak velocity: ") for x in said)
     assert any(x.startswith(plotstyle.ending(m)) for x in said)
@@ -168,7 +172,7 @@ def test_rotation_stands_beside_displacement() -> None:
 @each_scene
 def test_trace_is_the_motion_and_balances(name: str) -> None:
     m, columns = motion(name), trace(motion(name))
-    assert list(columns) == list(UNITS)
+    assert list(columns) == list(HISTORY)
     assert all(c.shape == columns["time"].shape for c in columns.values())
     assert float(columns["displacement"][-1]) == pytest.approx(m.run_out, rel=1e-12)
     start = float(m.energy.kinetic_start)
@@ -198,6 +202,18 @@ def test_friction_to_stand_still_crosses_at_the_peak() -> None:
     at_peak = int(np.flatnonzero(columns["time"] == float(m.peak.time))[0])
     assert columns["holding_friction"][at_peak] == pytest.approx(0.15, abs=1e-7)
     assert columns["holding_friction"][0] == pytest.approx(m.limit_friction)
+
+
+def test_friction_to_stand_still_with_water_and_cohesion() -> None:
+    """(J_theta - lambda c*)/(J_r - lambda u*) at the start, u* the share r_u of J_r/lambda."""
+    m = motion("wet-slope")
+    arc, d, called = m.plan.scene.arc, m.plan.scene.arc.dimensionless, m.plan.scene.called
+    cohesion = called["cohesion"]["cohesion"] / (20e3 * 40.0 * (1.0 - np.cos(arc.half_angle)))
+    wanted = (d.weight_moment - d.resistance_factor * cohesion) / (
+        d.radial_weight * (1 - called["pore_pressure"]["ratio"])
+    )
+    assert trace(m)["holding_friction"][0] == pytest.approx(wanted, rel=1e-13)
+    assert m.limit_friction == pytest.approx(wanted, rel=1e-13)
 
 
 def test_friction_is_that_of_the_speed() -> None:
@@ -355,8 +371,8 @@ def test_reactions_push_inwards_and_against_the_motion(name: str, way: int) -> N
         assert np.sign(x * dy - y * dx) == -way  # counterclockwise is positive
 
 
-def test_ladder() -> None:
-    rungs = plan(SCENES["vaiont"]).ladder()
+def test_ladder_is_drawn() -> None:
+    rungs = ladder(SCENES["vaiont"])
     ax = plots.ladder(rungs, drawn((9.0, 3.5)))
     assert [bar.get_width() for bar in ax.patches] == [r.run_out for r in rungs]
     assert [bool(bar.get_hatch()) for bar in ax.patches] == [not r.arrested for r in rungs]
@@ -414,18 +430,18 @@ def test_roles_differ_without_colour() -> None:
 
 @pytest.mark.parametrize(
     ("value", "shown"),
-    [(0.0, "0"), (27.9721, "27.97"), (1020.35, "1020"), (-0.5, "-0.5"), (123456.0, "$1.235\\times10^{5}$"),
-     (12345.6, "12346"), (1.5e-7, "$1.5\\times10^{-7}$")],
+    [(0.0, "0"), (27.9721, "27.97"), (1020.35, "1020"), (-0.5, "-0.5"), (123456.0, "123500"),
+     (12345.6, "12350"), (1.2345e7, "$1.234\\times10^{7}$"), (1.5e-7, "$1.5\\times10^{-7}$")],
 )  # fmt: skip
 def test_number(value: float, shown: str) -> None:
     assert plotstyle.number(value) == shown
 
 
 def test_scaled() -> None:
-    assert plotstyle.scaled(2.7e6, "Pa") == (1e-6, "MPa")
-    assert plotstyle.scaled(np.array([0.0, -5e11]), "J") == (1e-9, "GJ")
-    assert plotstyle.scaled(1e6, "m") == (1.0, "m")
-    assert plotstyle.scaled(0.0, "J") == (1.0, "J")
+    assert prefixed(2.7e6, "Pa") == (1e-6, "MPa")
+    assert prefixed(np.array([0.0, -5e11]), "J") == (1e-9, "GJ")
+    assert prefixed(1e6, "m") == (1.0, "m")
+    assert prefixed(0.0, "J") == (1.0, "J")
 
 
 # --- CSV -----------------------------------------------------------------------------------------------------------
@@ -433,12 +449,15 @@ def test_scaled() -> None:
 
 def test_csv_holds_every_digit() -> None:
     m = motion("wet-slope")
+    even = np.linspace(0.0, m.duration, 401)
     head, *rows = csv([m]).splitlines()
     assert head.split(",")[:4] == ["time_s", "rotation_rad", "angular_velocity_rad_s", "velocity_m_s"]
     assert {"acceleration_m_s2", "normal_stress_Pa", "friction", "dissipation_J"} <= set(head.split(","))
     table = np.array([[float(x) for x in row.split(",")] for row in rows]).T
-    for column, values in zip(trace(m).values(), table, strict=True):
-        assert np.array_equal(column, values, equal_nan=True)
+    assert np.array_equal(table[0], even)
+    assert np.array_equal(table[3], m.at(even).velocity)
+    assert np.array_equal(table[-1], m.energy_at(even).dissipation)
+    assert np.array_equal(table[head.split(",").index("path_m")], table[head.split(",").index("displacement_m")])
     assert table[3][-1] == m.end.velocity == 0.0
 
 

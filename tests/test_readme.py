@@ -19,8 +19,9 @@ import slipcircle
 from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
-from slipcircle import Motion, load, plan, solve
+from slipcircle import Motion, load, solve
 from slipcircle.__main__ import main
+from slipcircle.studies.ladder import ladder
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
@@ -65,10 +66,9 @@ def test_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 def test_ladder_of_the_readme() -> None:
     """Peak, run-out and duration in the README's ladder are today's."""
     (shown,) = (text for _, text in BLOCKS if "effect added" in text)
-    rungs = plan(load("vaiont")).ladder()
-    for rung in rungs:
+    for rung in ladder(load("vaiont")):
         line = next(x for x in shown.splitlines() if x.strip().startswith(f"+ {rung.added}" if rung.added else "none"))
-        peak, run_out, duration = (float(x) for x in re.findall(r"([\d.]+) (?:m/s|m|s)(?=\s)", line))
+        run_out, peak, duration = (float(x) for x in re.findall(r"([\d.]+) (?:m/s|m|s)(?=\s)", line))
         assert np.allclose([peak, run_out, duration], [rung.peak_velocity, rung.run_out, rung.duration], rtol=2e-3)
 
 

@@ -20,11 +20,12 @@ from slipcircle import Motion, Scene, load, solve
 from slipcircle.__main__ import main
 from slipcircle.base import files
 from slipcircle.files.scenefile import find
+from slipcircle.motion.quantities import RESULTS
+from slipcircle.motion.quantities import record as record_of
 from slipcircle.outputs import pictures
 from slipcircle.outputs.info import facts
 from slipcircle.outputs.provenance import comments, inputs
-from slipcircle.outputs.report import RESULTS, report
-from slipcircle.outputs.tables import motion_record
+from slipcircle.outputs.report import report
 
 COMMAND = "slipcircle run wet-slope --report report.html"
 
@@ -64,25 +65,36 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_numbers_are_those_of_the_json() -> None:
-    record, cells = motion_record(motion("wet-slope")), rows(tree(page()))
-    for label, path, unit, per in RESULTS:
-        value: Any = record
-        for key in path:
-            value = value[key]
-        (data,) = cells[label]
-        assert float(data.get("value")) == value
-        shown, _, prefixed = data.text.partition(" ")
-        scale = {"kPa": 1e3, "MPa": 1e6}.get(prefixed, per)
-        assert float(shown) * scale == pytest.approx(value, rel=1e-5)
-        assert unit in prefixed
+    m, cells = motion("wet-slope"), rows(tree(page()))
+    record = json.loads(json.dumps(record_of(m), allow_nan=False))
+    stated = {**record, **{f"{state}.{k}": v for state in ("reach", "peak", "end") for k, v in record[state].items()}}
+    scales = {"kPa": 1e3, "MPa": 1e6, "deg": np.pi / 180}
+    for quantity in RESULTS:
+        if quantity.name in ("moves", "arrested"):
+            assert cells[quantity.label].text == "yes"
+            continue
+        (data,) = cells[quantity.label]
+        value = float(data.get("value"))
+        assert value == stated.get(quantity.path, value)
+        shown, _, unit = data.text.partition(" ")
+        seen = np.tan(float(shown) * scales["deg"]) if "angle" in quantity.label else float(shown) * scales.get(unit, 1)
+        assert seen == pytest.approx(value, rel=1e-5)
+    assert len([q for q in RESULTS if q.path in stated]) == len(RESULTS) - 1  # but for the stress at the start
     for label, key in (("work of gravity", "work"), ("kinetic energy at the end", "kinetic_end")):
         assert float(cells[label][0].get("value")) == record["energy"][key]
     (error,) = (c for label, c in cells.items() if label.startswith("relative error estimated"))
     assert float(error[0].get("value")) == record["error_estimate"]
-    assert cells["moves"].text == cells["comes to rest"].text == "yes"
     folded = {d.find("summary").text: d.find("pre").text for d in tree(page()).iter("details")}
     assert json.loads(folded["All numbers, as JSON in SI units and radians"]) == record
     assert folded["The scene's file"] == find("wet-slope").read_text("utf-8")
+
+
+def test_it_says_what_is_assumed_and_left_out() -> None:
+    said = [e.text for e in tree(page()).iter("li")]
+    assert any("rigid" in s for s in said)
+    assert "Left out: drag, viscosity, shaking, thermal_pressurisation." in said
+    assert not any("frozen" in s for s in said)
+    assert any("Dynamic Slip Circle Method" in s for s in said)
 
 
 def test_it_needs_nothing_else() -> None:
@@ -223,7 +235,7 @@ def test_one_command_writes_everything(tmp_path: Path, capsys: pytest.CaptureFix
     line = ["run", "wet-slope", "--plot", str(plot), "--report", str(page), "--csv", str(table), "--json"]
     assert main(line) == 0
     out, err = capsys.readouterr()
-    record = json.loads(out)
+    (record,) = json.loads(out)
     assert err == ""
     assert plot.read_bytes().startswith(b"\x89PNG\r\n")
     root = tree(page.read_text("utf-8"))

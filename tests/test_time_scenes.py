@@ -100,9 +100,16 @@ def test_other_accuracies(accuracy: float) -> None:
 
 
 def test_steps_converge() -> None:
-    """The errors fall with the tolerance, in proportion or faster, until rounding."""
-    errors = np.array([[true_error(solve(scene(ROWS[k]["scene"]), a), ROWS[k]["reference"]) for a in
-                        (1e-4, 1e-6, 1e-8, 1e-10)] for k in (0, 11, 40, 58, 66, 91)])  # fmt: skip
+    """The errors of lanes fall with the accuracy that is asked for, in proportion or faster, until rounding."""
+
+    def missed(number: int, accuracy: float) -> float:
+        given, reference = scene(ROWS[number]["scene"]), ROWS[number]["reference"]
+        lanes = solve(replace(given, initial_velocity=np.full(2, given.initial_velocity)), accuracy)
+        found = lanes.run_out[0], abs(lanes.peak.velocity[0])
+        wanted = reference["run_out"], reference["peak"]
+        return max(off(x, y, y) for x, y in zip(found, wanted, strict=True))
+
+    errors = np.array([[missed(k, a) for a in (1e-4, 1e-6, 1e-8, 1e-10)] for k in (0, 11, 40, 58, 66, 91)])
     geometric = np.exp(np.mean(np.log(np.maximum(errors, 1e-16)), axis=0))
     assert np.all(geometric[1:] < 0.1 * geometric[:-1])
 
@@ -479,7 +486,7 @@ VANISHING = [
 
 @pytest.mark.parametrize("friction", VANISHING, ids=str)
 def test_swings_that_hardly_die_away_are_refused(friction: Any) -> None:
-    with pytest.raises(ValueError, match="turns back 2000 times and more without resting; give an earlier end"):
+    with pytest.raises(ValueError, match=r"turns back \d{4} times and more without resting; give an earlier end"):
         solve(Scene(ARC, friction, TURNING))
     motion = solve(Scene(ARC, friction, TURNING, end_time=300.0))  # asked for so much only, it is followed
     assert 7 <= len(golden.changes(motion)) < 9
@@ -581,7 +588,7 @@ def test_a_stop_that_hangs_on_a_hair_warns(share: float) -> None:
         start = mpf(float(edge * (1 + mpf(share))))
         motion = solve(Scene(ARC, law, {}, float(start), 60.0))
         assert any("ill-conditioned" in w for w in motion.warnings) == (motion.error_estimate > 1e-9)
-        assert (motion.error_estimate > 1e-9) == (abs(share) < 1e-2)
+        assert (motion.error_estimate > 1e-9) == (abs(share) < 1e-10)
         if motion.error_estimate < 1.0 or abs(share) > 1e-13:
             assert motion.arrested == (share < 0)
         if motion.arrested:  # integrated by hand: dt = (velocity + v) dv / (drive (v - edge))

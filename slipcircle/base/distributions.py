@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from generated.effects import LAWS
 from slipcircle.files.scenekeys import Key, Table, tables_of
 from slipcircle.scene.friction import law_names
 
@@ -211,8 +212,9 @@ def range_of(key: Key) -> tuple[float, float]:
 def keys_of() -> dict[str, Uncertain]:
     """The first key that a scene file has for each name in `Scene.numbers`, such as the angle of a friction."""
     found: dict[str, Uncertain] = {}
-    for table, k, name, key in numbers_of(tables_of("constant")):
-        found.setdefault(name, Uncertain(f"{table}.{k}".lstrip("."), "", {}, key.per_unit, key.tangent))
+    for law in ("constant", *LAWS):
+        for table, k, name, key in numbers_of(tables_of(law)):
+            found.setdefault(name, Uncertain(f"{table}.{k}".lstrip("."), "", {}, key.per_unit, key.tangent))
     return found
 
 

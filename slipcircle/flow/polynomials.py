@@ -53,7 +53,8 @@ def first_root(series: Floats, h: Floats) -> Floats:
     if np.any(dips):
         k = np.flatnonzero(dips)
         lowest = bracketed(-tilt[:, k], np.zeros(k.size), np.ones(k.size))
-        below = value(scaled[:, k], lowest) <= 0.0
+        noise = 2.0**-50 * np.abs(scaled[:, k]).sum(axis=0)  # what only touches does not cross
+        below = value(scaled[:, k], lowest) < -noise
         upper[k[below]] = lowest[below]
         crosses[k[below]] = True
     k = np.flatnonzero(crosses)

@@ -160,7 +160,7 @@ def _linked(
     link.keep(roots)
     made = {x: link.register(x) for x in roots}
     still = {d[0] for op, d in link.series.items() if op[0] == "lin" and not op[2]}  # as where the phase began
-    made |= {x: None for x in ROLES[1:] if made[x] in still}
+    made |= {x: None for x in ROLES[1:] if made[x] in still and x not in asked}
     made |= {
         x: link.series.setdefault(("lin", ZERO, ()), (x,))[0] for x in (*rates.values(), *asked) if made[x] is None
     }

@@ -134,32 +134,53 @@ class Lanes:
 
     def stress_along(self, times: Floats, rows: Floats) -> Any:
         """The same at times in s of states as `read` gives them, (lanes, times)."""
-        return self._along(times, rows, ("pressing",))["pressing"] * np.reshape(self.stress_unit, (-1, 1))
+        return self.outputs(times, rows, ("pressing",))["pressing"] * np.reshape(self.stress_unit, (-1, 1))
 
-    def outputs(self, times: Floats, names: tuple[str, ...]) -> dict[str, Floats]:
-        """Registers of the program at times in s, by name, (lanes, times)."""
-        return self._along(times, self.read(times), names)
+    def outputs(self, times: Floats, rows: Floats, names: tuple[str, ...]) -> dict[str, Floats]:
+        """Registers of the program at times in s, of states as `read` gives them; by name, (lanes, times)."""
+        time, rotation, omega, further, each = self._spread(times, rows)
+        found = self._probe(self._asking, time, rotation, omega, further, names, each)
+        return {n: v.reshape(rows.shape[1:]).T for n, v in found.items()}
+
+    def _spread(self, times: Floats, rows: Floats) -> tuple[Any, ...]:
+        """States at many times as lanes of their own: time, rotation, omega, slip and further states, and whose."""
+        each = np.tile(np.arange(self.count), times.size)
+        time = (times[:, None] / np.broadcast_to(self._asking.time_scale, self.count)).ravel()
+        return time, rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), each
+
+    def holding_friction(self, times: Floats, rows: Floats) -> Floats:
+        """The friction that just holds the mass at rest where it is at times in s, (lanes, times).
+
+        The greater one of both ways, where both are open to it; NaN where nothing presses.
+        """
+        bound, found = self._asking, np.full(rows.shape[1:], np.nan)
+        time, rotation, _, further, each = self._spread(times, rows)
+        for side in (1.0, -1.0):
+            lanes = self._placed(bound, time, rotation, 0.0, further, each, side)
+            driving, resisting, normal = (
+                lanes.c[bound.program.roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0")
+            )
+            with np.errstate(all="ignore"):
+                held = np.where((normal > 0.0) & lanes.may_start(side), (driving - resisting) / normal, np.nan)
+            found = np.fmax(found, np.maximum(held, 0.0).reshape(found.shape))
+        return found.T
 
     @cached_property
     def _asking(self) -> Bound:
-        return self.bind(("pressing", "mu"))
-
-    def _along(self, times: Floats, rows: Floats, names: tuple[str, ...]) -> dict[str, Floats]:
-        bound = self._asking
-        shape = rows.shape[1:]
-        each = np.repeat(np.arange(self.count)[None, :], shape[0], axis=0).ravel()
-        scale = np.broadcast_to(bound.time_scale, self.count)
-        time = (times[:, None] / scale).ravel()
-        found = self._probe(
-            bound, time, rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), names, each
-        )
-        return {n: v.reshape(shape).T for n, v in found.items()}
+        return self.bind(("pressing", "normal", "mu"))
 
     def _probe(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, names: tuple[str, ...],
                each: Any = slice(None)) -> dict[str, Floats]:  # fmt: skip
         """Registers of the program in given states: what a phase would begin with there."""
+        lanes = self._placed(bound, time, rotation, omega, further, each, np.where(omega < 0.0, -1.0, 1.0))
+        with np.errstate(all="ignore"):
+            r = lanes._series(0)[0]
+        return {n: r[bound.program.roles[n], 0] for n in names}
+
+    def _placed(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, each: Any,
+                side: Any) -> walk.Lanes:  # fmt: skip
+        """Lanes at the start of a phase in given states."""
         cells = bound.cells[:, each].copy()
-        side = np.where(omega < 0.0, -1.0, 1.0)
         cells[walk.TIME], cells[walk.ROTATION], cells[walk.OMEGA] = time, rotation, np.abs(omega)
         cells[walk.DIRECTION], cells[walk.LIFTED] = side, 0.0
         if further is not None:
@@ -172,8 +193,7 @@ class Lanes:
         with np.errstate(all="ignore"):
             lanes.find_pieces()
             lanes.base()
-            r = lanes._series(0)[0]
-        return {n: r[bound.program.roles[n], 0] for n in names}
+        return lanes
 
     @cached_property
     def statics(self) -> dict[str, Floats]:
@@ -210,7 +230,8 @@ class Lanes:
                 normals.append(c[roles["cell_normal0"]].copy())
         with np.errstate(all="ignore"):
             (free0, drive0), (free1, drive1) = drives
-            drive0 = np.where(normals[0] > 0.0, normals[0] * (found["limit_friction"] - found["friction"]), free0)
+            exact = normals[0] * (found["limit_friction"] - found["friction"])
+            drive0 = np.where(normals[0] > 0.0, exact, free0 - found["friction"] * normals[0])
             drive1 = free1 - found["friction"] * normals[1]
             yields = -drive0 / (drive1 - (free0 - found["friction"] * normals[0]))
             lifted = normals[0] + yields * (normals[1] - normals[0]) < 0.0

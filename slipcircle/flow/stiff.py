@@ -1,9 +1,9 @@
 """Lanes that explicit steps are too short for, such as creep through a viscous layer: LSODA on the same program.
 
-The walk, its phases and its events stay; a step goes to the next break or event and is one call of SciPy.
+The walk, its phases and its events stay; a step goes to the next break or event and is one run of SciPy's stepper.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from slipcircle.flow.tables import Data
 
 Floats = NDArray[np.float64]
 TOLERANCE = 1e-12
+MOST_STEPS = 100_000  # of the stepper, for one step of the walk
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Samples | None = None,
@@ -33,86 +34,96 @@ def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Sam
 class _Implicit(w.Lanes):
     """One lane, a step of which is an implicit integration."""
 
+    def _registers(self, t: float, y: Floats) -> Floats:
+        """What the program gives at a time, in states."""
+        c = self.c
+        c[w.TIME, 0], c[[cell for cell, _, _ in self.program.states], 0] = t, y
+        for cell, k, first, before in self.course:
+            c[cell, 0] = before + self._local(self.program.tables[k], self.tables[k])[0, 0] - first
+        return np.asarray(self._series(0)[0][:, 0, 0])
+
+    def _watched(self) -> list[tuple[int, Callable[[float, Floats], float]]]:
+        """Events by their numbers, with what is above zero before them."""
+        roles, sign = self.program.roles, -1.0 if self.c[w.LIFTED, 0] > 0.0 else 1.0
+        found: list[tuple[int, Callable[[float, Floats], float]]] = [(0, lambda t, y: float(y[1]))]
+        if roles["normal"] >= 0:
+            found.append((1, lambda t, y: sign * float(self._registers(t, y)[roles["normal"]])))
+        if roles["upright"] >= 0:
+            found.append((99, lambda t, y: float(self._registers(t, y)[roles["upright"]])))
+        for k, slot in enumerate(self.program.tables):
+            upper, lower = (float(self.c[slot.cells + x, 0]) for x in (w.UPPER, w.LOWER))
+            at = {"slip": 0, "speed": 1}.get(slot.kind)
+            if at is not None and np.isfinite(upper):
+                found.append((2 + 2 * k, lambda t, y, at=at, upper=upper: upper - float(y[at])))
+            if slot.kind == "speed" and lower:
+                found.append((3 + 2 * k, lambda t, y, lower=lower: float(y[1]) - lower))
+        return found
+
     def step(self) -> None:
-        from scipy.integrate import solve_ivp  # only here
+        from scipy.integrate import LSODA  # only here
 
         c, p = self.c, self.program
-        begin, limit = c[w.TIME, 0], min(self._break()[0], c[w.END_TIME, 0])
-        kept, increments = c.copy(), [slot.cells + w.INC for slot in p.tables]
-        states = [cell for cell, _, _ in p.states]
-        names = [n for n in ("normal", "upright") if p.roles[n] >= 0]
-
-        def at(t: float, y: Floats) -> Floats:
-            c[:] = kept
-            c[w.TIME, 0], c[states, 0] = t, y
-            for slot, cell in zip(p.tables, increments, strict=True):
-                if slot.kind == "time":
-                    now = self._local(slot, self.tables[p.tables.index(slot)])[0, 0]
-                    c[cell, 0] = kept[cell, 0] + now - self._first[cell]
-            return np.asarray(self._series(0)[0][:, 0, 0])
-
-        self._first = {slot.cells + w.INC: self._local(slot, self.tables[k])[0, 0]
-                       for k, slot in enumerate(p.tables) if slot.kind == "time"}  # fmt: skip
+        begin, limit = float(c[w.TIME, 0]), float(min(self._break()[0], c[w.END_TIME, 0]))
+        timed = [(k, p.tables[k]) for k in self.timed]
+        self.course = [(slot.cells + w.INC, k, self._local(slot, self.tables[k])[0, 0], c[slot.cells + w.INC, 0])
+                       for k, slot in timed]  # fmt: skip
+        y0, states, net = c[[cell for cell, _, _ in p.states], 0].copy(), p.states, p.roles["net"]
+        size = np.maximum(np.abs(y0), 1e-12 * np.array([1.0, max(abs(c[w.PEAK_OMEGA, 0]), 1e-9), *y0[2:] * 0.0 + 1.0]))
 
         def rates(t: float, y: Floats) -> list[float]:
-            r = at(t, y)
-            return [r[rate] for _, _, rate in p.states]
+            r = self._registers(t, y)
+            return [float(r[rate]) for _, _, rate in states]
 
-        def event(of: Any) -> Any:
-            of.terminal, of.direction = True, -1.0
-            return of
-
-        sign = -1.0 if c[w.LIFTED, 0] > 0.0 else 1.0
-        found = [event(lambda t, y: y[1])]
-        kinds = [0]
-        for name in names:
-            found.append(event(lambda t, y, n=name: (sign if n == "normal" else 1.0) * at(t, y)[p.roles[n]]))
-            kinds.append(1 if name == "normal" else 99)
-        for k, slot in enumerate(p.tables):
-            upper, lower = kept[slot.cells + w.UPPER, 0], kept[slot.cells + w.LOWER, 0]
-            if slot.kind == "slip" and np.isfinite(upper):
-                found.append(event(lambda t, y, u=upper: u - y[0]))
-                kinds.append(2 + 2 * k)
-            if slot.kind == "speed":
-                found += [event(lambda t, y, u=upper: u - y[1]), event(lambda t, y, b=lower: y[1] - b if b else 1.0)]
-                kinds += [2 + 2 * k, 3 + 2 * k]
-        top = event(lambda t, y: at(t, y)[p.roles["net"]])
-        top.terminal = False
-        y0 = kept[states, 0]
-        size = np.maximum(np.abs(y0), [1e-12, 1e-12 * max(y0[1], abs(c[w.PEAK_OMEGA, 0]), 1e-9)] + [1e-12] * len(y0[2:]))
-        wanted = self._wanted(begin, limit)
-        done = solve_ivp(rates, (begin, limit), y0, "LSODA", rtol=TOLERANCE, atol=TOLERANCE * size,
-                         events=[*found, top], dense_output=bool(len(wanted)))  # fmt: skip
-        for t, y in zip(done.t_events[-1], done.y_events[-1], strict=True):
-            c[:] = kept
-            self._fastest(np.array([y[1]]), np.array([t]), c[w.ROTATION] + c[w.DIRECTION] * y[0], np.zeros(1))
-            kept[w.PEAK_TIME : w.PEAK_RATE + 1] = c[w.PEAK_TIME : w.PEAK_RATE + 1]
-        hit = [k for k, t in zip(kinds, done.t_events, strict=False) if len(t)]
-        end, y = done.t[-1], done.y[:, -1]
-        rate = at(end, y)[p.roles["net"]]
-        if len(wanted) and done.sol is not None:
-            self._write(wanted[wanted <= end], done.sol, kept)
-        c[w.PASSED, 0] = w.NOTHING
-        if done.status < 0:
+        watched = self._watched()
+        stepper = LSODA(rates, begin, y0, limit, rtol=TOLERANCE, atol=TOLERANCE * size)
+        before = [f(begin, y0) for _, f in watched]
+        hit, end, y, rate = -1, begin, y0, float(self._registers(begin, y0)[net])
+        for _ in range(MOST_STEPS):
+            if stepper.status != "running":
+                break
+            stepper.step()
+            dense, t0 = stepper.dense_output(), end
+            after = [f(stepper.t, stepper.y) for _, f in watched]
+            end, hit = stepper.t, -1
+            for (kind, f), a, b in zip(watched, before, after, strict=True):
+                if a > 0.0 >= b and (t := _root(f, dense, t0, end)) <= end:
+                    end, hit = t, kind
+            y = dense(end)
+            falls = float(self._registers(end, y)[net])
+            if rate > 0.0 >= falls:
+                top = _root(lambda t, y: float(self._registers(t, y)[net]), dense, t0, end)
+                at = dense(top)
+                self._fastest(np.array([at[1]]), np.array([top]), c[w.ROTATION] + c[w.DIRECTION] * at[0], np.zeros(1))
+            self._write(t0, end, dense)
+            rate, before = falls, after
+            if hit >= 0:
+                break
+        if hit < 0 and stepper.status != "finished":
             c[w.STATUS, 0] = w.TOO_LONG
             return
-        c[w.TIME, 0] = end if hit else limit
-        self.settle(np.array([hit[0] if hit else -1]), np.array([rate]), np.array([not hit]))
+        self._registers(end if hit >= 0 else limit, y)
+        self.settle(np.array([hit]), np.array([rate]), np.array([hit < 0]))
 
-    def _wanted(self, begin: float, end: float) -> Floats:
-        """Sample times in a stretch."""
+    def _write(self, begin: float, end: float, states: Any) -> None:
+        """Read the states off at sample times from one time up to another."""
         if self.samples is None:
-            return np.zeros(0)
-        times = self.samples.times[:, self.which[0]]
-        return np.asarray(times[(times >= begin) & (times <= end)])
+            return
+        c, column = self.c[:, 0], int(self.which[0])
+        times, into = self.samples.times[:, column], self.samples.states
+        first, last = np.searchsorted(times, begin), np.searchsorted(times, end, side="right")
+        for row in range(first, last):
+            y = states(times[row])
+            side = c[w.DIRECTION]
+            rate = self._registers(times[row], y)[self.program.roles["net"]]
+            into[:4, row, column] = c[w.ROTATION] + side * y[0], side * y[1], side * rate, c[w.SLIP] + y[0]
+            into[4:, row, column] = y[2:]
 
-    def _write(self, wanted: Floats, solution: Any, kept: Floats) -> None:
-        """Read the states off at sample times."""
-        assert self.samples is not None
-        times, into = self.samples.times[:, self.which[0]], self.samples.states
-        side = kept[w.DIRECTION, 0]
-        for t in wanted:
-            y = solution(t)
-            row = int(np.searchsorted(times, t))
-            into[:4, row, self.which[0]] = kept[w.ROTATION, 0] + side * y[0], side * y[1], 0.0, kept[w.SLIP, 0] + y[0]
-            into[4:, row, self.which[0]] = y[2:]
+
+def _root(f: Callable[[float, Floats], float], states: Callable[[float], Floats], low: float, high: float) -> float:
+    """Where a function of states that is above zero at first passes it, by halving."""
+    for _ in range(200):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        low, high = (middle, high) if f(middle, states(middle)) > 0.0 else (low, middle)
+    return high

@@ -160,6 +160,7 @@ class Lanes:
         c[DIRECTION] = best
         self.on(best != 0.0, "begin")
         still = best == 0.0
+        self._lift_time(still & (c[LIFTED] > 0.0))
         waits = still & self._changes()
         c[STATUS, waits] = RESTING
         c[STATUS, still & ~waits] = ARRESTED
@@ -174,19 +175,20 @@ class Lanes:
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
         scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
         # What has just stopped does not go on the way it came: rounding must not say so.
-        allowed = self._allowed(side) & ((c[PASSED] != STOOD) | (c[LAST_WAY] != side))
+        allowed = self.may_start(side) & ((c[PASSED] != STOOD) | (c[LAST_WAY] != side))
         c[CLOSE] = np.where(allowed, np.minimum(c[CLOSE], np.abs(net) / scale), c[CLOSE])
         return np.where(allowed, net, -np.inf)
 
     def _face(self, side: float) -> None:
         """The numbers of a phase from rest in one direction."""
         c = self.c
+        toggled, lifted = c[PASSED] == LIFT, c[LIFTED].copy()  # just now, at rest
         c[DIRECTION], c[LIFTED] = side, 0.0
         self.base()
-        c[LIFTED] = c[self.program.roles["cell_normal0"]] <= 0.0
+        c[LIFTED] = np.where(toggled, lifted, c[self.program.roles["cell_normal0"]] <= 0.0)
         self.on(c[LIFTED] > 0.0, "base")
 
-    def _allowed(self, side: float) -> Any:
+    def may_start(self, side: float) -> Any:
         """Shaking starts a one-way mass only down-slope, the way in which gravity pulls it where it lies."""
         c = self.c
         pulled = c[self.program.roles["cell_f0"]]  # in the direction of this side
@@ -558,9 +560,8 @@ class Lanes:
             r, last = self._series(int(c[ORDER].max()), frozen=True)
             stretch = np.minimum(stretch, self._length(r, last, [net_of]))
             touching = np.abs(r[net_of, 0]) <= 2 * c[p.roles["cell_drive_scale"]]
-            margins.append((side, r[net_of].copy(), self._allowed(side) | np.zeros(c.shape[1], dtype=bool), touching))
-            if p.roles["normal"] >= 0:
-                self._lift_time(r[p.roles["normal"], 0] < 0.0)
+            margins.append((side, r[net_of].copy(), self.may_start(side) | np.zeros(c.shape[1], dtype=bool), touching))
+        self._lift_time(c[LIFTED] > 0.0)
         for side, net, allowed, touching in margins:
             now = allowed & (net[0] > 0.0) & ~touching
             series = -net
@@ -570,15 +571,28 @@ class Lanes:
             sooner = allowed & (at < begins)
             begins, way = np.where(sooner, at, begins), np.where(sooner, side, way)
             jumps = np.where(sooner, now, jumps)
+        lifts = np.full(c.shape[1], np.inf)
+        if (normal := p.roles["normal"]) >= 0:
+            series = r[normal] * np.where(c[LIFTED] > 0.0, -1.0, 1.0)
+            passed = c[PASSED] == LIFT
+            series = np.where(passed, np.vstack([series[1:], 0.0 * series[:1]]), series)
+            lifts = first_root(series, stretch)
+            lifts[lifts > begins * (1.0 + 1e-9)] = np.inf  # where both pass zero, it is lifted and does not start
+            begins[np.isfinite(lifts)] = np.inf
+            stretch = np.minimum(stretch, lifts)
         starts = np.isfinite(begins)
         until = np.where(starts, c[TIME] + begins, np.where(stretch < h, c[TIME] + stretch, limit))
         over = ~starts & ~np.isfinite(until)
         late = (until >= c[END_TIME]) & ~over
         self._read(c[TIME], np.minimum(until, c[END_TIME]), None)
         c[DIRECTION] = way
+        lifted = np.isfinite(lifts) & ~starts & ~over
+        c[PASSED] = np.where(lifted, LIFT, NOTHING)
+        c[LIFTED] = np.where(lifted, 1.0 - c[LIFTED], c[LIFTED])
         c[STATUS, over] = ARRESTED
         self.on(over, "rest")
         c[TIME] = np.where(over, c[TIME], until)
+        self._lift_time(lifted & (c[LIFTED] > 0.0))
         self._pass_breaks(~starts & ~over & (c[TIME] >= limit))
         ended = starts & late
         c[STATUS, ended] = ENDED

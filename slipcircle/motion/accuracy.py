@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 # the combination that matters more often.
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
-MOVED = 2 * walk.EPS  # what rounding may do to an input
+MOVED = 4 * walk.EPS  # what rounding may do to an input
 ORDERS, FACTORS = (1, 2, 3, 4, 1, 2, 3), (0.130, 0.125, 0.120, 0.115, 0.110, 0.105, 0.100)
 TIMES, LEAST = 3.0, 8 * walk.EPS / 2  # the spread counts thrice, and is at least this
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear

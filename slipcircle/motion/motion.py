@@ -122,6 +122,7 @@ class Motion:
 
     def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
+        self._latest: tuple[bytes, Floats] = b"", np.zeros(0)  # times that were last asked for, and the states there
 
     def __repr__(self) -> str:
         if self.shape:
@@ -224,6 +225,11 @@ class Motion:
         return self._state(time, self._of(walk.REACH_ROTATION), speed, rate)
 
     @property
+    def swings_back(self) -> Any:
+        """Whether it has been farther from its start than it is at the end."""
+        return np.abs(self.reach.displacement) > np.abs(self.run_out) * (1 + 1e-6)
+
+    @property
     def lift_off(self) -> tuple[float, ...]:
         """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
         scale, found = float(np.ravel(self._lanes.bound.time_scale)[0]), list[float]()
@@ -273,10 +279,14 @@ class Motion:
             For times before the start, not finite, or after the end of a motion that has not come to rest.
         """
         time = self._times(times)
-        rows = self._lanes.read(np.ravel(time))
+        rows = self._rows(time)
         shape = (*self.shape, *time.shape)
         lanes = self._lanes
         scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.bound.time_scale, lanes.radius))
+        rests = np.where(self._of(walk.STATUS) == walk.ARRESTED, self._duration, np.inf)
+        over = np.ravel(time)[:, None] >= rests  # to the last bit, whatever the time was divided by
+        rows[0] = np.where(over, self._of(walk.END_ROTATION), rows[0])
+        rows[1:3] = np.where(over, 0.0, rows[1:3])
         rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
         stress = lanes.stress_along(np.ravel(time), rows)
         speed = omega / scale
@@ -298,19 +308,51 @@ class Motion:
             )
         return time
 
+    def _rows(self, time: Floats) -> Floats:
+        """Numbers of the walk at times, kept for the next question about the same."""
+        asked = time.tobytes()
+        if self._latest[0] != asked:
+            self._latest = asked, self._lanes.read(np.ravel(time))
+        return self._latest[1]
+
+    def _along(self, time: Floats, values: Floats) -> Any:
+        """One number of each lane at each time, (lanes, times), as the scene has its lanes."""
+        return values.reshape(self.shape + time.shape)[()]
+
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
         time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), ("pressing", "normal"))
-        return ((columns["pressing"] - columns["normal"]) * self._lanes.stress_unit).reshape(self.shape + time.shape)[
-            ()
-        ]
+        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("pressing", "normal"))
+        return self._along(time, (columns["pressing"] - columns["normal"]) * self._stress_unit)
+
+    def effective_stress_at(self, times: ArrayLike) -> Any:
+        """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
+        time = self._times(times)
+        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("normal",))
+        return self._along(time, np.maximum(columns["normal"], 0.0) * self._stress_unit)
+
+    @property
+    def _stress_unit(self) -> Floats:
+        return np.reshape(self._lanes.stress_unit, (-1, 1))
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where nothing presses on the slip surface; as for `at`."""
         time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), ("mu", "normal"))
-        return np.where(columns["normal"] > 0.0, columns["mu"], 0.0).reshape(self.shape + time.shape)[()]
+        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("mu", "normal"))
+        return self._along(time, np.where(columns["normal"] > 0.0, columns["mu"], 0.0))
+
+    def holding_friction_at(self, times: ArrayLike) -> Any:
+        """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
+
+        NaN where nothing presses on the slip surface.
+        """
+        time = self._times(times)
+        return self._along(time, self._lanes.holding_friction(np.ravel(time), self._rows(time)))
+
+    def path_at(self, times: ArrayLike) -> Any:
+        """The path travelled from the start, there and back, m; times as for `at`."""
+        time = self._times(times)
+        return self._along(time, np.reshape(self._lanes.radius, (-1, 1)) * self._rows(time)[3].T)
 
     def energy_at(self, times: ArrayLike) -> Energy:
         """The energy balance from the start to any times, as for `at`; integrated beside the motion when asked for."""
@@ -393,10 +435,9 @@ class Motion:
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"
             )
-        farthest = abs(float(self.reach.displacement))
-        if farthest > abs(self.run_out) * (1 + 1e-6):
+        if self.swings_back:
             found.append(
-                f"the mass swings back: it reaches {farthest:.4g} m after {self.reach.time:.4g} s, farther than its "
-                f"run-out of {abs(self.run_out):.4g} m at the end"
+                f"the mass swings back: it reaches {abs(self.reach.displacement):.4g} m after {self.reach.time:.4g} s, "
+                f"farther than its run-out of {abs(self.run_out):.4g} m at the end"
             )
         return tuple(found)

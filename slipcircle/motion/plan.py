@@ -97,12 +97,13 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[str, ...], accurac
         "method": FLOW if reasons else CLOSED_IN_TIME,
         "why": "; ".join(reasons),
         "fragments": ("gravity", *effects, *names, "balance"),
-        "operations": _counted(program),
+        "operations": counted(program),
         "cost": STEPS * flops(program, terms) if reasons else 50,
     }
 
 
-def _counted(program: Program) -> str:
+def counted(program: Program) -> str:
+    """The operations on series of one step, by kind."""
     kinds = [op[0] for op in program.series]
     return ", ".join(f"{kinds.count(k)} {k}" for k in sorted(set(kinds)))
 

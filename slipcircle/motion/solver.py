@@ -115,13 +115,13 @@ def _refuse(motion: Motion) -> None:
         raise ValueError(
             "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
         )
-    if status == Status.ENDLESS and motion.turnings < MOST_TURNS:
+    if status == Status.ENDLESS and motion.turnings < 20:
         raise ValueError(
             "end_time: this mass creeps to its rest, ever more slowly as what resists falls with the speed, and never "
             "quite reaches it; give end_time in s"
         )
     if status == Status.ENDLESS:
-        times = motion.turnings
+        times = min(motion.turnings, MOST_TURNS)
         raise ValueError(
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"

@@ -3,10 +3,12 @@
 import base64
 import hashlib
 import html
+import math
 import re
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
+from slipcircle.motion.quantities import shown
 from slipcircle.outputs.info import facts
 
 _STYLE = """
@@ -65,7 +67,13 @@ def figure(name: str, caption: str, draw: Callable[[Any], Any]) -> Raw:
 
 def number(value: float) -> str:
     """Six digits."""
-    return f"{float(value):.6g}"
+    return shown(float(value), 6)
+
+
+def data(value: float, seen: float | None = None, unit: str = "") -> Raw:
+    """A number in full in the attribute, and as it is seen in the text."""
+    text = f"{number(value if seen is None else seen)} {unit}".rstrip()
+    return Raw(f'<data value="{value!r}">{text}</data>' if math.isfinite(value) else text)
 
 
 def escaped(text: str) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.motion.motion import Motion
+from slipcircle.motion.quantities import HISTORY, prefixed
 from slipcircle.outputs.plotstyle import (
     AREAS,
     LINES,
@@ -21,33 +22,28 @@ from slipcircle.outputs.plotstyle import (
     legend,
     note,
     number,
-    scaled,
     sheet,
     still,
     work,
 )
 from slipcircle.outputs.sectionplot import animate, section
-from slipcircle.outputs.trace import Floats, trace
+from slipcircle.outputs.trace import Floats, drawn, given_in_time
 from slipcircle.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
 
-# What `history` draws: for each picture its label, unit, columns of the trace with their line and name, and a factor.
-HISTORIES: Mapping[str, tuple[str, str, tuple[tuple[str, str, str], ...], float]] = {
-    "velocity": ("velocity $v$", "m/s", (("velocity", "main", ""),), 1.0),
-    "displacement": ("displacement $s$", "m", (("displacement", "main", ""),), 1.0),
-    "rotation": ("rotation $\\phi$", "deg", (("rotation", "main", ""),), 180.0 / math.pi),
+# What `history` draws: for each picture its symbol, and columns of `HISTORY` with their line and name.
+HISTORIES: Mapping[str, tuple[str, tuple[tuple[str, str, str], ...]]] = {
+    "velocity": (" $v$", (("velocity", "main", ""),)),
+    "displacement": (" $s$", (("displacement", "main", ""),)),
+    "rotation": (" $\\phi$", (("rotation", "main", ""),)),
     "friction": (
-        "friction coefficient",
-        "–",
+        "",
         (("friction", "main", "mobilised $\\mu$"), ("holding_friction", "other", "needed to stand still")),
-        1.0,
     ),
     "normal_stress": (
-        "mean normal stress",
-        "Pa",
+        "",
         (("normal_stress", "main", "total $\\sigma_n$"), ("effective_stress", "other", "effective")),
-        1.0,
     ),
 }
 _TALL = 3.0  # the friction needed to stand still is seen up to so many times the greatest mobilised one
@@ -55,45 +51,36 @@ OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
 def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
-    """One quantity over time, with the peak velocity and the end marked.
+    """One of `HISTORIES` over time, with the peak velocity, the reach of a mass that swings back, and the end marked.
 
-    Parameters
-    ----------
-    motion : Motion
-    what : str
-        One of `HISTORIES`. Besides the friction stands the one at which the mass would stand still where it is.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
+    Besides the friction stands the one at which the mass would stand still where it is.
     """
     if what not in HISTORIES:
         raise ValueError(f"what = {what!r}: must be one of {', '.join(HISTORIES)}")
     ax = axis(ax)
-    label, unit, curves, per = HISTORIES[what]
-    columns = trace(motion)
-    first, *more = curves
-    curves = (first, *(c for c in more if _differs(columns[c[0]], columns[first[0]])))
-    factor, unit = scaled(np.concatenate([columns[c] for c, _, _ in curves]), unit)
-    factor *= per
-    ax.set(xlabel="time $t$ (s)", ylabel=f"{label} ({unit})")
+    symbol, curves = HISTORIES[what]
+    quantity, columns = HISTORY[what], drawn(motion)
+    first = columns[what]
+    curves = tuple(c for c in curves if c[0] == what or _differs(columns[c[0]], first))
+    factor, unit = prefixed(np.concatenate([columns[c] for c, _, _ in curves]), quantity.unit)
+    if quantity.degrees:
+        factor, unit = math.degrees(1.0), "deg"
+    ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
         ax.set(xlim=(0.0, 1.0), ylim=(-1.0, 1.0), xticks=[], yticks=[])
         return still(motion, ax)
     for column, line, name in curves:
-        label_of = {"label": name} if len(curves) > 1 else {}
-        ax.plot(columns["time"], factor * columns[column], **label_of, **LINES[line])
-    drawn = columns[first[0]]
-    for mark, time, words in _marks(motion):
-        value = factor * _read(time, columns["time"], drawn)
-        shown = f"{words}: {number(value)}{' ' + unit if what != 'friction' else ''} at {number(time)} s"
+        label = {"label": name} if len(curves) > 1 else {}
+        ax.plot(columns["time"], factor * columns[column], **label, **LINES[line])
+    for mark, time, words in _marks(motion, what == "displacement"):
+        value = factor * _read(time, columns["time"], first)
+        seen = f"{words}: {number(value)} {unit}".rstrip() + f" at {number(time)} s"
         ax.axvline(time, **LINES["help"])
-        ax.plot(time, value, ls="", clip_on=False, zorder=4, label=shown, **MARKS[mark])
+        ax.plot(time, value, ls="", clip_on=False, zorder=4, label=seen, **MARKS[mark])
     ax.grid(alpha=0.3)
     ax.margins(y=0.08)
     ax.set_xlim(0.0, motion.duration)
-    if what == "friction" or np.ptp(drawn) <= 1e-9 * np.max(np.abs(drawn)):  # also a level line stands above zero
+    if what == "friction" or np.ptp(first) <= 1e-9 * np.max(np.abs(first)):  # also a level line stands above zero
         tops = [factor * float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves]
         top = min(max(tops), _TALL * tops[0] or math.inf)  # where next to nothing presses, no friction is enough
         ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
@@ -109,9 +96,10 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
     return ax
 
 
-def _marks(motion: Motion) -> list[tuple[str, float, str]]:
-    """Mark, time and words of the peak velocity and of the end."""
-    return [("peak", float(motion.peak.time), "peak velocity"), ("end", motion.duration, ending(motion))]
+def _marks(motion: Motion, places: bool = False) -> list[tuple[str, float, str]]:
+    """Mark, time and words of the peak velocity, of the reach where places are drawn, and of the end."""
+    farthest = [("reach", float(motion.reach.time), "farthest")] if places and motion.swings_back else []
+    return [("peak", float(motion.peak.time), "peak velocity"), *farthest, ("end", motion.duration, ending(motion))]
 
 
 def _read(time: float, times: Floats, values: Floats) -> float:
@@ -136,12 +124,12 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     Of a mass that turns back, the path travelled stands for the displacement.
     """
     ax = axis(ax)
-    columns = trace(motion)
+    columns = drawn(motion)
     back = bool(np.any(np.diff(columns["displacement"]) < 0.0)) and bool(np.any(np.diff(columns["displacement"]) > 0.0))
     along = columns["path"] if back else columns["displacement"]
-    first = float(motion.energy.kinetic_start)
+    first = float(columns["kinetic_energy"][0])
     given = first + columns["work_of_gravity_and_shaking"]
-    factor, unit = scaled(np.concatenate([given, columns["dissipation"]]), "J")
+    factor, unit = prefixed(np.concatenate([given, columns["dissipation"]]), "J")
     ax.set(
         xlabel=f"{'path travelled, as it turns back' if back else 'displacement $s$'} (m)", ylabel=f"energy ({unit})"
     )
@@ -160,8 +148,8 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     right.plot(along, speed, label="speed", **LINES["main"])
     for mark, time, words in _marks(motion):
         place, height = (_read(time, columns["time"], c) for c in (along, speed))
-        shown = f"{words}: {number(height)} m/s at {number(place)} m"
-        right.plot(place, height, clip_on=False, zorder=4, ls="", label=shown, **MARKS[mark])
+        seen = f"{words}: {number(height)} m/s at {number(place)} m"
+        right.plot(place, height, clip_on=False, zorder=4, ls="", label=seen, **MARKS[mark])
     right.set_ylabel("speed $|v|$ (m/s)")
     right.set_ylim(0.0, 1.05 * float(np.max(speed)))
     handles, labels = (a + b for a, b in zip(*(x.get_legend_handles_labels() for x in (ax, right)), strict=True))
@@ -177,19 +165,21 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     """
     ax = axis(ax, (7.0, 2.5))
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
-    given = {n: motion.balance.forcing[n][0] for n in ("k_h", "k_v") if n in motion.balance.forcing}
-    if not given:
+    given = given_in_time(motion.plan.scene)
+    way = -1.0 if motion.plan.scene.arc.dip < 0.0 else 1.0
+    names = {"shaking.horizontal": ("down-slope $k_h$" if way > 0.0 else "horizontal $k_h$", "main"),
+             "shaking.vertical": ("lightening $k_v$", "other")}  # fmt: skip
+    curves = {name: given[name] for name in names if name in given}
+    if not curves:
         ax.set(xticks=[], yticks=[])
         return note("not shaken", ax)
-    knots = np.concatenate([f.pieces.knots if hasattr(f, "pieces") else f.kinks for f in given.values()])
+    knots = np.concatenate([np.asarray(f.kinks) for f in curves.values()])
     last = motion.duration if motion.moves else float(np.max(knots))
-    at = trace(motion)["time"] if motion.moves else np.unique(np.concatenate([np.linspace(0, last, 401), knots]))
-    names = {"k_h": ("down-slope $k_h$" if motion.balance.fall >= 0.0 else "horizontal $k_h$", "main"),
-             "k_v": ("lightening $k_v$", "other")}  # fmt: skip
-    for name, function in given.items():
+    at = drawn(motion)["time"] if motion.moves else np.unique(np.concatenate([np.linspace(0, last, 401), knots]))
+    for name, function in curves.items():
         label, line = names[name]
         ax.plot(at, function(at), label=label, **{**LINES[line], "lw": 1.2})
-    yields = motion.yield_coefficient * (-1.0 if motion.balance.fall < 0.0 else 1.0)
+    yields = motion.yield_coefficient * way
     ax.axhline(yields, label=f"yields at the start: $k_y$ = {number(yields)}", **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
     ax.grid(alpha=0.3)
@@ -222,11 +212,7 @@ def _rung(r: Rung) -> str:
 def overview(motion: Motion, figure: Any = None) -> Any:
     """The section, the phase plane and the histories in one figure, which it returns.
 
-    Parameters
-    ----------
-    motion : Motion
-    figure : matplotlib figure or subfigure, optional
-        An empty one with a constrained layout, of `size`.
+    A given figure or subfigure is an empty one with a constrained layout, of `size`.
     """
     figure = sheet(figure, size(motion))
     name = shorten(motion.plan.scene.name, 80)

@@ -1,13 +1,10 @@
 """What all pictures share: the palette, numbers and units as they are shown, the legend above the axis."""
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs.trace import Floats
+from slipcircle.motion.quantities import shown
 
 # The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a
 # hatch, which greys leave apart.
@@ -20,6 +17,7 @@ LINES: Mapping[str, Mapping[str, Any]] = {
 MARKS: Mapping[str, Mapping[str, Any]] = {
     "start": {"marker": "o", "color": "black", "mfc": "white", "ms": 6},
     "peak": {"marker": "^", "color": "#D55E00", "mec": "black", "ms": 8},
+    "reach": {"marker": "D", "color": "#E69F00", "mec": "black", "ms": 6},
     "end": {"marker": "s", "color": "#0072B2", "mec": "black", "ms": 7},
 }
 AREAS: Mapping[str, Mapping[str, Any]] = {
@@ -35,8 +33,6 @@ AREAS: Mapping[str, Mapping[str, Any]] = {
 }
 FORCES: Mapping[str, str] = {"weight": "black", "normal": "#009E73", "tangential": "#CC79A7"}
 HALO = 2.5  # points of white around a text that stands on lines
-
-_PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
@@ -69,22 +65,10 @@ def missing() -> ImportError:
     return ImportError("pictures need matplotlib: pip install 'slipcircle[plot]'")
 
 
-def scaled(values: Floats | float, unit: str) -> tuple[float, str]:
-    """A factor that makes values easy to read, and the unit with its prefix."""
-    size = float(np.max(np.abs(values), initial=0.0))
-    if unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):
-        return 1.0, unit
-    per, prefix = next(((p, name) for p, name in _PREFIXES if size >= p), (1.0, ""))
-    return 1.0 / per, prefix + unit
-
-
 def number(value: float) -> str:
     """A number with four significant digits, as a picture shows it."""
-    value = float(value)
-    if value == 0.0 or 1e-3 <= abs(value) < 1e5:
-        return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
-    mantissa, _, exponent = f"{value:.3e}".partition("e")
-    return f"${float(mantissa):g}\\times10^{{{int(exponent)}}}$"
+    mantissa, _, exponent = shown(float(value)).partition("e")
+    return f"${mantissa}\\times10^{{{int(exponent)}}}$" if exponent else mantissa
 
 
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:

@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.motion.motion import Motion
 from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, ending, legend, number
-from slipcircle.outputs.trace import Floats, trace
+from slipcircle.outputs.trace import Floats
 
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
 _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
@@ -17,17 +17,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
     """The section: the mass at the start, at the peak velocity and at the end, with the forces at the start.
 
     It is drawn turned by s/R (1.2), also where the geometry is frozen: there the forces stay those of the start;
-    the legend says so.
-
-    Parameters
-    ----------
-    motion : Motion
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-        In metres from the centre K, x to the right and y up.
+    the legend says so. Axes are metres from the centre K, x to the right and y up.
     """
     from matplotlib.patches import Polygon
 
@@ -42,7 +32,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
             places.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
     turned = [rotation for _, rotation, _ in places]
     swept = np.linspace(first + min(turned), second + max(turned), 400)
-    ax.plot(*_points(radius, swept), label="slip surface", **LINES["help"])
+    ax.plot(*_points(radius, swept), label="slip surface", color="0.45", lw=1.2)
     outlines = [_points(radius, np.linspace(first, second, 200) + rotation) for rotation in turned]
     shown = _view(ax, radius, np.concatenate(outlines, axis=1))
     small = 2 * radius * math.sin((second - first) / 2) < _SMALL * shown
@@ -53,7 +43,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
             ax.add_patch(Polygon(outline.T, closed=True, label=words, zorder=2, **AREAS[role]))
     ax.plot(*_points(radius, np.array([first, second])), color="black", lw=1.4, zorder=3)
     _dimensions(ax, radius, first, second, small)
-    if motion.moves and not motion.balance.turns:
+    if motion.moves and "rotation" not in motion.plan.effects:
         # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
         ax.plot([], [], ls="", label="frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start")
     if not small:
@@ -116,6 +106,7 @@ def _dimensions(ax: Any, radius: float, first: float, second: float, small: bool
 
 def _forces(ax: Any, motion: Motion, radius: float, first: float, second: float, shown: float) -> None:
     """Weight at the mass's centre, and reactions on the arc: normal towards K, tangential against the motion."""
+    arc = motion.plan.scene.arc
     alpha, middle = (second - first) / 2, (first + second) / 2
     length = min(0.16 * shown, 0.9 * radius * alpha)
     # The centroid of a circular segment; for a thin one 3 alpha^3/(...) -> 1, so its chord's middle will do.
@@ -132,8 +123,8 @@ def _forces(ax: Any, motion: Motion, radius: float, first: float, second: float,
     draw(tip, centre, "weight", 2.2)
     _write(ax, "$W$", tip, np.array([0.0, -1.0]))
     ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * shown))
-    way = motion.phases[0].direction if motion.phases else math.copysign(1.0, motion.balance.fall)
-    rough = float(trace(motion)["friction"][0]) > 0.0 or "cohesion" in motion.plan.effects
+    way = motion.phases[0].direction if motion.phases else math.copysign(1.0, float(arc.dip))
+    rough = float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects
     for share in _ARROWS:
         at = _points(radius, np.array([middle + share * alpha]))[:, 0]
         outward = at / radius

@@ -1,6 +1,6 @@
 """Pictures of uncertain scenes: exceedance curves, sensitivity indices, and what a change of each number changes.
 
-Every function draws on a given matplotlib axis, or on one of its own, and returns it.
+Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of its own, and returns it.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -9,18 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number, sheet
 
 if TYPE_CHECKING:
-    from slipcircle.sensitivity import Sensitivity
+    from slipcircle.motion.sensitivity import Sensitivity
     from slipcircle.studies.ensembles import Ensemble
 
-NAMES: Mapping[str, str] = {
-    "run_out": "run-out along the arc",
-    "peak_velocity": "peak velocity",
-    "duration": "duration",
-    "moves": "whether it moves",
-}
+DRAWN = ("reach", "peak_velocity")  # a hazard is how far and how fast it comes, not where it ends
 _POINTS = 801  # of a curve, from 0 to the largest value
 # Of a family of curves: colours that the colour-blind tell apart, dashes and markers that greys leave apart.
 _STYLES: tuple[Mapping[str, Any], ...] = tuple(
@@ -33,26 +29,13 @@ _STYLES: tuple[Mapping[str, Any], ...] = tuple(
 _DEGREES, _SHARE = 1.0, 0.01  # changes in a tornado, by default
 
 
-def exceedance(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
-    """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
-
-    Parameters
-    ----------
-    found : Ensemble
-        Of samples, not a grid.
-    output : str
-        run_out, peak_velocity or duration.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
-    from slipcircle.studies.study import OUTPUTS
-
-    _drawn(found, output, tuple(OUTPUTS))
-    ax, unit = axis(ax), OUTPUTS[output]
-    ax.set(xlabel=f"{NAMES[output]} ({unit})", ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02))
+def exceedance(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
+    """The probability that an output is at least so large, in its confidence band, with two quantiles marked."""
+    _drawn(found, output, tuple(OUTCOMES))
+    ax, unit = axis(ax), OUTCOMES[output].unit
+    ax.set(
+        xlabel=f"{OUTCOMES[output].label} ({unit})", ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02)
+    )
     ax.grid(alpha=0.3)
     curve, moving = found.exceedance(output, _POINTS), found.moving
     if not curve.at.size or moving.value == 0.0:
@@ -75,28 +58,15 @@ def exceedance(found: "Ensemble", output: str = "run_out", ax: Any = None) -> An
     return ax
 
 
-def indices(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
-    """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence.
-
-    Parameters
-    ----------
-    found : Ensemble
-        With ``sensitivity``.
-    output : str
-        run_out, peak_velocity, duration or moves.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
-    _drawn(found, output, tuple(NAMES))
+def indices(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
+    """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence."""
+    _drawn(found, output, (*OUTCOMES, "moves"))
     if output not in found.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
     keys, of = [u.key for u in found.study.inputs.values()], found.sensitivity[output]
     order = np.argsort([-e.value for e in of.total], kind="stable").tolist()
     ax = axis(ax, (7.0, 1.6 + 0.6 * len(keys)))
-    ax.set(xlabel=f"share of the variance of {NAMES[output]} (–)", ylim=(len(keys) - 0.5, -0.5))
+    ax.set(xlabel=f"share of the variance of {_label(output)} (–)", ylim=(len(keys) - 0.5, -0.5))
     ax.set_yticks(range(len(keys)), [keys[k] for k in order], parse_math=False)
     shown = np.array([(*of.first[k], *of.total[k]) for k in order])
     if not np.all(np.isfinite(shown[:, [0, 3]])):
@@ -128,8 +98,7 @@ def tornado(
     ----------
     table : Sensitivity
         Of a motion: ``motion.sensitivity()``.
-    output : str
-        run_out, peak_velocity or duration.
+    output : str, optional
     changes : mapping, optional
         By how much each number changes, in the unit of its key in a scene file, ``{"friction.angle_deg": 2.0}``, and
         only these are drawn; by default each angle by 1 degree, and everything else by 1 %.
@@ -157,7 +126,7 @@ def tornado(
             bars.append((abs(slope) * step, slope * step, f"{key.key} = {said}"))
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
     unit, at = table.outputs[output], table.at[output]
-    ax.set(xlabel=f"change of {NAMES[output]} from {number(at)} {unit} ({unit})")
+    ax.set(xlabel=f"change of {_label(output)} from {number(at)} {unit} ({unit})")
     if not at or not bars:
         ax.set(xticks=[], yticks=[])
         return note("nothing changes it" if at else "does not move", ax)
@@ -172,24 +141,9 @@ def tornado(
     return ax
 
 
-def response(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
-    """An output over the first number of a grid; of a second one, a curve for each of its values.
-
-    Parameters
-    ----------
-    found : Ensemble
-        Of a grid.
-    output : str
-        run_out, peak_velocity or duration.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
-    from slipcircle.studies.study import OUTPUTS
-
-    _known("response", "output", output, OUTPUTS)
+def response(found: "Ensemble", output: str = "reach", ax: Any = None) -> Any:
+    """An output over the first number of a grid; of a second one, a curve for each of its values."""
+    _known("response", "output", output, OUTCOMES)
     levels, keys = found.study.levels, [u.key for u in found.study.inputs.values()]
     check_grid([len(x) for x in levels])
     ax = axis(ax)
@@ -199,7 +153,7 @@ def response(found: "Ensemble", output: str = "run_out", ax: Any = None) -> Any:
     if len(levels) == 2:
         names = [f"{keys[1]} = {number(x)}" for x in levels[1]]
         legend(ax, handles=ax.lines, labels=names)
-    ax.set(ylabel=f"{NAMES[output]} ({OUTPUTS[output]})")
+    ax.set(ylabel=f"{_label(output)} ({OUTCOMES[output].unit})")
     ax.set_xlabel(f"{keys[0]}", parse_math=False)
     ax.grid(alpha=0.3)
     return ax
@@ -221,20 +175,13 @@ def check_grid(counts: Sequence[int]) -> None:
 
 
 def overview(found: "Ensemble", figure: Any = None) -> Any:
-    """Exceedance of run-out and of peak velocity, and below what each unknown adds to them, in one figure.
+    """Exceedance of reach and of peak velocity, and below what each unknown adds to them, in one figure.
 
-    Of a grid, run-out and peak velocity over its numbers.
-
-    Parameters
-    ----------
-    found : Ensemble
-    figure : matplotlib figure or subfigure, optional
-        An empty one with a constrained layout, of `size`.
+    Of a grid, reach and peak velocity over its numbers.
     """
     figure = sheet(figure, size(found))
-    outputs = ("run_out", "peak_velocity")
     grid = figure.add_gridspec(1 + bool(found.sensitivity), 2, height_ratios=_heights(found))
-    for k, output in enumerate(outputs):
+    for k, output in enumerate(DRAWN):
         (response if found.study.method == "grid" else exceedance)(found, output, figure.add_subplot(grid[0, k]))
         if found.sensitivity:
             indices(found, output, figure.add_subplot(grid[1, k]))
@@ -249,6 +196,10 @@ def size(found: "Ensemble") -> tuple[float, float]:
 
 def _heights(found: "Ensemble") -> list[float]:
     return [5.2, 1.6 + 0.55 * len(found.study.inputs)] if found.sensitivity else [5.2]
+
+
+def _label(output: str) -> str:
+    return OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
 
 
 def _drawn(found: "Ensemble", output: str, known: tuple[str, ...]) -> None:

@@ -9,14 +9,14 @@ import numpy as np
 
 from slipcircle.motion.motion import Status
 from slipcircle.motion.plan import plan
+from slipcircle.motion.quantities import OUTCOMES, plain, shown, words
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
 from slipcircle.outputs.report import given
-from slipcircle.outputs.studyplots import NAMES
-from slipcircle.outputs.tables import words
+from slipcircle.outputs.studyplots import DRAWN
 from slipcircle.studies import written
 from slipcircle.studies.estimates import Estimate
-from slipcircle.studies.study import BIN_ERROR, OUTPUTS
+from slipcircle.studies.study import BIN_ERROR
 
 if TYPE_CHECKING:
     from slipcircle.studies.ensembles import Ensemble
@@ -58,21 +58,21 @@ def _study(found: "Ensemble", file: bytes | None) -> Iterable[Raw]:
     yield tag("h3", "Key results")
     percent = f"{100 * found.confidence:g} %"
     yield tag("p", f"{found.n} samples; in brackets the interval of {percent} confidence that comes from their number.")
-    heads = [f"{NAMES[n]} ({unit})" for n, unit in OUTPUTS.items()]
+    heads = [f"{q.label} ({q.unit})" for q in OUTCOMES.values()]
     yield table([["probability of moving", _shown(found.moving)]])
-    yield table([[f"exceeded with probability {1 - p:.2g}", *(_shown(found.quantile(n, p)) for n in OUTPUTS)]
+    yield table([[f"exceeded with probability {1 - p:.2g}", *(_shown(found.quantile(n, p)) for n in OUTCOMES)]
                  for p in QUANTILES], ["", *heads])  # fmt: skip
     yield tag("h3", "Pictures")
-    caption = "The probability that run-out and peak velocity are at least so large"
+    caption = "The probability that greatest displacement and peak velocity are at least so large"
     caption += "; below, which unknown matters." if found.sensitivity else "."
     yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.study, found))
     if found.sensitivity:
         yield tag("h3", "Which unknown matters")
         yield tag("p", "Shares of the variance: what each explains on its own, and with all that it does together with "
                        f"others; from {study.base} base points.")  # fmt: skip
-        for output in ("run_out", "peak_velocity"):
+        for output in DRAWN:
             rows = [[key, *map(_shown, both)] for key, *both in zip(inputs, *found.sensitivity[output], strict=True)]
-            yield table(rows, [NAMES[output], "first-order index", "total index"])
+            yield table(rows, [OUTCOMES[output].label, "first-order index", "total index"])
     text = None if file is None else file.decode("utf-8-sig")
     yield from given(plan(found.scene, study.accuracy), text)
     yield tag("h3", "What is uncertain")
@@ -88,7 +88,7 @@ def _study(found: "Ensemble", file: bytes | None) -> Iterable[Raw]:
         ["relative error asked for, of each solution", number(study.accuracy)],
         ["relative error of quantiles from bins", "none: samples were kept" if found.samples else number(BIN_ERROR)],
     ])  # fmt: skip
-    yield folded("All numbers, as JSON", json.dumps(written.record(found), indent=2))
+    yield folded("All numbers, as JSON", json.dumps(plain(written.record(found)), indent=2, allow_nan=False))
     if text is not None:
         yield folded("The scene's file", text)
 
@@ -97,8 +97,8 @@ def _shown(e: Estimate) -> Raw:
     """A value in full in the attribute, rounded in the text, with its interval."""
     if np.isnan(e.value):
         return Raw("-")
-    low, high = ("?" if np.isnan(x) else f"{x:.4g}" for x in (e.low, e.high))
-    return Raw(f'<data value="{float(e.value)!r}">{e.value:.4g}</data> [{low}, {high}]')
+    low, high = ("?" if np.isnan(x) else shown(x) for x in (e.low, e.high))
+    return Raw(f'<data value="{float(e.value)!r}">{shown(e.value)}</data> [{low}, {high}]')
 
 
 def _said(record: Mapping[str, object]) -> str:

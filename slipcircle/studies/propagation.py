@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from slipcircle.arrays.lanes import scene_of
 from slipcircle.motion.solver import solve
-from slipcircle.outputs.tables import words
+from slipcircle.motion.quantities import words
 from slipcircle.studies.study import OUTPUTS, Study
 
 # Shares of the samples' standard deviation, and standard errors of theirs, up to which a difference is not told. What

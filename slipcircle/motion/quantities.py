@@ -1,0 +1,183 @@
+"""The numbers of a result, each declared once: its name, unit, words, and where a `Motion` has it.
+
+JSON, tables, CSV, pictures, reports, sensitivities, studies and back-analyses walk these lists.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, is_dataclass
+from operator import attrgetter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+DIGITS = 4  # significant, of a number that people read
+_PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"))
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One number of a result.
+
+    Attributes
+    ----------
+    name : str
+        In Python, JSON and heads of CSV files.
+    unit : str
+        SI, "" where it has none; angles are radians.
+    label : str
+        In words.
+    path : str
+        The attribute of a `Motion`, with dots; of a quantity over time its method, which takes times in s, and what to
+        take of that.
+    degrees : bool
+        Whether people read it as an angle in degrees: of radians, or of a friction coefficient.
+    solved : bool
+        Whether it is a result of the solution, which `Motion.error_estimate` is about.
+    """
+
+    name: str
+    unit: str
+    label: str
+    path: str
+    degrees: bool = False
+    solved: bool = False
+
+    def read(self, motion: Any) -> Any:
+        """The value, in SI units; an array where the motion is an ensemble's."""
+        return attrgetter(self.path)(motion)
+
+    def at(self, motion: Any, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The values of a quantity over time."""
+        method, _, part = self.path.partition(".")
+        found = getattr(motion, method)(times)
+        return np.asarray(getattr(found, part) if part else found, dtype=np.float64)
+
+    def text(self, motion: Any) -> str:
+        """A single motion's value as people read it, without digits that its error does not leave."""
+        value = self.read(motion)
+        if isinstance(value, bool):
+            return "yes" if value else "no"
+        value, unit = self.seen(value)
+        return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
+
+    def seen(self, value: float) -> tuple[float, str]:
+        """A value in the unit that people read, and that unit."""
+        if self.degrees:
+            return math.degrees(value if self.unit else math.atan(value)), "deg"
+        factor, unit = prefixed(value, self.unit)
+        return value * factor, unit
+
+    @property
+    def head(self) -> str:
+        """Name and unit as the head of a column."""
+        return "_".join(filter(None, (self.name, self.unit.replace("/", "_").replace("^", ""))))
+
+
+RESULTS: tuple[Quantity, ...] = (
+    Quantity("moves", "", "moves", "moves"),
+    Quantity("arrested", "", "comes to rest", "arrested"),
+    Quantity("reach", "m", "greatest displacement", "reach.displacement", solved=True),
+    Quantity("reach_time", "s", "time of the greatest displacement", "reach.time", solved=True),
+    Quantity("run_out", "m", "run-out along the arc", "run_out", solved=True),
+    Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True),
+    Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
+    Quantity("duration", "s", "duration", "duration", solved=True),
+    Quantity("factor_of_safety", "", "factor of safety", "factor_of_safety"),
+    Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
+    Quantity("friction", "", "friction angle", "friction", degrees=True),
+    Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True),
+    Quantity("end_rotation", "rad", "rotation at the end", "end.rotation", degrees=True, solved=True),
+    Quantity("end_velocity", "m/s", "velocity at the end", "end.velocity", solved=True),
+    Quantity("peak_displacement", "m", "displacement at the peak velocity", "peak.displacement", solved=True),
+    Quantity("start_stress", "Pa", "mean normal stress at the start", "plan.scene.arc.static_normal_stress"),
+    Quantity("peak_stress", "Pa", "mean normal stress at the peak velocity", "peak.normal_stress", solved=True),
+    Quantity("end_stress", "Pa", "mean normal stress at the end", "end.normal_stress", solved=True),
+)
+# What an ensemble is drawn for, a derivative taken of, and a back-analysis is given: `Motion` has them of every scene.
+OUTCOMES: Mapping[str, Quantity] = {
+    q.name: q for q in RESULTS if q.name in ("reach", "run_out", "peak_velocity", "duration")
+}
+HISTORY: Mapping[str, Quantity] = {
+    q.name: q
+    for q in (
+        Quantity("time", "s", "time", "at.time"),
+        Quantity("rotation", "rad", "rotation", "at.rotation", degrees=True),
+        Quantity("angular_velocity", "rad/s", "angular velocity", "at.angular_velocity"),
+        Quantity("velocity", "m/s", "velocity", "at.velocity"),
+        Quantity("displacement", "m", "displacement", "at.displacement"),
+        Quantity("acceleration", "m/s^2", "acceleration", "at.acceleration"),
+        Quantity("path", "m", "path travelled", "path_at"),
+        Quantity("normal_stress", "Pa", "mean normal stress", "at.normal_stress"),
+        Quantity("effective_stress", "Pa", "mean effective stress", "effective_stress_at"),
+        Quantity("friction", "", "friction coefficient", "friction_at"),
+        Quantity("holding_friction", "", "friction coefficient needed to stand still", "holding_friction_at"),
+        Quantity("kinetic_energy", "J", "kinetic energy", "energy_at.kinetic_end"),
+        Quantity("work_of_gravity_and_shaking", "J", "work of gravity and shaking", "energy_at.work"),
+        Quantity("dissipation", "J", "dissipation", "energy_at.dissipation"),
+    )
+}
+
+
+def record(motion: Any) -> dict[str, Any]:
+    """A motion as JSON holds it: SI units, radians, full precision; null for what is infinite or not known."""
+    scene, law = motion.plan.scene, motion.plan.scene.friction
+    states = {name: asdict(getattr(motion, name)) for name in ("reach", "peak", "end")}
+    return plain(
+        {
+            "scene": scene.name,
+            "note": scene.note,
+            "effects": motion.plan.effects,
+            "left_out": motion.plan.left_out,
+            "method": motion.plan.method,
+            "law": law if isinstance(law, Mapping) else {"law": motion.plan.law},
+            "dimensionless": scene.arc.dimensionless,
+        }
+        | {q.name: q.read(motion) for q in RESULTS if "." not in q.path}
+        | states
+        | {
+            "energy": asdict(motion.energy) | {"residual": motion.energy.residual},
+            "error_estimate": motion.error_estimate,
+            "warnings": motion.warnings,
+        }
+    )
+
+
+def plain(value: Any) -> Any:
+    """What JSON can hold of a value; null for what is not finite."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return plain(asdict(value))
+    if isinstance(value, Mapping):
+        return {str(k): plain(v) for k, v in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain(v) for v in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def words(name: str, unit: str = "") -> str:
+    """A name of a quantity or a status as tables have it."""
+    return name.lower().replace("run_out", "run-out").replace("_", " ") + (f" ({unit})" if unit else "")
+
+
+def shown(value: float, digits: int = DIGITS) -> str:
+    """A number rounded to significant digits."""
+    if not math.isfinite(value):
+        return "infinite" if value > 0.0 else "-infinite" if value < 0.0 else "-"
+    return f"{float(f'{value:.{digits - 1}e}') + 0.0:.{max(digits, 6)}g}"
+
+
+def digits_left(error: float) -> int:
+    """Significant digits, at most `DIGITS`, of which a relative error moves the last one by half a unit at most."""
+    return DIGITS if error <= 0.0 else max(1, min(DIGITS, math.floor(-math.log10(min(2 * error, 1.0)))))
+
+
+def prefixed(values: Any, unit: str) -> tuple[float, str]:
+    """A factor that makes stresses, energies and forces easy to read, and the unit with its prefix."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    if unit not in ("Pa", "J", "N") or size == 0.0 or not math.isfinite(size):
+        return 1.0, unit
+    per, prefix = next(((p, name) for p, name in _PREFIXES if size >= p), (1.0, ""))
+    return 1.0 / per, prefix + unit
