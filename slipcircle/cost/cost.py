@@ -145,9 +145,11 @@ def _scenes(name: str, many: bool, progress: TextIO | None) -> list[Row]:
     for (way, call), work, n, seconds in zip(found.items(), works, counts, interleaved(works), strict=True):
         error = float(np.nanmax(np.abs((call(some) - near) - rest) / near))
         took = median(seconds) / n * 1e9
-        row = Row(f"{name}, {count} scenes" if many else name, way, error, (), took, took if many else None,
-                  elements=n, points=some.size, memory=_memory(work, n), ours=way.startswith("slipcircle"))  # fmt: skip
-        rows.append(row)
+        ours = way.startswith("slipcircle")
+        rows.append(Row(
+            f"{name}, {count} scenes" if many else name, way, error, (), took, took if many else None, elements=n,
+            points=some.size, memory=_memory(work, n) if ours and n == count else None, ours=ours,
+        ))  # fmt: skip
     return rows
 
 

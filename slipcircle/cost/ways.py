@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -126,15 +125,6 @@ def _printed(name: str, x: Floats) -> Floats:
         return np.asarray(getattr(printed, above)(x) / getattr(printed, below)(x))
 
 
-def _long(name: str, x: Floats) -> NDArray[np.longdouble]:
-    m = SimpleNamespace(sin=np.sin, cos=np.cos, tan=np.tan, log=np.log, atanh=np.arctanh, pi=np.longdouble(_PI))
-    with np.errstate(all="ignore"):
-        return np.asarray(closed(name, m, np.asarray(x, np.longdouble)))
-
-
-_PI = "3.14159265358979323846264338327950288"
-
-
 # --- quadrature ----------------------------------------------------------------------------------------------------
 
 
@@ -156,22 +146,6 @@ def gauss_legendre(power: int, turned: bool, count: int, alpha: Any) -> Floats:
         ring = depth / 2 * (near**power + far**power) * (np.cos(u) if turned else 1.0)
         found[start : start + a.size] = a[:, 0] * np.einsum("ij,j->i", ring, w)  # one thread, like all others
     return found
-
-
-def dblquad(power: int, turned: bool, alpha: float) -> float:
-    """The definition itself, by SciPy at its default tolerances."""
-    from warnings import catch_warnings, simplefilter
-
-    from scipy.integrate import dblquad as integrate
-
-    chord = np.cos(alpha)
-
-    def ring(r: float, u: float) -> float:
-        return float(r**power * (np.cos(u) if turned else 1.0))
-
-    with catch_warnings():
-        simplefilter("ignore")
-        return float(integrate(ring, -alpha, alpha, lambda u: chord / np.cos(u), 1.0)[0])
 
 
 def _digits(name: str, digits: int, alpha: float) -> Any:
@@ -208,11 +182,8 @@ def kernel(name: str) -> Subject:
         Way("half-angle, NumPy", getattr(stable, name)),
         Way("printed, float64", partial(_printed, name)),
     ]
-    if np.finfo(np.longdouble).nmant > 52:  # on some machines it is float64
-        found.append(Way("printed, longdouble", partial(_long, name)))
     if name in _RINGS:
         found += [Way(f"Gauss, {n} points", partial(gauss_legendre, *_RINGS[name], n)) for n in GAUSS_POINTS]
-        found.append(Way("SciPy dblquad", partial(dblquad, *_RINGS[name]), few=10))
     found += [Way(f"mpmath, {n} digits", partial(_digits, name, n), few=40) for n in MP_DIGITS]
     return Subject([*found, _floor()], partial(reference.kernel, name), partial(_angles, 1))
 
