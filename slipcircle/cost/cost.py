@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from statistics import median
-from typing import Any, TextIO
+from typing import TextIO
 
 import numpy as np
 
@@ -124,10 +124,9 @@ def _functions(name: str, subject: Subject) -> list[Row]:
     rows, arguments = [], subject.bulk(SIZES[-1])
     for way, times in zip(subject.ways, _times(subject), strict=True):
         elements = times[-1][1]
-        one = 1 if way.few else elements
         row = Row(
             name, way.name, float("nan"), (), times[0][0], times[1][0], times[2][0], elements,
-            _memory(_work(way, arguments, one), one), way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
+            _memory(_work(way, arguments, elements), elements), way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
         )  # fmt: skip
         rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
     return rows
@@ -167,11 +166,7 @@ def _enough(way: Callable[[Floats], Floats], most: int) -> int:
 
 def _seen(row: Row, way: Way, exact: Reference) -> Row:
     """The row with the worst errors of its way."""
-    if way.few:
-        exact = exact.some(way.few)
-        ulp, relative = _exactly([way.function(*p) for p in exact.points.T.tolist()], exact)
-    else:
-        ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
+    ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
     at, at_ulp = int(np.argmax(relative)), int(np.argmax(np.abs(ulp)))
     points = exact.points.T
     return replace(
@@ -179,17 +174,6 @@ def _seen(row: Row, way: Way, exact: Reference) -> Row:
         worst_input=tuple(points[at].tolist()), worst_input_ulp=tuple(points[at_ulp].tolist()),
         profile=Profile(exact.points[0], ulp, relative),
     )  # fmt: skip
-
-
-def _exactly(results: Sequence[Any], exact: Reference) -> tuple[Floats, Floats]:
-    """Errors of numbers that may have more digits than a double."""
-    mp, ulp, relative = multiprecision(110), [], []
-    for result, ball, unit in zip(results, exact.values, exact.unit.tolist(), strict=True):
-        value = mp.mpf(ball.str(100, radius=False) if hasattr(ball, "rad") else ball)
-        error = mp.mpf(result) - value
-        ulp.append(float(error / unit) if error == error else float("inf"))
-        relative.append(float(abs(error) / max(abs(value), exact.smallest)) if error == error else float("inf"))
-    return np.array(ulp), np.array(relative)
 
 
 # --- times and memory ----------------------------------------------------------------------------------------------
@@ -209,18 +193,13 @@ def _times(subject: Subject) -> list[list[tuple[float, int]]]:
 
 def _fitting(way: Way, size: int, sofar: list[tuple[float, int]]) -> int:
     """How many elements a pass has time for."""
-    if way.few:
-        return min(size, way.few)
     while sofar and size > SIZES[1] and size * sofar[-1][0] * 1e-9 > _PASS:
         size //= 10
     return size
 
 
 def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
-    """One pass over so many elements: a call on numbers, or on an array, or one call for each of a few."""
-    if way.few:
-        few = arguments.T[:count].tolist()
-        return lambda: [way.function(*p) for p in few]
+    """One pass over so many elements: a call on numbers, or on an array."""
     if count == 1:
         numbers = arguments[:, 0].tolist()
         return partial(way.function, *(numbers if way.kind == "float64" else map(np.dtype(way.kind).type, numbers)))

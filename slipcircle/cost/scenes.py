@@ -7,8 +7,9 @@ floats SciPy's, over heyoka's expressions heyoka's, over balls the reference's. 
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from functools import cache, cached_property, partial
+from functools import cache, partial
 from importlib.util import find_spec
+from itertools import pairwise
 from types import SimpleNamespace
 from typing import Any, NamedTuple, TextIO
 
@@ -92,24 +93,21 @@ class Equation:
     """The numbers of a scene's equation of motion, in an arithmetic: ``number`` makes its numbers of doubles."""
 
     def __init__(self, case: Case, number: Callable[[Any], Any], m: Any) -> None:
-        scene = case.scene(0.1)
-        arc, self.case, self.m, self.number = scene.arc, case, m, number
         from flint import arb, ctx
 
+        scene = case.scene(0.1)
+        self.case, self.m, self.number = case, m, number
         with ctx.workprec(_BITS + 40):
-            low, high = arb(float(arc.theta_1)), arb(float(arc.theta_2))
-            of = moments((high - low) / 2)
-            inertia = of["moment_of_inertia"]
+            given: Any = (getattr(scene.arc, n) for n in ("theta_1", "theta_2", "radius", "gravity"))
+            low, high, radius, gravity = (arb(float(x)) for x in given)
+            of, scale = moments((high - low) / 2), (radius / gravity).sqrt()
             names = ("weight_moment_amplitude", "radial_weight_amplitude", "polar_moment")
-            self.weight, self.radial, self.polar = (number(of[n] / inertia) for n in names)
-            self.dip, self.radius = number((3 * arb.pi() - low - high) / 2), number(arb(float(arc.radius)))
-            scale = (arb(float(arc.radius)) / arb(float(arc.gravity))).sqrt()
-            self.scale = number(scale)
-            self.decay, self.pace = number(arb(float(arc.radius)) / LENGTH), number(arb(float(arc.radius)) / scale / SPEED)
-            heat = arb(LAYER["heat_capacity"]) * arb(LAYER["thickness"])
-            self.kappa = number(arb(float(arc.radius)) * arb(LAYER["pressurisation"]) / heat)
-            end = scene.end_time
-            self.end = None if end is None else number(arb(float(end)) / scale)  # type: ignore[arg-type]
+            self.weight, self.radial, self.polar = (number(of[n] / of["moment_of_inertia"]) for n in names)
+            self.dip, self.radius, self.scale = number((3 * arb.pi() - low - high) / 2), number(radius), number(scale)
+            self.decay, self.pace = number(radius / LENGTH), number(radius / scale / SPEED)
+            self.kappa = number(radius * LAYER["pressurisation"] / arb(LAYER["heat_capacity"]) / LAYER["thickness"])
+            end: Any = scene.end_time
+            self.end = None if end is None else number(arb(end) / scale)
 
     def start(self, time: Any = 0.0) -> list[Any]:
         """Rotation, angular velocity, and under heat the effective normal force."""
@@ -132,12 +130,6 @@ class Equation:
             return [omega, drive - mu * (press + self.polar * omega * omega)]
         rate = drive - mu * y[2]
         return [omega, rate, (self.radial * sin + 2.0 * self.polar * rate - self.kappa * mu * y[2]) * omega]
-
-    @cached_property
-    def shaking(self) -> tuple[list[float], list[float]]:
-        """Dimensionless times and k_h of the record."""
-        time, k_h = record()
-        return (time / self.scale).tolist(), k_h.tolist()
 
 
 def answer(of: Equation, phi: Any, omega: Any, time: Any) -> tuple[Any, Any, Any]:
@@ -211,8 +203,7 @@ def exact(of: Equation, friction: float) -> tuple[Any, Any, Any]:
             h = step / 2
             continue
         if rate > 0 and f(t + step, found)[1] <= 0:
-            top = _top(partial(extrapolated, f, t, y), lambda s, z, t=t: f(t + s, z)[1], step)
-            best = max(best, top[1], key=float)
+            best = max(best, _fastest(f, t, y, step), key=float)
         best = max(best, found[1], key=float)
         if min(y[2:], default=1) <= 0:
             raise ArithmeticError(f"with mu = {friction!r} nothing presses on the slip surface")
@@ -228,29 +219,20 @@ def exact(of: Equation, friction: float) -> tuple[Any, Any, Any]:
 def _pieces(of: Equation) -> Iterator[tuple[Any, Any]]:
     """Until when the equation is smooth, and k_h there."""
     if of.case.shakes:
-        times, values = record()
-        knots = [(of.number(of.number(t) / of.scale), of.number(k)) for t, k in zip(times.tolist(), values.tolist(), strict=True)]
-        for (a, low), (b, high) in zip(knots, knots[1:], strict=False):
+        knots = [(of.number(of.number(t) / of.scale), of.number(k)) for t, k in np.transpose(record()).tolist()]
+        for (a, low), (b, high) in pairwise(knots):
             yield b, lambda s, a=a, low=low, slope=(high - low) / (b - a): low + slope * (s - a)
     yield of.end, None
 
 
-def _top(step: Callable[[Any], Any], slope: Callable[[Any, Any], Any], h: Any) -> list[Any]:
-    """The state where the slope vanishes within a step, by the secant rule from a bisection."""
-    low, high = 0 * h, h
-    for _ in range(12):
+def _fastest(f: Any, t: Any, y: list[Any], h: Any) -> Any:
+    """The greatest speed within a step, by bisection: half the digits of its time are enough."""
+    low, high, state = 0 * h, h, y
+    for _ in range(48):
         middle = (low + high) / 2
-        low, high = (middle, high) if slope(middle, step(middle)) > 0 else (low, middle)
-    a, b = low, high
-    u, v = slope(a, step(a)) if a > 0 else None, slope(b, step(b))
-    u = slope(high / 2, step(high / 2)) if u is None else u
-    a = high / 2 if low == 0 else a
-    for _ in range(8):
-        if abs(u - v) < _ENOUGH:
-            break
-        a, b, u = b, (b - v * (b - a) / (v - u)).mid(), v
-        v = slope(b, step(b))
-    return list(step(b))
+        state = extrapolated(f, t, y, middle) or y
+        low, high = (middle, high) if f(t + middle, state)[1] > 0 else (low, middle)
+    return state[1]
 
 
 def exactly(case: Case, mu: Floats) -> tuple[Floats, Floats]:
@@ -284,11 +266,11 @@ def dop853(case: Case, tolerance: float) -> Way:
     from scipy.integrate import solve_ivp
 
     of = Equation(case, float, math)
-    end = of.end or _LATEST
+    end, (times, k_h) = of.end or _LATEST, record()
 
     def one(mu: float) -> tuple[Any, Any, Any]:
         def rate(t: float, y: Any) -> list[Any]:
-            return of.rate(mu, y, float(np.interp(t, *of.shaking, right=0.0)) if case.shakes else None)
+            return of.rate(mu, y, float(np.interp(t * of.scale, times, k_h)) if case.shakes else None)
 
         def stands(_: float, y: Any) -> float:
             return float(y[1])
@@ -311,7 +293,7 @@ def heyoka(case: Case, tolerance: float, lanes: int) -> Way:
 
     The peak would take a call of Python from each lane, so that it is spared it.
     """
-    import heyoka as hy  # type: ignore[import-not-found, unused-ignore]
+    import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
     of = Equation(case, float, hy)
     of.dip = hy.expression(of.dip)

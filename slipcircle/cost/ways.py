@@ -1,20 +1,17 @@
 """Every way to compute a function that the price list compares: this package's tiers, the paper's forms, quadrature."""
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import _compiled, kernels, motion, printed, stable, tiers
 from slipcircle.cost import reference
 from slipcircle.cost.reference import QUOTIENTS, Floats, Reference
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
-MP_DIGITS = (30, 50)
 FLOOR = "np.copyto (floor)"
 _BLOCK = 2**16  # nodes of a Gauss-Legendre rule that are evaluated at once
 
@@ -28,7 +25,7 @@ class Way:
     name : str
         As the table has it; a tier's is "tier, form".
     function : callable
-        Arrays in, an array out; where `few` is set, one number in and out, of any type.
+        Arrays in, an array out.
     into : callable, optional
         ``into(*arrays, out)``, which allocates no result.
     kind : str
@@ -37,8 +34,6 @@ class Way:
         Proved bounds of the relative error and of the error in ulp; without one the way is sampled only.
     ours : bool
         Whether this package offers it.
-    few : int
-        For slow ways: so many inputs are enough.
     """
 
     name: str
@@ -48,7 +43,6 @@ class Way:
     bound: float | None = None
     bound_ulp: float | None = None
     ours: bool = False
-    few: int = 0
 
 
 @dataclass(frozen=True)
@@ -88,33 +82,12 @@ def variants(name: str) -> list[Way]:
     return found
 
 
-# --- the paper's forms, over any arithmetic m that has sin, cos, tan, log, atanh and pi ----------------------------
+# --- the paper's forms ---------------------------------------------------------------------------------------------
 
-
-def _cube(m: Any, x: Any) -> Any:
-    return m.cos(x) * m.cos(x) * m.cos(x)
-
-
-PRINTED: Mapping[str, Callable[[Any, Any], Any]] = {
-    # (2.19), (3.15), Appendix I in one line, (3.13) integrated, (3.14)
-    "polar_moment": lambda m, x: 2 * x / 3 - m.sin(2 * x) / 6 - m.log(m.tan(m.pi / 4 + x / 2)) * _cube(m, x) / 3,
-    "moment_of_inertia": lambda m, x: x / 2 - m.sin(2 * x) * (1 + 2 * m.cos(x) ** 2) / 12,
-    "radial_weight_amplitude": lambda m, x: m.sin(x) - m.cos(x) ** 2 * m.atanh(m.sin(x)),
-    "weight_moment_amplitude": lambda m, x: 2 * m.sin(x) / 3 - 2 * m.sin(x) * m.cos(x) ** 2 / 3,
-    "resistance_factor": lambda m, x: 2 * x * (1 - m.cos(x)),
-}
 _RINGS = {  # the integrand: power of r, and whether cos u turns it
     "polar_moment": (2, False), "moment_of_inertia": (3, False),
     "radial_weight_amplitude": (1, True), "weight_moment_amplitude": (2, True),
 }  # fmt: skip
-
-
-def closed(name: str, m: Any, x: Any) -> Any:
-    """The printed form of a kernel in an arithmetic; a quotient is one of two of them."""
-    if name in QUOTIENTS:
-        above, below = QUOTIENTS[name]
-        return PRINTED[above](m, x) / PRINTED[below](m, x)
-    return PRINTED[name](m, x)
 
 
 def _printed(name: str, x: Floats) -> Floats:
@@ -148,14 +121,6 @@ def gauss_legendre(power: int, turned: bool, count: int, alpha: Any) -> Floats:
     return found
 
 
-def _digits(name: str, digits: int, alpha: float) -> Any:
-    """The printed form by mpmath, with the guard digits that the cancellation over thin arcs takes."""
-    mp = multiprecision(digits)
-    thin = max(0, -math.frexp(alpha)[1])
-    with mp.workdps(digits + 5 + int(0.91 * thin)):  # pi/4 + alpha/2 has to be right to alpha**3
-        return closed(name, mp, mp.mpf(alpha))
-
-
 @cache
 def multiprecision(digits: int) -> Any:
     """Mpmath's numbers with so many digits, of a context of our own."""
@@ -184,7 +149,6 @@ def kernel(name: str) -> Subject:
     ]
     if name in _RINGS:
         found += [Way(f"Gauss, {n} points", partial(gauss_legendre, *_RINGS[name], n)) for n in GAUSS_POINTS]
-    found += [Way(f"mpmath, {n} digits", partial(_digits, name, n), few=40) for n in MP_DIGITS]
     return Subject([*found, _floor()], partial(reference.kernel, name), partial(_angles, 1))
 
 
@@ -208,19 +172,14 @@ def slide(name: str) -> Subject:
         mp = multiprecision(90)
         return reference.reference(points, [MOTION[name](mp, *map(mp.mpf, p)) for p in points.T.tolist()], kind)
 
-    def digits(count: int, *arguments: float) -> Any:
-        mp = multiprecision(count)
-        return MOTION[name](mp, *map(mp.mpf, arguments))
-
     found = [
         Way("stable, NumPy", lambda a, b, t: from_rest(a, b, 0.0, t), ours=True),
         Way("printed, float64", getattr(printed, name)),
-        *(Way(f"mpmath, {n} digits", partial(digits, n), few=40) for n in MP_DIGITS),
     ]
     return Subject(found, exact, lambda count: np.random.default_rng(0).uniform(0.1, 2.0, (3, count)))
 
 
-KERNELS = (*PRINTED, *QUOTIENTS)
+KERNELS = tuple(kernels.TEXTS)
 FUNCTIONS: Mapping[str, Callable[[], Subject]] = {
     **{name: partial(kernel, name) for name in KERNELS},
     **{name: partial(slide, name) for name in MOTION},
