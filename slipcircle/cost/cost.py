@@ -5,7 +5,6 @@ one function are timed in turns, so that what disturbs the machine disturbs all 
 """
 
 import time
-import tracemalloc
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -53,10 +52,6 @@ class Row:
         Time of an element, ns, with N elements in a call: the median of several turns.
     elements
         How many elements the last of them was measured on; fewer than N for slow ways.
-    memory
-        Bytes allocated besides argument and result at the worst moment, for an element.
-    cheaper
-        How many times less time it takes than the next more accurate way on the frontier.
     verdict
         "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate.
     """
@@ -69,7 +64,6 @@ class Row:
     ns_1e4: float | None = None
     ns_1e6: float | None = None
     elements: int = 1
-    memory: float | None = None
     bound: float | None = None
     bound_ulp: float | None = None
     ulp: float | None = None
@@ -77,7 +71,6 @@ class Row:
     points: int = 1
     kind: str = "float64"
     ours: bool = False
-    cheaper: float | None = None
     verdict: str = ""
     profile: Profile | None = field(default=None, repr=False, compare=False)
 
@@ -125,8 +118,7 @@ def _functions(name: str, subject: Subject) -> list[Row]:
     for way, times in zip(subject.ways, _times(subject), strict=True):
         elements = times[-1][1]
         row = Row(
-            name, way.name, float("nan"), (), times[0][0], times[1][0], times[2][0], elements,
-            _memory(_work(way, arguments, elements), elements), way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
+            name, way.name, float("nan"), (), times[0][0], times[1][0], times[2][0], elements, way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
         )  # fmt: skip
         rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
     return rows
@@ -141,13 +133,13 @@ def _scenes(name: str, many: bool, progress: TextIO | None) -> list[Row]:
     counts = [_enough(way, count) for way in found.values()]
     works = [partial(way, scenes.frictions(n)) for way, n in zip(found.values(), counts, strict=True)]
     rows = []
-    for (way, call), work, n, seconds in zip(found.items(), works, counts, interleaved(works), strict=True):
+    for (way, call), n, seconds in zip(found.items(), counts, interleaved(works), strict=True):
         error = float(np.nanmax(np.abs((call(some) - near) - rest) / near))
         took = median(seconds) / n * 1e9
         ours = way.startswith("slipcircle")
         rows.append(Row(
             f"{name}, {count} scenes" if many else name, way, error, (), took, took if many else None, elements=n,
-            points=some.size, memory=_memory(work, n) if ours and n == count else None, ours=ours,
+            points=some.size, ours=ours,
         ))  # fmt: skip
     return rows
 
@@ -176,7 +168,7 @@ def _seen(row: Row, way: Way, exact: Reference) -> Row:
     )  # fmt: skip
 
 
-# --- times and memory ----------------------------------------------------------------------------------------------
+# --- times ---------------------------------------------------------------------------------------------------------
 
 
 def _times(subject: Subject) -> list[list[tuple[float, int]]]:
@@ -237,19 +229,6 @@ def _timed(work: Callable[[], object], loops: int) -> float:
     return max((time.process_time() - start) / loops, 1e-9)
 
 
-def _memory(work: Callable[[], object], elements: int) -> float:
-    """Bytes for an element that one pass holds at its worst moment, besides what it returns."""
-    tracemalloc.start()
-    try:
-        before = tracemalloc.get_traced_memory()[0]
-        result = work()
-        peak = tracemalloc.get_traced_memory()[1]
-    finally:
-        tracemalloc.stop()
-    returned = result.nbytes if isinstance(result, np.ndarray) and result.size > 1 else 0
-    return max(0.0, (peak - before - returned) / elements)
-
-
 # --- verdicts ------------------------------------------------------------------------------------------------------
 
 
@@ -266,11 +245,4 @@ def judged(rows: Sequence[Row]) -> list[Row]:
         else:
             said = LOST + best.way if best else FRONTIER
         found.append(replace(row, verdict=said))
-    front = [r for r in found if r.verdict == FRONTIER]
-    return [replace(row, cheaper=_cheaper(row, front)) for row in found]
-
-
-def _cheaper(row: Row, front: Sequence[Row]) -> float | None:
-    """Times cheaper than the next more accurate way on the frontier."""
-    above = max((r for r in front if r.error < row.error), key=lambda r: r.error, default=None)
-    return above.price / row.price if above else None
+    return found

@@ -332,7 +332,7 @@ def ways(name: str, many: bool, progress: TextIO | None = None) -> dict[str, Way
     case = CASES[name]
     found: dict[str, Way] = {f"slipcircle, {a:.0e}": partial(ours, case, a, None, None) for a in ACCURACIES}
     frozen = case.shipped == "vaiont-frozen"
-    if compiled.module() is not None or frozen:
+    if frozen or (compiled.module() is not None and not (case.shakes and many)):
         text, other = ("series", None) if frozen else ("NumPy", walk.walk)
         found |= {f"slipcircle, {text}, {a:.0e}": partial(ours, case, a, other, False)
                   for a in ((1e-9,) if case.shakes else ACCURACIES[::2])}  # fmt: skip
