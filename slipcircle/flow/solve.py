@@ -34,7 +34,6 @@ def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = No
         cells[:, asking] = lanes.c
         cells[walk.STATUS, asking] = walk.MOVING
     long = (cells[walk.STATUS] == walk.TOO_LONG) & (cells[walk.STEPS] > walk.MOST_STEPS)
-    long &= np.isfinite(cells[walk.END_TIME])  # creep without an end has none
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells
@@ -194,6 +193,16 @@ class Lanes:
             lanes.find_pieces()
             lanes.base()
         return lanes
+
+    @property
+    def brake(self) -> Floats:
+        """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
+        bound = self.bound
+        lanes = walk.Lanes(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
+        lanes.c[walk.DIRECTION] = 1.0
+        with np.errstate(all="ignore"):
+            lanes.base()
+            return 2 * frozen.brake(lanes)
 
     @cached_property
     def statics(self) -> dict[str, Floats]:

@@ -166,6 +166,11 @@ class Motion:
         return self._shaped(self._of(walk.TIME) * self._lanes.bound.time_scale)
 
     @property
+    def brake(self) -> Any:
+        """q, twice what a unit of omega*^2 takes from the rate at the start: the speed falls like exp(-q phi/2)."""
+        return self._shaped(self._lanes.brake)
+
+    @property
     def turnings(self) -> Any:
         """How often the mass has turned back."""
         return self._shaped(self._of(walk.TURNS).astype(int))

@@ -15,6 +15,7 @@ from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.scene.arc import QUANTITIES, Arc
 from slipcircle.scene.scene import Scene
 
+STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 BLOCK = 16384  # lanes at once, so that what they need stays in the cache
 
 
@@ -114,6 +115,11 @@ def _refuse(motion: Motion) -> None:
     if status == Status.ENDLESS and not turns:
         raise ValueError(
             "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
+        )
+    if status == Status.ENDLESS and motion.turnings < 20 and (brake := motion.brake) > STRONGEST:
+        raise ValueError(
+            f"drag, friction: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
+            f"{brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
         )
     if status == Status.ENDLESS and motion.turnings < 20:
         raise ValueError(
