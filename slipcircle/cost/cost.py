@@ -114,12 +114,11 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
 
 
 def _functions(name: str, subject: Subject) -> list[Row]:
-    rows, arguments = [], subject.bulk(SIZES[-1])
+    rows = []
     for way, times in zip(subject.ways, _times(subject), strict=True):
-        elements = times[-1][1]
-        row = Row(
-            name, way.name, float("nan"), (), times[0][0], times[1][0], times[2][0], elements, way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
-        )  # fmt: skip
+        one, many, most = (ns for ns, _ in times)
+        row = Row(name, way.name, float("nan"), (), one, many, most, times[-1][1], way.bound, way.bound_ulp,
+                  kind=way.kind, ours=way.ours)  # fmt: skip
         rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
     return rows
 
