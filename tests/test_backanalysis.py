@@ -26,7 +26,9 @@ def test_vaiont() -> None:
     assert len(found.solutions) == 1
     assert found.method == ROOT
     assert found.value == pytest.approx(15.2147, abs=1e-4)
-    assert solve(replace(VAIONT, friction=math.tan(math.radians(found.value)))).run_out == pytest.approx(400.0, rel=1e-13)
+    assert solve(replace(VAIONT, friction=math.tan(math.radians(found.value)))).run_out == pytest.approx(
+        400.0, rel=1e-13
+    )
     assert found.solutions[0].error_estimate < 1e-12
 
 
@@ -36,7 +38,9 @@ def test_round_trip_of_friction(scene: Scene, name: str) -> None:
     motion = solve(scene)
     if scene.end_time is not None and name == "duration":
         return
-    output = {"run_out": motion.run_out, "peak_velocity": float(motion.peak.velocity), "duration": motion.duration}[name]
+    output = {"run_out": motion.run_out, "peak_velocity": float(motion.peak.velocity), "duration": motion.duration}[
+        name
+    ]
     found = backanalyse(scene, **{name: output}, field="friction")
     wanted = float(np.asarray(scene.friction))
     assert min(abs(s.value / wanted - 1) for s in found.solutions) < (1e-10 if name != "duration" else 1e-9)
@@ -59,9 +63,7 @@ def test_round_trip_of_other_fields(field: str, value: float) -> None:
         scene = replace(WET, arc=arc)
     else:
         scene = replace(WET, arc=replace(WET.arc, **{field: value}))  # type: ignore[arg-type]
-    found = backanalyse(
-        scene if name else WET, field=field, peak_velocity=float(solve(scene).peak.velocity)
-    )
+    found = backanalyse(scene if name else WET, field=field, peak_velocity=float(solve(scene).peak.velocity))
     assert min(abs(s.value / value - 1) for s in found.solutions) < 1e-10
 
 
@@ -267,7 +269,10 @@ def test_a_misfit_is_told() -> None:
         ({"run_out": 400.0, "duration": 38.0, "field": ["friction", "unit_weight"]}, "unit_weight: changes nothing of"),
         ({"run_out": (2.0, 1.0), "peak_velocity": (0.5, 0.1), "field": ["friction", "friction"]}, "named twice"),
         ({"run_out": 400.0, "duration": 38.0, "field": ["dip", "theta_1"]}, "turns theta_1 and theta_2"),
-        ({"run_out": 400.0, "duration": 38.0, "field": ["friction", "drag"], "bounds": {"radius": (1, 2)}}, "none of the"),
+        (
+            {"run_out": 400.0, "duration": 38.0, "field": ["friction", "drag"], "bounds": {"radius": (1, 2)}},
+            "none of the",
+        ),
         ({"run_out": 400.0, "duration": 38.0, "field": ["friction", "dip"], "bounds": (0.1, 0.2)}, "give a mapping"),
     ],
 )
@@ -354,7 +359,10 @@ def test_command_for_several_fields(capsys: pytest.CaptureFixture[str]) -> None:
     assert error == pytest.approx(first.standard_errors["radius"], rel=0.05)
     assert value == pytest.approx(first.values["radius"], abs=0.05 * error)
     assert "correlation of friction and radius" in out
-    for wrong, said in ((["--field", "friction=1"], "must be KEY or KEY=LOW:HIGH"), (["--field", "nose"], "no number of a scene")):
+    for wrong, said in (
+        (["--field", "friction=1"], "must be KEY or KEY=LOW:HIGH"),
+        (["--field", "nose"], "no number of a scene"),
+    ):
         assert main(["backanalyse", "vaiont", "--run-out-m", "400", *wrong]) == 1
         assert said in capsys.readouterr().err
     with pytest.raises(SystemExit):

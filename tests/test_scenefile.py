@@ -18,9 +18,9 @@ from slipcircle import Arc, Scene, load, solve
 from slipcircle.__main__ import main
 from slipcircle.files.scenefile import read, shipped
 from slipcircle.files.scenekeys import schema
-from slipcircle.scene.keys import tables_of
 from slipcircle.outputs.guide import guide
 from slipcircle.scene.arc import QUANTITIES
+from slipcircle.scene.keys import tables_of
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 ROOT = Path(__file__).parents[1]

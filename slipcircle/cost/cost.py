@@ -5,16 +5,15 @@ one function are timed in turns, so that what disturbs the machine disturbs all 
 """
 
 import time
-import tracemalloc
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from statistics import median
-from typing import Any, TextIO
+from typing import TextIO
 
 import numpy as np
 
-from slipcircle.cost import solvercost
+from slipcircle.cost import scenes
 from slipcircle.cost.reference import Floats, Reference
 from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way, multiprecision
 
@@ -24,7 +23,8 @@ REPEATS = 9
 _TICK, _PASS, _PATIENCE = 5e-4, 0.1, 0.08  # seconds: shortest thing timed, longest single pass, all repeats of one
 _QUICK = 0.02  # seconds for scenes, after which ten times as many are not asked for
 FRONTIER, LOST = "frontier", "beaten: "
-NAMES = [*FUNCTIONS, *solvercost.SOLVERS]
+NAMES = [*FUNCTIONS, *scenes.CASES]
+GROUPS = {"kernels": [*FUNCTIONS], "flow": [*scenes.CASES]}
 
 
 @dataclass(frozen=True)
@@ -52,10 +52,6 @@ class Row:
         Time of an element, ns, with N elements in a call: the median of several turns.
     elements
         How many elements the last of them was measured on; fewer than N for slow ways.
-    memory
-        Bytes allocated besides argument and result at the worst moment, for an element.
-    cheaper
-        How many times less time it takes than the next more accurate way on the frontier.
     verdict
         "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate.
     """
@@ -68,7 +64,6 @@ class Row:
     ns_1e4: float | None = None
     ns_1e6: float | None = None
     elements: int = 1
-    memory: float | None = None
     bound: float | None = None
     bound_ulp: float | None = None
     ulp: float | None = None
@@ -76,7 +71,6 @@ class Row:
     points: int = 1
     kind: str = "float64"
     ours: bool = False
-    cheaper: float | None = None
     verdict: str = ""
     profile: Profile | None = field(default=None, repr=False, compare=False)
 
@@ -92,7 +86,7 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     Parameters
     ----------
     names : sequence of str
-        Keys of `ways.FUNCTIONS` or `solvercost.SOLVERS`.
+        Keys of `ways.FUNCTIONS` or `scenes.CASES`, or a group of them.
     progress : text file, optional
         Where to say what is being measured.
 
@@ -103,68 +97,58 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     ImportError
         Without mpmath and python-flint, which give the reference.
     """
+    names = [name for given in names for name in GROUPS.get(given, [given])]
     unknown = [n for n in names if n not in NAMES]
     if unknown:
-        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join(NAMES)}")
+        raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join([*GROUPS, *NAMES])}")
     multiprecision(30)
     found = []
     for name in names:
         if progress:
             print(f"measuring {name}", file=progress, flush=True)
-        if name in solvercost.SOLVERS:
-            one, many = _solvers(name, progress)
-            found += [*judged(one), *judged(many)]
+        if name in scenes.CASES:
+            found += [row for many in (False, True) for row in judged(_scenes(name, many, progress))]
         else:
             found += judged(_functions(name, FUNCTIONS[name]()))
     return found
 
 
 def _functions(name: str, subject: Subject) -> list[Row]:
-    rows, arguments = [], subject.bulk(SIZES[-1])
+    rows = []
     for way, times in zip(subject.ways, _times(subject), strict=True):
-        elements = times[-1][1]
-        one = 1 if way.few else elements
-        row = Row(
-            name, way.name, float("nan"), (), times[0][0], times[1][0], times[2][0], elements,
-            _memory(_work(way, arguments, one), one), way.bound, way.bound_ulp, kind=way.kind, ours=way.ours,
-        )  # fmt: skip
+        one, many, most = (ns for ns, _ in times)
+        row = Row(name, way.name, float("nan"), (), one, many, most, times[-1][1], way.bound, way.bound_ulp,
+                  kind=way.kind, ours=way.ours)  # fmt: skip
         rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
     return rows
 
 
-def _solvers(name: str, progress: TextIO | None) -> tuple[list[Row], list[Row]]:
-    """Rows of one scene, and of ten thousand."""
-    ways, exact, (some, of_some) = solvercost.solutions(name, progress)
+def _scenes(name: str, many: bool, progress: TextIO | None) -> list[Row]:
+    """Rows of one scene, or of ten thousand."""
+    count = SIZES[1] if many else 1
+    some = scenes.frictions(len(scenes.ANGLES) if many else 1)
+    near, rest = scenes.exactly(scenes.CASES[name], some)
+    found = scenes.ways(name, many, progress)
+    counts = [_enough(way, count) for way in found.values()]
+    works = [partial(way, scenes.frictions(n)) for way, n in zip(found.values(), counts, strict=True)]
     rows = []
-    for (way, works), seconds in zip(ways.items(), interleaved([w.one for w in ways.values()]), strict=True):
-        error = _apart(np.array(works.one()), np.array(exact))
-        row = Row(name, way, error, (), median(seconds) * 1e9, memory=_memory(works.one, 1))
-        rows.append(replace(row, ours=way.startswith("slipcircle")))
-    alone = {row.way: row for row in rows}
-    kept = {way: works.many for way, works in ways.items() if works.many is not None}
-    counts = [_scenes(many) for many in kept.values()]
-    jobs = [partial(many, solvercost.frictions(n)) for many, n in zip(kept.values(), counts, strict=True)]
-    found = []
-    for (way, many), job, count, seconds in zip(kept.items(), jobs, counts, interleaved(jobs), strict=True):
-        found.append(replace(
-            alone[way], function=f"{name}, {SIZES[1]} scenes", ns_1e4=median(seconds) / count * 1e9, elements=count,
-            error=_apart(many(some), of_some), points=some.size,
-            memory=_memory(job, count) if count == SIZES[1] else None,
+    for (way, call), n, seconds in zip(found.items(), counts, interleaved(works), strict=True):
+        error = float(np.nanmax(np.abs((call(some) - near) - rest) / near))
+        took = median(seconds) / n * 1e9
+        ours = way.startswith("slipcircle")
+        rows.append(Row(
+            f"{name}, {count} scenes" if many else name, way, error, (), took, took if many else None, elements=n,
+            points=some.size, ours=ours,
         ))  # fmt: skip
-    return rows, found
+    return rows
 
 
-def _apart(found: Floats, exact: Floats) -> float:
-    """The worst relative error; absolute where the exact value is 0."""
-    return float(np.max(np.abs(found - exact) / np.where(exact == 0.0, 1.0, np.abs(exact))))
-
-
-def _scenes(many: Callable[[Floats], Floats]) -> int:
-    """How many scenes a pass has time for: ten times as many, while that is quick, up to ten thousand."""
-    count = min(solvercost.FEWEST, SIZES[1])
-    many(solvercost.frictions(count))  # what is imported at first only shall not pass for long work
-    while count < SIZES[1] and _timed(partial(many, solvercost.frictions(count)), 1) < _QUICK:
-        count = min(10 * count, SIZES[1])
+def _enough(way: Callable[[Floats], Floats], most: int) -> int:
+    """How many scenes a pass has time for: ten times as many, while that is quick."""
+    count = min(10, most)
+    way(scenes.frictions(count))  # what is imported at first only shall not pass for long work
+    while count < most and _timed(partial(way, scenes.frictions(count)), 1) < _QUICK:
+        count = min(10 * count, most)
     return count
 
 
@@ -173,11 +157,7 @@ def _scenes(many: Callable[[Floats], Floats]) -> int:
 
 def _seen(row: Row, way: Way, exact: Reference) -> Row:
     """The row with the worst errors of its way."""
-    if way.few:
-        exact = exact.some(way.few)
-        ulp, relative = _exactly([way.function(*p) for p in exact.points.T.tolist()], exact)
-    else:
-        ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
+    ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
     at, at_ulp = int(np.argmax(relative)), int(np.argmax(np.abs(ulp)))
     points = exact.points.T
     return replace(
@@ -187,18 +167,7 @@ def _seen(row: Row, way: Way, exact: Reference) -> Row:
     )  # fmt: skip
 
 
-def _exactly(results: Sequence[Any], exact: Reference) -> tuple[Floats, Floats]:
-    """Errors of numbers that may have more digits than a double."""
-    mp, ulp, relative = multiprecision(110), [], []
-    for result, ball, unit in zip(results, exact.values, exact.unit.tolist(), strict=True):
-        value = mp.mpf(ball.str(100, radius=False) if hasattr(ball, "rad") else ball)
-        error = mp.mpf(result) - value
-        ulp.append(float(error / unit) if error == error else float("inf"))
-        relative.append(float(abs(error) / max(abs(value), exact.smallest)) if error == error else float("inf"))
-    return np.array(ulp), np.array(relative)
-
-
-# --- times and memory ----------------------------------------------------------------------------------------------
+# --- times ---------------------------------------------------------------------------------------------------------
 
 
 def _times(subject: Subject) -> list[list[tuple[float, int]]]:
@@ -215,18 +184,13 @@ def _times(subject: Subject) -> list[list[tuple[float, int]]]:
 
 def _fitting(way: Way, size: int, sofar: list[tuple[float, int]]) -> int:
     """How many elements a pass has time for."""
-    if way.few:
-        return min(size, way.few)
     while sofar and size > SIZES[1] and size * sofar[-1][0] * 1e-9 > _PASS:
         size //= 10
     return size
 
 
 def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
-    """One pass over so many elements: a call on numbers, or on an array, or one call for each of a few."""
-    if way.few:
-        few = arguments.T[:count].tolist()
-        return lambda: [way.function(*p) for p in few]
+    """One pass over so many elements: a call on numbers, or on an array."""
     if count == 1:
         numbers = arguments[:, 0].tolist()
         return partial(way.function, *(numbers if way.kind == "float64" else map(np.dtype(way.kind).type, numbers)))
@@ -264,19 +228,6 @@ def _timed(work: Callable[[], object], loops: int) -> float:
     return max((time.process_time() - start) / loops, 1e-9)
 
 
-def _memory(work: Callable[[], object], elements: int) -> float:
-    """Bytes for an element that one pass holds at its worst moment, besides what it returns."""
-    tracemalloc.start()
-    try:
-        before = tracemalloc.get_traced_memory()[0]
-        result = work()
-        peak = tracemalloc.get_traced_memory()[1]
-    finally:
-        tracemalloc.stop()
-    returned = result.nbytes if isinstance(result, np.ndarray) and result.size > 1 else 0
-    return max(0.0, (peak - before - returned) / elements)
-
-
 # --- verdicts ------------------------------------------------------------------------------------------------------
 
 
@@ -293,11 +244,4 @@ def judged(rows: Sequence[Row]) -> list[Row]:
         else:
             said = LOST + best.way if best else FRONTIER
         found.append(replace(row, verdict=said))
-    front = [r for r in found if r.verdict == FRONTIER]
-    return [replace(row, cheaper=_cheaper(row, front)) for row in found]
-
-
-def _cheaper(row: Row, front: Sequence[Row]) -> float | None:
-    """Times cheaper than the next more accurate way on the frontier."""
-    above = max((r for r in front if r.error < row.error), key=lambda r: r.error, default=None)
-    return above.price / row.price if above else None
+    return found

@@ -12,7 +12,6 @@ import numpy as np
 
 from generated import _compiled
 from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, Row
-from slipcircle.cost.solvercost import NEW, NEW_NUMPY
 
 WIDTH = 100  # of tables and text, columns
 NOTES = (
@@ -21,13 +20,11 @@ NOTES = (
     f"N=: processor time, ns an element or that of a scene, the median of up to {REPEATS} turns, into a given array "
     "where the way can; ~ on fewer elements (of dblquad and mpmath also errors). What heyoka takes to compile is left "
     "out.",
-    "B: bytes an element besides argument and result. saves: times cheaper than the next more "
-    "accurate on the frontier.",
     f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
     "no digit: an error of 1 or more somewhere; returning 0 is as accurate.",
 )
 UNDERFLOW = 2.0**-320  # below it results underflow, and another bound holds (`bound_underflow` of the certificates)
-COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "B", "saves", "verdict")
+COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "verdict")
 
 
 def _ulp(row: Row) -> float:
@@ -57,17 +54,6 @@ def verdict(rows: Sequence[Row]) -> str:
         if (winner := by.get(r.verdict.removeprefix(LOST)))
     ]
     lines.append(f"Of ours, these lose: {'; '.join(lost)}." if lost else "None of ours is beaten.")
-    if {NEW, NEW_NUMPY} <= by.keys():
-        gain = by[NEW_NUMPY].price / by[NEW].price
-        lines.append(
-            f"With a new arc and every kernel in NumPy it takes {gain:.2f} times as long as with compiled ones."
-        )
-    best = min(ours, key=lambda r: r.error)
-    exact = [r for r in others if r.error < best.error]
-    if exact:
-        cheap = min(exact, key=lambda r: r.price)
-        lines.append(f"More accurate than {best.way}: {', '.join(r.way for r in exact)}; the cheapest of them takes "
-                     f"{_times_as(cheap.price / best.price)} as long.")  # fmt: skip
     faster: dict[str, list[str]] = {}
     for label, key in zip(COLUMNS[6:9], ("ns_1", "ns_1e4", "ns_1e6"), strict=True):
         times = {r.way: float(getattr(r, key) or "nan") for r in rows}
@@ -98,10 +84,8 @@ def duration(nanoseconds: float) -> str:
     return f"{nanoseconds / scale:.3g} {unit}"
 
 
-def _number(x: float | None) -> str:
+def _number(x: float) -> str:
     """Three digits; whole numbers as far as five characters hold them."""
-    if x is None:
-        return ""
     return f"{x:.3g}" if x < 999.5 else f"{x:.0f}" if x < 99999.5 else short(x)
 
 
@@ -138,8 +122,7 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
             place[row.way], row.way, _proved(row), short(row.error) if row.error == row.error else "",
             short(float(row.ulp or 0), 1) if ulp is None else ulp, _at(row.worst_input_ulp),
             time(row.ns_1), (few if solver else "") + time(row.ns_1e4) if row.ns_1e4 else "",
-            few + time(row.ns_1e6) if row.ns_1e6 else "", _number(None if row.memory is None else round(row.memory)),
-            f"{_ratio(row.cheaper)}x" if row.cheaper else "", f"beaten {winner}" if winner else row.verdict,
+            few + time(row.ns_1e6) if row.ns_1e6 else "", f"beaten {winner}" if winner else row.verdict,
         ])  # fmt: skip
     filled = [any(column) for column in zip(*found, strict=True)]
 

@@ -70,12 +70,6 @@ class Reference:
         bad = ~np.isfinite(np.asarray(results, dtype=np.float64))
         return np.where(bad, np.inf, ulp), np.where(bad, np.inf, relative)
 
-    def some(self, count: int) -> "Reference":
-        """About so many of the points, evenly chosen, the ends among them, for ways that are slow."""
-        at = np.unique(np.linspace(0, self.points.shape[1] - 1, count).astype(int))
-        picked = [self.values[i] for i in at]
-        return Reference(self.points[:, at], picked, self.nearest[at], self.unit[at], self.rest[at], self.smallest)
-
 
 def reference(points: Floats, values: Sequence[Any], kind: str = "float64") -> Reference:
     """Exact values, all of one type with its own arithmetic, made ready for the comparison in a format."""

@@ -1,14 +1,11 @@
 """Every way to compute a function that the price list compares: this package's tiers, the paper's forms, quadrature."""
 
-import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from generated import _compiled, kernels, motion, printed, stable, tiers
 from generated.definitions import CLOSED, INTEGRANDS, QUOTIENTS
@@ -16,7 +13,6 @@ from slipcircle.cost import reference
 from slipcircle.cost.reference import Floats, Reference
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
-MP_DIGITS = (30, 50)
 FLOOR = "np.copyto (floor)"
 _BLOCK = 2**16  # nodes of a Gauss-Legendre rule that are evaluated at once
 
@@ -30,7 +26,7 @@ class Way:
     name : str
         As the table has it; a tier's is "tier, form".
     function : callable
-        Arrays in, an array out; where `few` is set, one number in and out, of any type.
+        Arrays in, an array out.
     into : callable, optional
         ``into(*arrays, out)``, which allocates no result.
     kind : str
@@ -39,8 +35,6 @@ class Way:
         Proved bounds of the relative error and of the error in ulp; without one the way is sampled only.
     ours : bool
         Whether this package offers it.
-    few : int
-        For slow ways: so many inputs are enough.
     """
 
     name: str
@@ -50,7 +44,6 @@ class Way:
     bound: float | None = None
     bound_ulp: float | None = None
     ours: bool = False
-    few: int = 0
 
 
 @dataclass(frozen=True)
@@ -110,11 +103,6 @@ def _printed(name: str, x: Floats) -> Floats:
         return np.asarray(closed(name, _NUMPY, x))
 
 
-def _long(name: str, x: Floats) -> NDArray[np.longdouble]:
-    with np.errstate(all="ignore"):
-        return np.asarray(closed(name, _NUMPY, np.asarray(x, np.longdouble)))
-
-
 _NUMPY = SimpleNamespace(sin=np.sin, cos=np.cos, atanh=np.arctanh)
 
 
@@ -139,30 +127,6 @@ def gauss_legendre(power: int, turned: bool, count: int, alpha: Any) -> Floats:
         ring = depth / 2 * ring * (np.cos(u) if turned else 1.0)
         found[start : start + a.size] = a[:, 0] * np.einsum("ij,j->i", ring, w)  # one thread, like all others
     return found
-
-
-def dblquad(power: int, turned: bool, alpha: float) -> float:
-    """The definition itself, by SciPy at its default tolerances."""
-    from warnings import catch_warnings, simplefilter
-
-    from scipy.integrate import dblquad as integrate
-
-    chord = np.cos(alpha)
-
-    def ring(r: float, u: float) -> float:
-        return float(r**power * (np.cos(u) if turned else 1.0))
-
-    with catch_warnings():
-        simplefilter("ignore")
-        return float(integrate(ring, -alpha, alpha, lambda u: chord / np.cos(u), 1.0)[0])
-
-
-def _digits(name: str, digits: int, alpha: float) -> Any:
-    """The closed form by mpmath, with the guard digits that the cancellation over thin arcs takes."""
-    mp = multiprecision(digits)
-    thin = max(0, -math.frexp(alpha)[1])
-    with mp.workdps(digits + 5 + int(0.91 * thin)):
-        return closed(name, mp, mp.mpf(alpha))
 
 
 @cache
@@ -191,12 +155,8 @@ def kernel(name: str) -> Subject:
         Way("half-angle, NumPy", getattr(stable, name)),
         Way("printed, float64", partial(_printed, name)),
     ]
-    if np.finfo(np.longdouble).nmant > 52:  # on some machines it is float64
-        found.append(Way("printed, longdouble", partial(_long, name)))
     if name in INTEGRANDS:
         found += [Way(f"Gauss, {n} points", partial(gauss_legendre, *INTEGRANDS[name], n)) for n in GAUSS_POINTS]
-        found.append(Way("SciPy dblquad", partial(dblquad, *INTEGRANDS[name]), few=10))
-    found += [Way(f"mpmath, {n} digits", partial(_digits, name, n), few=40) for n in MP_DIGITS]
     return Subject([*found, _floor()], partial(reference.kernel, name), partial(_angles, 1))
 
 
@@ -220,19 +180,14 @@ def slide(name: str) -> Subject:
         mp = multiprecision(90)
         return reference.reference(points, [MOTION[name](mp, *map(mp.mpf, p)) for p in points.T.tolist()], kind)
 
-    def digits(count: int, *arguments: float) -> Any:
-        mp = multiprecision(count)
-        return MOTION[name](mp, *map(mp.mpf, arguments))
-
     found = [
         Way("stable, NumPy", lambda a, b, t: from_rest(a, b, 0.0, t), ours=True),
         Way("printed, float64", getattr(printed, name)),
-        *(Way(f"mpmath, {n} digits", partial(digits, n), few=40) for n in MP_DIGITS),
     ]
     return Subject(found, exact, lambda count: np.random.default_rng(0).uniform(0.1, 2.0, (3, count)))
 
 
-KERNELS = (*CLOSED, *QUOTIENTS)
+KERNELS = tuple(kernels.TEXTS)
 FUNCTIONS: Mapping[str, Callable[[], Subject]] = {
     **{name: partial(kernel, name) for name in KERNELS},
     **{name: partial(slide, name) for name in MOTION},

@@ -255,9 +255,8 @@ class Lanes:
         rows, _ = self._sampled(bound, times, False)
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
-        return {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}, bound.cells[
-            walk.OMEGA
-        ] ** 2 / 2
+        found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}
+        return found, bound.cells[walk.OMEGA] ** 2 / 2
 
     def companions(self, cells: Any) -> "Lanes":
         """Lanes of other numbers, for estimates."""
