@@ -48,7 +48,8 @@ def test_round_trip_of_friction(scene: Scene, name: str) -> None:
 
 @pytest.mark.parametrize(
     ("field", "value"),
-    [("cohesion.cohesion", 5e3), ("pore_pressure.ratio", 0.3), ("pore_pressure.pressure", 2e4), ("drag.xi", 300.0), ("radius", 55.0), ("dip", 0.45),
+    [("cohesion.cohesion", 5e3), ("pore_pressure.ratio", 0.3), ("pore_pressure.pressure", 2e4), ("drag.xi", 300.0),
+     ("radius", 55.0), ("dip", 0.45),
      ("theta_1", 3.7), ("theta_2", 4.9), ("unit_weight", 2.3e4), ("initial_velocity", 1.5), ("gravity", 9.0)],
 )  # fmt: skip
 def test_round_trip_of_other_fields(field: str, value: float) -> None:

@@ -66,8 +66,7 @@ def together(rows: Sequence[golden.Data]) -> Any:
 
 
 def pairs() -> Iterator[Any]:
-    for law, effects in product(LAWS, EFFECTS):
-        yield law, effects
+    yield from product(LAWS, EFFECTS)
 
 
 @pytest.mark.parametrize(("law", "effects"), list(pairs()))

@@ -119,13 +119,17 @@ def _balls(kind: str) -> list[dict[str, Any]]:
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
         with ctx.workprec(int(3.33 * DIGITS) + 150 + 3 * thin):
             # float32's nearest number to pi/2 lies above it, and the domain ends there.
-            half = arb(alpha) if arb(alpha) < arb.pi() / 2 else arb.pi() / 2
-            s, c = half.sin(), half.cos()
-            log = arb(0) if c.contains(0) else 2 * (s / (1 + c)).atanh()  # artanh(sin x) = 2 artanh(tan(x/2))
-            arithmetic = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
-            values = {name: form(arithmetic, half) for name, form in CLOSED.items()}
+            values = moments(arb(alpha) if arb(alpha) < arb.pi() / 2 else arb.pi() / 2)
             wide = [n for n, v in values.items() if alpha and v.rel_accuracy_bits() < 3.33 * DIGITS]
             if wide:
                 raise ArithmeticError(f"{wide[0]}({alpha!r}) has fewer than {DIGITS} digits")
         found.append(values)
     return found
+
+
+def moments(half: Any) -> dict[str, Any]:
+    """Every base quantity of a ball alpha, by its declared closed form; they share sine, cosine and logarithm."""
+    s, c = half.sin(), half.cos()
+    log = 0 * half if c.contains(0) else 2 * (s / (1 + c)).atanh()  # artanh(sin x) = 2 artanh(tan(x/2))
+    balls = SimpleNamespace(sin=lambda x: x.sin(), cos=lambda x: x.cos(), atanh=lambda sine: log)
+    return {name: form(balls, half) for name, form in CLOSED.items()}
