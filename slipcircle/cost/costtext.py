@@ -18,7 +18,7 @@ NOTES = (
     "proved: bound over the whole domain, rounding included. seen: worst relative error; ulp: worst error in units of "
     "the last place of the row's format; at: where.",
     f"N=: processor time, ns an element or that of a scene, the median of up to {REPEATS} turns, into a given array "
-    "where the way can; ~ on fewer elements (of dblquad and mpmath also errors). What heyoka takes to compile is left "
+    "where the way can; ~ on fewer elements. What heyoka takes to compile is left "
     "out.",
     f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
     "no digit: an error of 1 or more somewhere; returning 0 is as accurate.",
