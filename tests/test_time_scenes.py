@@ -690,7 +690,7 @@ def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
 def test_scipy_is_imported_only_where_it_is_planned() -> None:
     needs = "solve(load('vaiont-rate'))\n"
     code = (
-        "import sys\nfrom slipcircle import Scene, solve\n"
+        "import sys\nfrom slipcircle import load, solve\n"
         "for name in ('newmark-pulse', 'vaiont-heated', 'vaiont'):\n"
         "    m = solve(load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
         "assert 'scipy' not in sys.modules\n"

@@ -14,6 +14,7 @@ from slipcircle.scene.scene import ACCURACY, Scene
 DEFAULT_ACCURACY = 1e-9
 CLOSED_IN_TIME = "closed form in time"
 FLOW = "Taylor series in time, events as their roots"
+WORDS = {"speed": "the speed"}
 STEPS = 8  # that a motion typically takes
 
 
@@ -85,10 +86,10 @@ def _choice(called: tuple[str, ...], laws: Any, moving: tuple[str, ...], accurac
     effects, (names, depends) = tuple(e for e in EFFECTS if e in called), laws
     symbols = tuple(p.symbol for e in effects if e in moving for p in EFFECTS[e].parameters if p.kind == "series")
     program = join(effects, names, symbols)
-    reasons = [f"{e} {'turns the mass' if EFFECTS[e].turns else f'depends on {x}'}" for e in effects
+    reasons = [f"{e} {'turns the mass' if EFFECTS[e].turns else f'depends on {WORDS.get(x, x)}'}" for e in effects
                for x in EFFECTS[e].depends_on if x != "speed squared" and (x != "time" or e in moving)]  # fmt: skip
     reasons += [f"{e} depends on time" for e in moving if "time" not in EFFECTS[e].depends_on]
-    reasons += [f"friction depends on {'the speed' if x == 'speed' else x}" for x in depends]
+    reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]
     terms = order(accuracy)
     return {
         "effects": effects,
