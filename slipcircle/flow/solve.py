@@ -89,8 +89,10 @@ class Lanes:
 
     def bind(self, asked: tuple[str, ...] = (), directions: int = 0) -> Bound:
         """Bound numbers, with further outputs, or derivatives in so many directions."""
-        return bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count,
-                    asked, directions)  # fmt: skip
+        found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count,
+                     asked, directions)  # fmt: skip
+        found.cells[walk.STATUS, np.broadcast_to(self.invalid, self.count)] = walk.FAILED
+        return found
 
     @property
     def radius(self) -> Any:
@@ -253,7 +255,9 @@ class Lanes:
         rows, _ = self._sampled(bound, times, False)
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
-        return {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": lost}, bound.cells[walk.OMEGA] ** 2 / 2
+        return {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}, bound.cells[
+            walk.OMEGA
+        ] ** 2 / 2
 
     def companions(self, cells: Any) -> "Lanes":
         """Lanes of other numbers, for estimates."""

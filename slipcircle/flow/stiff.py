@@ -17,7 +17,7 @@ from slipcircle.flow.tables import Data
 Floats = NDArray[np.float64]
 TOLERANCE = 1e-12
 CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
-MOST_STEPS = 100_000  # of the stepper, for one step of the walk
+MOST_STEPS = 3_000  # of the stepper, for one step of the walk
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Samples | None = None,
@@ -105,7 +105,7 @@ class _Implicit(w.Lanes):
             creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[w.PEAK_OMEGA, 0])
             if hit >= 0 or creeps:
                 break
-        if hit < 0 and stepper.status != "finished":
+        if hit < 0 and (stepper.status != "finished" or np.isinf(limit)):
             c[w.STATUS, 0] = w.TOO_LONG
             return
         self._registers(end if hit >= 0 else limit, y)

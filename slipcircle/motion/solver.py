@@ -132,6 +132,6 @@ def _refuse(motion: Motion) -> None:
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"
         )
-    end = motion.end
-    if status == Status.FAILED or not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
+    numbers = (motion.end.displacement, motion.end.velocity, float(np.square(scene.initial_velocity)))
+    if status == Status.FAILED or not all(map(math.isfinite, numbers)):
         raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")
