@@ -106,7 +106,7 @@ def test_a_scene_uses_the_new_law_and_the_new_effect(
     assert planned["law"] == law
     assert {law, "suction"} <= set(planned["fragments"])
     assert planned["effects"][-1] == "suction"
-    motion = json.loads(run(extended, "-m", "slipcircle", "run", "new.toml", "--json"))
+    (motion,) = json.loads(run(extended, "-m", "slipcircle", "run", "new.toml", "--json"))
     found = motion["peak"]["velocity"], motion["run_out"]
     assert np.allclose(found, reference(mu, centripetal), rtol=1e-8)
 
