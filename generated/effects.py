@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b6fa2808fa8262221bb8086be41ff044b492c3cac955b2fa9c766d3428dda0d5
+# sha256 of the text below: 8368c40d51f789e7344268437732ee5e79a2b45d64f16d7c002809a9ea5c79dc
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
