@@ -1,9 +1,10 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 8368c40d51f789e7344268437732ee5e79a2b45d64f16d7c002809a9ea5c79dc
+# sha256 of the text below: 1a2b5c8ca46c3a35bfbecf293a80802316cafbaa361c0813d27924978fa75992
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+
 from numpy import sqrt
 
 INFINITY = float("inf")

@@ -265,6 +265,7 @@ _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+
 from numpy import sqrt
 
 INFINITY = float("inf")
