@@ -190,13 +190,14 @@ def layout(head: Sequence[str], rows: Rows, title: str, caption: str, width: int
     """The lines of a table: long cells are wrapped; columns for which there is no room follow below the others."""
     first, *rest = ([clean(cell) for cell in column] for column in zip(head, *rows, strict=True))
     yield from wrap(clean(title), width)
+    lead = _widths([first], max(width * 6 // 10, _LEAST))[0]
     while rest:
-        room, shown = width - max(map(len, first)), 1
+        room, shown = width - lead, 1
         while shown < len(rest) and sum(_widths(rest[: shown + 1], _LEAST)) + _GAP * (shown + 1) <= room:
             shown += 1
         part, rest = rest[:shown], rest[shown:]
         most = next((m for m in range(width, _LEAST, -1) if sum(_widths(part, m)) + _GAP * shown <= room), _LEAST)
-        yield from _lines([first, *part], [max(map(len, first)), *_widths(part, most)], any(head))
+        yield from _lines([first, *part], [lead, *_widths(part, most)], any(head))
         yield ""
     yield from wrap(clean(caption), width, break_on_hyphens=False)
 
