@@ -1,0 +1,293 @@
+"""The critical circle of a slope: a coarse family of all circles at once, then the best of its valleys refined."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from slipcircle import circles
+from slipcircle.checks import raise_all
+from slipcircle.circles import Floats
+from slipcircle.stability import METHODS, Slope, factors
+
+_PLACES = 36  # along the ground, besides its vertices
+_VERTICES = 40  # of the ground in the coarse family; beyond, those nearest to even places
+_ALPHAS = np.array([0.06, 0.12, 0.2, 0.3, 0.42, 0.55, 0.7, 0.85, 1.0, 1.15, 1.3, 1.45])
+_VALLEYS = 12
+_ROUNDS, _SHRINK = 40, 0.6
+_FINE = 1e-5  # step at which a valley is done, over its first
+_OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Critical:
+    """The critical circle and what it took to find it.
+
+    Attributes
+    ----------
+    method : str
+        Whose factor is the least.
+    factor_of_safety : dict
+        By method, of this circle; None where a method refuses it.
+    centre, radius : tuple of float, float
+        m.
+    entry, exit : tuple of float
+        Upper and lower end of the slip surface, m.
+    facing : int
+        1 where the mass slides to the right, -1 to the left.
+    tried, refused : int
+        Circles, and those of them without a factor: off the ground, too shallow, below the base, lifted, overhanging,
+        or with m_alpha below 0.05.
+    negative : float
+        Share of the arc under negative effective normal stress by the ordinary method.
+    centres, values : ndarray
+        Of every circle that was tried: its centre, (tried, 2), and its least factor or NaN; for a map.
+    """
+
+    method: str
+    factor_of_safety: dict[str, float | None]
+    centre: tuple[float, float]
+    radius: float
+    entry: tuple[float, float]
+    exit: tuple[float, float]
+    facing: int
+    tried: int
+    refused: int
+    negative: float
+    centres: Floats = field(repr=False, compare=False)
+    values: Floats = field(repr=False, compare=False)
+
+    @property
+    def between(self) -> tuple[float, float]:
+        """x of both ends, from left to right: which of the circle's stretches it is."""
+        left, right = sorted((self.entry[0], self.exit[0]))
+        return left, right
+
+    def record(self) -> dict[str, Any]:
+        """For JSON, in SI units."""
+        return {
+            "factor_of_safety": self.factor_of_safety,
+            "circle": {"centre": list(self.centre), "radius": self.radius},
+            "entry": list(self.entry), "exit": list(self.exit), "method": self.method,
+            "tried": self.tried, "refused": self.refused, "negative_normal_stress": self.negative,
+        }  # fmt: skip
+
+
+def critical(
+    slope: Slope, method: str = "bishop", *, entry: Range | None = None, exit: Range | None = None,
+    depth: float = 0.0, told: Callable[[str], None] = lambda _: None,
+) -> Critical:  # fmt: skip
+    """The circle of the least factor of safety.
+
+    Parameters
+    ----------
+    slope : Slope
+    method : str
+        paper, ordinary or bishop.
+    entry, exit : pair of float, optional
+        Least and greatest x of the upper and the lower end, m; both may be equal.
+    depth : float
+        Least thickness of the mass, along the radius, m: keeps skins out.
+    told : callable, optional
+        Takes a line of progress.
+
+    Raises
+    ------
+    ValueError
+        If the slope has no critical circle (level ground, c = 0 without a least depth, phi = 0 without a base), or no
+        circle is left by what is asked for.
+
+    Notes
+    -----
+    Circles are laid through two points of the ground, with half the opening angle between; ground vertices are always
+    among the points, and each stretch that a circle cuts off is judged. Where the base cuts a circle off, the one that
+    touches it stands for it. The best valleys of the coarse family are followed to 1e-5 of its spacing. Deterministic.
+    """
+    raise_all("critical", _mistakes(slope, method, entry, exit, depth))
+    search = _Search(slope, method, entry, exit, depth)
+    best = search.refined(*search.coarse(told), told)
+    return search.result(best)
+
+
+def _mistakes(slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> list[str]:
+    ground = np.asarray(slope.ground)
+    found = [] if method in METHODS else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
+    for name, pair in (("entry", entry), ("exit", exit)):
+        if pair is None:
+            continue
+        low, high = pair
+        if not low <= high:
+            found.append(f"{name} = [{low:.10g}, {high:.10g}]: must be the least and the greatest x, in this order")
+        elif high < ground[0, 0] or low > ground[-1, 0]:
+            found.append(f"{name} = [{low:.10g}, {high:.10g}]: lies beside the ground, which reaches from "
+                         f"{ground[0, 0]:.10g} to {ground[-1, 0]:.10g}")  # fmt: skip
+    if not 0.0 <= depth < float(np.ptp(ground)):
+        found.append(f"depth = {depth!r}: must be at least 0 and below the size of the ground, in m")
+    if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
+        found.append("ground: is level; nothing drives a slide")
+    elif slope.cohesion == 0.0 and not depth:
+        steepest = float(np.max(np.abs(np.diff(ground[:, 1])) / np.maximum(np.diff(ground[:, 0]), 1e-300)))
+        found.append(
+            "cohesion = 0: the least factor is that of an ever thinner skin"
+            + (f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else "")
+            + "; give a least depth"
+        )
+    elif slope.friction == 0.0 and slope.base is None and exit is None:
+        found.append("friction = 0 without a base: the critical circle runs infinitely deep in flat slopes; give the "
+                     "base of the soil, or where the circle comes out (exit)")  # fmt: skip
+    return found
+
+
+class _Search:
+    """What is kept of a search: the ground by its length, the limits, and every circle tried."""
+
+    def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
+        self.slope, self.method, self.entry, self.exit, self.depth = slope, method, entry, exit, depth
+        self.ground = np.asarray(slope.ground)
+        self.along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(self.ground, axis=0).T))])
+        self.centres: list[Floats] = []
+        self.values: list[Floats] = []
+
+    def points(self, q: Floats) -> Floats:
+        """Points of the ground at lengths along it."""
+        return np.stack([np.interp(q, self.along, self.ground[:, k]) for k in (0, 1)], axis=-1)
+
+    def laid(self, q: Floats) -> tuple[Floats, Floats]:
+        """Centres and radii of circles, (n, 3): two lengths along the ground, half the opening angle."""
+        left, right = self.points(q[:, 0]), self.points(q[:, 1])
+        chord = right - left
+        length = np.hypot(*chord.T)
+        alpha = np.clip(q[:, 2], 1e-6, np.pi / 2)
+        if self.slope.base is not None:
+            alpha = np.minimum(alpha, self._touching(left, right))
+        radius = length / (2 * np.sin(alpha))
+        up = np.stack([-chord[:, 1], chord[:, 0]], axis=1) / length[:, None]
+        return (left + right) / 2 + up * (radius * np.cos(alpha))[:, None], radius
+
+    def _touching(self, left: Floats, right: Floats) -> Floats:
+        """Half the opening angle of the circle through two points that touches the base between them."""
+        a, b = left[:, 1] - self.slope.base, right[:, 1] - self.slope.base
+        run = right[:, 0] - left[:, 0]
+        reach = run**2 + (b - a) ** 2
+        u = a * (run**2 + b * (b - a)) / (a * run + np.sqrt(a * b * reach))
+        radius = (u * u + a * a) / (2 * a)
+        opening = np.arctan2(u, radius - a) + np.arctan2(run - u, radius - b)
+        return np.where((u > 0.0) & (u < run), opening / 2 * (1 - 1e-12), np.inf)
+
+    def judged(self, q: Floats) -> Floats:
+        """The least factor of each circle's stretches; NaN where there is none."""
+        found = np.full(len(q), np.nan)
+        sound = np.nonzero(q[:, 1] - q[:, 0] > 1e-9 * self.along[-1])[0]
+        centre, radius = self.laid(q[sound])
+        parts = circles.cut(self.ground[None], centre, radius)
+        lane, number, _ = circles.stretches(parts)
+        if lane.size:
+            values = self.allowed(centre[lane], radius[lane], parts.only(lane), number)
+            np.fmin.at(found, sound[lane], values)
+        self.centres.append(centre)
+        self.values.append(found[sound])
+        return found
+
+    def allowed(self, centre: Floats, radius: Floats, parts: circles.Cut, number: Any) -> Floats:
+        """The factors of stretches by the method; NaN of those that are not wanted."""
+        found = factors(self.slope, centre, radius, parts, number, (self.method,))
+        values = getattr(found, self.method)
+        x1, _, x2, _ = circles.ends(parts, number)
+        left, right = centre[:, 0] + radius * x1, centre[:, 0] + radius * x2
+        upper, lower = np.where(found.facing > 0, left, right), np.where(found.facing > 0, right, left)
+        blur = 1e-9 * float(np.ptp(self.ground[:, 0]))
+        good = values > 0.0
+        for x, limits in ((upper, self.entry), (lower, self.exit)):
+            if limits is not None:
+                good &= (x >= limits[0] - blur) & (x <= limits[1] + blur)
+        if self.slope.base is not None:
+            over = (x1 > 0.0) | (x2 < 0.0) | (centre[:, 1] - radius >= self.slope.base - blur)
+            good &= over
+        if self.depth:
+            good &= radius * circles.thickness(parts, parts.stretch == np.asarray(number)[:, None]) >= self.depth
+        middle = np.interp(centre[:, 0], self.ground[:, 0], self.ground[:, 1])
+        good &= (x1 > 0.0) | (x2 < 0.0) | (middle < centre[:, 1])
+        return np.where(good, values, np.nan)
+
+    def places(self) -> Floats:
+        """Lengths along the ground of the coarse family."""
+        total = self.along[-1]
+        even = np.linspace(0.0, total, _PLACES + 2)[1:-1]
+        vertices = self.along
+        if len(vertices) > _VERTICES:
+            vertices = vertices[np.unique(np.searchsorted(vertices, np.linspace(0.0, total, _VERTICES)))]
+        given = [even, vertices]
+        # As many on short edges, such as the slope between wide level parts, and between given limits.
+        for low, high in zip(self.along[:-1], self.along[1:], strict=True) if len(self.along) <= 12 else ():
+            given.append(np.linspace(low, high, 8)[1:-1])
+        for limits in (self.entry, self.exit):
+            if limits is not None:
+                x = np.linspace(max(limits[0], self.ground[0, 0]), min(limits[1], self.ground[-1, 0]), 8)
+                given.append(np.interp(x, self.ground[:, 0], self.along))
+        return np.unique(np.concatenate(given))
+
+    def coarse(self, told: Callable[[str], None]) -> tuple[Floats, Floats]:
+        """The best circle of each valley of the coarse family, and their steps."""
+        places = self.places()
+        i, j = np.triu_indices(len(places), 1)
+        shape = (len(places), len(places), len(_ALPHAS))
+        q = np.empty((len(i), len(_ALPHAS), 3))
+        q[..., 0], q[..., 1], q[..., 2] = places[i][:, None], places[j][:, None], _ALPHAS
+        grid = np.full(shape, np.inf)
+        grid[i, j] = np.nan_to_num(self.judged(q.reshape(-1, 3)).reshape(len(i), -1), nan=np.inf)
+        padded = np.pad(grid, 1, constant_values=np.inf)
+        least = np.isfinite(grid)
+        for shift in _OFFSETS[np.any(_OFFSETS != 0, axis=1)].astype(int):
+            window = tuple(slice(1 + s, 1 + s + n) for s, n in zip(shift, shape, strict=True))
+            least &= grid <= padded[window]
+        valleys = np.argwhere(least)
+        told(f"{len(i) * len(_ALPHAS)} circles, {len(valleys)} valleys")
+        if not len(valleys):
+            raise ValueError("critical: no circle is left by the limits that are given; widen entry, exit, depth or base")
+        valleys = valleys[np.argsort(grid[tuple(valleys.T)], kind="stable")[:_VALLEYS]]
+        centres = np.stack([places[valleys[:, 0]], places[valleys[:, 1]], _ALPHAS[valleys[:, 2]]], axis=1)
+        wide = np.gradient(places)
+        return centres, np.stack([wide[valleys[:, 0]], wide[valleys[:, 1]], np.gradient(_ALPHAS)[valleys[:, 2]]], axis=1)
+
+    def refined(self, at: Floats, step: Floats, told: Callable[[str], None]) -> Floats:
+        """The best circle after every valley has been followed: neighbours on a grid that shrinks where they are worse."""
+        first, best = step.copy(), np.full(len(at), np.inf)
+        for _ in range(_ROUNDS * 4):
+            live = np.nonzero(np.any(step > _FINE * first, axis=1))[0]
+            if not live.size:
+                break
+            near = at[live, None] + _OFFSETS * step[live, None]
+            near[..., :2] = np.clip(near[..., :2], 0.0, self.along[-1])
+            near[..., 2] = np.clip(near[..., 2], 0.01, np.pi / 2)
+            values = np.nan_to_num(self.judged(near.reshape(-1, 3)), nan=np.inf).reshape(len(live), -1)
+            k = np.argmin(values, axis=1)
+            rows = np.arange(len(live))
+            better = values[rows, k] < best[live] * (1.0 - 1e-13)
+            at[live[better]], best[live[better]] = near[rows, k][better], values[rows, k][better]
+            step[live[~better | np.all(_OFFSETS[k] == 0.0, axis=1)]] *= _SHRINK
+            # A valley far above the best has had its chance.
+            step[best > 1.2 * best.min()] = 0.0
+        told(f"least factor {best.min():.6g} by {self.method}")
+        return at[int(np.argmin(best))]
+
+    def result(self, q: Floats) -> Critical:
+        """All that is said of the best circle."""
+        centre, radius = self.laid(q[None])
+        parts = circles.cut(self.ground[None], centre, radius)
+        lane, number, _ = circles.stretches(parts)
+        mine = parts.only(lane)
+        k = int(np.nanargmin(self.allowed(centre[lane], radius[lane], mine, number)))
+        found = factors(self.slope, centre[lane], radius[lane], mine, number)
+        corners = [float(v[k]) for v in circles.ends(mine, number)]
+        (cx, cy), r = (float(v) for v in centre[0]), float(radius[0])
+        both = [(cx + r * corners[0], cy + r * corners[1]), (cx + r * corners[2], cy + r * corners[3])]
+        facing = int(found.facing[k])
+        values = np.concatenate(self.values)
+        by_method = {m: float(getattr(found, m)[k]) for m in METHODS}
+        return Critical(
+            self.method, {m: v if np.isfinite(v) else None for m, v in by_method.items()}, (cx, cy), r,
+            *(both if facing > 0 else both[::-1]), facing, len(values), int(np.isnan(values).sum()),
+            float(found.negative[k]), np.concatenate(self.centres), values,
+        )  # fmt: skip
