@@ -146,12 +146,17 @@ def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray
     return lanes, number, open_ended | none
 
 
-def ends(parts: Cut, number: Any) -> tuple[Floats, Floats, Floats, Floats]:
-    """The left and right crossing of one stretch for each circle: x and y of both."""
+def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
+    """The left and the right crossing of one stretch for each circle, (2, n) each."""
+    i, j = (k for k in zip((np.arange(len(parts.x)),) * 2, edges(parts, number), strict=True))
+    left, right = np.stack([parts.x[i], parts.y[i]]), np.stack([parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]])
+    return left, right
+
+
+def edges(parts: Cut, number: Any) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The edges of the ground on which one stretch of each circle begins and ends."""
     mine = parts.stretch == np.asarray(number)[:, None]
-    rows = np.arange(len(mine))
-    i, j = (rows, np.argmax(parts.enters & mine, axis=1)), (rows, np.argmax(parts.leaves & mine, axis=1))
-    return parts.x[i], parts.y[i], parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]
+    return np.argmax(parts.enters & mine, axis=1), np.argmax(parts.leaves & mine, axis=1)
 
 
 def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:
@@ -227,5 +232,5 @@ def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     with np.errstate(divide="ignore", invalid="ignore"):
         s = np.where((along > 0.0) & (along < d2), along / d2, 0.0)  # foot of the perpendicular
     inner = (1.0 - s) * parts.first + s * parts.second + s * (1.0 - s) * d2
-    g = np.where(mine, np.maximum(np.maximum(parts.first, parts.second), inner), 0.0).max(axis=1)
+    g = np.minimum(np.where(mine, np.maximum(np.maximum(parts.first, parts.second), inner), 0.0).max(axis=1), 1.0)
     return g / (1.0 + np.sqrt(1.0 - g))

@@ -17,6 +17,7 @@ _ALPHAS = np.array([0.06, 0.12, 0.2, 0.3, 0.42, 0.55, 0.7, 0.85, 1.0, 1.15, 1.3,
 _VALLEYS = 12
 _ROUNDS, _SHRINK = 40, 0.6
 _FINE = 1e-5  # step at which a valley is done, over its first
+_APART = 2.5  # spacings of the coarse family between circles that are followed
 _OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 Range = tuple[float, float]
 
@@ -159,7 +160,7 @@ class _Search:
         left, right = self.points(q[:, 0]), self.points(q[:, 1])
         chord = right - left
         length = np.hypot(*chord.T)
-        alpha = np.clip(q[:, 2], 1e-6, np.pi / 2)
+        alpha = np.minimum(q[:, 2], np.arctan2(chord[:, 0], np.abs(chord[:, 1])) * (1 - 1e-12))  # upright at an end
         if self.slope.base is not None:
             alpha = np.minimum(alpha, self._touching(left, right))
         radius = length / (2 * np.sin(alpha))
@@ -176,25 +177,39 @@ class _Search:
         opening = np.arctan2(u, radius - a) + np.arctan2(run - u, radius - b)
         return np.where((u > 0.0) & (u < run), opening / 2 * (1 - 1e-12), np.inf)
 
-    def judged(self, q: Floats) -> Floats:
-        """The least factor of each circle's stretches; NaN where there is none."""
-        found = np.full(len(q), np.nan)
-        sound = np.nonzero(q[:, 1] - q[:, 0] > 1e-9 * self.along[-1])[0]
+    def judged(self, q: Floats) -> tuple[Floats, Floats]:
+        """The least factor of each circle's stretches, NaN where there is none; and that stretch as (n, 3)."""
+        found, where = np.full(len(q), np.nan), q.copy()
+        sound = np.nonzero(np.subtract(*self.points(q[:, 1::-1]).T[0]) > 1e-9 * self.along[-1])[0]
         centre, radius = self.laid(q[sound])
         parts = circles.cut(self.ground[None], centre, radius)
         lane, number, _ = circles.stretches(parts)
         if lane.size:
-            values = self.allowed(centre[lane], radius[lane], parts.only(lane), number)
+            mine = parts.only(lane)
+            values = self.allowed(centre[lane], radius[lane], mine, number)
             np.fmin.at(found, sound[lane], values)
+            k = np.nonzero(values == found[sound[lane]])[0]
+            where[sound[lane[k]]] = self.lengths(centre[lane[k]], radius[lane[k]], mine.only(k), number[k])
         self.centres.append(centre)
         self.values.append(found[sound])
-        return found
+        return found, where
+
+    def lengths(self, centre: Floats, radius: Floats, parts: circles.Cut, number: Any) -> Floats:
+        """Both ends of stretches by their lengths along the ground, vertices exactly; half the opening angle."""
+        both = circles.ends(parts, number)
+        out = [np.arctan2(both[1][0], -both[1][1]) - np.arctan2(both[0][0], -both[0][1])]
+        for end, edge in zip(both, circles.edges(parts, number), strict=True):
+            away = np.hypot(*(centre.T + radius * end - self.ground[edge].T))
+            q = self.along[edge] + away
+            near = self.along[np.clip(np.searchsorted(self.along, q - 1e-9 * self.along[-1]), 0, len(self.along) - 1)]
+            out.append(np.where(np.abs(near - q) <= 1e-9 * self.along[-1], near, q))
+        return np.stack([out[1], out[2], out[0] / 2], axis=1)
 
     def allowed(self, centre: Floats, radius: Floats, parts: circles.Cut, number: Any) -> Floats:
         """The factors of stretches by the method; NaN of those that are not wanted."""
         found = factors(self.slope, centre, radius, parts, number, (self.method,))
         values = getattr(found, self.method)
-        x1, _, x2, _ = circles.ends(parts, number)
+        (x1, _), (x2, _) = circles.ends(parts, number)
         left, right = centre[:, 0] + radius * x1, centre[:, 0] + radius * x2
         upper, lower = np.where(found.facing > 0, left, right), np.where(found.facing > 0, right, left)
         blur = 1e-9 * float(np.ptp(self.ground[:, 0]))
@@ -229,27 +244,27 @@ class _Search:
         return np.unique(np.concatenate(given))
 
     def coarse(self, told: Callable[[str], None]) -> tuple[Floats, Floats]:
-        """The best circle of each valley of the coarse family, and their steps."""
+        """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
         places = self.places()
         i, j = np.triu_indices(len(places), 1)
-        shape = (len(places), len(places), len(_ALPHAS))
         q = np.empty((len(i), len(_ALPHAS), 3))
         q[..., 0], q[..., 1], q[..., 2] = places[i][:, None], places[j][:, None], _ALPHAS
-        grid = np.full(shape, np.inf)
-        grid[i, j] = np.nan_to_num(self.judged(q.reshape(-1, 3)).reshape(len(i), -1), nan=np.inf)
-        padded = np.pad(grid, 1, constant_values=np.inf)
-        least = np.isfinite(grid)
-        for shift in _OFFSETS[np.any(_OFFSETS != 0, axis=1)].astype(int):
-            window = tuple(slice(1 + s, 1 + s + n) for s, n in zip(shift, shape, strict=True))
-            least &= grid <= padded[window]
-        valleys = np.argwhere(least)
-        told(f"{len(i) * len(_ALPHAS)} circles, {len(valleys)} valleys")
-        if not len(valleys):
+        values, where = self.judged(q.reshape(-1, 3))
+        order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
+        if not order.size:
             raise ValueError("critical: no circle is left by the limits that are given; widen entry, exit, depth or base")
-        valleys = valleys[np.argsort(grid[tuple(valleys.T)], kind="stable")[:_VALLEYS]]
-        centres = np.stack([places[valleys[:, 0]], places[valleys[:, 1]], _ALPHAS[valleys[:, 2]]], axis=1)
-        wide = np.gradient(places)
-        return centres, np.stack([wide[valleys[:, 0]], wide[valleys[:, 1]], np.gradient(_ALPHAS)[valleys[:, 2]]], axis=1)
+        where = where[order]
+        spacing = np.gradient(places)
+        wide = np.stack([np.interp(where[:, 0], places, spacing), np.interp(where[:, 1], places, spacing),
+                         np.interp(where[:, 2], _ALPHAS, np.gradient(_ALPHAS))], axis=1)  # fmt: skip
+        chosen: list[int] = []
+        left = np.ones(len(order), dtype=bool)
+        while len(chosen) < _VALLEYS and left.any():
+            k = int(np.argmax(left))
+            chosen.append(k)
+            left &= np.any(np.abs(where - where[k]) > _APART * wide[k], axis=1)
+        told(f"{len(values)} circles; following {len(chosen)}, from {values[order[0]]:.4g}")
+        return where[chosen], wide[chosen]
 
     def refined(self, at: Floats, step: Floats, told: Callable[[str], None]) -> Floats:
         """The best circle after every valley has been followed: neighbours on a grid that shrinks where they are worse."""
@@ -261,11 +276,12 @@ class _Search:
             near = at[live, None] + _OFFSETS * step[live, None]
             near[..., :2] = np.clip(near[..., :2], 0.0, self.along[-1])
             near[..., 2] = np.clip(near[..., 2], 0.01, np.pi / 2)
-            values = np.nan_to_num(self.judged(near.reshape(-1, 3)), nan=np.inf).reshape(len(live), -1)
+            values, where = self.judged(near.reshape(-1, 3))
+            values, where = np.nan_to_num(values, nan=np.inf).reshape(len(live), -1), where.reshape(near.shape)
             k = np.argmin(values, axis=1)
             rows = np.arange(len(live))
             better = values[rows, k] < best[live] * (1.0 - 1e-13)
-            at[live[better]], best[live[better]] = near[rows, k][better], values[rows, k][better]
+            at[live[better]], best[live[better]] = where[rows, k][better], values[rows, k][better]
             step[live[~better | np.all(_OFFSETS[k] == 0.0, axis=1)]] *= _SHRINK
             # A valley far above the best has had its chance.
             step[best > 1.2 * best.min()] = 0.0
@@ -280,9 +296,8 @@ class _Search:
         mine = parts.only(lane)
         k = int(np.nanargmin(self.allowed(centre[lane], radius[lane], mine, number)))
         found = factors(self.slope, centre[lane], radius[lane], mine, number)
-        corners = [float(v[k]) for v in circles.ends(mine, number)]
         (cx, cy), r = (float(v) for v in centre[0]), float(radius[0])
-        both = [(cx + r * corners[0], cy + r * corners[1]), (cx + r * corners[2], cy + r * corners[3])]
+        both = [(cx + r * float(x[k]), cy + r * float(y[k])) for x, y in circles.ends(mine, number)]
         facing = int(found.facing[k])
         values = np.concatenate(self.values)
         by_method = {m: float(getattr(found, m)[k]) for m in METHODS}

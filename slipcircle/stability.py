@@ -20,7 +20,7 @@ LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = (a / 2 for a in np.polynomial.legendre.leggauss(10))
 _BELOW_0 = -5e-324
 _BLOCK = 2048  # circles at a time
-_ROUNDS = 60
+_ROUNDS, _LEAST = 60, 1e-3  # steps towards Bishop's factor, and the least that is looked for
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ def _lines(line: Floats, x: Floats) -> tuple[Floats, Floats, Floats]:
 
 def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any, methods: Any) -> Factors:
     ground, n = np.asarray(slope.ground), len(radius)
-    x1, y1, x2, y2 = circles.ends(parts, number)
+    (x1, y1), (x2, y2) = circles.ends(parts, number)
     first, last = np.arctan2(x1, -y1), np.arctan2(x2, -y2)
     sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
     kinks = [first[:, None], last[:, None], np.arcsin(np.clip((ground[1:-1, 0] - centre[:, :1]) / radius[:, None], -1, 1))]
@@ -214,16 +214,16 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
 
     top = above(ground)
     height = np.maximum(top + cosine, 0.0)
-    drive = total(weight * slopes.drive(sine, cosine, height, 0.0))
-    facing = np.where(np.abs(drive) > 1e-9 * total(weight * cosine * height), np.sign(drive), 0.0)
-    sine *= facing[row, None]
-    k_h, mu = slope.k_h, slope.friction
-    drive = total(weight * slopes.drive(sine, cosine, height, k_h)) if k_h else np.abs(drive)
-    cohesion = slope.cohesion / (slope.unit_weight * radius)
     if level is None:
         pressure = slope.pore_ratio * height
     else:
         pressure = (slope.water_unit_weight / slope.unit_weight) * np.maximum(above(level) + cosine, 0.0)
+    drive = total(weight * slopes.drive(sine, cosine, height, 0.0))
+    facing = np.where(np.abs(drive) > 1e-9 * total(weight * cosine * height), np.sign(drive), 0.0)
+    sine = sine * facing[row, None]  # from here on down-slope is positive
+    k_h, mu = slope.k_h, slope.friction
+    drive = total(weight * slopes.drive(sine, cosine, height, k_h)) if k_h else np.abs(drive)
+    cohesion = slope.cohesion / (slope.unit_weight * radius)
     arc = np.where(sound, last - first, np.nan)
     drive = np.where(sound & (facing != 0.0) & (drive > 0.0), drive, np.nan)
     nothing = np.full(n, np.nan)
@@ -236,7 +236,7 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
         stress = slopes.radial_weight(cosine, distance) - pressure
         if k_h:
             stress += k_h * slopes.radial_tilt(sine, cosine, height, distance)
-        paper = (cohesion * arc + mu * total(weight * stress)) / drive
+        paper = (cohesion * arc + mu * np.maximum(total(weight * stress), 0.0)) / drive
     if "bishop" in methods:
         strength = slopes.bishop_strength(cosine, height, pressure, cohesion[row, None], mu) * weight
         ends = np.array([first, last]) * facing
@@ -255,9 +255,9 @@ def _bishop(strength: Floats, sine: Floats, cosine: Floats, row: NDArray[np.int6
         least = np.max(np.where(s > 0.0, np.where(c > 0.0, s * mu / c, np.inf), 0.0), axis=0)
         most = np.min(np.where((s < 0.0) & (c < 0.0), s * mu / c, np.inf), axis=0)
     n = len(drive)
-    low, high = least, most
-    factor = np.clip(np.maximum(start, 1e-3), least, most)
-    left = np.isfinite(factor) & (drive > 0.0) & (least < most)
+    left = np.isfinite(start) & (drive > 0.0) & (least < most)
+    low, high = least, most = np.where(left, np.maximum(least, _LEAST), _LEAST), np.where(left, most, np.inf)
+    factor = np.where(left, np.clip(start, least, most), 1.0)
     found = np.full(n, np.nan)
     keep = left[row]
     for _ in range(_ROUNDS):
@@ -272,9 +272,9 @@ def _bishop(strength: Floats, sine: Floats, cosine: Floats, row: NDArray[np.int6
         low, high = np.where(value > 0.0, factor, low), np.where(value > 0.0, high, factor)
         step = factor - value / slope
         middle = np.where(np.isfinite(high), (low + high) / 2, 2 * factor)
-        new = np.where((step >= low) & (step <= high) & (slope < 0.0), step, middle)
+        new = np.where((step > low) & (step < high) & (slope < 0.0), step, middle)
         done = left & (np.abs(new - factor) <= 1e-12 * factor)
-        inside = (new >= least) & (new <= most) & (np.abs(value) <= 1e-9 * factor)
+        inside = (new > 2 * _LEAST) & (new >= least) & (new <= most) & (np.abs(value) <= 1e-9 * factor)
         found = np.where(done & inside, new, found)
         left = left & ~done
         factor = np.where(left, new, factor)
