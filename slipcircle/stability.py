@@ -19,6 +19,7 @@ METHODS = ("paper", "ordinary", "bishop")
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = (a / 2 for a in np.polynomial.legendre.leggauss(10))
 _BELOW_0 = -5e-324
+FAR = 1e9  # m; coordinates are smaller
 _BLOCK = 2048  # circles at a time
 _ROUNDS, _LEAST = 60, 1e-3  # steps towards Bishop's factor, and the least that is looked for
 
@@ -98,9 +99,9 @@ def line_mistakes(name: str, given: Any) -> list[str]:
         points = np.asarray(None)
     if points.dtype.kind not in "iuf" or points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
         return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
-    if not np.isfinite(points).all():
-        k = int(np.argmin(np.isfinite(points).all(axis=1)))
-        return [f"{name}[{k}] = {points[k].tolist()}: must be two finite numbers in m"]
+    if not (near := (np.abs(points) < FAR).all(axis=1)).all():
+        k = int(np.argmin(near))
+        return [f"{name}[{k}] = {points[k].tolist()}: must be two finite numbers within 1e9 m"]
     for k, step in enumerate(np.diff(points.astype(np.float64), axis=0)):
         if not step.any():
             return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: is the point before it; leave one out"]
