@@ -14,9 +14,7 @@ from generated import slopes
 
 Floats = NDArray[np.float64]
 _EPS = 2.0**-52
-_NODES, _WEIGHTS = (np.polynomial.legendre.leggauss(slopes.NODES)[0] + 1) / 2, np.polynomial.legendre.leggauss(
-    slopes.NODES
-)[1] / 2
+_GAUSS = [((1.0 + x) / 2, w / 2) for x, w in zip(*np.polynomial.legendre.leggauss(slopes.NODES), strict=True)]
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
 Two = tuple[Any, Any]  # a number as the sum of two doubles (Dekker 1971), about 32 digits
@@ -184,7 +182,7 @@ def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     near = np.where(long, 0.0, 1.0)
     first, second, bulge = parts.first * near, parts.second * near, d2 * near
     sums = [np.zeros(x.shape) for _ in range(7)]
-    for s, w in zip(_NODES, _WEIGHTS, strict=True):
+    for s, w in _GAUSS:
         values = slopes.rings((1.0 - s) * first + s * second + (s * (1.0 - s)) * bulge)
         for total, value in zip(sums, (*values, s * values[3], s * values[4]), strict=True):
             total += w * value
@@ -234,3 +232,9 @@ def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     inner = (1.0 - s) * parts.first + s * parts.second + s * (1.0 - s) * d2
     g = np.minimum(np.where(mine, np.maximum(np.maximum(parts.first, parts.second), inner), 0.0).max(axis=1), 1.0)
     return g / (1.0 + np.sqrt(1.0 - g))
+
+
+def below_ground(parts: Cut, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which circles have their centre below the ground of the stretch."""
+    over = (parts.x <= 0.0) & (parts.x + parts.e_x >= 0.0) & (parts.x * parts.e_y <= parts.y * parts.e_x)
+    return (mine & over & (parts.e_x > 0.0)).any(axis=1)

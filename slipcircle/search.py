@@ -9,6 +9,7 @@ import numpy as np
 from slipcircle import circles
 from slipcircle.checks import raise_all
 from slipcircle.circles import Floats
+from slipcircle.ground import circle_touching
 from slipcircle.stability import METHODS, Slope, factors
 
 _PLACES = 36  # along the ground, besides its vertices
@@ -169,13 +170,10 @@ class _Search:
 
     def _touching(self, left: Floats, right: Floats) -> Floats:
         """Half the opening angle of the circle through two points that touches the base between them."""
-        a, b = left[:, 1] - self.slope.base, right[:, 1] - self.slope.base
-        run = right[:, 0] - left[:, 0]
-        reach = run**2 + (b - a) ** 2
-        u = a * (run**2 + b * (b - a)) / (a * run + np.sqrt(a * b * reach))
-        radius = (u * u + a * a) / (2 * a)
-        opening = np.arctan2(u, radius - a) + np.arctan2(run - u, radius - b)
-        return np.where((u > 0.0) & (u < run), opening / 2 * (1 - 1e-12), np.inf)
+        centre, _ = circle_touching(left, right, self.slope.base)
+        between = (left[:, 0] < centre[:, 0]) & (centre[:, 0] < right[:, 0])
+        a, b = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
+        return np.where(between, (a + b) / 2 * (1 - 1e-12), np.inf)
 
     def judged(self, q: Floats) -> tuple[Floats, Floats]:
         """The least factor of each circle's stretches, NaN where there is none; and that stretch as (n, 3)."""
@@ -208,7 +206,7 @@ class _Search:
     def allowed(self, centre: Floats, radius: Floats, parts: circles.Cut, number: Any) -> Floats:
         """The factors of stretches by the method; NaN of those that are not wanted."""
         found = factors(self.slope, centre, radius, parts, number, (self.method,))
-        values = getattr(found, self.method)
+        values, mine = getattr(found, self.method), parts.stretch == np.asarray(number)[:, None]
         (x1, _), (x2, _) = circles.ends(parts, number)
         left, right = centre[:, 0] + radius * x1, centre[:, 0] + radius * x2
         upper, lower = np.where(found.facing > 0, left, right), np.where(found.facing > 0, right, left)
@@ -221,10 +219,8 @@ class _Search:
             over = (x1 > 0.0) | (x2 < 0.0) | (centre[:, 1] - radius >= self.slope.base - blur)
             good &= over
         if self.depth:
-            good &= radius * circles.thickness(parts, parts.stretch == np.asarray(number)[:, None]) >= self.depth
-        middle = np.interp(centre[:, 0], self.ground[:, 0], self.ground[:, 1])
-        good &= (x1 > 0.0) | (x2 < 0.0) | (middle < centre[:, 1])
-        return np.where(good, values, np.nan)
+            good &= radius * circles.thickness(parts, mine) >= self.depth
+        return np.where(good & ~circles.below_ground(parts, mine), values, np.nan)
 
     def places(self) -> Floats:
         """Lengths along the ground of the coarse family."""
@@ -252,7 +248,7 @@ class _Search:
         values, where = self.judged(q.reshape(-1, 3))
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
-            raise ValueError("critical: no circle is left by the limits that are given; widen entry, exit, depth or base")
+            raise ValueError("critical: no circle is left by the limits given; widen entry, exit, depth or base")
         where = where[order]
         spacing = np.gradient(places)
         wide = np.stack([np.interp(where[:, 0], places, spacing), np.interp(where[:, 1], places, spacing),
@@ -267,7 +263,7 @@ class _Search:
         return where[chosen], wide[chosen]
 
     def refined(self, at: Floats, step: Floats, told: Callable[[str], None]) -> Floats:
-        """The best circle after every valley has been followed: neighbours on a grid that shrinks where they are worse."""
+        """The best circle after all are followed: to neighbours on a grid that shrinks where they are worse."""
         first, best = step.copy(), np.full(len(at), np.inf)
         for _ in range(_ROUNDS * 4):
             live = np.nonzero(np.any(step > _FINE * first, axis=1))[0]

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from slipcircle import circles
 from slipcircle.checks import INFINITY, mistakes, raise_all, shape_mistakes
 from slipcircle.circles import Cut, Floats
-from slipcircle.stability import FAR, line_mistakes, pond_mistakes
+from slipcircle.ground import FAR, grounds_mistakes, line_mistakes, pond_mistakes
 
 
 class Weights(NamedTuple):
@@ -101,7 +101,7 @@ class Section:
         found += [f"{n}: must be one number" for n in ("base", "water_unit_weight") if np.ndim(getattr(self, n))]
         if np.shape(self.centre)[-1:] != (2,) and not any(m.startswith("centre") for m in found):
             found.append(f"centre = {self.centre!r}: must be two numbers [x, y] in m")
-        found += _grounds_mistakes(self.ground)
+        found += grounds_mistakes(self.ground)
         found += [] if self.level is None else line_mistakes("level", self.level)
         if self.between is not None and not (np.shape(self.between) == (2,) and self.between[0] < self.between[1]):
             found.append(f"between = {self.between!r}: must be two x in m, from left to right")
@@ -171,14 +171,9 @@ class Section:
             return [f"{which}: misses the ground, which reaches from [{line[0, 0]:.6g}, {line[0, 1]:.6g}] to "
                     f"[{line[-1, 0]:.6g}, {line[-1, 1]:.6g}]"]  # fmt: skip
         (x1, y1), (x2, y2) = self._ends
-        winding = np.arctan2(x2, -y2) <= np.arctan2(x1, -y1)
-        below = np.array([(left[k] < centre[k, 0] < right[k])
-                          and np.interp(centre[k, 0], *ground[min(k, len(ground) - 1)].T) >= centre[k, 1]
-                          for k in np.nonzero((left < centre[:, 0]) & (centre[:, 0] < right))[0]])  # fmt: skip
-        if np.any(winding) or below.any():
-            k = int(np.argmax(winding)) if np.any(winding) else int(np.nonzero((left < centre[:, 0])
-                                                                               & (centre[:, 0] < right))[0][np.argmax(below)])  # fmt: skip
-            return [f"centre = {centre[k].tolist()}: lies below the ground; the centre of a slip circle lies above it"]
+        if np.any(bad := circles.below_ground(self._cut, self._mine)):
+            return [f"centre = {centre[int(np.argmax(bad))].tolist()}: lies below the ground; a slip circle's lies "
+                    "above it"]  # fmt: skip
         if self.base is not None:
             lowest = centre[:, 1] + radius * np.where((x1 < 0.0) & (x2 > 0.0), -1.0, np.minimum(y1, y2))
             if np.any(deep := lowest < self.base - 1e-9 * radius):
@@ -307,8 +302,8 @@ class Section:
     def no_motion(self) -> str | None:
         """Why the method gives no motion, if it does not."""
         if np.any(np.asarray(self.half_angle) > np.pi / 2 * (1 + 8e-16)):
-            return ("the arc is longer than half a circle: parts of it carry negative normal stress, and the mean normal "
-                    "stress of the method (2.9) loses its sense")  # fmt: skip
+            return ("the arc is longer than half a circle: parts of it carry negative normal stress, and the mean "
+                    "normal stress of the method (2.9) loses its sense")  # fmt: skip
         if np.any(np.asarray(self.weights.press) <= 0.0):
             return "the mass presses on nothing: its weight has no component towards the arc"
         return None
@@ -391,108 +386,16 @@ class Section:
         """Points (..., 2) of the mass after a rotation, m."""
         turn = np.multiply(rotation, self.facing)
         x, y = np.moveaxis(np.subtract(points, self.centre), -1, 0)
-        turned = np.stack(np.broadcast_arrays(x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)), -1)
+        turned = np.stack(
+            np.broadcast_arrays(x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)), -1
+        )
         return np.asarray(self.centre) + turned
 
     def journey(self, rotation: Any) -> Journey:
-        """Toe, its horizontal run-out, fall of the centroid, and travel angle: fall over length of the centroid's path."""
+        """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run."""
         toe, centroid = self.placed(self.exit, rotation), self.placed(self.centroid, rotation)
         way = centroid - self.centroid
         return Journey(
             toe, (toe - self.exit)[..., 0] * self.facing, -way[..., 1],
             np.arctan2(-way[..., 1], way[..., 0] * self.facing),
         )  # fmt: skip
-
-
-def _grounds_mistakes(ground: Any) -> list[str]:
-    """What is wrong with one ground, or with the first of many that is."""
-    try:
-        points = np.asarray(ground)
-    except ValueError:
-        points = np.asarray(None)
-    if points.dtype.kind not in "iuf" or points.ndim <= 2 or points.shape[-1] != 2:
-        return line_mistakes("ground", ground)
-    many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
-    with np.errstate(invalid="ignore"):
-        step = np.diff(many, axis=1)
-    bad = ~(np.abs(many) < FAR).all(axis=(1, 2)) | (step[..., 0] < 0.0).any(axis=1) | ~step.any(axis=2).all(axis=1)
-    bad |= many[:, 0, 0] == many[:, -1, 0]
-    return line_mistakes("ground", many[int(np.argmax(bad))]) if bad.any() else []
-
-
-# --- circles and grounds as people give them -------------------------------------------------------------------------
-
-
-def simple_slope(height: float, *, angle: float | None = None, run: float | None = None, flat: float | None = None) -> Floats:
-    """Points of a straight slope that falls to the right between level ground, its toe at the origin, m.
-
-    Parameters
-    ----------
-    height : float
-        m.
-    angle, run : float
-        Of the slope in rad, up to upright, or its horizontal length in m; one of them.
-    flat : float, optional
-        Length of the level ground on either side, by default four heights and the run.
-    """
-    found = mistakes({"height": height}, {"height": (0.0, INFINITY, "a positive length in m")})
-    if (angle is None) == (run is None):
-        found.append("angle or run: give one of them")
-    elif angle is not None:
-        found += mistakes({"angle": angle}, {"angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")})
-    else:
-        found += mistakes({"run": run}, {"run": (-5e-324, INFINITY, "a length of at least 0 in m")})
-    raise_all("simple_slope", found)
-    if angle is not None:
-        run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
-    assert run is not None
-    flat = 4 * height + run if flat is None else flat
-    return np.array([[-run - flat, height], [-run, height], [0.0, 0.0], [flat, 0.0]])
-
-
-def circle_through(
-    first: ArrayLike, second: ArrayLike, *, radius: ArrayLike | None = None, depth: ArrayLike | None = None
-) -> tuple[Any, Any]:
-    """Centre and radius of the circle through two points, its centre above, by its radius or its depth below the chord.
-
-    Raises
-    ------
-    ValueError
-        For points above each other, a radius below half their distance, or a depth above it (beyond a half disc).
-    """
-    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
-    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
-    half = np.hypot(*np.moveaxis(q - p, -1, 0)) / 2
-    found = ["radius or depth: give one of them"] if (radius is None) == (depth is None) else []
-    if np.any(p[..., 0] == q[..., 0]):
-        found.append("the two points lie above each other; a slip circle leads from one side to the other")
-    elif radius is not None and np.any(np.asarray(radius) < half):
-        found.append(f"radius = {np.min(radius):.10g}: must be at least half the distance of the points, {np.max(half):.10g}")
-    elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
-        found.append(f"depth = {np.max(depth):.10g}: must be above 0 and at most half the distance of the points, "
-                     f"{np.min(half):.10g}")  # fmt: skip
-    raise_all("circle_through", found)
-    if depth is not None:
-        radius = (half**2 + np.square(depth)) / (2 * np.asarray(depth))
-    rise = np.sqrt((np.asarray(radius) - half) * (np.asarray(radius) + half))
-    up = np.stack([-(q - p)[..., 1], (q - p)[..., 0]], axis=-1) / (2 * half)[..., None]
-    return (p + q) / 2 + up * rise[..., None], np.asarray(radius)[()]
-
-
-def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tuple[Any, Any]:
-    """Centre and radius of the circle through two points (entry and exit) that touches a level between them from above.
-
-    Raises
-    ------
-    ValueError
-        For a level that is not below both points.
-    """
-    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
-    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
-    a, b, run = p[..., 1] - level, q[..., 1] - level, (q - p)[..., 0]
-    if np.any((a <= 0.0) | (b <= 0.0)) or np.any(run == 0.0):
-        raise ValueError(f"circle_touching: level = {np.max(level):.10g}: must lie below both points, which must not lie "
-                         "above each other")  # fmt: skip
-    u = a * (run**2 + b * (b - a)) / (a * run + np.sqrt(a * b * (run**2 + (b - a) ** 2)))
-    radius = (u * u + a * a) / (2 * a)
-    return np.stack([p[..., 0] + u, level + radius], axis=-1), radius[()]

@@ -14,12 +14,12 @@ from generated import slopes
 from slipcircle import circles
 from slipcircle.checks import INFINITY, mistakes, raise_all
 from slipcircle.circles import Cut, Floats
+from slipcircle.ground import line_mistakes, pond_mistakes
 
 METHODS = ("paper", "ordinary", "bishop")
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
-_NODES, _WEIGHTS = (a / 2 for a in np.polynomial.legendre.leggauss(10))
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 _BELOW_0 = -5e-324
-FAR = 1e9  # m; coordinates are smaller
 _BLOCK = 2048  # circles at a time
 _ROUNDS, _LEAST = 60, 1e-3  # steps towards Bishop's factor, and the least that is looked for
 
@@ -91,43 +91,6 @@ class Slope:
         raise_all("Slope", found)
 
 
-def line_mistakes(name: str, given: Any) -> list[str]:
-    """What is wrong with points that should make a line from left to right."""
-    try:
-        points = np.asarray(given)
-    except ValueError:  # ragged
-        points = np.asarray(None)
-    if points.dtype.kind not in "iuf" or points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
-        return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
-    if not (near := (np.abs(points) < FAR).all(axis=1)).all():
-        k = int(np.argmin(near))
-        return [f"{name}[{k}] = {points[k].tolist()}: must be two finite numbers within 1e9 m"]
-    for k, step in enumerate(np.diff(points.astype(np.float64), axis=0)):
-        if not step.any():
-            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: is the point before it; leave one out"]
-        if step[0] < 0.0:
-            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: lies left of the point before it; order them by x"]
-    if points[-1, 0] == points[0, 0]:
-        return [f"{name}: all points lie above each other; it must reach from left to right"]
-    return []
-
-
-def pond_mistakes(ground: Floats, level: Floats) -> list[str]:
-    """A sentence where the water level stands above the ground, within both."""
-    x = np.concatenate([ground[:, 0], level[:, 0]])
-    x = x[(x >= max(ground[0, 0], level[0, 0])) & (x <= min(ground[-1, 0], level[-1, 0]))]
-    if not x.size:
-        return ["level: lies beside the ground; it must reach over it"]
-    # On a scarp the ground is its lower end or its upper one: the water is judged by the upper.
-    over = np.interp(x, level[:, 0], level[:, 1]) - np.maximum(
-        np.interp(x, ground[:, 0], ground[:, 1]), -np.interp(-x, -ground[::-1, 0], -ground[::-1, 1])
-    )
-    k = int(np.argmax(over))
-    if over[k] > 1e-9 * float(np.ptp(ground)):
-        return [f"level: stands {over[k]:.4g} m above the ground at x = {x[k]:.10g}; ponds are not yet possible"]
-    return []
-
-
 class Factors(NamedTuple):
     """Factors of safety of stretches that circles cut off; NaN where a method refuses one.
 
@@ -190,7 +153,11 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
     (x1, y1), (x2, y2) = circles.ends(parts, number)
     first, last = np.arctan2(x1, -y1), np.arctan2(x2, -y2)
     sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
-    kinks = [first[:, None], last[:, None], np.arcsin(np.clip((ground[1:-1, 0] - centre[:, :1]) / radius[:, None], -1, 1))]
+    kinks = [
+        first[:, None],
+        last[:, None],
+        np.arcsin(np.clip((ground[1:-1, 0] - centre[:, :1]) / radius[:, None], -1, 1)),
+    ]
     level = None
     if slope.level is not None:
         level, reach = np.asarray(slope.level), 3 * float(radius.max()) + float(np.ptp(ground[:, 0]))
@@ -202,16 +169,16 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
     low, half = at[row, k], (at[row, k + 1] - at[row, k]) / 2
     middle = low + half
     r, cx, cy = radius[row], centre[row, 0], centre[row, 1]
-    beta = middle[:, None] + half[:, None] * (2 * _NODES)
-    sine, cosine, weight = np.sin(beta), np.cos(beta), half[:, None] * (2 * _WEIGHTS)
+    beta = middle + half * _NODES[:, None]  # nodes first: sums over them are sums of rows
+    sine, cosine, weight = np.sin(beta), np.cos(beta), half * _WEIGHTS[:, None]
 
     def above(line: Floats) -> Floats:
         """Height of a line above the centre, over R."""
         px, py, rise = _lines(line, cx + r * np.sin(middle))
-        return (((py - cy) - rise * (px - cx)) / r)[:, None] + rise[:, None] * sine
+        return ((py - cy) - rise * (px - cx)) / r + rise * sine
 
     def total(values: Floats) -> Floats:
-        return np.bincount(row, values.sum(axis=1), n)
+        return np.bincount(row, values.sum(axis=0), n)
 
     top = above(ground)
     height = np.maximum(top + cosine, 0.0)
@@ -221,7 +188,7 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
         pressure = (slope.water_unit_weight / slope.unit_weight) * np.maximum(above(level) + cosine, 0.0)
     drive = total(weight * slopes.drive(sine, cosine, height, 0.0))
     facing = np.where(np.abs(drive) > 1e-9 * total(weight * cosine * height), np.sign(drive), 0.0)
-    sine = sine * facing[row, None]  # from here on down-slope is positive
+    sine = sine * facing[row]  # from here on down-slope is positive
     k_h, mu = slope.k_h, slope.friction
     drive = total(weight * slopes.drive(sine, cosine, height, k_h)) if k_h else np.abs(drive)
     cohesion = slope.cohesion / (slope.unit_weight * radius)
@@ -239,7 +206,7 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
             stress += k_h * slopes.radial_tilt(sine, cosine, height, distance)
         paper = (cohesion * arc + mu * np.maximum(total(weight * stress), 0.0)) / drive
     if "bishop" in methods:
-        strength = slopes.bishop_strength(cosine, height, pressure, cohesion[row, None], mu) * weight
+        strength = slopes.bishop_strength(cosine, height, pressure, cohesion[row], mu) * weight
         ends = np.array([first, last]) * facing
         bishop = ordinary if mu == 0.0 else _bishop(strength, sine, cosine, row, mu, drive, ends, ordinary)
     return Factors(paper, ordinary, bishop, facing, negative)
@@ -265,17 +232,17 @@ def _bishop(strength: Floats, sine: Floats, cosine: Floats, row: NDArray[np.int6
         if not left.any():
             break
         if 2 * np.count_nonzero(keep := left[row]) < len(row):  # go on with the rest alone
-            strength, sine, cosine, row = strength[keep], sine[keep], cosine[keep], row[keep]
-        lever = slopes.bishop_lever(sine, cosine, mu, factor[row, None])
+            strength, sine, cosine, row = strength[:, keep], sine[:, keep], cosine[:, keep], row[keep]
+        lever = slopes.bishop_lever(sine, cosine, mu, factor[row])
         shear = strength / lever
-        value = np.bincount(row, shear.sum(axis=1), n) / drive - factor
-        slope = -np.bincount(row, (shear * sine / lever).sum(axis=1), n) * (mu / factor**2) / drive - 1.0
+        value = np.bincount(row, shear.sum(axis=0), n) / drive - factor
+        slope = -np.bincount(row, (shear * sine / lever).sum(axis=0), n) * (mu / factor**2) / drive - 1.0
         low, high = np.where(value > 0.0, factor, low), np.where(value > 0.0, high, factor)
         step = factor - value / slope
         middle = np.where(np.isfinite(high), (low + high) / 2, 2 * factor)
         new = np.where((step > low) & (step < high) & (slope < 0.0), step, middle)
-        done = left & (np.abs(new - factor) <= 1e-12 * factor)
-        inside = (new > 2 * _LEAST) & (new >= least) & (new <= most) & (np.abs(value) <= 1e-9 * factor)
+        done = left & (np.abs(new - factor) <= 1e-8 * factor)
+        inside = (new > 2 * _LEAST) & (new >= least) & (new <= most) & (np.abs(value) <= 1e-6 * factor)
         found = np.where(done & inside, new, found)
         left = left & ~done
         factor = np.where(left, new, factor)

@@ -13,8 +13,8 @@ import numpy as np
 from scipy.optimize import differential_evolution
 
 from slipcircle import circles
+from slipcircle.ground import circle_through
 from slipcircle.search import _Search, critical
-from slipcircle.section import circle_through
 from slipcircle.stability import METHODS, Slope, factors
 
 
@@ -155,7 +155,9 @@ def _by_gauss(ground: np.ndarray, centre: np.ndarray, radius: float) -> float:
     area = (weights / 2 * u * (top - floor))[..., None] * (weights / 2)
     r = np.hypot(x[..., None], y)
     found = {"polar": r, "inertia": r * r, "radial_y": y / r, "moment_x": np.broadcast_to(x[..., None], r.shape)}
-    return max(abs(float((area * f).sum()) / float(ours[name][0]) - 1) for name, f in found.items() if name != "moment_x")
+    return max(
+        abs(float((area * f).sum()) / float(ours[name][0]) - 1) for name, f in found.items() if name != "moment_x"
+    )
 
 
 def _seconds(work: Callable[[], object]) -> float:

@@ -6,6 +6,7 @@ they hang over. Coordinates are floats, taken as the exact numbers that they are
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 
 from flint import acb, arb, ctx, fmpq
 
@@ -39,7 +40,7 @@ def integrals(ground: Sequence[Point], centre: Point, radius: float) -> dict[str
         cx, cy, r = exact(centre[0]), exact(centre[1]), exact(radius)
         points = [(exact(x) - cx, exact(y) - cy) for x, y in ground]
         total = dict.fromkeys(MEASURES, arb(0))
-        for p, q in zip(points, points[1:], strict=False):
+        for p, q in pairwise(points):
             part = inside(p, q, r)
             if part is None or (q[0] - p[0]).contains(0):
                 continue

@@ -12,8 +12,8 @@ closed
 rings
     Quadrature along the edge over g = 1 - rho^2, which is (1-s) g1 + s g2 + s (1-s) d^2, a sum of positive terms: no
     digit is lost however thin the mass. The only singularities are those of 1/rho, at the distance |(P1 + P2)/2| of the
-    edge's middle in the complex plane. Where d <= (r1 + r2)/4 this is at least 3.87 half lengths of the edge, and Gauss'
-    rule of ``NODES`` nodes leaves about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the greatest value.
+    edge's middle in the complex plane. Where d <= (r1 + r2)/4 this is at least 3.87 half lengths of the edge, and
+    Gauss' rule of ``NODES`` nodes leaves about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the greatest value.
 """
 
 import sympy as sp

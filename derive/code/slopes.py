@@ -117,7 +117,9 @@ def module() -> str:
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
         f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"
     )
-    text = f'"""{TITLE}"""\n\nfrom typing import Any\n\nimport numpy as np\n\n__all__ = [\n    {names},\n]\n\n{constants}'
+    text = (
+        f'"""{TITLE}"""\n\nfrom typing import Any\n\nimport numpy as np\n\n__all__ = [\n    {names},\n]\n\n{constants}'
+    )
     return text + "".join(f"\n\n{_function(p, _TEXTS[p.name])}" for p in made)
 
 
