@@ -1,7 +1,7 @@
 """The critical circle of a slope: a coarse family of all circles at once, then the best of its valleys refined."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -9,14 +9,16 @@ import numpy as np
 from slipcircle import circles
 from slipcircle.checks import raise_all
 from slipcircle.circles import Floats
-from slipcircle.ground import circle_touching
+from slipcircle.ground import circle_through, circle_touching
+from slipcircle.section import Section
 from slipcircle.stability import METHODS, Slope, factors
 
 _PLACES = 36  # along the ground, besides its vertices
 _VERTICES = 40  # of the ground in the coarse family; beyond, those nearest to even places
-_ALPHAS = np.array([0.06, 0.12, 0.2, 0.3, 0.42, 0.55, 0.7, 0.85, 1.0, 1.15, 1.3, 1.45])
+_SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
 _VALLEYS = 12
-_ROUNDS, _SHRINK = 40, 0.6
+_ROUNDS, _SHRINK = 150, 0.6
+_HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
 _FINE = 1e-5  # step at which a valley is done, over its first
 _APART = 2.5  # spacings of the coarse family between circles that are followed
 _OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
@@ -103,14 +105,17 @@ def critical(
 
     Notes
     -----
-    Circles are laid through two points of the ground, with half the opening angle between; ground vertices are always
-    among the points, and each stretch that a circle cuts off is judged. Where the base cuts a circle off, the one that
-    touches it stands for it. The best valleys of the coarse family are followed to 1e-5 of its spacing. Deterministic.
+    Circles are laid through two points of the ground, up to the one that is upright at an end or touches the base;
+    ground vertices are always among the points, and each stretch that a circle cuts off is judged. The best
+    valleys of the coarse family are followed to 1e-5 of its spacing. Deterministic.
     """
     raise_all("critical", _mistakes(slope, method, entry, exit, depth))
-    search = _Search(slope, method, entry, exit, depth)
-    best = search.refined(*search.coarse(told), told)
-    return search.result(best)
+    search = Search(slope, method, entry, exit, depth)
+    at, step = search.coarse(told)
+    for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
+        at, step = search.refined(at, share * step)
+    told(f"least factor {np.nanmin(search.values[-1]):.6g} by {method}")
+    return search.result(at[0])
 
 
 def _mistakes(slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> list[str]:
@@ -142,7 +147,7 @@ def _mistakes(slope: Slope, method: str, entry: Any, exit: Any, depth: float) ->
     return found
 
 
-class _Search:
+class Search:
     """What is kept of a search: the ground by its length, the limits, and every circle tried."""
 
     def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
@@ -156,24 +161,22 @@ class _Search:
         """Points of the ground at lengths along it."""
         return np.stack([np.interp(q, self.along, self.ground[:, k]) for k in (0, 1)], axis=-1)
 
-    def laid(self, q: Floats) -> tuple[Floats, Floats]:
-        """Centres and radii of circles, (n, 3): two lengths along the ground, half the opening angle."""
-        left, right = self.points(q[:, 0]), self.points(q[:, 1])
-        chord = right - left
-        length = np.hypot(*chord.T)
-        alpha = np.minimum(q[:, 2], np.arctan2(chord[:, 0], np.abs(chord[:, 1])) * (1 - 1e-12))  # upright at an end
-        if self.slope.base is not None:
-            alpha = np.minimum(alpha, self._touching(left, right))
-        radius = length / (2 * np.sin(alpha))
-        up = np.stack([-chord[:, 1], chord[:, 0]], axis=1) / length[:, None]
-        return (left + right) / 2 + up * (radius * np.cos(alpha))[:, None], radius
-
-    def _touching(self, left: Floats, right: Floats) -> Floats:
-        """Half the opening angle of the circle through two points that touches the base between them."""
+    def greatest(self, left: Floats, right: Floats) -> Floats:
+        """Half the opening angle at which the circle through two points is upright at an end, or touches the base."""
+        upright = np.arctan2(right[:, 0] - left[:, 0], np.abs(right[:, 1] - left[:, 1])) * (1 - 1e-12)
+        if self.slope.base is None:
+            return upright
         centre, _ = circle_touching(left, right, self.slope.base)
         between = (left[:, 0] < centre[:, 0]) & (centre[:, 0] < right[:, 0])
         a, b = (np.arctan2(np.abs(p[:, 0] - centre[:, 0]), centre[:, 1] - p[:, 1]) for p in (left, right))
-        return np.where(between, (a + b) / 2 * (1 - 1e-12), np.inf)
+        return np.where(between, np.minimum(upright, (a + b) / 2 * (1 - 1e-12)), upright)
+
+    def laid(self, q: Floats) -> tuple[Floats, Floats]:
+        """Centres and radii of circles, (n, 3): two lengths along the ground, share of the greatest opening."""
+        left, right = self.points(q[:, 0]), self.points(q[:, 1])
+        return circle_through(
+            left, right, radius=np.hypot(*(right - left).T) / 2 / np.sin(q[:, 2] * self.greatest(left, right))
+        )
 
     def judged(self, q: Floats) -> tuple[Floats, Floats]:
         """The least factor of each circle's stretches, NaN where there is none; and that stretch as (n, 3)."""
@@ -193,15 +196,16 @@ class _Search:
         return found, where
 
     def lengths(self, centre: Floats, radius: Floats, parts: circles.Cut, number: Any) -> Floats:
-        """Both ends of stretches by their lengths along the ground, vertices exactly; half the opening angle."""
-        both = circles.ends(parts, number)
-        out = [np.arctan2(both[1][0], -both[1][1]) - np.arctan2(both[0][0], -both[0][1])]
+        """Both ends of stretches by their lengths along the ground, vertices exactly; share of the greatest opening."""
+        both, out = circles.ends(parts, number), []
+        opening = np.arctan2(both[1][0], -both[1][1]) - np.arctan2(both[0][0], -both[0][1])
         for end, edge in zip(both, circles.edges(parts, number), strict=True):
             away = np.hypot(*(centre.T + radius * end - self.ground[edge].T))
             q = self.along[edge] + away
             near = self.along[np.clip(np.searchsorted(self.along, q - 1e-9 * self.along[-1]), 0, len(self.along) - 1)]
             out.append(np.where(np.abs(near - q) <= 1e-9 * self.along[-1], near, q))
-        return np.stack([out[1], out[2], out[0] / 2], axis=1)
+        share = opening / 2 / self.greatest(*(self.points(q) for q in out))
+        return np.stack([*out, np.where(share > 1 - 1e-9, 1.0, share)], axis=1)
 
     def allowed(self, centre: Floats, radius: Floats, parts: circles.Cut, number: Any) -> Floats:
         """The factors of stretches by the method; NaN of those that are not wanted."""
@@ -243,8 +247,8 @@ class _Search:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
         places = self.places()
         i, j = np.triu_indices(len(places), 1)
-        q = np.empty((len(i), len(_ALPHAS), 3))
-        q[..., 0], q[..., 1], q[..., 2] = places[i][:, None], places[j][:, None], _ALPHAS
+        q = np.empty((len(i), len(_SHARES), 3))
+        q[..., 0], q[..., 1], q[..., 2] = places[i][:, None], places[j][:, None], _SHARES
         values, where = self.judged(q.reshape(-1, 3))
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
@@ -252,7 +256,7 @@ class _Search:
         where = where[order]
         spacing = np.gradient(places)
         wide = np.stack([np.interp(where[:, 0], places, spacing), np.interp(where[:, 1], places, spacing),
-                         np.interp(where[:, 2], _ALPHAS, np.gradient(_ALPHAS))], axis=1)  # fmt: skip
+                         np.interp(where[:, 2], _SHARES, np.gradient(_SHARES))], axis=1)  # fmt: skip
         chosen: list[int] = []
         left = np.ones(len(order), dtype=bool)
         while len(chosen) < _VALLEYS and left.any():
@@ -262,43 +266,60 @@ class _Search:
         told(f"{len(values)} circles; following {len(chosen)}, from {values[order[0]]:.4g}")
         return where[chosen], wide[chosen]
 
-    def refined(self, at: Floats, step: Floats, told: Callable[[str], None]) -> Floats:
-        """The best circle after all are followed: to neighbours on a grid that shrinks where they are worse."""
-        first, best = step.copy(), np.full(len(at), np.inf)
-        for _ in range(_ROUNDS * 4):
-            live = np.nonzero(np.any(step > _FINE * first, axis=1))[0]
+    def refined(self, at: Floats, step: Floats) -> tuple[Floats, Floats]:
+        """The circles after they were followed to better neighbours on grids that shrink: the best of them, in order."""
+        at, now, best = at.copy(), step.copy(), np.full(len(at), np.inf)
+        for _ in range(_ROUNDS):
+            live = np.nonzero(np.any(now > _FINE * step, axis=1))[0]
             if not live.size:
                 break
-            near = at[live, None] + _OFFSETS * step[live, None]
+            near = at[live, None] + _OFFSETS * now[live, None]
             near[..., :2] = np.clip(near[..., :2], 0.0, self.along[-1])
-            near[..., 2] = np.clip(near[..., 2], 0.01, np.pi / 2)
+            near[..., 2] = np.clip(near[..., 2], 0.005, 1.0)
             values, where = self.judged(near.reshape(-1, 3))
             values, where = np.nan_to_num(values, nan=np.inf).reshape(len(live), -1), where.reshape(near.shape)
-            k = np.argmin(values, axis=1)
-            rows = np.arange(len(live))
+            k, rows = np.argmin(values, axis=1), np.arange(len(live))
             better = values[rows, k] < best[live] * (1.0 - 1e-13)
             at[live[better]], best[live[better]] = where[rows, k][better], values[rows, k][better]
-            step[live[~better | np.all(_OFFSETS[k] == 0.0, axis=1)]] *= _SHRINK
-            # A valley far above the best has had its chance.
-            step[best > 1.2 * best.min()] = 0.0
-        told(f"least factor {best.min():.6g} by {self.method}")
-        return at[int(np.argmin(best))]
+            now[live[~better | np.all(_OFFSETS[k] == 0.0, axis=1)]] *= _SHRINK
+            now[best > _HOPE * best.min()] = 0.0
+        order = np.argsort(best, kind="stable")[:_AGAIN]
+        return at[order], step[order]
 
     def result(self, q: Floats) -> Critical:
         """All that is said of the best circle."""
         centre, radius = self.laid(q[None])
         parts = circles.cut(self.ground[None], centre, radius)
         lane, number, _ = circles.stretches(parts)
-        mine = parts.only(lane)
-        k = int(np.nanargmin(self.allowed(centre[lane], radius[lane], mine, number)))
-        found = factors(self.slope, centre[lane], radius[lane], mine, number)
-        (cx, cy), r = (float(v) for v in centre[0]), float(radius[0])
-        both = [(cx + r * float(x[k]), cy + r * float(y[k])) for x, y in circles.ends(mine, number)]
-        facing = int(found.facing[k])
-        values = np.concatenate(self.values)
-        by_method = {m: float(getattr(found, m)[k]) for m in METHODS}
-        return Critical(
-            self.method, {m: v if np.isfinite(v) else None for m, v in by_method.items()}, (cx, cy), r,
-            *(both if facing > 0 else both[::-1]), facing, len(values), int(np.isnan(values).sum()),
-            float(found.negative[k]), np.concatenate(self.centres), values,
-        )  # fmt: skip
+        k = [int(np.nanargmin(self.allowed(centre[lane], radius[lane], parts.only(lane), number)))]
+        tried = np.concatenate(self.centres), np.concatenate(self.values)
+        return _described(self.slope, self.method, centre, radius, parts, number[k], *tried)
+
+
+def at_circle(slope: Slope, section: Section, method: str = "bishop") -> Critical:
+    """The factors of a circle that is given: of a section of this slope."""
+    centre, radius = np.array([section.centre], dtype=np.float64), np.array([section.radius], dtype=np.float64)
+    parts = circles.cut(np.asarray(slope.ground)[None], centre, radius)
+    lane, number, _ = circles.stretches(parts)
+    left = centre[0, 0] + radius[0] * circles.ends(parts.only(lane), number)[0][0]
+    k = [int(np.argmin(np.abs(left - min(section.entry[0], section.exit[0]))))]
+    found = _described(slope, method, centre, radius, parts, number[k], centre, np.array([np.nan]))
+    values = np.array([found.factor_of_safety[method] or np.nan])
+    return replace(found, values=values, refused=int(np.isnan(values[0])))
+
+
+def _described(
+    slope: Slope, method: str, centre: Floats, radius: Floats, parts: circles.Cut, number: Any, centres: Floats,
+    values: Floats,
+) -> Critical:  # fmt: skip
+    """One circle and one stretch, with the circles that were tried."""
+    found = factors(slope, centre, radius, parts, number)
+    (cx, cy), r = (float(v) for v in centre[0]), float(radius[0])
+    both = [(cx + r * float(x[0]), cy + r * float(y[0])) for x, y in circles.ends(parts, number)]
+    facing = int(found.facing[0])
+    by_method = {m: float(getattr(found, m)[0]) for m in METHODS}
+    return Critical(
+        method, {m: v if np.isfinite(v) else None for m, v in by_method.items()}, (cx, cy), r,
+        *(both if facing >= 0 else both[::-1]), facing, len(values), int(np.isnan(values).sum()),
+        float(found.negative[0]), centres, values,
+    )  # fmt: skip

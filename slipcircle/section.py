@@ -171,7 +171,8 @@ class Section:
             return [f"{which}: misses the ground, which reaches from [{line[0, 0]:.6g}, {line[0, 1]:.6g}] to "
                     f"[{line[-1, 0]:.6g}, {line[-1, 1]:.6g}]"]  # fmt: skip
         (x1, y1), (x2, y2) = self._ends
-        if np.any(bad := circles.below_ground(self._cut, self._mine)):
+        reversed_ = self._angles[1] <= self._angles[0]  # the ground passes over the centre, outside the circle
+        if np.any(bad := circles.below_ground(self._cut, self._mine) | reversed_):
             return [f"centre = {centre[int(np.argmax(bad))].tolist()}: lies below the ground; a slip circle's lies "
                     "above it"]  # fmt: skip
         if self.base is not None:

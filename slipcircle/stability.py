@@ -21,7 +21,7 @@ LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 _BELOW_0 = -5e-324
 _BLOCK = 2048  # circles at a time
-_ROUNDS, _LEAST = 60, 1e-3  # steps towards Bishop's factor, and the least that is looked for
+_ROUNDS, _LEAST = 60, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
 
 @dataclass(frozen=True)

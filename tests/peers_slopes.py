@@ -14,7 +14,7 @@ from scipy.optimize import differential_evolution
 
 from slipcircle import circles
 from slipcircle.ground import circle_through
-from slipcircle.search import _Search, critical
+from slipcircle.search import Search, critical
 from slipcircle.stability import METHODS, Slope, factors
 
 
@@ -56,15 +56,15 @@ def case(seed: int) -> Case:
 
 
 def evolved(given: Case, seed: int) -> float:
-    """The least factor by differential evolution over both ends and half the opening angle."""
-    search = _Search(given.slope, given.method, None, None, given.depth)
+    """The least factor by differential evolution over both ends and the share of the greatest opening."""
+    search = Search(given.slope, given.method, None, None, given.depth)
     total = search.along[-1]
 
     def judged(q: np.ndarray) -> np.ndarray:
         some = np.sort(q[:2], axis=0)
         return np.nan_to_num(search.judged(np.stack([*some, q[2]], axis=1))[0], nan=1e6)
 
-    bounds = [(0.0, total), (0.0, total), (0.01, np.pi / 2)]
+    bounds = [(0.0, total), (0.0, total), (0.005, 1.0)]
     found = differential_evolution(judged, bounds, rng=seed, popsize=40, tol=1e-10, maxiter=400, vectorized=True,
                                    updating="deferred", polish=False, init="sobol")  # fmt: skip
     return float(found.fun)
