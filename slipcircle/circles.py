@@ -236,5 +236,7 @@ def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
 
 def below_ground(parts: Cut, mine: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Which circles have their centre below the ground of the stretch."""
-    over = (parts.x <= 0.0) & (parts.x + parts.e_x >= 0.0) & (parts.x * parts.e_y <= parts.y * parts.e_x)
-    return (mine & over & (parts.e_x > 0.0)).any(axis=1)
+    over: NDArray[np.bool_] = (
+        (parts.x <= 0.0) & (parts.x + parts.e_x >= 0.0) & (parts.x * parts.e_y <= parts.y * parts.e_x)
+    )
+    return np.any(mine & over & (parts.e_x > 0.0), axis=1)

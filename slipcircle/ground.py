@@ -59,7 +59,11 @@ def grounds_mistakes(ground: Any) -> list[str]:
     many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
     with np.errstate(invalid="ignore"):
         step = np.diff(many, axis=1)
-    bad = ~(np.abs(many) < FAR).all(axis=(1, 2)) | (step[..., 0] < 0.0).any(axis=1) | ~step.any(axis=2).all(axis=1)
+    bad = (
+        ~(np.abs(many) < FAR).all(axis=(1, 2))
+        | (step[..., 0] < 0.0).any(axis=1)
+        | (step == 0.0).all(axis=2).any(axis=1)
+    )
     bad |= many[:, 0, 0] == many[:, -1, 0]
     return line_mistakes("ground", many[int(np.argmax(bad))]) if bad.any() else []
 
@@ -84,7 +88,7 @@ def simple_slope(
     elif angle is not None:
         found += mistakes({"angle": angle}, {"angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")})
     else:
-        found += mistakes({"run": run}, {"run": (-5e-324, INFINITY, "a length of at least 0 in m")})
+        found += mistakes({"run": float(run or 0.0)}, {"run": (-5e-324, INFINITY, "a length of at least 0 in m")})
     raise_all("simple_slope", found)
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
@@ -134,10 +138,11 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     """
     p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
     p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
-    a, b, run = p[..., 1] - level, q[..., 1] - level, (q - p)[..., 0]
+    low = np.asarray(level, dtype=np.float64)
+    a, b, run = p[..., 1] - low, q[..., 1] - low, (q - p)[..., 0]
     if np.any((a <= 0.0) | (b <= 0.0)) or np.any(run == 0.0):
-        raise ValueError(f"circle_touching: level = {np.max(level):.10g}: must lie below both points, which must not "
+        raise ValueError(f"circle_touching: level = {np.max(low):.10g}: must lie below both points, which must not "
                          "lie above each other")  # fmt: skip
     u = a * (run**2 + b * (b - a)) / (a * run + np.sqrt(a * b * (run**2 + (b - a) ** 2)))
     radius = (u * u + a * a) / (2 * a)
-    return np.stack([p[..., 0] + u, level + radius], axis=-1), radius[()]
+    return np.stack([p[..., 0] + u, low + radius], axis=-1), radius[()]

@@ -210,7 +210,7 @@ class Search:
     def allowed(self, centre: Floats, radius: Floats, parts: circles.Cut, number: Any) -> Floats:
         """The factors of stretches by the method; NaN of those that are not wanted."""
         found = factors(self.slope, centre, radius, parts, number, (self.method,))
-        values, mine = getattr(found, self.method), parts.stretch == np.asarray(number)[:, None]
+        values = getattr(found, self.method)
         (x1, _), (x2, _) = circles.ends(parts, number)
         left, right = centre[:, 0] + radius * x1, centre[:, 0] + radius * x2
         upper, lower = np.where(found.facing > 0, left, right), np.where(found.facing > 0, right, left)
@@ -223,8 +223,9 @@ class Search:
             over = (x1 > 0.0) | (x2 < 0.0) | (centre[:, 1] - radius >= self.slope.base - blur)
             good &= over
         if self.depth:
+            mine = parts.stretch == np.asarray(number)[:, None]
             good &= radius * circles.thickness(parts, mine) >= self.depth
-        return np.where(good & ~circles.below_ground(parts, mine), values, np.nan)
+        return np.where(good, values, np.nan)
 
     def places(self) -> Floats:
         """Lengths along the ground of the coarse family."""
@@ -267,7 +268,7 @@ class Search:
         return where[chosen], wide[chosen]
 
     def refined(self, at: Floats, step: Floats) -> tuple[Floats, Floats]:
-        """The circles after they were followed to better neighbours on grids that shrink: the best of them, in order."""
+        """The best circles, in order, after all were followed to better neighbours on grids that shrink."""
         at, now, best = at.copy(), step.copy(), np.full(len(at), np.inf)
         for _ in range(_ROUNDS):
             live = np.nonzero(np.any(now > _FINE * step, axis=1))[0]
@@ -315,11 +316,12 @@ def _described(
     """One circle and one stretch, with the circles that were tried."""
     found = factors(slope, centre, radius, parts, number)
     (cx, cy), r = (float(v) for v in centre[0]), float(radius[0])
-    both = [(cx + r * float(x[0]), cy + r * float(y[0])) for x, y in circles.ends(parts, number)]
+    left, right = ((cx + r * float(x[0]), cy + r * float(y[0])) for x, y in circles.ends(parts, number))
     facing = int(found.facing[0])
     by_method = {m: float(getattr(found, m)[0]) for m in METHODS}
     return Critical(
         method, {m: v if np.isfinite(v) else None for m, v in by_method.items()}, (cx, cy), r,
-        *(both if facing >= 0 else both[::-1]), facing, len(values), int(np.isnan(values).sum()),
+        left if facing >= 0 else right, right if facing >= 0 else left, facing,
+        len(values), int(np.isnan(values).sum()),
         float(found.negative[0]), centres, values,
     )  # fmt: skip

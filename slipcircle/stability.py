@@ -130,7 +130,7 @@ def factors(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: An
     -----
     Water: the ordinary method takes N' = W cos(a) - u l, which reproduces published factors (Fredlund and Krahn 1977);
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
-    below 0.05; all methods refuse one that overhangs at an end.
+    below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
     found = [
         _block(slope, centre[k : k + _BLOCK], radius[k : k + _BLOCK], parts.only(slice(k, k + _BLOCK)),
@@ -153,6 +153,7 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
     (x1, y1), (x2, y2) = circles.ends(parts, number)
     first, last = np.arctan2(x1, -y1), np.arctan2(x2, -y2)
     sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
+    sound &= ~circles.below_ground(parts, parts.stretch == np.asarray(number)[:, None])
     kinks = [
         first[:, None],
         last[:, None],
@@ -178,7 +179,7 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
         return ((py - cy) - rise * (px - cx)) / r + rise * sine
 
     def total(values: Floats) -> Floats:
-        return np.bincount(row, values.sum(axis=0), n)
+        return np.bincount(row, values.sum(axis=0), n).astype(np.float64)
 
     top = above(ground)
     height = np.maximum(top + cosine, 0.0)

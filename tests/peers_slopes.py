@@ -7,7 +7,7 @@
 import sys
 import time
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.optimize import differential_evolution
@@ -37,7 +37,7 @@ def case(seed: int) -> Case:
     ground = np.array([[-flat, 0.0], *np.stack([x, y], axis=1), [run + flat, height]])
     gamma = rng.uniform(16e3, 22e3)
     cohesion, friction = gamma * height * rng.uniform(0.02, 0.2), np.tan(np.deg2rad(rng.uniform(8, 38)))
-    more = {}
+    more: dict[str, Any] = {}
     match int(rng.integers(0, 4)):
         case 1:
             more = {"pore_ratio": rng.uniform(0.05, 0.4)}
@@ -128,7 +128,7 @@ def cost() -> None:
     print(f"Gauss quadrature, strips, 4 moments {time.process_time() - start:8.3f} s for {few}, "
           f"{1e6 * (time.process_time() - start) / few:.0f} us each; they differ by {worst:.1e}")  # fmt: skip
     try:
-        import shapely
+        import shapely  # type: ignore[import-untyped,import-not-found,unused-ignore]
     except ImportError:
         print("shapely is not installed: pip install shapely, for area and centroid of polygons")
         return

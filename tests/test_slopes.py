@@ -3,6 +3,7 @@
 import math
 from fractions import Fraction
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -325,7 +326,8 @@ def test_mean_cover_is_the_mean_height_of_the_ground() -> None:
     found = Section(*HARD["scarp"], 2e4)
     (cx, cy), r = HARD["scarp"][1:]
     ends = sorted((found.entry[0], found.exit[0]))
-    beta = np.linspace(*np.arcsin((np.array(ends) - cx) / r), 400_001)
+    first, last = np.arcsin((np.array(ends) - cx) / r).tolist()
+    beta = np.linspace(first, last, 400_001)
     beta = (beta[1:] + beta[:-1]) / 2
     x, y = cx + r * np.sin(beta), cy - r * np.cos(beta)
     ground = np.array(HARD["scarp"][0])
@@ -334,8 +336,13 @@ def test_mean_cover_is_the_mean_height_of_the_ground() -> None:
 
 # --- errors ---------------------------------------------------------------------------------------------------------
 
-GOOD = {"ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)], "centre": (-5, 20), "radius": 22.0, "unit_weight": 2e4}
-WRONG = {
+GOOD: dict[str, Any] = {
+    "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
+    "centre": (-5, 20),
+    "radius": 22.0,
+    "unit_weight": 2e4,
+}
+WRONG: dict[str, dict[str, Any]] = {
     "misses the ground": {"radius": 5.0},
     "several stretches": {"ground": [(-50, 10), (-20, 10), (-8, -9), (0, 0), (50, 0)]},
     "no stretch of the ground": {"between": (20.0, 30.0)},
@@ -356,9 +363,9 @@ WRONG = {
 
 @pytest.mark.parametrize("words", WRONG)
 def test_errors_say_what_is_wrong(words: str) -> None:
-    Section(**GOOD)  # type: ignore[arg-type]
+    Section(**GOOD)
     with pytest.raises(ValueError, match=words) as raised:
-        Section(**(GOOD | WRONG[words]))  # type: ignore[arg-type]
+        Section(**(GOOD | WRONG[words]))
     assert "\n" not in str(raised.value)
 
 
@@ -377,7 +384,7 @@ def test_ten_thousand_malformed_sections() -> None:
     junk = [math.nan, math.inf, -math.inf, 0.0, -1.0, 1e300, "a", None, [], (1.0,), (1.0, 2.0), [[0.0, 1.0]], True]
     refused = 0
     for _ in range(10_000):
-        given: dict[str, object] = dict(GOOD)
+        given = dict(GOOD)
         for _ in range(int(rng.integers(1, 3))):
             name = ("ground", "centre", "radius", "unit_weight", "level", "between", "base")[int(rng.integers(0, 7))]
             match int(rng.integers(0, 3)):
@@ -390,7 +397,7 @@ def test_ten_thousand_malformed_sections() -> None:
                     given["radius"] = float(10.0 ** rng.uniform(-3, 4))
         said = ""
         try:
-            found = Section(**given)  # type: ignore[arg-type]
+            found = Section(**given)
         except ValueError as error:
             said = str(error)
         if said:

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import peers_slopes
@@ -100,7 +101,7 @@ def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: st
 def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Section) -> dict[str, float]:
     """The three factors by 200,000 slices, in the words of the text books."""
     ends = sorted((float(found.entry[0]), float(found.exit[0])))
-    x = np.linspace(*ends, 200_001)
+    x = np.linspace(ends[0], ends[1], 200_001)
     width, x = np.diff(x), (x[1:] + x[:-1]) / 2
     way = float(found.facing)
     sine = -way * (x - centre[0]) / radius  # of the base's inclination, positive where it drives
@@ -210,8 +211,9 @@ def test_limits_hold() -> None:
     least = free.factor_of_safety["bishop"]
     assert least is not None
     assert free.centre[1] - free.radius >= -2.0 - 1e-6
-    for more in ({"entry": (-40.0, -35.0)}, {"exit": (5.0, 8.0)}, {"depth": 6.0}):
-        found = critical(slope, **more)  # type: ignore[arg-type]
+    limits: list[dict[str, Any]] = [{"entry": (-40.0, -35.0)}, {"exit": (5.0, 8.0)}, {"depth": 6.0}]
+    for more in limits:
+        found = critical(slope, **more)
         factor = found.factor_of_safety["bishop"]
         assert factor is not None
         assert factor >= least * (1 - 1e-6)

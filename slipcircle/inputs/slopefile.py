@@ -33,7 +33,12 @@ class Key(NamedTuple):
 
 
 _TINY = 5e-324
-_WEIGHT = {"low": _TINY, "high": 100.0, "factor": 1e3, "beyond": "is that in N/m3? 1 kN/m3 is 1000 N/m3"}
+
+
+def _weight(words: str) -> Key:
+    return Key(words, "number", _TINY, 100.0, 1e3, "is that in N/m3? 1 kN/m3 is 1000 N/m3")
+
+
 TABLES: Mapping[str, Mapping[str, Key]] = {
     "": {"name": Key("name of the slope, by default the file's", "text"), "note": Key("source of the numbers", "text")},
     "ground": {
@@ -41,20 +46,20 @@ TABLES: Mapping[str, Mapping[str, Key]] = {
         "height_m": Key("height of a simple slope between level ground, m", low=_TINY),
         "angle_deg": Key("its angle, deg", low=_TINY, high=90.0, factor=math.pi / 180),
         "run_m": Key("its horizontal length, m", low=0.0),
-        "unit_weight_kN_m3": Key("unit weight of the soil, kN/m3", **_WEIGHT),
+        "unit_weight_kN_m3": _weight("unit weight of the soil, kN/m3"),
         "gravity_m_s2": Key("gravity, by default 9.81 m/s2", low=_TINY, high=100.0),
         "width_m": Key("length across the section, by default 1 m", low=_TINY),
         "base_m": Key("y of a firm layer below which no circle goes, m"),
     },
     "friction": {
         "angle_deg": Key("friction angle, deg", low=0.0, high=75.0, factor=math.pi / 180),
-        "coefficient": Key("friction coefficient, tan(phi)", low=0.0, high=4.0, beyond="is that an angle? say angle_deg"),
+        "coefficient": Key("friction coefficient, tan(phi)", high=4.0, low=0.0, beyond="an angle? say angle_deg"),
     },
     "cohesion": {"cohesion_kPa": Key("strength without normal stress, kPa", low=0.0, high=1e5, factor=1e3,
                                      beyond="is that in Pa? 1 kPa is 1000 Pa")},
     "water": {
         "level_m": Key("points of the water level from left to right, m", "points"),
-        "unit_weight_kN_m3": Key("unit weight of water, by default 9.81 kN/m3", **_WEIGHT),
+        "unit_weight_kN_m3": _weight("unit weight of water, by default 9.81 kN/m3"),
     },
     "pore_pressure": {"ratio": Key("r_u, pore pressure over the weight of the soil above", low=0.0, high=0.99)},
     "circle": {
@@ -191,7 +196,9 @@ def _value(path: str, key: Key, value: Any, found: list[str]) -> Any:
     if not isinstance(value, str) or (key.kind != "text" and value not in key.kind.split("|")):
         near = get_close_matches(str(value), key.kind.split("|"), 1)
         asked = "".join(f"; did you mean {n}?" for n in near)
-        found.append(f"{shown}: must be {'text' if key.kind == 'text' else 'one of ' + key.kind.replace('|', ', ')}{asked}")
+        found.append(
+            f"{shown}: must be {'text' if key.kind == 'text' else 'one of ' + key.kind.replace('|', ', ')}{asked}"
+        )
     return value
 
 
@@ -228,9 +235,11 @@ def _made(texts: dict[str, str], given: dict[str, dict[str, Any]]) -> SlopeFile:
         if "centre_m" in circle:
             centre, radius = circle["centre_m"], circle["radius_m"]
         elif "touching_m" in circle:
-            centre, radius = circle_touching(*circle["through_m"], circle["touching_m"])
+            centre, radius = circle_touching(circle["through_m"][0], circle["through_m"][1], circle["touching_m"])
         else:
-            centre, radius = circle_through(*circle["through_m"], radius=circle.get("radius_m"), depth=circle.get("depth_m"))
+            centre, radius = circle_through(
+                *circle["through_m"], radius=circle.get("radius_m"), depth=circle.get("depth_m")
+            )
         between = circle.get("between_m")
         section = Section(
             points, centre, radius, ground["unit_weight_kN_m3"], ground.get("gravity_m_s2", 9.81),
