@@ -223,6 +223,15 @@ def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any], Any], Fl
     return integral, np.concatenate([low, high], axis=1)
 
 
+def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any], Any], Floats]:
+    """A water level, which goes on horizontally beyond its ends, and its `heads` over the arcs of circles."""
+    low, high = float((centre[:, 0] - 2 * radius).min()), float((centre[:, 0] + 2 * radius).max())
+    first, last = [[min(low, level[0, 0] - 1.0), level[0, 1]]], [[max(high, level[-1, 0] + 1.0), level[-1, 1]]]
+    line = np.concatenate([first, level, last])
+    parts = cut(line[None], centre, radius)
+    return line, *heads(parts, (parts.e_x != 0.0) | (parts.e_y != 0.0))
+
+
 def thickness(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     """The greatest distance from the arc to the ground towards the centre, for each circle."""
     d2 = parts.e_x**2 + parts.e_y**2

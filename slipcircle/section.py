@@ -243,20 +243,21 @@ class Section:
         """psi, the dip of the chord, rad, positive down-slope."""
         return self._shaped(np.arctan2(-self._facing * self._chord[1], self._chord[0]))
 
-    def _upper(self, upper: bool) -> Any:
+    def _end(self, way: float) -> Any:
+        """The left end where the mass faces this way, else the right."""
         _, centre, radius = self._circle
         left, right = (centre + radius[:, None] * end.T for end in self._ends)
-        return self._shaped(np.where(((self._facing > 0.0) == upper)[:, None], left, right))
+        return self._shaped(np.where((self._facing == way)[:, None], left, right))
 
     @cached_property
     def entry(self) -> Any:
         """Upper end of the slip surface, x and y in m."""
-        return self._upper(True)
+        return self._end(1.0)
 
     @cached_property
     def exit(self) -> Any:
         """Lower end of the slip surface: the toe at the start, x and y in m."""
-        return self._upper(False)
+        return self._end(-1.0)
 
     @cached_property
     def area(self) -> Any:
@@ -310,7 +311,7 @@ class Section:
         return None
 
     @cached_property
-    def dimensionless_moments(self) -> dict[str, Any]:
+    def moments(self) -> dict[str, Any]:
         """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
         m, way = self._moments, self._facing
         found = {"moment_of_inertia": m["inertia"], "polar_moment": m["polar"],
@@ -321,7 +322,7 @@ class Section:
     @cached_property
     def weights(self) -> Weights:
         """What the balance needs; level is lambda/Theta*, with lambda = 2 alpha f/R (3.14)."""
-        m, alpha = self.dimensionless_moments, self.half_angle
+        m, alpha = self.moments, self.half_angle
         theta = m["moment_of_inertia"]
         return Weights(
             m["weight_moment"] / theta, m["weight_moment_slope"] / theta,
@@ -345,12 +346,7 @@ class Section:
     @cached_property
     def _water(self) -> tuple[Callable[[Any], Any], Floats]:
         _, centre, radius = self._circle
-        level, reach = np.asarray(self.level, dtype=np.float64), 4 * float(radius.max())
-        far = [np.min(centre[:, 0]) - reach, np.max(centre[:, 0]) + reach]
-        before = [[min(far[0], level[0, 0] - reach), level[0, 1]]]
-        after = [[max(far[1], level[-1, 0] + reach), level[-1, 1]]]
-        wet = circles.cut(np.concatenate([before, level, after])[None], centre, radius)
-        return circles.heads(wet, (wet.e_x != 0.0) | (wet.e_y != 0.0))
+        return circles.wet(np.asarray(self.level, dtype=np.float64), centre, radius)[1:]
 
     def mean_pressure(self, rotation: Any = 0.0) -> Any:
         """Mean pore pressure on the arc under the mass after a rotation, Pa.

@@ -161,10 +161,8 @@ def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any
     ]
     level = None
     if slope.level is not None:
-        level, reach = np.asarray(slope.level), 3 * float(radius.max()) + float(np.ptp(ground[:, 0]))
-        level = np.concatenate([level[:1] - [reach, 0.0], level, level[-1:] + [reach, 0.0]])
-        wet = circles.cut(level[None], centre, radius)
-        kinks.append(circles.heads(wet, (wet.e_x != 0.0) | (wet.e_y != 0.0))[1])
+        level, _, wet_kinks = circles.wet(np.asarray(slope.level), centre, radius)
+        kinks.append(wet_kinks)
     at = np.sort(np.clip(np.concatenate(kinks, axis=1), first[:, None], last[:, None]), axis=1)
     row, k = np.nonzero((np.diff(at, axis=1) > 0.0) & sound[:, None])
     low, half = at[row, k], (at[row, k + 1] - at[row, k]) / 2

@@ -155,7 +155,7 @@ def test_factors_are_the_limit_of_slices(mirror: bool, more: dict[str, object]) 
 def test_without_friction_all_methods_agree() -> None:
     found = Section(GROUND, (-6.0, 24.0), 25.0, 19e3)
     ours = fixed(Slope(GROUND, 40e3, 0.0, 19e3, level=LEVEL), (-6.0, 24.0), 25.0)
-    expected = 40e3 / (19e3 * 25.0) * 2 * found.half_angle / found.dimensionless_moments["weight_moment"]
+    expected = 40e3 / (19e3 * 25.0) * 2 * found.half_angle / found.moments["weight_moment"]
     for method in METHODS:
         assert ours[method] == pytest.approx(expected, rel=1e-12)
 
