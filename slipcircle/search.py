@@ -48,6 +48,8 @@ class Critical:
         Share of the arc under negative effective normal stress by the ordinary method.
     centres, values : ndarray
         Of every circle that was tried: its centre, (tried, 2), and its least factor or NaN; for a map.
+    warning : str
+        That the circle reaches an end of the ground, beyond which a lesser factor may lie.
     """
 
     method: str
@@ -62,6 +64,7 @@ class Critical:
     negative: float
     centres: Floats = field(repr=False, compare=False)
     values: Floats = field(repr=False, compare=False)
+    warning: str = ""
 
     @property
     def between(self) -> tuple[float, float]:
@@ -76,6 +79,7 @@ class Critical:
             "circle": {"centre": list(self.centre), "radius": self.radius},
             "entry": list(self.entry), "exit": list(self.exit), "method": self.method,
             "tried": self.tried, "refused": self.refused, "negative_normal_stress": self.negative,
+            "warning": self.warning,
         }  # fmt: skip
 
 
@@ -294,7 +298,14 @@ class Search:
         lane, number, _ = circles.stretches(parts)
         k = [int(np.nanargmin(self.allowed(centre[lane], radius[lane], parts.only(lane), number)))]
         tried = np.concatenate(self.centres), np.concatenate(self.values)
-        return _described(self.slope, self.method, centre, radius, parts, number[k], *tried)
+        found = _described(self.slope, self.method, centre, radius, parts, number[k], *tried)
+        ends = [
+            x for x in self.ground[[0, -1], 0] if np.min(np.abs(np.subtract(found.between, x))) < 1e-6 * self.along[-1]
+        ]
+        said = (
+            f"the circle reaches the end of the ground at x = {ends[0]:.6g}; a longer one may give less" if ends else ""
+        )
+        return replace(found, warning=said)
 
 
 def at_circle(slope: Slope, section: Section, method: str = "bishop") -> Critical:

@@ -53,6 +53,9 @@ def run(options: argparse.Namespace) -> None:
             slopeplot.searched(read[0].slope, results[0], figure)
 
         files.write(options.plot, pictures.render(draw, (9.0, 6.0), options.plot.rpartition(".")[2].lower()))
+    for file, result in zip(read, results, strict=True):
+        if result.warning:
+            say(f"{file.name}: {result.warning}")
     if options.json:
         print(json.dumps([r.record() for r in results], indent=2, allow_nan=False))
         return

@@ -228,6 +228,14 @@ def test_limits_hold() -> None:
     assert np.array_equal(again.values, free.values, equal_nan=True)
 
 
+def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
+    # Without friction and deep soil the least factor lies ever deeper: the ground is what ends it.
+    slope = Slope([(-20, 5), (-15, 5), (0, 0), (8, 0)], 20e3, 0.0, 19e3, base=-30.0)
+    found = critical(slope)
+    assert found.warning.startswith("the circle reaches the end of the ground at x = ")
+    assert critical(replace(ACADS)).warning == ""
+
+
 def test_a_mirrored_slope_has_the_mirrored_circle() -> None:
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL, k_h=0.05)
     other = replace(slope, ground=np.array(GROUND)[::-1] * [-1, 1], level=np.array(LEVEL)[::-1] * [-1, 1])
