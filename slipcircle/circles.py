@@ -91,21 +91,24 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     A vertex as near to a circle as rounding of its coordinates goes lies on it, and parts two stretches.
     """
     r = radius[:, None]
-    x, y = (_sum(points[..., k], -centre[:, k, None]) for k in (0, 1))
-    clear = _clearance(x, y, r)[0]
+    x, y = (points[..., k] - centre[:, k, None] for k in (0, 1))
+    clear = r * r - x * x - y * y
+    near = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
+    at, k = np.broadcast_to(points, (*clear.shape, 2))[near], near[0]
+    clear[near] = _clearance(_sum(at[:, 0], -centre[k, 0]), _sum(at[:, 1], -centre[k, 1]), radius[k])[0]
     blur = 32 * _EPS * r * (r + np.abs(points).max(axis=(1, 2))[:, None] + np.abs(centre).max(axis=1)[:, None])
     inside = clear > blur
     in_1, in_2 = inside[:, :-1], inside[:, 1:]
     edge = np.diff(points, axis=1)
     u, v = (np.broadcast_to(edge[..., k], in_1.shape) for k in (0, 1))
     g1, g2 = np.where(inside, clear, 0.0)[:, :-1], np.where(inside, clear, 0.0)[:, 1:]
-    x1, y1 = x[0][:, :-1], y[0][:, :-1]
+    x1, y1 = x[:, :-1], y[:, :-1]
     start, share = np.zeros(in_1.shape), (in_1 & in_2).astype(np.float64)
     # One end inside: the positive root of D s^2 + 2 b s = g, from the end that is inside.
     lanes = np.nonzero(in_1 != in_2)
     back = in_2[lanes]
     sign, k = np.where(back, -1.0, 1.0), (lanes[0], lanes[1] + back)
-    b = sign * (x[0][k] * u[lanes] + y[0][k] * v[lanes])
+    b = sign * (x[k] * u[lanes] + y[k] * v[lanes])
     d, g = u[lanes] ** 2 + v[lanes] ** 2, clear[k]
     root = np.sqrt(b * b + d * g)
     s = np.minimum(np.where(b > 0.0, g / (b + root), (root - b) / d), 1.0)

@@ -18,6 +18,7 @@ _VERTICES = 40  # of the ground in the coarse family; beyond, those nearest to e
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
 _VALLEYS = 12
 _ROUNDS, _SHRINK = 150, 0.6
+_EDGES = 1 << 17  # of the ground times circles, at a time
 _HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
 _FINE = 1e-5  # step at which a valley is done, over its first
 _APART = 2.5  # spacings of the coarse family between circles that are followed
@@ -184,6 +185,14 @@ class Search:
 
     def judged(self, q: Floats) -> tuple[Floats, Floats]:
         """The least factor of each circle's stretches, NaN where there is none; and that stretch as (n, 3)."""
+        rows = max(64, _EDGES // len(self.ground))
+        if len(q) > rows:  # what does not fit into the caches
+            found = [self.judged(q[k : k + rows]) for k in range(0, len(q), rows)]
+            return np.concatenate([f for f, _ in found]), np.concatenate([w for _, w in found])
+        return self._judged(q)
+
+    def _judged(self, q: Floats) -> tuple[Floats, Floats]:
+        """The same of one block."""
         found, where = np.full(len(q), np.nan), q.copy()
         sound = np.nonzero(np.subtract(*self.points(q[:, 1::-1]).T[0]) > 1e-9 * self.along[-1])[0]
         centre, radius = self.laid(q[sound])
