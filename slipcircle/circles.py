@@ -94,8 +94,8 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     x, y = (points[..., k] - centre[:, k, None] for k in (0, 1))
     clear = r * r - x * x - y * y
     near = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
-    at, k = np.broadcast_to(points, (*clear.shape, 2))[near], near[0]
-    clear[near] = _clearance(_sum(at[:, 0], -centre[k, 0]), _sum(at[:, 1], -centre[k, 1]), radius[k])[0]
+    some, about = np.broadcast_to(points, (*clear.shape, 2))[near].T, -centre[near[0]].T
+    clear[near] = _clearance(_sum(some[0], about[0]), _sum(some[1], about[1]), radius[near[0]])[0]
     blur = 32 * _EPS * r * (r + np.abs(points).max(axis=(1, 2))[:, None] + np.abs(centre).max(axis=1)[:, None])
     inside = clear > blur
     in_1, in_2 = inside[:, :-1], inside[:, 1:]
