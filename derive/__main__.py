@@ -35,7 +35,7 @@ def derive_all() -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive.algebra import dynamics, integrate, phase, sensitivity, stable
+    from derive.algebra import dynamics, integrate, phase, sensitivity, slopes, stable
     from derive.check import measure
     from derive.code import functions, write
     from derive.declare import effects
@@ -65,6 +65,7 @@ def derive_all() -> dict[str, str]:
     for what, prove in (("phase plane", sensitivity.prove_energy_slopes), ("frozen", sensitivity.prove_frozen_slopes),
                         ("short motions", sensitivity.prove_energy_growth)):  # fmt: skip
         timed(what, "slopes", "{0} claims proved", lambda prove=prove: len(prove()))
+    timed("slopes", "balance", "{0} claims proved", lambda: len(slopes.prove()))
     closed = functions.closed_amplitudes(derivations)
     timed("arc", "slopes", "{0} claims proved", lambda: len(sensitivity.prove_arc_growth(closed)))
     proved = timed("kernels", "certify", "", write.proofs)

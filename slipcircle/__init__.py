@@ -1,7 +1,8 @@
 """The dynamic slip circle method: how fast, how far, and when a mass that failed along a circle comes to rest.
 
-`Arc` holds the failed section, `Scene` adds friction, effects and the start, `plan` says how it will be solved and
-`solve` returns the `Motion`; `ensemble` draws uncertain numbers, `backanalyse` looks for what explains an observation.
+`Arc` holds the failed section, `Section` that of a real slope, `Scene` adds friction, effects and the start, `plan`
+says how it will be solved and `solve` returns the `Motion`; `ensemble` draws uncertain numbers, `backanalyse` looks for
+what explains an observation, and `critical` for the circle along which a `Slope` fails.
 Units are SI, angles radians. `slipcircle schema --text` is the guide to effects and friction laws: formulas, parameters
 and bounds. The numbers come from the package `generated`, which `python -m derive` writes.
 """
@@ -25,28 +26,37 @@ from slipcircle.scene.scene import Scene
 
 if TYPE_CHECKING:
     from slipcircle.files.scenefile import load
+    from slipcircle.scene.section import Section
+    from slipcircle.scene.stability import Slope
     from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.studies.ensembles import Ensemble, ensemble
+    from slipcircle.studies.search import Critical, critical
 
 __version__ = "0.1.0"
 # Asked for by name, since one motion needs nothing of them.
 _LATE = {
-    "BackAnalysis": "studies.backanalysis", "Ensemble": "studies.ensembles", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "ensemble": "studies.ensembles", "load": "files.scenefile",
+    "BackAnalysis": "studies.backanalysis", "Critical": "studies.search", "Ensemble": "studies.ensembles",
+    "Section": "scene.section", "Slope": "scene.stability", "Unattainable": "studies.backanalysis",
+    "backanalyse": "studies.backanalysis", "critical": "studies.search", "ensemble": "studies.ensembles",
+    "load": "files.scenefile",
 }  # fmt: skip
 __all__ = [
     "Arc",
     "BackAnalysis",
+    "Critical",
     "Dimensionless",
     "Energy",
     "Ensemble",
     "Motion",
     "Plan",
     "Scene",
+    "Section",
+    "Slope",
     "State",
     "Status",
     "Unattainable",
     "backanalyse",
+    "critical",
     "ensemble",
     "load",
     "plan",

@@ -311,7 +311,7 @@ def test_a_reader_that_stops_reading(what: str, reads: str, said: str) -> None:
 def test_help_says_what_there_is_and_how_it_ends(capsys: pytest.CaptureFixture[str]) -> None:
     """Every command has its own help and a sentence; scenes and exit status stand in the first; within 100 columns."""
     said = {}
-    for name in ("", "run", "plan", "sweep", "backanalyse", "sensitivity", "schema", "cost", "info"):
+    for name in ("", "run", "plan", "sweep", "backanalyse", "sensitivity", "search", "schema", "cost", "info"):
         with pytest.raises(SystemExit, match="0"):
             main([*name.split(), "--help"])
         said[name] = capsys.readouterr().out

@@ -14,7 +14,7 @@ from derive.algebra.integrate import Derivation
 from derive.approximate.approximants import variants
 from derive.check import certificates, certify
 from derive.check.rounding import Record
-from derive.code import emit, emit_c, functions
+from derive.code import emit, emit_c, functions, slopes
 from derive.flow import emit as flow
 from derive.flow import series
 
@@ -47,6 +47,7 @@ def files(derivations: list[Derivation], proved: list[Record]) -> dict[str, str]
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
         "series.py": series.numpy_text(),
         "sensitivity.py": emit.plain_module(SENSITIVITY, sensitivity.programs()),
+        "slopes.py": slopes.module(),
         "stable.py": emit.raw_module(STABLE, functions.stable_forms()),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
