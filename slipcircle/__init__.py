@@ -21,23 +21,24 @@ if getattr(generated, "__project__", None) != "slipcircle":
 from slipcircle.motion.motion import Energy, Motion, State, Status
 from slipcircle.motion.plan import Plan, plan
 from slipcircle.motion.solver import solve
-from slipcircle.scene.arc import Arc, Dimensionless
+from slipcircle.scene.arc import Arc
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.section import Section
+from slipcircle.scene.weights import Dimensionless
 
 if TYPE_CHECKING:
     from slipcircle.files.scenefile import load
-    from slipcircle.scene.section import Section
+    from slipcircle.scene.search import Critical, critical
     from slipcircle.scene.stability import Slope
     from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.studies.ensembles import Ensemble, ensemble
-    from slipcircle.studies.search import Critical, critical
 
 __version__ = "0.1.0"
 # Asked for by name, since one motion needs nothing of them.
 _LATE = {
-    "BackAnalysis": "studies.backanalysis", "Critical": "studies.search", "Ensemble": "studies.ensembles",
-    "Section": "scene.section", "Slope": "scene.stability", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "critical": "studies.search", "ensemble": "studies.ensembles",
+    "BackAnalysis": "studies.backanalysis", "Critical": "scene.search", "Ensemble": "studies.ensembles",
+    "Slope": "scene.stability", "Unattainable": "studies.backanalysis",
+    "backanalyse": "studies.backanalysis", "critical": "scene.search", "ensemble": "studies.ensembles",
     "load": "files.scenefile",
 }  # fmt: skip
 __all__ = [

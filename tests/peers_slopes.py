@@ -14,8 +14,8 @@ from scipy.optimize import differential_evolution
 
 from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
+from slipcircle.scene.search import Search, critical
 from slipcircle.scene.stability import METHODS, Slope, factors
-from slipcircle.studies.search import Search, critical
 
 
 class Case(NamedTuple):

@@ -254,7 +254,7 @@ def test_no_environment_variable_makes_a_pipe_wide_or_narrow() -> None:
 @pytest.mark.parametrize(
     ("argv", "status", "said"),
     [
-        (["run", "viaont"], 1, "scene 'viaont' is unknown; known are newmark-pulse, vaiont, vaiont-as-printed"),
+        (["run", "viaont"], 1, "scene 'viaont' is unknown; known are newmark-pulse, real-slope, vaiont"),
         (["run", "vaiont-frozen", "viaont"], 1, "scene 'viaont' is unknown"),
         (["run", "viaont", "--json"], 1, "scene 'viaont' is unknown"),
         (["backanalyse", "vaiont"], 1, "give one of --runout-m, --peak-velocity-m-s, --duration-s"),

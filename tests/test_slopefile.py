@@ -75,7 +75,7 @@ def test_the_command_refuses_what_it_cannot_read(write: Write, capsys: pytest.Ca
     assert search(write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0"))) == 1
     assert "thinner skin" in capsys.readouterr().err
     assert search("no-such-slope.toml") == 1
-    assert "no-such-slope.toml: No such file" in capsys.readouterr().err
+    assert "no-such-slope.toml: there is no such file" in capsys.readouterr().err
     with pytest.raises(SystemExit, match="2"):
         search(write(ACADS), "--method", "janbu")
 

@@ -10,9 +10,9 @@ import pytest
 
 from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
+from slipcircle.scene.search import Critical, critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import METHODS, Factors, Slope, factors
-from slipcircle.studies.search import Critical, critical
 
 
 def tangent(degrees: float) -> float:

@@ -7,85 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
+from slipcircle.files.slopekeys import AT_START, GEOMETRY, INF, OF_MOTION, TABLES, TINY, WHOLE, Key
 from slipcircle.scene.ground import circle_through, circle_touching, simple_slope
+from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
-from slipcircle.scene.stability import METHODS, Slope
-
-_INF = math.inf
-
-
-class Key(NamedTuple):
-    """A key of a slope's file: what it is, its kind, its closed bounds in the file's unit, and the factor to SI units.
-
-    ``beyond`` says what was probably meant by a number above the bounds.
-    """
-
-    words: str
-    kind: str = "number"
-    low: float = -_INF
-    high: float = _INF
-    factor: float = 1.0
-    beyond: str = ""
-
-
-_TINY = 5e-324
-
-
-def _weight(words: str) -> Key:
-    return Key(words, "number", _TINY, 100.0, 1e3, "is that in N/m3? 1 kN/m3 is 1000 N/m3")
-
-
-TABLES: Mapping[str, Mapping[str, Key]] = {
-    "": {"name": Key("name of the slope, by default the file's", "text"), "note": Key("source of the numbers", "text")},
-    "ground": {
-        "points_m": Key("points of the surface from left to right, m", "points"),
-        "height_m": Key("height of a simple slope between level ground, m", low=_TINY),
-        "angle_deg": Key("its angle, deg", low=_TINY, high=90.0, factor=math.pi / 180),
-        "run_m": Key("its horizontal length, m", low=0.0),
-        "unit_weight_kN_m3": _weight("unit weight of the soil, kN/m3"),
-        "gravity_m_s2": Key("gravity, by default 9.81 m/s2", low=_TINY, high=100.0),
-        "width_m": Key("length across the section, by default 1 m", low=_TINY),
-        "base_m": Key("y of a firm layer below which no circle goes, m"),
-    },
-    "friction": {
-        "angle_deg": Key("friction angle, deg", low=0.0, high=75.0, factor=math.pi / 180),
-        "coefficient": Key("friction coefficient, tan(phi)", high=4.0, low=0.0, beyond="an angle? say angle_deg"),
-    },
-    "cohesion": {"cohesion_kPa": Key("strength without normal stress, kPa", low=0.0, high=1e5, factor=1e3,
-                                     beyond="is that in Pa? 1 kPa is 1000 Pa")},
-    "water": {
-        "level_m": Key("points of the water level from left to right, m", "points"),
-        "unit_weight_kN_m3": _weight("unit weight of water, by default 9.81 kN/m3"),
-    },
-    "pore_pressure": {"ratio": Key("r_u, pore pressure over the weight of the soil above", low=0.0, high=0.99)},
-    "circle": {
-        "centre_m": Key("centre of the circle, m", "pair"),
-        "radius_m": Key("radius, m", low=_TINY),
-        "through_m": Key("two points of the circle, m", "points"),
-        "depth_m": Key("depth of the circle below the chord of these points, m", low=_TINY),
-        "touching_m": Key("y of the level that the circle through these points touches, m"),
-        "between_m": Key("x between which the stretch of ground lies that is meant, m", "pair"),
-        "critical": Key("method by which the critical circle is looked for", "|".join(METHODS)),
-    },
-    "search": {
-        "entry_m": Key("least and greatest x of the upper end, m", "pair"),
-        "exit_m": Key("least and greatest x of the lower end, m", "pair"),
-        "depth_m": Key("least thickness of the mass, m", low=0.0),
-        "k_h": Key("horizontal acceleration over g, positive down-slope", low=-0.99, high=0.99,
-                   beyond="is that in m/s2? k_h is a share of g"),
-    },
-}  # fmt: skip
-# What makes a table whole: one of these sets of keys.
-_WHOLE = {
-    "ground": (("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m")),
-    "friction": (("angle_deg",), ("coefficient",)),
-    "circle": (("centre_m", "radius_m"), ("through_m", "radius_m"), ("through_m", "depth_m"),
-               ("through_m", "touching_m"), ("critical",)),
-}  # fmt: skip
+from slipcircle.scene.stability import Slope
 
 
 @dataclass(frozen=True)
@@ -129,6 +59,10 @@ def read(path: str | os.PathLike[str]) -> SlopeFile:
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ValueError(f"{file}: is not TOML: {error}") from error
+    soil = document.get("friction")
+    if isinstance(soil, dict) and "law" in soil:  # of a scene: its friction at the start
+        renamed = {AT_START.get(k, k): v for k, v in soil.items()}
+        document["friction"] = {k: v for k, v in renamed.items() if k in TABLES["friction"]}
     given, found = _read(document)
     if not found:
         try:
@@ -146,6 +80,8 @@ def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[
     for name, value in document.items():
         if name in TABLES[""]:
             given[""][name] = _value(name, TABLES[""][name], value, found)
+        elif name in OF_MOTION:
+            continue
         elif not isinstance(value, dict) or name not in TABLES:
             meant.add(_unknown("", name, value, found))
         else:
@@ -154,7 +90,7 @@ def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[
                     given[name][key] = _value(f"{name}.{key}", TABLES[name][key], entry, found)
                 else:
                     meant.add(_unknown(name, key, entry, found))
-    for table, sets in _WHOLE.items():
+    for table, sets in WHOLE.items():
         asked = {k for s in sets for k in s}
         have = asked & set(given[table])
         if have in [set(s) for s in sets] or any(m.startswith(f"{table}.") for m in meant) or (
@@ -176,8 +112,8 @@ def _value(path: str, key: Key, value: Any, found: list[str]) -> Any:
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
             found.append(f"{shown}: must be a number: {key.words}")
         elif not key.low <= value <= key.high:
-            least = "above 0" if key.low == _TINY else f"at least {key.low:g}" if key.low > -_INF else ""
-            bounds = " and ".join(filter(None, [least, f"at most {key.high:g}" if key.high < _INF else ""]))
+            least = "above 0" if key.low == TINY else f"at least {key.low:g}" if key.low > -INF else ""
+            bounds = " and ".join(filter(None, [least, f"at most {key.high:g}" if key.high < INF else ""]))
             asked = f"; {key.beyond}" if key.beyond and value > key.high else ""
             found.append(f"{shown}: must be {bounds}: {key.words}{asked}")
         else:
@@ -215,38 +151,89 @@ def _unknown(table: str, name: str, value: Any, found: list[str]) -> str:
     return ""
 
 
+def section_of(document: Mapping[str, Any], friction: float | None, cohesion: float, pore_ratio: float) -> Section:
+    """The section of a scene's file with a ground: of the circle that it gives, or of the critical one.
+
+    Parameters
+    ----------
+    document : mapping
+        The whole file; the ground's, the circle's, the water's and the search's tables are read.
+    friction, cohesion, pore_ratio : float
+        At the start, SI; friction is None where its law has no one number there.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake by its key, one a line.
+    """
+    own = {k: v for k, v in document.items() if k in GEOMETRY}
+    given, found = _read(own | {"friction": {"coefficient": 0.0}})
+    if "circle" not in document:
+        found.append("circle: is missing; give " + ", or ".join(" with ".join(s) for s in WHOLE["circle"]))
+    if "critical" in given["circle"] and friction is None:
+        found.append("circle.critical: needs a friction that is one number at the start: a coefficient, or a peak")
+    if found:
+        raise ValueError("\n".join(found))
+    try:
+        if "critical" not in given["circle"]:
+            return _section(given)
+        given |= {"friction": {"coefficient": friction}, "cohesion": {"cohesion_kPa": cohesion},
+                  "pore_pressure": {"ratio": pore_ratio}}  # fmt: skip
+        least = critical(_slope(given), given["circle"]["critical"], **_limits(given))
+        return _section(given | {"circle": {"centre_m": least.centre, "radius_m": least.radius,
+                                            "between_m": least.between}})  # fmt: skip
+    except ValueError as error:
+        raise ValueError(_by_key(str(error))) from error
+
+
 def _made(texts: dict[str, str], given: dict[str, dict[str, Any]]) -> SlopeFile:
     """The slope, and its section where a circle is given."""
-    ground, soil, water, circle = (given[t] for t in ("ground", "friction", "water", "circle"))
+    circle = given["circle"]
+    section = _section(given) if circle and "critical" not in circle else None
+    method = circle.get("critical", "bishop")
+    return SlopeFile(texts["name"], texts.get("note", ""), _slope(given), section, method, _limits(given))
+
+
+def _shared(given: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """What slope and section are both made of."""
+    ground, water = given["ground"], given["water"]
     points = ground.get("points_m")
     if points is None:
         points = simple_slope(ground["height_m"], angle=ground.get("angle_deg"), run=ground.get("run_m"))
-    search = dict(given["search"])
-    shared = {"level": water.get("level_m"), "water_unit_weight": water.get("unit_weight_kN_m3", 9810.0),
-              "base": ground.get("base_m")}  # fmt: skip
-    slope = Slope(
-        points, given["cohesion"].get("cohesion_kPa", 0.0),
-        soil["coefficient"] if "coefficient" in soil else math.tan(soil["angle_deg"]),
-        ground["unit_weight_kN_m3"], pore_ratio=given["pore_pressure"].get("ratio", 0.0), k_h=search.pop("k_h", 0.0),
-        **shared,
+    return {"ground": points, "unit_weight": ground["unit_weight_kN_m3"], "level": water.get("level_m"),
+            "water_unit_weight": water.get("unit_weight_kN_m3", 9810.0), "base": ground.get("base_m")}  # fmt: skip
+
+
+def _slope(given: dict[str, dict[str, Any]]) -> Slope:
+    soil = given["friction"]
+    return Slope(
+        cohesion=given["cohesion"].get("cohesion_kPa", 0.0),
+        friction=soil["coefficient"] if "coefficient" in soil else math.tan(soil["angle_deg"]),
+        pore_ratio=given["pore_pressure"].get("ratio", 0.0), k_h=given["search"].get("k_h", 0.0), **_shared(given),
     )  # fmt: skip
-    section = None
-    if "critical" not in circle and circle:
-        if "centre_m" in circle:
-            centre, radius = circle["centre_m"], circle["radius_m"]
-        elif "touching_m" in circle:
-            centre, radius = circle_touching(circle["through_m"][0], circle["through_m"][1], circle["touching_m"])
-        else:
-            centre, radius = circle_through(
-                *circle["through_m"], radius=circle.get("radius_m"), depth=circle.get("depth_m")
-            )
-        between = circle.get("between_m")
-        section = Section(
-            points, centre, radius, ground["unit_weight_kN_m3"], ground.get("gravity_m_s2", 9.81),
-            ground.get("width_m", 1.0), None if between is None else (float(between[0]), float(between[1])), **shared,
-        )  # fmt: skip
-    limits = {k.removesuffix("_m"): v if k == "depth_m" else (float(v[0]), float(v[1])) for k, v in search.items()}
-    return SlopeFile(texts["name"], texts.get("note", ""), slope, section, circle.get("critical", "bishop"), limits)
+
+
+def _limits(given: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """Of the search."""
+    pairs = {k.removesuffix("_m"): v for k, v in given["search"].items() if k != "k_h"}
+    return {k: v if k == "depth" else (float(v[0]), float(v[1])) for k, v in pairs.items()}
+
+
+def _section(given: dict[str, dict[str, Any]]) -> Section:
+    """Of the circle that is given."""
+    ground, circle, between = given["ground"], given["circle"], given["circle"].get("between_m")
+    if "centre_m" in circle:
+        centre, radius = circle["centre_m"], circle["radius_m"]
+    elif "touching_m" in circle:
+        centre, radius = circle_touching(circle["through_m"][0], circle["through_m"][1], circle["touching_m"])
+    else:
+        centre, radius = circle_through(
+            *circle["through_m"], radius=circle.get("radius_m"), depth=circle.get("depth_m")
+        )
+    return Section(
+        centre=centre, radius=radius, gravity=ground.get("gravity_m_s2", 9.81), width=ground.get("width_m", 1.0),
+        between=None if between is None else (float(between[0]), float(between[1])), **_shared(given),
+    )  # fmt: skip
 
 
 def _by_key(said: str) -> str:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
@@ -12,8 +12,9 @@ from slipcircle.flow.solve import Lanes
 from slipcircle.flow.walk import MOST_TURNS
 from slipcircle.motion.motion import Motion, Status
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
-from slipcircle.scene.arc import QUANTITIES, Arc
+from slipcircle.scene.arc import Arc
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.section import Section
 
 BLOCK = 16384  # lanes at once, so that what they need stays in the cache
 
@@ -69,7 +70,7 @@ def lanes_of(chosen: Plan) -> Lanes:
         return np.ascontiguousarray(np.broadcast_to(np.asarray(value, np.float64), scene.shape).reshape(-1))
 
     numbers = scene.numbers
-    arc = Arc.unchecked(**{n: flat(getattr(scene.arc, n)) for n in QUANTITIES}, given=scene.arc.given)
+    arc = _changed(scene.arc, {n: flat(getattr(scene.arc, n)) for n in scene.arc.quantities})
     called = {
         e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
     }
@@ -81,6 +82,11 @@ def lanes_of(chosen: Plan) -> Lanes:
     end = np.inf if scene.end_time is None else flat(scene.end_time)
     closed = chosen.method == CLOSED_IN_TIME
     return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, closed, count)
+
+
+def _changed(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
+    """An arc or a section with other quantities, which were checked with the scene."""
+    return Arc.unchecked(**values, given=arc.given) if isinstance(arc, Arc) else replace(arc, **values)
 
 
 def parts(lanes: Lanes, size: int) -> list[Lanes]:
@@ -95,7 +101,7 @@ def parts(lanes: Lanes, size: int) -> list[Lanes]:
     for first in range(0, lanes.count, size):
         which = slice(first, min(first + size, lanes.count))
         given = {f.name: cut(getattr(lanes, f.name), which) for f in fields(Lanes)}
-        arc = Arc.unchecked(**{f.name: cut(getattr(lanes.arc, f.name), which) for f in fields(Arc)})
+        arc = _changed(lanes.arc, {n: cut(getattr(lanes.arc, n), which) for n in lanes.arc.quantities})
         found.append(Lanes(**given | {"arc": arc, "count": which.stop - which.start}))
     return found
 

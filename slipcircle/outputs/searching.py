@@ -6,9 +6,10 @@ from typing import Any
 
 from slipcircle.base import files
 from slipcircle.files import slopefile
+from slipcircle.files.scenefile import find
 from slipcircle.outputs import pictures, tables
+from slipcircle.scene.search import Critical, at_circle, critical
 from slipcircle.scene.stability import METHODS
-from slipcircle.studies.search import Critical, at_circle, critical
 
 _NAMES = {"paper": "the paper's method (mean normal stress)", "ordinary": "the ordinary method (Fellenius)",
           "bishop": "Bishop's simplified method"}  # fmt: skip
@@ -16,7 +17,8 @@ _NAMES = {"paper": "the paper's method (mean normal stress)", "ordinary": "the o
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
-    parser.add_argument("slopes", nargs="+", metavar="SLOPE", help="the path of a TOML file with [ground] and soil")
+    parser.add_argument("slopes", nargs="+", metavar="SLOPE", help="a scene that ships, by name, or the path "
+                        "of a TOML file with [ground] and soil")  # fmt: skip
     parser.add_argument("--method", choices=METHODS, help="whose least factor is looked for; default bishop")
     parser.add_argument("--plot", metavar="FILE", help="draw the section, the circle and the factors over centres; "
                         ".png, .svg, .pdf or .jpg")  # fmt: skip
@@ -43,7 +45,7 @@ def run(options: argparse.Namespace) -> list[Critical]:
     if options.plot:
         files.check("search", {"--plot": options.plot}, options.slopes)
         pictures.check("search", options.plot, 1 if len(options.slopes) == 1 else 10**6)
-    read = [slopefile.read(path) for path in options.slopes]
+    read = [slopefile.read(find(name)) for name in options.slopes]
     results = [found(file, options.method) for file in read]
     if options.plot:
         from slipcircle.outputs import slopeplot  # asks for Matplotlib

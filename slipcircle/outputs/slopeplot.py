@@ -4,11 +4,14 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.outputs.plotstyle import AREAS, LINES, axis, legend, sheet
+from slipcircle.motion.motion import Motion
+from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, legend, number, sheet
+from slipcircle.scene.search import Critical
+from slipcircle.scene.section import Section
 from slipcircle.scene.stability import METHODS, Slope
-from slipcircle.studies.search import Critical
 
 _CELLS = 48  # of the map, across
+_ON_ARC = 200  # points of an outline
 
 
 def searched(slope: Slope, found: Critical, figure: Any = None) -> Any:
@@ -38,6 +41,56 @@ def searched(slope: Slope, found: Critical, figure: Any = None) -> Any:
         figure.colorbar(picture, ax=ax, label=f"least factor of safety of circles about a centre ({found.method})")
         ax.set(xlim=low, ylim=high)
     return figure
+
+
+def slide(motion: Motion, body: Section, ax: Any = None) -> Any:
+    """The true section to scale: ground, circle, and the mass at the start, at its peak velocity and at the end.
+
+    Beyond the toe the circle's continuation is assumed: the method turns the mass rigidly about its centre.
+    """
+    from matplotlib.patches import Polygon
+
+    ax = axis(ax, (9.0, 5.0))
+    ground, mass = np.asarray(body.ground, dtype=np.float64), outline(body)
+    places = [("start", 0.0, "start")]
+    if motion.moves:
+        peak, end = motion.peak, motion.end
+        places.append(("end", float(end.rotation), f"{ending(motion)}: toe {number(motion.journey.run_out)} m further"))
+        if peak.rotation not in (0.0, end.rotation):
+            places.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m along the arc"))
+    turned = {role: body.placed(mass, rotation) for role, rotation, _ in places}
+    corners = np.concatenate(list(turned.values()))
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    margin = 0.25 * float(max(high - low))
+    ax.fill_between(ground[:, 0], ground[:, 1], low[1] - 2 * margin, color="#EFE6D2", lw=0, zorder=1)
+    for role, _, words in places:
+        ax.add_patch(Polygon(turned[role], closed=True, label=words, zorder=2, **AREAS[role]))
+    ax.plot(*ground.T, color="black", lw=1.4, zorder=3, label="ground")
+    toe, (cx, cy) = np.asarray(body.exit), np.asarray(body.centre, dtype=np.float64)
+    ax.plot(*mass[:_ON_ARC].T, zorder=4, label="slip circle", **LINES["main"])
+    if motion.moves:
+        on = np.stack([body.placed(toe, turn) for turn in np.linspace(0.0, float(end.rotation), 60)])
+        ax.plot(*on.T, zorder=4, label="its continuation beyond the toe, assumed", **LINES["help"])
+    if cy <= high[1] + margin:
+        words = f"centre; radius {number(float(np.asarray(body.radius)))} m"
+        ax.plot(cx, cy, "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
+    ax.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
+    ax.set(xlabel="$x$ (m)", ylabel="$y$ (m)")
+    ax.set_aspect("equal")
+    ax.grid(alpha=0.3)
+    legend(ax)
+    return ax
+
+
+def outline(body: Section) -> Any:
+    """The mass of a section at the start: points along its arc, left to right, and back along the ground."""
+    (left, right), centre = sorted([tuple(body.entry), tuple(body.exit)]), np.asarray(body.centre, dtype=np.float64)
+    first, last = (np.arctan2(x - centre[0], centre[1] - y) for x, y in (left, right))
+    beta = np.linspace(first, last, _ON_ARC)
+    arc = centre + float(np.asarray(body.radius)) * np.stack([np.sin(beta), -np.cos(beta)], axis=1)
+    ground = np.asarray(body.ground, dtype=np.float64)
+    inner = ground[(ground[:, 0] > left[0]) & (ground[:, 0] < right[0])]
+    return np.concatenate([arc, inner[::-1]])
 
 
 def section(slope: Slope, found: Critical, ax: Any = None) -> Any:

@@ -1,9 +1,9 @@
 """The failed section of a real slope: a ground, a circle, a water level, and the mass between ground and arc."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,22 +12,7 @@ from slipcircle.base.checks import INFINITY, mistakes, raise_all, shape_mistakes
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
 from slipcircle.scene.ground import FAR, grounds_mistakes, line_mistakes, pond_mistakes
-
-
-class Weights(NamedTuple):
-    """What the balance of momentum needs of the position, all over Theta*, positive down-slope.
-
-    After a rotation phi the first pair becomes fall cos(phi) - fall_slope sin(phi), and so does the second: the slopes
-    are the derivatives by the dip, which a rotation lowers.
-    """
-
-    fall: Any
-    fall_slope: Any
-    press: Any
-    press_slope: Any
-    level: Any
-    polar: Any
-    static_limit: Any  # J_theta/J_r
+from slipcircle.scene.weights import Dimensionless, Weights
 
 
 class Journey(NamedTuple):
@@ -37,6 +22,14 @@ class Journey(NamedTuple):
     run_out: Any
     fall: Any
     travel_angle: Any
+
+    @property
+    def toe_x(self) -> Any:
+        return self.toe[..., 0][()]
+
+    @property
+    def toe_y(self) -> Any:
+        return self.toe[..., 1][()]
 
 
 @dataclass(frozen=True)
@@ -88,6 +81,8 @@ class Section:
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
     base: float | None = None
+    quantities: ClassVar[tuple[str, ...]] = ("unit_weight", "gravity", "width")  # what scenes vary
+    given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
         length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
@@ -112,6 +107,11 @@ class Section:
         if not found and self.level is not None and np.ndim(self.ground) == 2:
             found = pond_mistakes(np.asarray(self.ground, dtype=np.float64), np.asarray(self.level, dtype=np.float64))
         raise_all("Section", found or self._geometry_mistakes())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Section) and all(
+            np.array_equal(value, getattr(other, f.name)) for f in fields(self) for value in [getattr(self, f.name)]
+        )
 
     # --- the stretch -------------------------------------------------------------------------------------------------
 
@@ -320,16 +320,31 @@ class Section:
         return {name: self._shaped(value) for name, value in found.items()}
 
     @cached_property
-    def weights(self) -> Weights:
-        """What the balance needs; level is lambda/Theta*, with lambda = 2 alpha f/R (3.14)."""
+    def dimensionless(self) -> Dimensionless:
+        """Coefficients of the equation of motion, positive down-slope; lambda = 2 alpha f/R (3.14)."""
         m, alpha = self.moments, self.half_angle
-        theta = m["moment_of_inertia"]
-        return Weights(
-            m["weight_moment"] / theta, m["weight_moment_slope"] / theta,
-            m["radial_weight"] / theta, m["radial_weight_slope"] / theta,
-            4 * alpha * np.sin(alpha / 2) ** 2 / theta, m["polar_moment"] / theta,
-            m["weight_moment"] / m["radial_weight"],
+        theta, radial, factor = m["moment_of_inertia"], m["radial_weight"], 4 * alpha * np.sin(alpha / 2) ** 2
+        return Dimensionless(
+            theta, radial, m["weight_moment"], factor, m["polar_moment"] / factor, radial / factor,
+            m["weight_moment"] / radial, radial / theta, m["polar_moment"] / theta,
         )  # fmt: skip
+
+    @cached_property
+    def weights(self) -> Weights:
+        """What the balance needs; r_u is a share of the weight of the soil above, gamma h, in the mean over the arc."""
+        m, d = self.moments, self.dimensionless
+        theta = d.moment_of_inertia
+        cover = self.mean_cover / (self.sagitta * d.static_normal_stress)
+        return Weights(
+            d.weight_moment / theta, m["weight_moment_slope"] / theta,
+            d.radial_weight_per_inertia, m["radial_weight_slope"] / theta,
+            d.resistance_factor / theta, d.polar_moment_per_inertia, d.limit_friction, cover,
+        )  # fmt: skip
+
+    @cached_property
+    def static_normal_stress(self) -> Any:
+        """Mean normal stress on the arc at rest (2.27), Pa."""
+        return self.reference_stress * self.dimensionless.static_normal_stress
 
     @cached_property
     def time_scale(self) -> Any:
