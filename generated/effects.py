@@ -4,7 +4,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import sqrt
+from numpy import sqrt
 
 INFINITY = float("inf")
 

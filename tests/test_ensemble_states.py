@@ -66,9 +66,8 @@ def together(rows: Sequence[golden.Data]) -> Any:
 
 
 def pairs() -> Iterator[Any]:
-    missed = pytest.mark.xfail(reason="ensembles miss the greatest speed of a pushed mass that first slows down")
     for law, effects in product(LAWS, EFFECTS):
-        yield pytest.param(law, effects, marks=[missed] if (law, effects) == ("exponential", "drag") else [])
+        yield law, effects
 
 
 @pytest.mark.parametrize(("law", "effects"), list(pairs()))
@@ -111,7 +110,7 @@ def test_lanes_go_both_ways_and_stand() -> None:
 SHARED = pytest.mark.xfail(reason="lanes of a law of slip are followed on panels that they share")
 
 
-@pytest.mark.parametrize("law", ["constant", pytest.param("hyperbolic", marks=SHARED), "rate"])
+@pytest.mark.parametrize("law", ["constant", "hyperbolic", "rate"])
 def test_a_lane_does_not_know_its_neighbours(law: str) -> None:
     """The same bits among others, in another order, and beside lanes that are no scene."""
     rows = lanes(law, "turning")
@@ -162,7 +161,7 @@ def test_shapes() -> None:
     vaiont = load("vaiont")
     arc, mu = vaiont.arc, np.array([0.1, 0.2, 0.3, 0.9])
     radius = np.array([[300.0], [400.0], [500.0]])
-    found = solve(replace(vaiont, arc=replace(arc, radius=radius), friction=mu))
+    found = solve(replace(vaiont, arc=replace(arc, radius=radius), friction=mu), 1e-14)
     for values in (found.status, found.moves, found.arrested, found.duration, found.run_out, found.peak.velocity,
                    found.end.time, found.peak.normal_stress, found.error_estimate):  # fmt: skip
         assert np.shape(values) == (3, 4)
@@ -190,7 +189,7 @@ def test_what_became_of_each_lane() -> None:
         replace(load("vaiont"), friction=mu)
     good = np.where(np.isnan(mu), 0.3, mu)
     found = solve(replace(load("vaiont"), friction=good, initial_velocity=velocity))
-    assert found.count() == {"RESTS": 2, "STAYS": 1, "MOVING": 1, "TURNED": 1, "ILL_CONDITIONED": 1, "FAILED": 1}
+    assert found.count() == {"RESTS": 3, "STAYS": 1, "MOVING": 1, "TURNED": 1, "UPRIGHT": 1}
     assert np.isnan(found.duration[4])
     assert np.all(np.isfinite(np.delete(found.duration, 4)))
 
@@ -260,7 +259,7 @@ def test_extreme_lanes_among_ordinary_ones() -> None:
             assert (found.moves[k], found.arrested[k]) == (alone.moves, alone.arrested)
             assert found.run_out[k] == pytest.approx(alone.run_out, rel=error)
             assert found.duration[k] == pytest.approx(alone.duration, rel=error)
-        assert set(found.count()) >= {"RESTS", "STAYS", "FAILED"}
+        assert set(found.count()) >= {"RESTS", "STAYS", "UPRIGHT"}
         assert 1e-10 < found.error_estimate[5] < 1e-5, "next to the limit rounding of the drive counts"
 
 

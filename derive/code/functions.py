@@ -314,7 +314,7 @@ _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for, and th
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import sqrt
+from numpy import sqrt
 
 INFINITY = float("inf")
 

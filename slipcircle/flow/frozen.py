@@ -35,7 +35,7 @@ def _phase(lanes: w.Lanes) -> None:
     """One phase, up to its standstill or its end."""
     c, p = lanes.c, lanes.program
     c[w.STEPS] += 1.0
-    a, b, omega = c[p.roles["cell_drive"]].copy(), _brake(lanes), c[w.OMEGA].copy()
+    a, b, omega = c[p.roles["cell_drive"]].copy(), brake(lanes), c[w.OMEGA].copy()
     braked = bool(np.any(b != 0.0))
     prefix, of = ("frozen_centripetal", (a, b, omega)) if braked else ("frozen", (a, omega))
     stop, gone = (np.asarray(getattr(formulas, f"{prefix}_arrest_{n}")(*of)) for n in ("time", "rotation"))
@@ -68,7 +68,7 @@ def _phase(lanes: w.Lanes) -> None:
     c[w.STATUS, ends] = w.ENDED
 
 
-def _brake(lanes: w.Lanes) -> Floats:
+def brake(lanes: w.Lanes) -> Floats:
     """b: what a unit of omega^2 takes from the rate, by the program itself."""
     part = w.Lanes(lanes.program, lanes.tables, lanes.c.copy(), None, lanes.which)
     part.c[lanes.program.roles["cell_drive"]], part.c[w.OMEGA], part.c[w.X] = 0.0, 1.0, 0.0

@@ -35,7 +35,6 @@ def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = No
         cells[:, asking] = lanes.c
         cells[walk.STATUS, asking] = walk.MOVING
     long = (cells[walk.STATUS] == walk.TOO_LONG) & (cells[walk.STEPS] > walk.MOST_STEPS)
-    long &= np.isfinite(cells[walk.END_TIME])  # creep without an end has none
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells
@@ -91,8 +90,10 @@ class Lanes:
 
     def bind(self, asked: tuple[str, ...] = (), directions: int = 0) -> Bound:
         """Bound numbers, with further outputs, or derivatives in so many directions."""
-        return bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count,
-                    asked, directions)  # fmt: skip
+        found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count,
+                     asked, directions)  # fmt: skip
+        found.cells[walk.STATUS, np.broadcast_to(self.invalid, self.count)] = walk.FAILED
+        return found
 
     @property
     def radius(self) -> Any:
@@ -195,6 +196,16 @@ class Lanes:
             lanes.base()
         return lanes
 
+    @property
+    def brake(self) -> Floats:
+        """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
+        bound = self.bound
+        lanes = walk.Lanes(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
+        lanes.c[walk.DIRECTION] = 1.0
+        with np.errstate(all="ignore"):
+            lanes.base()
+            return 2 * frozen.brake(lanes)
+
     @cached_property
     def statics(self) -> dict[str, Floats]:
         """Limit friction, factor of safety, yield coefficient and friction at the start, without shaking.
@@ -244,7 +255,9 @@ class Lanes:
         rows, _ = self._sampled(bound, times, False)
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
-        return {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": lost}, bound.cells[walk.OMEGA] ** 2 / 2
+        return {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}, bound.cells[
+            walk.OMEGA
+        ] ** 2 / 2
 
     def companions(self, cells: Any) -> "Lanes":
         """Lanes of other numbers, for estimates."""

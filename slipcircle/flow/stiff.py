@@ -5,6 +5,7 @@ The walk, its phases and its events stay; a step goes to the next break or event
 
 from collections.abc import Callable, Sequence
 from typing import Any
+from warnings import catch_warnings, simplefilter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,8 @@ from slipcircle.flow.tables import Data
 
 Floats = NDArray[np.float64]
 TOLERANCE = 1e-12
-MOST_STEPS = 100_000  # of the stepper, for one step of the walk
+CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
+MOST_STEPS = 3_000  # of the stepper, for one step of the walk
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Samples | None = None,
@@ -81,7 +83,11 @@ class _Implicit(w.Lanes):
         for _ in range(MOST_STEPS):
             if stepper.status != "running":
                 break
-            stepper.step()
+            with catch_warnings():  # that it failed is said by its status
+                simplefilter("ignore")
+                stepper.step()
+            if stepper.status == "failed":
+                break
             dense, t0 = stepper.dense_output(), end
             after = [f(stepper.t, stepper.y) for _, f in watched]
             end, hit = stepper.t, -1
@@ -96,9 +102,10 @@ class _Implicit(w.Lanes):
                 self._fastest(np.array([at[1]]), np.array([top]), c[w.ROTATION] + c[w.DIRECTION] * at[0], np.zeros(1))
             self._write(t0, end, dense)
             rate, before = falls, after
-            if hit >= 0:
+            creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[w.PEAK_OMEGA, 0])
+            if hit >= 0 or creeps:
                 break
-        if hit < 0 and stepper.status != "finished":
+        if hit < 0 and (stepper.status != "finished" or np.isinf(limit)):
             c[w.STATUS, 0] = w.TOO_LONG
             return
         self._registers(end if hit >= 0 else limit, y)

@@ -36,6 +36,7 @@ class Status(IntEnum):
     INVALID = 7  #: its numbers are no scene
 
 
+ENERGIES = 21  # times at which the energy balance is looked at
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
 
@@ -165,6 +166,11 @@ class Motion:
     def stopped_at(self) -> Any:
         """Time at which the walk stopped, s, with an answer or without."""
         return self._shaped(self._of(walk.TIME) * self._lanes.bound.time_scale)
+
+    @property
+    def brake(self) -> Any:
+        """q, twice what a unit of omega*^2 takes from the rate at the start: the speed falls like exp(-q phi/2)."""
+        return self._shaped(self._lanes.brake)
 
     @property
     def turnings(self) -> Any:
@@ -406,12 +412,12 @@ class Motion:
     def error_estimate(self) -> Any:
         return self._shaped(self._estimates)
 
-    @property
+    @cached_property
     def energy_error_estimate(self) -> float:
-        """How far the energy balance is off at the end, relative to all energy."""
-        e = self.energy
-        most = np.maximum(np.maximum(np.abs(e.work), e.dissipation), np.maximum(e.kinetic_end, 1e-300))
-        return np.abs(e.residual) / most
+        """How far the energy balance of a single motion is off at any time, relative to all energy until then."""
+        e = self.energy_at(np.linspace(0.0, self.duration, ENERGIES))
+        most = np.maximum.accumulate(e.kinetic_start + np.abs(e.work) + e.dissipation)
+        return float(2 * np.max(np.abs(e.residual) / np.maximum(most, 1e-300)))
 
     def sensitivity(self) -> "Sensitivity":
         """Exact derivatives of a single motion by every number of its scene: `slipcircle.motion.sensitivity`.

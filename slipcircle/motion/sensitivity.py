@@ -64,6 +64,14 @@ class Sensitivity:
         """One of the values."""
         return float(self.values[list(self.outputs).index(output), list(self.parameters).index(parameter)])
 
+    def __str__(self) -> str:
+        lines = [["by", "value", *(f"d {n} [{unit}] (elasticity)" for n, unit in self.outputs.items())]]
+        for k, (name, unit) in enumerate(self.parameters.items()):
+            cells = [f"{v:.6g} ({e:+.3g})" for v, e in zip(self.values[:, k], self.elasticities[:, k], strict=True)]
+            lines.append([f"{name} [{unit}]" if unit else name, f"{self.at[name]:.6g}", *cells])
+        widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+        return "\n".join("  ".join(c.ljust(w) for c, w in zip(line, widths, strict=True)).rstrip() for line in lines)
+
 
 def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sensitivity:
     """Derivatives of a single motion's outputs by every number of its scene.
@@ -91,7 +99,8 @@ def _parameters(scene: Scene) -> dict[str, tuple[str, float]]:
             units |= {f"friction.{p.name}": p.unit for p in LAWS[name].parameters}
     for name, effect in EFFECTS.items():
         units |= {f"{name}.{p.name}": p.unit for p in effect.parameters if p.symbol or p.kind == "number"}
-    found = {n: (units[n], float(np.asarray(v))) for n, v in scene.numbers.items() if n in units and not callable(v)}
+    numbers = {n: v for n, v in scene.numbers.items() if n in units and not callable(v)}
+    found = {n: (units[n], float(np.asarray(numbers[n]))) for n in sorted(numbers, key=list(units).index)}
     if found["initial_velocity"][1] == 0.0:
         del found["initial_velocity"]
     if scene.arc.given is not None:

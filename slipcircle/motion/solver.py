@@ -16,6 +16,7 @@ from slipcircle.scene.arc import Arc
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
 
+STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 BLOCK = 16384  # lanes at once, so that what they need stays in the cache
 
 
@@ -121,6 +122,11 @@ def _refuse(motion: Motion) -> None:
         raise ValueError(
             "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
         )
+    if status == Status.ENDLESS and motion.turnings < 20 and (brake := motion.brake) > STRONGEST:
+        raise ValueError(
+            f"drag, friction: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
+            f"{brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
+        )
     if status == Status.ENDLESS and motion.turnings < 20:
         raise ValueError(
             "end_time: this mass creeps to its rest, ever more slowly as what resists falls with the speed, and never "
@@ -132,6 +138,6 @@ def _refuse(motion: Motion) -> None:
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"
         )
-    end = motion.end
-    if status == Status.FAILED or not math.isfinite(end.displacement) or not math.isfinite(end.velocity):
+    numbers = (motion.end.displacement, motion.end.velocity, float(np.square(scene.initial_velocity)))
+    if status == Status.FAILED or not all(map(math.isfinite, numbers)):
         raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")
