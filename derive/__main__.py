@@ -42,7 +42,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     ProofError
         If a step of the derivation does not hold.
     """
-    from derive.algebra import dynamics, growth, integrate, rules
+    from derive.algebra import dynamics, growth, integrate, rules, slopes
     from derive.algebra.appendices import APPENDICES, reduction
     from derive.approximate import search, shapes
     from derive.declare.quantities import MOMENTS
@@ -68,6 +68,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
+    timed("slopes", "balance", "{0} claims proved", lambda: len(slopes.prove()))
     timed("arc", "slopes", "{0} claims proved", lambda: len(growth.prove_arc_growth(integrate.closed_forms())))
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)

@@ -1,7 +1,8 @@
 """The dynamic slip circle method: how fast, how far, and when a mass that failed along a circle comes to rest.
 
-`Arc` holds the failed section, `Scene` adds friction, effects and the start, `plan` says how it will be solved and
-`solve` returns the `Motion`; `ensemble` draws uncertain numbers, `backanalyse` looks for what explains an observation.
+`Arc` holds the failed section, `Section` that of a real slope, `Scene` adds friction, effects and the start, `plan`
+says how it will be solved and `solve` returns the `Motion`; `ensemble` draws uncertain numbers, `backanalyse` looks for
+what explains an observation, and `critical` for the circle along which a `Slope` fails.
 Units are SI, angles radians. `slipcircle schema --text` is the guide to effects and friction laws: formulas, parameters
 and bounds. The numbers come from the package `generated`, which `python -m derive` writes.
 """
@@ -20,11 +21,15 @@ if getattr(generated, "__project__", None) != "slipcircle":
 from slipcircle.motion.motion import Energy, Motion, State, Status
 from slipcircle.motion.plan import Plan, plan
 from slipcircle.motion.solver import solve
-from slipcircle.scene.arc import Arc, Dimensionless
+from slipcircle.scene.arc import Arc
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.section import Section
+from slipcircle.scene.weights import Dimensionless
 
 if TYPE_CHECKING:
     from slipcircle.files.scenefile import load
+    from slipcircle.scene.search import Critical, critical
+    from slipcircle.scene.stability import Slope
     from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.studies.conduct import ensemble, grid
     from slipcircle.studies.study import Study
@@ -32,23 +37,28 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 # Asked for by name, since one motion needs nothing of them.
 _LATE = {
-    "BackAnalysis": "studies.backanalysis", "Study": "studies.study", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "ensemble": "studies.conduct", "grid": "studies.conduct",
+    "BackAnalysis": "studies.backanalysis", "Critical": "scene.search", "Slope": "scene.stability",
+    "Study": "studies.study", "Unattainable": "studies.backanalysis", "backanalyse": "studies.backanalysis",
+    "critical": "scene.search", "ensemble": "studies.conduct", "grid": "studies.conduct",
     "load": "files.scenefile",
 }  # fmt: skip
 __all__ = [
     "Arc",
     "BackAnalysis",
+    "Critical",
     "Dimensionless",
     "Energy",
     "Motion",
     "Plan",
     "Scene",
+    "Section",
+    "Slope",
     "State",
     "Status",
     "Study",
     "Unattainable",
     "backanalyse",
+    "critical",
     "ensemble",
     "grid",
     "load",

@@ -109,6 +109,11 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
         from slipcircle.outputs import sweep
 
         sweep.arguments(swept)
+    searched = command("search", _search, "the critical circle of a slope, and its factors of safety by three methods")
+    if "search" in argv:
+        from slipcircle.outputs import searching
+
+        searching.arguments(searched)
     back = command("backanalyse", _backanalyse, "the friction, or another number, that explains an observed motion")
     back.add_argument("scene", metavar="SCENE", help=which)
     for name, option in _observed_options().items():
@@ -232,6 +237,14 @@ def _sweep(options: argparse.Namespace) -> None:
     sweep.show(found)
     for warning in found.warnings:
         _say(f"{found.scene.name}: {warning}")
+
+
+def _search(options: argparse.Namespace) -> None:
+    from slipcircle.outputs import searching
+
+    found = searching.run(options)
+    if options.json:
+        _print([f.record() for f in found])
 
 
 def _observed_options() -> dict[str, str]:

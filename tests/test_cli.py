@@ -254,7 +254,7 @@ def test_no_environment_variable_makes_a_pipe_wide_or_narrow() -> None:
 @pytest.mark.parametrize(
     ("argv", "status", "said"),
     [
-        (["run", "viaont"], 1, "scene 'viaont' is unknown; known are newmark-pulse, vaiont, vaiont-as-printed"),
+        (["run", "viaont"], 1, "scene 'viaont' is unknown; known are newmark-pulse, real-slope, vaiont"),
         (["run", "vaiont-frozen", "viaont"], 1, "scene 'viaont' is unknown"),
         (["run", "viaont", "--json"], 1, "scene 'viaont' is unknown"),
         (["backanalyse", "vaiont"], 1, "give one of --reach-m, --run-out-m, --peak-velocity-m-s, --duration-s"),
@@ -311,7 +311,7 @@ def test_a_reader_that_stops_reading(what: str, reads: str, said: str) -> None:
 def test_help_says_what_there_is_and_how_it_ends(capsys: pytest.CaptureFixture[str]) -> None:
     """Every command has its own help and a sentence; scenes and exit status stand in the first; within 100 columns."""
     said = {}
-    for name in ("", "run", "plan", "sweep", "backanalyse", "sensitivity", "schema", "cost", "info"):
+    for name in ("", "run", "plan", "sweep", "backanalyse", "sensitivity", "search", "schema", "cost", "info"):
         with pytest.raises(SystemExit, match="0"):
             main([*name.split(), "--help"])
         said[name] = capsys.readouterr().out

@@ -126,7 +126,7 @@ LAYERS = {
     ),
     "generated": (
         *("definitions", "effects", "flow", "laws", "series", "tiers", "_evaluate", "_compiled"),
-        *("growth", "kernels", "motion", "printed", "stable", "__init__"),
+        *("growth", "kernels", "motion", "printed", "slopes", "stable", "__init__"),
     ),
     "slipcircle": (
         *("base", "records", "scene", "flow", "motion", "files", "studies", "__init__", "outputs", "cost"),

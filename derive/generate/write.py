@@ -19,7 +19,7 @@ from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
 from derive.declare.symbols import r, theta
 from derive.flow import emit as flow
 from derive.flow import series
-from derive.generate import emit_c, functions
+from derive.generate import emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
@@ -50,6 +50,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
         "series.py": series.numpy_text(),
+        "slopes.py": slopes.module(),
         "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),

@@ -14,13 +14,18 @@ from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import distribution_mistakes, made
+from slipcircle.files import slopefile
 from slipcircle.files.scenekeys import model_of
+from slipcircle.files.slopekeys import GEOMETRY
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
 from slipcircle.scene.keys import Key, Table, tables_of
 from slipcircle.scene.numbers import numbers
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.section import Section
 
+_NO_ARC = {"radius_m": 1.0, "theta_1_deg": 225.0, "theta_2_deg": 315.0, "unit_weight_kN_m3": 20.0}  # never solved
+_OF_SOIL = (("cohesion", "cohesion_kPa"), ("pore_pressure", "ratio"))
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -84,17 +89,22 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
     by_rate: Any = friction.get("rate") if isinstance(friction, dict) else None
     asked = by_rate.get("law", "") if isinstance(by_rate, dict) else ""
     rate = "".join(get_close_matches(str(asked), RATE_LAWS, 1)) or RATE_LAWS[0]
+    sloping = "ground" in document
     tables = tables_of(law or "constant", rate)
     document, uncertain, found, wrong = _drawn(document, tables)
     if check:
         # Of a law that is anybody's guess nothing else can be judged.
         judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
+        if sloping:
+            judged = {k: v for k, v in judged.items() if k not in GEOMETRY} | {"arc": _NO_ARC}
         more, also = _mistakes(judged, tables, model_of(law or "constant", rates=(rate,)))
         found, wrong = found + more, wrong | also
-    if "arc" not in wrong:
+    if sloping and "arc" in document:
+        found.append("arc: and ground exclude each other; leave one out")
+    if not sloping and "arc" not in wrong:
         given = _arguments(document["arc"].get("given", {}), tables["arc.given"])
         try:
-            arc = Arc(**_arguments(document["arc"], tables["arc"]), given=given or None)
+            arc: Arc | Section = Arc(**_arguments(document["arc"], tables["arc"]), given=given or None)
         except ValueError as error:
             found.append(str(error).replace("Arc: ", "arc."))
     if "friction" not in wrong:
@@ -102,6 +112,13 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
         if by_rate is not None:
             friction["rate"] = {"law": rate} | _arguments(by_rate, tables["friction.rate"])
         found += law_mistakes(friction)
+    if sloping and not found:
+        start = friction.get("peak", friction.get("coefficient"))
+        stress, ratio = (document.get(t, {}).get(k, 0.0) for t, k in _OF_SOIL)
+        try:
+            arc = slopefile.section_of(document, start, 1e3 * stress, 0.0 if isinstance(ratio, list) else ratio)
+        except ValueError as error:
+            found += str(error).splitlines()
     if found:
         raise ValueError("\n".join(f"{file}: {m}" for m in found))
     effects = {name: _arguments(document[name], tables[name]) for name in EFFECTS if name in document}
@@ -113,7 +130,7 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
         return Scene(arc, mu, effects, **known, uncertain=uncertain)
     except ValueError as error:
         said = str(error).removeprefix(f"Scene {known['name']}: ")
-        raise ValueError(f"{file}: {_by_key(said, tables)}") from error
+        raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
 
 
 def _by_key(said: str, tables: Mapping[str, Table]) -> str:

@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal, Union
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import DISTRIBUTIONS
+from slipcircle.files import slopekeys
 from slipcircle.scene.friction import RATE_LAWS
 from slipcircle.scene.keys import Key, Table, law_table, may_have_rate, tables_of
 
@@ -69,8 +70,11 @@ def _distributions() -> Any:
 
 
 def schema() -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of a scene file."""
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        **model_of(*LAWS, uncertain=True).model_json_schema(),
-    }
+    """The JSON Schema (draft 2020-12) of a scene file: with an arc, or with a ground and a circle in its place."""
+    found = model_of(*LAWS, uncertain=True).model_json_schema()
+    found["properties"] |= slopekeys.schemas()
+    found["required"].remove("arc")
+    instead = [{"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in slopekeys.GEOMETRY]}},
+               {"required": ["ground", "circle"], "not": {"required": ["arc"]}}]  # fmt: skip
+    found["oneOf"] = instead
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found}

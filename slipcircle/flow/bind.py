@@ -13,6 +13,7 @@ from slipcircle.base.series import Pulse, Series
 from slipcircle.flow import tables, walk
 from slipcircle.flow.program import Program, join
 from slipcircle.scene.arc import Arc
+from slipcircle.scene.section import Section
 
 Floats = NDArray[np.float64]
 FINEST = 1e-14
@@ -52,13 +53,13 @@ def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
     return ((friction["law"], own), *(law_parts(friction["rate"]) if "rate" in friction else ()))
 
 
-def bind(arc: Arc, called: Mapping[str, Mapping[str, Any]], friction: Any, velocity: Any, end_time: Any,
+def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: Any, velocity: Any, end_time: Any,
          accuracy: float, lanes: int, asked: tuple[str, ...] = (), directions: int = 0) -> Bound:  # fmt: skip
     """Lanes of scenes that share their effects and laws.
 
     Parameters
     ----------
-    arc : Arc
+    arc : Arc or Section
         Its fields, like all numbers here, are numbers or arrays of one value a lane.
     called : mapping
         Effects by name, each with its parameters; functions of time are `Series` or `Pulse`.
@@ -76,16 +77,13 @@ def bind(arc: Arc, called: Mapping[str, Mapping[str, Any]], friction: Any, veloc
     absent = tuple(symbol for symbol, value in known if value is None)
     program = join(effects, tuple(name for name, _ in parts), moving, absent, asked, directions)
     time_scale, radius = arc.time_scale, np.asarray(arc.radius, dtype=np.float64)
-    d, (weight, radial) = arc.dimensionless, arc.amplitudes_per_inertia
-    press, limit = arc.press(), d.limit_friction
-    given: dict[str, Any] = {
-        "fall": limit * press, "press": press, "fall_slope": weight * (press / radial),
-        "press_slope": -radial * (limit * press / weight), "limit": limit,
-        "polar": d.polar_moment_per_inertia, "level": press / d.static_normal_stress,
-    }  # fmt: skip
+    weights = arc.weights
+    limit = weights.static_limit
+    given: dict[str, Any] = weights._asdict() | {"limit": limit}
     scales = {
         "half_angle": arc.half_angle, "gravity": arc.gravity, "reference_stress": arc.reference_stress,
-        "Theta": d.moment_of_inertia, "radius": radius, "density": np.divide(arc.unit_weight, arc.gravity),
+        "Theta": arc.dimensionless.moment_of_inertia, "radius": radius,
+        "density": np.divide(arc.unit_weight, arc.gravity),
     }  # fmt: skip
     pieces: dict[str, tuple[tables.Data, Any, Any]] = {}  # by name: data, scale, factor
     grown: dict[str, Grown] = {}
@@ -95,10 +93,11 @@ def bind(arc: Arc, called: Mapping[str, Mapping[str, Any]], friction: Any, veloc
             if not p.symbol:
                 continue
             value = called[effect].get(p.name, 0.0)
+            share = weights.cover if (effect, p.name) == ("pore_pressure", "ratio") else 1.0
             if callable(value):
-                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(1.0, scales | own)
+                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(share, scales | own)
             else:
-                given[p.symbol] = p.dimensionless(value, scales | own)
+                given[p.symbol] = p.dimensionless(value * share, scales | own)
     for name, parameters in parts:
         _law(name, parameters, radius, time_scale, given, pieces, grown)
     cells = np.zeros((len(program.cells), lanes))

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
 from slipcircle.scene.arc import Arc
+from slipcircle.scene.section import Section
 
 Floats = NDArray[np.float64]
 
@@ -57,7 +58,7 @@ class Lanes:
 
     Attributes
     ----------
-    arc : Arc
+    arc : Arc or Section
         May be unchecked: what is no arc is invalid.
     called : mapping
         Effects by name, each with its parameters.
@@ -73,7 +74,7 @@ class Lanes:
         Which are no scenes.
     """
 
-    arc: Arc
+    arc: Arc | Section
     called: Mapping[str, Mapping[str, Any]]
     friction: Any
     velocity: Any
@@ -101,8 +102,7 @@ class Lanes:
     @property
     def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
-        d = self.arc.dimensionless
-        return np.asarray(self.arc.reference_stress * d.static_normal_stress / self.arc.press())
+        return np.asarray(self.arc.reference_stress / self.arc.weights.level)
 
     @property
     def energy_unit(self) -> Any:

@@ -15,6 +15,7 @@ from slipcircle.flow import walk
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
+from slipcircle.scene.section import Journey, Section
 
 if TYPE_CHECKING:
     from slipcircle.motion.sensitivity import Sensitivity
@@ -224,6 +225,14 @@ class Motion:
     @cached_property
     def end(self) -> State:
         return self._state(self._duration, *(self._of(k) for k in (walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE)))
+
+    @property
+    def journey(self) -> Journey:
+        """Where it is at the end, of a `Section`: toe, its horizontal run-out, fall of the centroid, travel angle."""
+        section = self.plan.scene.arc
+        if not isinstance(section, Section):
+            raise AttributeError("journey: of a Section only, as an Arc does not say where it lies")
+        return section.journey(self.end.rotation)
 
     @cached_property
     def peak(self) -> State:

@@ -95,6 +95,21 @@ RESULTS: tuple[Quantity, ...] = (
     Quantity("peak_stress", "Pa", "mean normal stress at the peak velocity", "peak.normal_stress", solved=True),
     Quantity("end_stress", "Pa", "mean normal stress at the end", "end.normal_stress", solved=True),
 )
+# Of a section, which lies somewhere.
+JOURNEY: tuple[Quantity, ...] = (
+    Quantity("toe_run_out", "m", "horizontal run-out of the toe", "journey.run_out", solved=True),
+    Quantity("toe_x", "m", "x of the toe at the end", "journey.toe_x", solved=True),
+    Quantity("toe_y", "m", "y of the toe at the end", "journey.toe_y", solved=True),
+    Quantity("fall", "m", "fall of the centroid", "journey.fall", solved=True),
+    Quantity("travel_angle", "rad", "travel angle of the centroid", "journey.travel_angle", degrees=True, solved=True),
+)
+
+
+def results(motion: Any) -> tuple[Quantity, ...]:
+    """The quantities that a motion has."""
+    return (*RESULTS, *JOURNEY) if hasattr(motion, "journey") else RESULTS
+
+
 # What an ensemble is drawn for, a derivative taken of, and a back-analysis is given: `Motion` has them of every scene.
 OUTCOMES: Mapping[str, Quantity] = {
     q.name: q for q in RESULTS if q.name in ("reach", "run_out", "peak_velocity", "duration")
@@ -134,7 +149,7 @@ def record(motion: Any) -> dict[str, Any]:
             "law": law if isinstance(law, Mapping) else {"law": motion.plan.law},
             "dimensionless": scene.arc.dimensionless,
         }
-        | {q.name: q.read(motion) for q in RESULTS if "." not in q.path}
+        | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q in JOURNEY}
         | states
         | {
             "energy": asdict(motion.energy) | {"residual": motion.energy.residual},

@@ -23,6 +23,7 @@ from slipcircle.flow.program import Program, Table
 from slipcircle.flow.solve import Lanes, walked
 from slipcircle.flow.tables import Data, of_law
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.section import Section
 
 Floats = NDArray[np.float64]
 
@@ -80,6 +81,8 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     Angles are left out where the arc's coefficients are given instead of computed, and the initial velocity where the
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill.
     """
+    if isinstance(scene.arc, Section):
+        raise ValueError("sensitivity: of an Arc only; those of a Section's coordinates are not derived")
     parameters = _parameters(scene)
     values = np.zeros((len(OUTPUTS), len(parameters)))
     if any(outputs.values()):

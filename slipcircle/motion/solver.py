@@ -12,8 +12,8 @@ from slipcircle.flow.solve import Lanes
 from slipcircle.flow.walk import MOST_TURNS
 from slipcircle.motion.motion import Motion, Status
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
-from slipcircle.scene.arc import QUANTITIES, Arc
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.varied import arc_with
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 BLOCK = 16384  # lanes at once, so that what they need stays in the cache
@@ -75,7 +75,7 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
         return np.ascontiguousarray(np.broadcast_to(np.asarray(value, np.float64), scene.shape).reshape(-1))
 
     numbers = scene.numbers
-    arc = Arc.unchecked(**{n: flat(getattr(scene.arc, n)) for n in QUANTITIES}, given=scene.arc.given)
+    arc = arc_with(scene.arc, {n: flat(getattr(scene.arc, n)) for n in scene.arc.quantities})
     called = {
         e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
     }
@@ -102,7 +102,7 @@ def parts(lanes: Lanes, size: int) -> list[Lanes]:
     for first in range(0, lanes.count, size):
         which = slice(first, min(first + size, lanes.count))
         given = {f.name: cut(getattr(lanes, f.name), which) for f in fields(Lanes)}
-        arc = Arc.unchecked(**{f.name: cut(getattr(lanes.arc, f.name), which) for f in fields(Arc)})
+        arc = arc_with(lanes.arc, {n: cut(getattr(lanes.arc, n), which) for n in lanes.arc.quantities})
         found.append(Lanes(**given | {"arc": arc, "count": which.stop - which.start}))
     return found
 

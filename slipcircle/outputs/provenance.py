@@ -87,7 +87,7 @@ def comments(file: str) -> dict[str, str]:
 
 
 def _of_scene(scene: Scene) -> Iterator[Input]:
-    for name in QUANTITIES:
+    for name in scene.arc.quantities:
         yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name], "", "")
     for name, coefficient in (scene.arc.given or {}).items():
         yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given", "")

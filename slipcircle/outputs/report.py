@@ -10,7 +10,7 @@ from typing import Any
 from generated.effects import EFFECTS, LAWS
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan
-from slipcircle.motion.quantities import RESULTS, Quantity, record
+from slipcircle.motion.quantities import RESULTS, Quantity, record, results
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import Raw, data, escaped, figure, folded, number, page, repeat, table, tag
 from slipcircle.outputs.plotstyle import ending, work
@@ -64,7 +64,7 @@ def _scene(motion: Motion, file: bytes | None) -> Iterable[Raw]:
     for warning in motion.warnings:
         yield Raw(f'<p class="warning">Warning: {escaped(warning)}</p>')
     yield tag("h3", "Key results")
-    yield table([[q.label, _value(q, motion)] for q in RESULTS])
+    yield table([[q.label, _value(q, motion)] for q in results(motion)])
     if not motion.arrested:
         yield tag("p", f"It does not come to rest: what is said of the end is said of the {ending(motion)}.")
     yield tag("h3", "Pictures")

@@ -6,8 +6,10 @@ from typing import Any
 import numpy as np
 
 from slipcircle.motion.motion import Motion
+from slipcircle.outputs import slopeplot
 from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, ending, legend, number
 from slipcircle.outputs.trace import Floats
+from slipcircle.scene.section import Section
 
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
 _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
@@ -21,8 +23,10 @@ def section(motion: Motion, ax: Any = None) -> Any:
     """
     from matplotlib.patches import Polygon
 
-    ax = axis(ax, (7.0, 5.5))
     arc = motion.plan.scene.arc
+    if isinstance(arc, Section):
+        return slopeplot.slide(motion, arc, ax)
+    ax = axis(ax, (7.0, 5.5))
     radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
     places = [("start", 0.0, "start")]
     if motion.moves:
@@ -158,15 +162,21 @@ def animate(motion: Motion, figure: Any = None, frames: int = 60) -> Any:
 
     ax = section(motion, None if figure is None else figure.add_subplot())
     arc = motion.plan.scene.arc
-    radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
-    outline = _points(radius, np.linspace(first, second, 200)).T
-    moving = ax.add_patch(Polygon(outline, closed=True, zorder=4, **AREAS["moving"]))
+    centre, facing = np.zeros(2), 1.0
+    if isinstance(arc, Section):
+        centre, facing = np.asarray(arc.centre, dtype=np.float64), float(arc.facing)
+        outline = slopeplot.outline(arc) - centre
+    else:
+        radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
+        outline = _points(radius, np.linspace(first, second, 200)).T
+    moving = ax.add_patch(Polygon(centre + outline, closed=True, zorder=4, **AREAS["moving"]))
     times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
     states = motion.at(times)
 
     def draw(k: int) -> tuple[Any]:
-        turn = float(states.rotation[k])
-        moving.set_xy(outline @ np.array([[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]]))
+        turn = float(states.rotation[k]) * facing
+        way = np.array([[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]])
+        moving.set_xy(centre + outline @ way)
         ax.figure.suptitle(f"{times[k]:.2f} s, {abs(float(states.velocity[k])):.2f} m/s", fontsize="medium")
         return (moving,)
 

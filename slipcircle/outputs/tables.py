@@ -13,7 +13,7 @@ from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import OUTCOMES, RESULTS, plain, record, shown, words
+from slipcircle.motion.quantities import JOURNEY, OUTCOMES, plain, record, results, shown, words
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ COEFFICIENTS = {"Theta*": "moment_of_inertia", "J_r": "radial_weight", "J_theta"
 
 def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
-    chosen = [q for q in RESULTS if verbose or q.name in KEY]
+    chosen = [q for q in results(motion) if verbose or q.name in KEY or (q in JOURNEY and motion.moves)]
     found = {q.label: q.text(motion) for q in chosen}
     if not motion.arrested:
         found["comes to rest"] = "no, still moving"

@@ -3,13 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.scene.weights import Dimensionless, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (0.0, INFINITY, "a positive length in m"),
@@ -20,34 +21,6 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "width": (0.0, INFINITY, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
-
-
-@dataclass(frozen=True)
-class Dimensionless:
-    """The coefficients of the equation of motion (3.11), dimensionless, at the start.
-
-    Attributes
-    ----------
-    moment_of_inertia, radial_weight, weight_moment, resistance_factor, dynamic_coefficient
-        Theta* (3.12), J_r (2.23), J_theta (3.13), lambda (3.14), A (2.24).
-    static_normal_stress
-        J_r/lambda (2.22).
-    limit_friction
-        J_theta/J_r, the friction coefficient at limit equilibrium (3.21); negative where gravity turns the mass
-        clockwise.
-    radial_weight_per_inertia, polar_moment_per_inertia
-        J_r/Theta* and I_p*/Theta* = lambda A/Theta*.
-    """
-
-    moment_of_inertia: Any
-    radial_weight: Any
-    weight_moment: Any
-    resistance_factor: Any
-    dynamic_coefficient: Any
-    static_normal_stress: Any
-    limit_friction: Any
-    radial_weight_per_inertia: Any
-    polar_moment_per_inertia: Any
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
@@ -93,6 +66,7 @@ class Arc:
     gravity: ArrayLike = 9.81
     width: ArrayLike = 1.0
     given: Mapping[str, float] | None = None
+    quantities: ClassVar[tuple[str, ...]] = QUANTITIES
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
@@ -196,6 +170,16 @@ class Arc:
             press = self.dimensionless.radial_weight_per_inertia
             return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
         return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
+
+    @cached_property
+    def weights(self) -> Weights:
+        """What the balance needs; r_u is a share of the static normal stress."""
+        d, (weight, radial), press = self.dimensionless, self.amplitudes_per_inertia, self.press()
+        limit = d.limit_friction
+        return Weights(
+            limit * press, weight * (press / radial), press, -radial * (limit * press / weight),
+            press / d.static_normal_stress, d.polar_moment_per_inertia, limit, 1.0,
+        )  # fmt: skip
 
     def press(self) -> Any:
         """J_r/Theta* at the start."""

@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike
 from generated.effects import EFFECTS, LAWS, Parameter
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 from slipcircle.records.given import resolved
-from slipcircle.scene.arc import QUANTITIES, Arc
+from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
 from slipcircle.scene.numbers import declared
+from slipcircle.scene.section import Section
 
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
@@ -28,7 +29,7 @@ class Scene:
 
     Parameters
     ----------
-    arc : Arc
+    arc : Arc or Section
         The failed section.
     friction : float or array_like, mapping, or callable
         Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
@@ -58,7 +59,7 @@ class Scene:
         Lists every mistake with its field, its value and what is allowed.
     """
 
-    arc: Arc
+    arc: Arc | Section
     friction: ArrayLike | Mapping[str, Any] | Callable[[Any], Any]
     effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
     initial_velocity: ArrayLike = 0.0
@@ -78,7 +79,9 @@ class Scene:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
         if self.accuracy is not None:
             bounds["accuracy"] = ACCURACY
-        found += [] if isinstance(self.arc, Arc) else [f"arc = {self.arc!r}: must be an Arc"]
+        known = isinstance(self.arc, Arc | Section)
+        found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
+        found += _unsolved(self.arc) if isinstance(self.arc, Section) else []
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
         found += law_mistakes(self.friction)
         if (
@@ -92,7 +95,7 @@ class Scene:
         wrong = {name: _effect_mistakes(name, parameters) for name, parameters in effects.items()}
         for name, said in wrong.items():
             found += said
-            if not said and isinstance(self.arc, Arc):
+            if not said and known:
                 gravity = np.unique(self.arc.gravity).tolist()
                 if "record" in effects[name] and (
                     len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}
@@ -122,7 +125,7 @@ class Scene:
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
         """All fields that may be arrays, by name: the arc's, ``friction.peak``, ``pore_pressure.ratio``, ..."""
-        found: dict[str, Any] = {n: getattr(self.arc, n) for n in QUANTITIES}
+        found: dict[str, Any] = {n: getattr(self.arc, n) for n in self.arc.quantities}
         law = self.friction
         if isinstance(law, Mapping):
             tables = any(p.kind == "list" for p in LAWS[law["law"]].parameters) if law.get("law") in LAWS else True
@@ -144,6 +147,19 @@ class Scene:
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
+
+
+def _unsolved(section: Section) -> list[str]:
+    """Why a section's motion is not solved, if it is not."""
+    if section.shape:
+        return ["arc: must be one section; several circles or grounds are several scenes"]
+    if section.no_motion:
+        return [f"arc: {section.no_motion}"]
+    if section.level is not None:
+        mean = float(section.mean_pressure()) / 1e3
+        return ["arc.level: a water level through which the mass turns is not followed; leave it out and give the mean "
+                f"pore pressure on the arc, which is {mean:.6g} kPa at the start"]  # fmt: skip
+    return []
 
 
 def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:

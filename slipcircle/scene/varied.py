@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from generated import kernels
 from generated.effects import EFFECTS
-from slipcircle.scene.arc import QUANTITIES, Arc
+from slipcircle.scene.arc import Arc
 from slipcircle.scene.numbers import Number, number_of, numbers_of
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.section import Section
 
 DIP = Number("arc.dip_deg", "dip", "deg", -90.0, 90.0, False, np.pi / 180)  # of the chord: both ends of the arc turn
 
@@ -40,7 +41,7 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
         head, _, tail = name.partition(".")
         if name == DIP.name:
             arc |= {n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - value) for n in ("theta_1", "theta_2")}
-        elif name in QUANTITIES:
+        elif name in scene.arc.quantities:
             arc[name] = value
         elif name == "friction":
             friction = value
@@ -52,14 +53,20 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
             effects.setdefault(head, {})[tail] = value
         else:
             top[name] = value
-    held = {f.name: getattr(scene.arc, f.name) for f in fields(Arc)}
+    held = {f.name: getattr(scene.arc, f.name) for f in fields(scene.arc)}
     return {"arc": held | arc, "effects": effects, "friction": friction} | top
+
+
+def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
+    """An arc or a section with other values, which were checked elsewhere, or will be."""
+    held = {f.name: getattr(arc, f.name) for f in fields(arc)}
+    return Arc.unchecked(**held | values) if isinstance(arc, Arc) else replace(arc, **values)
 
 
 def scene_with(scene: Scene, values: Mapping[str, float]) -> Scene:
     """A scene with other values of its numbers, which are checked."""
     parts = parts_with(scene, {n: float(v) for n, v in values.items()})
-    return replace(scene, **parts | {"arc": Arc(**parts["arc"])})
+    return replace(scene, **parts | {"arc": type(scene.arc)(**parts["arc"])})
 
 
 def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:
@@ -71,7 +78,7 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
     found = object.__new__(Scene)
     for f in fields(Scene):
         object.__setattr__(found, f.name, getattr(scene, f.name))
-    for name, value in (parts | {"arc": Arc.unchecked(**parts["arc"])}).items():
+    for name, value in (parts | {"arc": arc_with(scene.arc, parts["arc"])}).items():
         object.__setattr__(found, name, value)
     return found, bad
 

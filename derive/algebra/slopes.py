@@ -1,0 +1,259 @@
+"""Real slopes: the mass between an arc and a ground of straight edges, and the balance of the slices above an arc.
+
+Lengths are over R, from the centre of the circle, y up. The region is what an arc cuts off below a ground; it is
+integrated one edge at a time, as the ring between the edge and the arc that is seen from the centre under the same
+angle. An edge from P1 to P2 = P1 + e lies on a line at the distance p = P1 x e/d from the centre, d = |e|; t = P.e/d
+is measured along it from the foot of the perpendicular, so that rho^2 = p^2 + t^2 and dtheta = p dt/rho^2.
+
+Two forms of the same integral, of which the run time takes one by a stated rule (``REACH``):
+
+closed
+    Sector minus triangle. The sector is at most about 16 times the ring where d > (r1 + r2)/4, so nothing cancels.
+rings
+    Quadrature along the edge over g = 1 - rho^2, which is (1-s) g1 + s g2 + s (1-s) d^2, a sum of positive terms: no
+    digit is lost however thin the mass. The only singularities are those of 1/rho, at the distance |(P1 + P2)/2| of the
+    edge's middle in the complex plane. Where d <= (r1 + r2)/4 this is at least 3.87 half lengths of the edge, and
+    Gauss' rule of ``NODES`` nodes leaves about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the greatest value.
+"""
+
+import sympy as sp
+
+from derive.algebra.integrate import antiderivative
+from derive.algebra.prove import prove_zero
+from derive.check.proof import ProofError
+from derive.declare.quantities import MOMENTS
+from derive.declare.symbols import alpha, r, theta
+
+REACH, NODES = sp.Rational(1, 4), 10
+# What is integrated over r and theta: of the area, of the two inertias, and of the weights as vectors.
+WEIGHTS = {
+    "area": r, "polar": r**2, "inertia": r**3,
+    "radial_x": r * sp.cos(theta), "radial_y": r * sp.sin(theta),
+    "moment_x": r**2 * sp.cos(theta), "moment_y": r**2 * sp.sin(theta),
+}  # fmt: skip
+# The paper's moments among them, and what they become as the mass turns by phi: J cos(phi) - slope sin(phi).
+MEANS = {"polar_moment": ("polar", 1), "moment_of_inertia": ("inertia", 1),
+         "radial_weight": ("radial_y", -1), "weight_moment": ("moment_x", -1)}  # fmt: skip
+SLOPES = {"radial_weight": ("radial_x", 1), "weight_moment": ("moment_y", -1)}
+
+X, Y, E_X, E_Y, ANGLE, G = sp.symbols("x y e_x e_y angle g", real=True)
+_P, _T, _T1, _T2, _PHI = sp.symbols("p t t1 t2 phi", real=True)
+_LOG = sp.Symbol("L", real=True)  # artanh(t2/r2) - artanh(t1/r1)
+_TAU = sp.symbols("tau_x tau_y", real=True)
+_NORMAL = (_TAU[1], -_TAU[0])  # from the centre to the line, where p > 0
+_UNIT = {_TAU[0] ** 2: 1 - _TAU[1] ** 2}
+
+
+def _rho(t: sp.Expr) -> sp.Expr:
+    return sp.sqrt(_P**2 + t**2)
+
+
+def _split(weight: sp.Expr) -> tuple[int, sp.Expr]:
+    """n and the direction of a weight r**(n - 1) direction(theta), whose integral over r from 0 is r**n/n direction."""
+    inner = antiderivative(weight, r)
+    n = int(sp.degree(inner, r))
+    direction = sp.simplify(n * inner / r**n)
+    prove_zero(direction * r**n / n - inner, f"inner integral of {weight}")
+    return n, direction
+
+
+def _on_line(direction: sp.Expr) -> sp.Expr:
+    """The direction of a point of the edge's line, whose polar angle is theta."""
+    cos, sin = ((_P * n + _T * tau) / _rho(_T) for n, tau in zip(_NORMAL, _TAU, strict=True))
+    return direction.subs({sp.cos(theta): cos, sp.sin(theta): sin})
+
+
+def triangles() -> dict[str, sp.Expr]:
+    """Integrals over the triangle between the centre and an edge, in p, t1, t2, tau and L, by the weight's name.
+
+    Inner integral, parameter t, term by term over t from t1 to t2; each whole is differentiated back.
+    """
+    found = {}
+    for name, weight in WEIGHTS.items():
+        n, direction = _split(weight)
+        integrand = sp.expand(sp.simplify(_rho(_T) ** n / n * _on_line(direction) * _P / _rho(_T) ** 2))
+        form = sp.Integer(0)
+        for term in sp.Add.make_args(integrand):
+            factor, rest = term.as_independent(_T)
+            form += factor * _PRIMITIVES[sp.simplify(rest)] if rest != 1 else factor * (_T2 - _T1)
+        at_2 = sp.diff(form, _T2) + sp.diff(form, _LOG) / _rho(_T2)  # dL/dt2 = 1/r2, proved in `prove`
+        prove_zero(at_2 - integrand.subs(_T, _T2), f"{name}: the triangle's integral grows with t2 as it must")
+        prove_zero(form.subs({_T2: _T1, _LOG: 0}), f"{name}: an edge without length has none")
+        found[name] = form
+    return found
+
+
+# Integrals over t from t1 to t2 with their differences of near equals divided out: r2 - r1 and t2 r2 - t1 r1 are small
+# for short edges. They are proved where they are used.
+_D, _SUM = _T2 - _T1, _rho(_T1) + _rho(_T2)
+_PRIMITIVES = {
+    _rho(_T): _D / 4 * ((_T1 + _T2) ** 2 / _SUM + _SUM) + _P**2 * _LOG / 2,
+    1 / _rho(_T): _LOG,
+    _T / _rho(_T): _D * (_T1 + _T2) / _SUM,
+    _T: _D * (_T1 + _T2) / 2,
+    _T**2: _D * (_T1**2 + _T1 * _T2 + _T2**2) / 3,
+}
+
+
+def closed() -> tuple[sp.Expr, ...]:
+    """Sector minus triangle for each of ``WEIGHTS``, in x, y, e_x, e_y and the angle from P1 to P2."""
+    x2, y2, d = X + E_X, Y + E_Y, sp.sqrt(E_X**2 + E_Y**2)
+    r1, r2 = sp.sqrt(X**2 + Y**2), sp.sqrt(x2**2 + y2**2)
+    below_1 = 1 - sp.Rational(1, 2**53)  # a centre on the edge: p L = 0 for every finite L
+    at = {
+        _LOG: 2 * sp.atanh(sp.Min(d / (r1 + r2), below_1)), _rho(_T1): r1, _rho(_T2): r2,
+        _P: (X * E_Y - Y * E_X) / d, _T1: (X * E_X + Y * E_Y) / d, _T2: (x2 * E_X + y2 * E_Y) / d,
+        _TAU[0]: E_X / d, _TAU[1]: E_Y / d,
+    }  # fmt: skip
+    found = []
+    for name, triangle in triangles().items():
+        n, direction = _split(WEIGHTS[name])
+        sector = antiderivative(direction, theta) / n
+        if direction == 1:
+            ring = sector.subs(theta, ANGLE)
+        else:  # cosines and sines of the ends
+            ends = [sector.subs({sp.cos(theta): a / b, sp.sin(theta): c / b})
+                    for a, c, b in ((X, Y, r1), (x2, y2, r2))]  # fmt: skip
+            ring = ends[1] - ends[0]
+        found.append(ring - triangle.subs(_T2 - _T1, d).subs(at, simultaneous=True))
+    return tuple(found)
+
+
+def rings() -> tuple[sp.Expr, ...]:
+    """(1 - rho^n)/n over rho^2, for n of area, polar, inertia; then over rho^3, for those of radial and moment; in g.
+
+    Times P1 x e they are what a ring grows by along the edge, ds; the last two times the point itself.
+    """
+    rho = sp.sqrt(1 - G)
+    area = G / 2
+    polar = G * (1 + rho + rho**2) / (3 * (1 + rho))
+    inertia = G * (1 + rho**2) / 4
+    forms = (area / rho**2, polar / rho**2, inertia / rho**2, area / rho**3, polar / rho**3)
+    for form, name in zip(forms, ("area", "polar", "inertia", "radial_x", "moment_x"), strict=True):
+        n, direction = _split(WEIGHTS[name])
+        wanted = (1 - r**n) / n / r ** (2 if direction == 1 else 3)
+        prove_zero(form.subs(G, 1 - r**2).subs(sp.sqrt(r**2), r) - wanted, f"{name}: the ring over dtheta")
+    return forms
+
+
+# --- the slices ------------------------------------------------------------------------------------------------------
+# At beta from straight below the centre, positive down-slope (right): the arc is at (sin, -cos), and the slice above it
+# has the height h and the width cos dbeta. Stresses are over gamma R, so its weight is h cos dbeta.
+
+SINE, COSINE, HEIGHT, PRESSURE, COHESION, MU, K_H, FACTOR = sp.symbols(
+    "sine cosine height pressure cohesion mu k_h factor", real=True
+)
+DISTANCE, BETA, OFFSET, SLOPE = sp.symbols("distance beta offset slope", real=True)
+_N, _S = sp.symbols("N S", real=True)
+_CIRCLE = {SINE**2: 1 - COSINE**2}
+
+
+def slices() -> dict[str, sp.Expr]:
+    """Integrands over beta, from the balance of one slice by its name in `generated.slopes`.
+
+    drive
+        Moment of weight and of k_h times it, at the slice's middle, about the centre.
+    ordinary_normal
+        Effective normal stress where the forces between slices have no component along the radius (Fellenius).
+    bishop_strength, bishop_lever
+        Of (c + N' mu) = strength/lever, where they have none along the vertical; m_alpha is the lever.
+    bishop_normal
+        The effective normal stress that goes with it.
+    radial_weight, radial_tilt
+        J_r (2.23) by strips, and what a unit of k_h adds to it: of the paper's mean normal stress. ``distance`` is that
+        of the ground's point above the arc's from the centre.
+    """
+    weight = HEIGHT * COSINE
+    force = sp.Matrix([K_H * weight, -weight])
+    outward, along = sp.Matrix([SINE, -COSINE]), sp.Matrix([COSINE, SINE])
+    balance = force - _N * outward - _S * along
+    middle = sp.Matrix([SINE, -COSINE + HEIGHT / 2])
+    moment = sp.expand(middle[0] * force[1] - middle[1] * force[0])
+    radial = sp.solve(balance.dot(outward).expand().subs(_CIRCLE).expand(), _N)[0]
+    strength = COHESION + (_N - PRESSURE) * MU
+    vertical = sp.solve(balance[1].subs(_S, strength / FACTOR), _N)[0]
+    lever = COSINE - SINE * MU / FACTOR
+    bishop = (COHESION + MU * (HEIGHT - PRESSURE)) * COSINE
+    prove_zero(strength.subs(_N, vertical) - bishop / lever, "Bishop's strength")
+    normal = ((HEIGHT - PRESSURE) * COSINE + SINE * COHESION / FACTOR) / lever
+    prove_zero(normal - (vertical - PRESSURE), "Bishop's effective normal stress")
+    for name, found in (("Bishop", bishop / lever), ("ordinary", strength)):
+        prove_zero(found.subs(MU, 0) - COHESION, f"without friction the strength is the cohesion: {name}")
+    return {
+        "drive": sp.factor(moment),
+        "ordinary_normal": sp.factor(radial) - PRESSURE,
+        "bishop_strength": bishop,
+        "bishop_lever": lever,
+        "bishop_normal": normal,
+        "radial_weight": COSINE * (1 - DISTANCE),
+        "radial_tilt": COSINE * SINE * sp.log((1 + COSINE) / (DISTANCE + COSINE - HEIGHT)),
+    }
+
+
+def head() -> sp.Expr:
+    """Integral over beta of a line's height above the arc; at x = sin(beta) the line is at offset + slope x."""
+    found = antiderivative(OFFSET + SLOPE * sp.sin(BETA) + sp.cos(BETA), BETA)
+    return sp.expand(found + SLOPE * sp.sin(0) - SLOPE).subs({sp.sin(BETA): SINE, sp.cos(BETA): COSINE})
+
+
+def prove() -> list[str]:
+    """Prove what the forms above rest on; the claims."""
+    claims = []
+
+    def claim(zero: sp.Expr, words: str) -> None:
+        prove_zero(zero, words)
+        claims.append(words)
+
+    # dL/dt2 = 1/r2, where L is computed from d/(r1 + r2).
+    ratio = (_T2 - _T1) / (_rho(_T1) + _rho(_T2))
+    claim(sp.diff(2 * sp.atanh(ratio), _T2) - 1 / _rho(_T2), "L grows by dt/rho")
+    # The ring along the edge: dtheta/ds = P1 x e/rho^2, and 1 - rho^2 is a sum of positive terms inside the circle.
+    s, g1, g2 = sp.symbols("s g1 g2", real=True)
+    x, y = X + s * E_X, Y + s * E_Y
+    claim(sp.diff(sp.atan2(y, x), s) - (X * E_Y - Y * E_X) / (x**2 + y**2), "dtheta = P1 x e ds/rho^2")
+    parts = (1 - s) * g1 + s * g2 + s * (1 - s) * (E_X**2 + E_Y**2)
+    ends = {g1: 1 - X**2 - Y**2, g2: 1 - (X + E_X) ** 2 - (Y + E_Y) ** 2}
+    claim(parts.subs(ends) - (1 - x**2 - y**2), "1 - rho^2 along an edge")
+    for moment in MOMENTS:
+        name, sign = MEANS[moment.name]
+        claim(moment.weight - sign * WEIGHTS[name], f"{moment.symbol} is {'-' if sign < 0 else ''}{name}")
+        if moment.name in SLOPES:
+            slope, slope_sign = SLOPES[moment.name]
+            turned = sp.expand_trig(moment.weight.subs(theta, theta + _PHI))
+            two = moment.weight * sp.cos(_PHI) - slope_sign * WEIGHTS[slope] * sp.sin(_PHI)
+            claim(turned - two, f"{moment.symbol} of the turned mass")
+    _prove_slices(claim)
+    return claims
+
+
+def _prove_slices(claim: object) -> None:
+    """The slices of the mass under one straight chord give the paper's closed forms."""
+    assert callable(claim)
+    forms, middle = slices(), sp.Symbol("beta_m", real=True)
+    height = (sp.cos(BETA - middle) - sp.cos(alpha)) / sp.cos(middle)
+    chord = {SINE: sp.sin(BETA), COSINE: sp.cos(BETA), HEIGHT: height, K_H: 0, PRESSURE: 0}
+
+    def whole(integrand: sp.Expr) -> sp.Expr:
+        u = sp.Symbol("u", real=True)
+        centred = sp.expand(sp.expand_trig(integrand.subs(BETA, middle + u)))
+        primitive = antiderivative(centred, u)
+        return primitive.subs(u, alpha) - primitive.subs(u, -alpha)
+
+    drive = whole(forms["drive"].subs(chord))
+    claim(drive + sp.Rational(2, 3) * sp.sin(alpha) ** 3 * sp.sin(middle), "one chord: the drive of slices is J_theta")
+    # Fellenius' normal force of one chord, closed: the mean of h cos^2 over the arc.
+    normal = whole(forms["ordinary_normal"].subs(chord))
+    even = (sp.sin(alpha) - alpha * sp.cos(alpha)) + (
+        (sp.sin(alpha) + sp.sin(3 * alpha) / 3) / 2 - sp.cos(alpha) * sp.sin(2 * alpha) / 2
+    ) * sp.cos(2 * middle)
+    claim(normal * sp.cos(middle) - even, "one chord: the ordinary method's normal force in closed form")
+    # Strips: x and y of the point, and of the arc below it.
+    x, y = sp.symbols("x y", real=True)
+    reach = sp.sqrt(x**2 + y**2)
+    claim(sp.diff(-reach, y) + y / reach, "J_r by strips: -y/r is the slope of -r")
+    claim(sp.diff(-sp.log(reach - y), y) - 1 / reach, "J_r by strips under k_h: 1/r is the slope of -log(r - y)")
+    claim(sp.diff(head(), SINE) * COSINE - sp.diff(head(), COSINE) * SINE + sp.diff(head(), BETA)
+          - (OFFSET + SLOPE * SINE + COSINE), "height of a line above the arc")  # fmt: skip
+    zero = {HEIGHT: 0, DISTANCE: 1}
+    if forms["radial_weight"].subs(zero) != 0 or forms["radial_tilt"].subs(zero) != 0:
+        raise ProofError("a slice without height weighs")

@@ -1,0 +1,142 @@
+"""The text of `generated/slopes.py`: programs for real slopes, each with its docstring."""
+
+import textwrap
+from typing import NamedTuple
+
+import sympy as sp
+
+from derive.algebra import slopes
+from derive.algebra.slopes import NODES, REACH, WEIGHTS
+from derive.code import emit
+from derive.code.program import Program, operations, program
+
+TITLE = "The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."
+_WORDS = {
+    "x": "First end of the edge from the centre, horizontally, over R.",
+    "y": "First end of the edge from the centre, upwards, over R.",
+    "e_x": "From the first end to the second, horizontally, over R.",
+    "e_y": "From the first end to the second, upwards, over R.",
+    "angle": "From the first end to the second as seen from the centre, rad, counterclockwise positive.",
+    "g": "1 - rho^2 of a point of the edge, rho its distance from the centre over R; below 1.",
+    "sine": "sin(beta), beta from straight below the centre, positive down-slope.",
+    "cosine": "cos(beta).",
+    "beta": "Angle from straight below the centre, rad.",
+    "height": "Of the slice, from the arc up to the ground, over R.",
+    "pressure": "Pore pressure on the arc over gamma R.",
+    "cohesion": "Over gamma R.",
+    "mu": "Friction coefficient, tan(phi).",
+    "k_h": "Horizontal acceleration over g, positive where it drives.",
+    "factor": "Factor of safety, above 0.",
+    "distance": "Of the ground above the arc's point, from the centre, over R.",
+    "offset": "Height of a line straight below the centre, from the centre up, over R.",
+    "slope": "Of that line, its rise over a run to the right.",
+}
+
+
+class Words(NamedTuple):
+    """What a function's docstring says besides its inputs."""
+
+    summary: str
+    formula: str
+    returns: str
+    note: str = ""
+
+
+_LISTED = ", ".join(WEIGHTS)
+_TEXTS = {
+    "closed": Words(
+        "Integrals over the ring between an edge and the arc under it: sector minus triangle.",
+        "Of r dr dtheta, then of its products with r and r^2, with (cos, sin)(theta), and with r (cos, sin)(theta).",
+        f"{_LISTED}, all over powers of R.",
+        f"Accurate where the edge is longer than {REACH} (r1 + r2); `rings` elsewhere.",
+    ),
+    "rings": Words(
+        "What the integrals over a ring grow by along its edge, over P1 x e: for quadrature over s from 0 to 1.",
+        "(1 - rho^n)/(n rho^2) for n = 2, 3, 4, then (1 - rho^n)/(n rho^3) for n = 2, 3, to be times the point itself.",
+        "area, polar, inertia, radial, moment.",
+        f"With g = (1-s) g1 + s g2 + s (1-s) d^2 and Gauss' rule of {NODES} nodes: accurate however thin the ring, "
+        f"where the edge is at most {REACH} (r1 + r2) long.",
+    ),
+    "head": Words(
+        "Integral over beta of the height of a line above the arc.",
+        "offset beta - slope cos(beta) + sin(beta), up to a constant.",
+        "Over R.",
+    ),
+    "drive": Words(
+        "Driving moment of the slices about the centre, over dbeta and gamma R^3.",
+        "Weight and k_h times it, at half the slice's height.",
+        "Positive down-slope.",
+    ),
+    "ordinary_normal": Words(
+        "Effective normal stress of the ordinary method (Fellenius), over gamma R.",
+        "The forces between slices have no component along the radius: N' = W (cos a - k_h sin a) - u l.",
+        "May be negative.",
+    ),
+    "bishop_strength": Words(
+        "Strength of Bishop's simplified method times its lever, over gamma R.",
+        "(c + mu (h - u)) cos(beta).",
+        "Strength is this over `bishop_lever`.",
+    ),
+    "bishop_lever": Words(
+        "m_alpha of Bishop's simplified method.", "cos(beta) - sin(beta) mu/F.", "Below 0.05 the method is of no use."
+    ),
+    "bishop_normal": Words(
+        "Effective normal stress of Bishop's simplified method, over gamma R.",
+        "From the vertical balance of a slice that carries no vertical force to its neighbours.",
+        "May be negative.",
+    ),
+    "radial_weight": Words(
+        "Weight along the radius (2.23) by strips above the arc, over dbeta and gamma R^2.",
+        "Integral of the cosine of a point's angle from straight below the centre, over a strip.",
+        "Its integral over the arc is J_r, of the paper's mean normal stress.",
+    ),
+    "radial_tilt": Words(
+        "What a unit of k_h adds to `radial_weight`.",
+        "Integral of the sine of a point's angle from straight below the centre, over a strip.",
+        "Its integral over the arc is dJ_r/dpsi.",
+    ),
+}  # fmt: skip
+
+
+def programs() -> list[Program]:
+    """The functions of `generated/slopes.py`."""
+    expressions: dict[str, tuple[sp.Expr, ...]] = {"closed": slopes.closed(), "rings": slopes.rings()}
+    expressions |= {"head": (slopes.head(),)} | {name: (form,) for name, form in slopes.slices().items()}
+    found = []
+    for name, outputs in expressions.items():
+        free = {s.name for e in outputs for s in e.free_symbols}
+        found.append(program(name, tuple(n for n in _WORDS if n in free), *outputs))
+    return found
+
+
+def module() -> str:
+    """The text of the module."""
+    made = programs()
+    names = ",\n    ".join(f'"{p.name}"' for p in made)
+    constants = (
+        "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
+        f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"
+    )
+    text = (
+        f'"""{TITLE}"""\n\nfrom typing import Any\n\nimport numpy as np\n\n__all__ = [\n    {names},\n]\n\n{constants}'
+    )
+    return text + "".join(f"\n\n{_function(p, _TEXTS[p.name])}" for p in made)
+
+
+def _function(p: Program, words: Words) -> str:
+    code = emit.PythonText().body(p).replace("Array", "Any").replace(f"def _{p.name}", f"def {p.name}", 1)
+    head, body = code.split("\n", 1)
+    count = len(p.outputs)
+    lines = [f'"""{words.summary}', "", words.formula, "", "Parameters", "----------"]
+    for n in p.inputs:
+        lines += [f"{n} : float or ndarray", *_wrapped(_WORDS[n], "    ")]
+    kind = "tuple of ndarray" if count > 1 else "float or ndarray"
+    lines += ["", "Returns", "-------", kind, *_wrapped(words.returns, "    "), "", "Notes", "-----"]
+    lines += [*_wrapped(words.note, "")] if words.note else []
+    lines += [*_wrapped(f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast.", "")]
+    lines += ['"""']
+    return f"{head}\n{textwrap.indent(chr(10).join(lines), '    ')}\n{body}"
+
+
+def _wrapped(words: str, indent: str) -> list[str]:
+    return textwrap.wrap(words, 110, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)

@@ -1,0 +1,249 @@
+"""Slopes read from TOML files: ground, soil, water, a circle or how to look for it; every mistake listed at once."""
+
+import math
+import os
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from slipcircle.files.slopekeys import AT_START, GEOMETRY, INF, OF_MOTION, TABLES, TINY, WHOLE, Key
+from slipcircle.scene.ground import circle_through, circle_touching, simple_slope
+from slipcircle.scene.search import critical
+from slipcircle.scene.section import Section
+from slipcircle.scene.stability import Slope
+
+
+@dataclass(frozen=True)
+class SlopeFile:
+    """What a slope's file says.
+
+    Attributes
+    ----------
+    name, note : str
+    slope : Slope
+    section : Section or None
+        Of the circle that the file gives.
+    method : str
+        By which the critical circle is looked for where it gives none.
+    limits : dict
+        ``entry``, ``exit`` and ``depth`` of the search.
+    """
+
+    name: str
+    note: str
+    slope: Slope
+    section: Section | None
+    method: str
+    limits: dict[str, Any]
+
+
+def read(path: str | os.PathLike[str]) -> SlopeFile:
+    """The slope that a TOML file describes.
+
+    Raises
+    ------
+    ValueError
+        If it cannot be read; lists every mistake, one a line, with its key, its value, what is allowed and the fix.
+    """
+    file = str(path)
+    try:
+        document = tomllib.loads(Path(path).read_bytes().decode("utf-8-sig"))
+    except OSError as error:
+        raise ValueError(f"{file}: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise ValueError(f"{file}: is not TOML: {error}") from error
+    soil = document.get("friction")
+    if isinstance(soil, dict) and "law" in soil:  # of a scene: its friction at the start
+        renamed = {AT_START.get(k, k): v for k, v in soil.items()}
+        document["friction"] = {k: v for k, v in renamed.items() if k in TABLES["friction"]}
+    given, found = _read(document)
+    if not found:
+        try:
+            return _made({"name": Path(path).stem} | given.pop(""), given)
+        except ValueError as error:
+            found = [_by_key(str(error))]
+    raise ValueError("\n".join(f"{file}: {m}" for m in found))
+
+
+def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[str]]:
+    """The values in SI units by table and key, and a sentence for each mistake."""
+    found: list[str] = []
+    given: dict[str, dict[str, Any]] = {table: {} for table in TABLES}
+    meant: set[str] = set()
+    for name, value in document.items():
+        if name in TABLES[""]:
+            given[""][name] = _value(name, TABLES[""][name], value, found)
+        elif name in OF_MOTION:
+            continue
+        elif not isinstance(value, dict) or name not in TABLES:
+            meant.add(_unknown("", name, value, found))
+        else:
+            for key, entry in value.items():
+                if key in TABLES[name]:
+                    given[name][key] = _value(f"{name}.{key}", TABLES[name][key], entry, found)
+                else:
+                    meant.add(_unknown(name, key, entry, found))
+    for table, sets in WHOLE.items():
+        asked = {k for s in sets for k in s}
+        have = asked & set(given[table])
+        if have in [set(s) for s in sets] or any(m.startswith(f"{table}.") for m in meant) or (
+            table not in document and (table in meant or table == "circle")
+        ):  # fmt: skip
+            continue
+        wanted = ", or ".join(" with ".join(s) for s in sets)
+        said = f"{' and '.join(sorted(have))} do not go together" if len(have) > 1 else "something is missing"
+        found.append(f"{table}: {said}; give {wanted}")
+    if "unit_weight_kN_m3" not in given["ground"] and not {"ground", "ground.unit_weight_kN_m3"} & meant:
+        found.append(f"ground.unit_weight_kN_m3: is missing: {TABLES['ground']['unit_weight_kN_m3'].words}")
+    return given, found
+
+
+def _value(path: str, key: Key, value: Any, found: list[str]) -> Any:
+    """One value in SI units; what is wrong with it goes to the list."""
+    shown = f"{path} = {value!r}"
+    if key.kind == "number":
+        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            found.append(f"{shown}: must be a number: {key.words}")
+        elif not key.low <= value <= key.high:
+            least = "above 0" if key.low == TINY else f"at least {key.low:g}" if key.low > -INF else ""
+            bounds = " and ".join(filter(None, [least, f"at most {key.high:g}" if key.high < INF else ""]))
+            asked = f"; {key.beyond}" if key.beyond and value > key.high else ""
+            found.append(f"{shown}: must be {bounds}: {key.words}{asked}")
+        else:
+            return value * key.factor
+        return math.nan
+    if key.kind in ("points", "pair"):
+        try:
+            points = np.array(value, dtype=np.float64)
+        except (ValueError, TypeError):
+            points = np.array(np.nan)
+        wanted = (2,) if key.kind == "pair" else (len(points), 2) if points.ndim else (2, 2)
+        if points.shape != wanted or not np.isfinite(points).all():
+            form = "two numbers, [a, b]" if key.kind == "pair" else "a list of points, [[x, y], [x, y], ...]"
+            found.append(f"{path}: must be {form}: {key.words}")
+        return points
+    if not isinstance(value, str) or (key.kind != "text" and value not in key.kind.split("|")):
+        near = get_close_matches(str(value), key.kind.split("|"), 1)
+        asked = "".join(f"; did you mean {n}?" for n in near)
+        found.append(
+            f"{shown}: must be {'text' if key.kind == 'text' else 'one of ' + key.kind.replace('|', ', ')}{asked}"
+        )
+    return value
+
+
+def _unknown(table: str, name: str, value: Any, found: list[str]) -> str:
+    """Say that a key is unknown; returns what it may have meant."""
+    shown = f"{table}.{name}".lstrip(".") + ("" if isinstance(value, dict | list) else f" = {value!r}")
+    known = [*TABLES[table], *(filter(None, TABLES) if not table else ())]
+    for t in (table, *TABLES):
+        for near in get_close_matches(name, [*TABLES[t], *(filter(None, TABLES) if not t else ())], 1):
+            place = "" if t == table else f" in [{t}]" if t else " as a table"
+            found.append(f"{shown}: is unknown; did you mean {near}{place}?")
+            return f"{t}.{near}".lstrip(".")
+    found.append(f"{shown}: is unknown; known are {', '.join(known)}")
+    return ""
+
+
+def section_of(document: Mapping[str, Any], friction: float | None, cohesion: float, pore_ratio: float) -> Section:
+    """The section of a scene's file with a ground: of the circle that it gives, or of the critical one.
+
+    Parameters
+    ----------
+    document : mapping
+        The whole file; the ground's, the circle's, the water's and the search's tables are read.
+    friction, cohesion, pore_ratio : float
+        At the start, SI; friction is None where its law has no one number there.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake by its key, one a line.
+    """
+    own = {k: v for k, v in document.items() if k in GEOMETRY}
+    given, found = _read(own | {"friction": {"coefficient": 0.0}})
+    if "circle" not in document:
+        found.append("circle: is missing; give " + ", or ".join(" with ".join(s) for s in WHOLE["circle"]))
+    if "critical" in given["circle"] and friction is None:
+        found.append("circle.critical: needs a friction that is one number at the start: a coefficient, or a peak")
+    if found:
+        raise ValueError("\n".join(found))
+    try:
+        if "critical" not in given["circle"]:
+            return _section(given)
+        given |= {"friction": {"coefficient": friction}, "cohesion": {"cohesion_kPa": cohesion},
+                  "pore_pressure": {"ratio": pore_ratio}}  # fmt: skip
+        least = critical(_slope(given), given["circle"]["critical"], **_limits(given))
+        return _section(given | {"circle": {"centre_m": least.centre, "radius_m": least.radius,
+                                            "between_m": least.between}})  # fmt: skip
+    except ValueError as error:
+        raise ValueError(_by_key(str(error))) from error
+
+
+def _made(texts: dict[str, str], given: dict[str, dict[str, Any]]) -> SlopeFile:
+    """The slope, and its section where a circle is given."""
+    circle = given["circle"]
+    section = _section(given) if circle and "critical" not in circle else None
+    method = circle.get("critical", "bishop")
+    return SlopeFile(texts["name"], texts.get("note", ""), _slope(given), section, method, _limits(given))
+
+
+def _shared(given: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """What slope and section are both made of."""
+    ground, water = given["ground"], given["water"]
+    points = ground.get("points_m")
+    if points is None:
+        points = simple_slope(ground["height_m"], angle=ground.get("angle_deg"), run=ground.get("run_m"))
+    return {"ground": points, "unit_weight": ground["unit_weight_kN_m3"], "level": water.get("level_m"),
+            "water_unit_weight": water.get("unit_weight_kN_m3", 9810.0), "base": ground.get("base_m")}  # fmt: skip
+
+
+def _slope(given: dict[str, dict[str, Any]]) -> Slope:
+    soil = given["friction"]
+    return Slope(
+        cohesion=given["cohesion"].get("cohesion_kPa", 0.0),
+        friction=soil["coefficient"] if "coefficient" in soil else math.tan(soil["angle_deg"]),
+        pore_ratio=given["pore_pressure"].get("ratio", 0.0), k_h=given["search"].get("k_h", 0.0), **_shared(given),
+    )  # fmt: skip
+
+
+def _limits(given: dict[str, dict[str, Any]]) -> dict[str, Any]:
+    """Of the search."""
+    pairs = {k.removesuffix("_m"): v for k, v in given["search"].items() if k != "k_h"}
+    return {k: v if k == "depth" else (float(v[0]), float(v[1])) for k, v in pairs.items()}
+
+
+def _section(given: dict[str, dict[str, Any]]) -> Section:
+    """Of the circle that is given."""
+    ground, circle, between = given["ground"], given["circle"], given["circle"].get("between_m")
+    if "centre_m" in circle:
+        centre, radius = circle["centre_m"], circle["radius_m"]
+    elif "touching_m" in circle:
+        centre, radius = circle_touching(circle["through_m"][0], circle["through_m"][1], circle["touching_m"])
+    else:
+        centre, radius = circle_through(
+            *circle["through_m"], radius=circle.get("radius_m"), depth=circle.get("depth_m")
+        )
+    return Section(
+        centre=centre, radius=radius, gravity=ground.get("gravity_m_s2", 9.81), width=ground.get("width_m", 1.0),
+        between=None if between is None else (float(between[0]), float(between[1])), **_shared(given),
+    )  # fmt: skip
+
+
+def _by_key(said: str) -> str:
+    """What a slope or a section says of its arguments, said of the keys that stand for them in a file."""
+    keys = {"between": "circle.between_m", "centre": "circle.centre_m", "radius": "circle.radius_m",
+            "depth": "circle.depth_m", "base": "ground.base_m", "ground": "ground.points_m", "level": "water.level_m",
+            "pore_ratio": "pore_pressure.ratio"}  # fmt: skip
+    _, _, rest = said.partition(": ")
+    for name, key in keys.items():
+        if rest.startswith(name) and not rest[len(name) :][:1].isalpha():
+            rest = key + rest[len(name) :]
+            break
+    return rest.replace("choose one by between =", "choose one by circle.between_m =")

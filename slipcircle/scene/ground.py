@@ -1,0 +1,148 @@
+"""Grounds and circles as people give them, and what is wrong with them."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from slipcircle.base.checks import INFINITY, mistakes, raise_all
+
+FAR = 1e9  # m; coordinates are smaller
+Floats = NDArray[np.float64]
+
+
+def line_mistakes(name: str, given: Any) -> list[str]:
+    """What is wrong with points that should make a line from left to right."""
+    try:
+        points = np.asarray(given)
+    except ValueError:  # ragged
+        points = np.asarray(None)
+    if points.dtype.kind not in "iuf" or points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
+        return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
+    if not (near := (np.abs(points) < FAR).all(axis=1)).all():
+        k = int(np.argmin(near))
+        return [f"{name}[{k}] = {points[k].tolist()}: must be two finite numbers within 1e9 m"]
+    for k, step in enumerate(np.diff(points.astype(np.float64), axis=0)):
+        if not step.any():
+            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: is the point before it; leave one out"]
+        if step[0] < 0.0:
+            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: lies left of the point before it; order them by x"]
+    if points[-1, 0] == points[0, 0]:
+        return [f"{name}: all points lie above each other; it must reach from left to right"]
+    return []
+
+
+def pond_mistakes(ground: Floats, level: Floats) -> list[str]:
+    """A sentence where the water level stands above the ground, within both."""
+    x = np.concatenate([ground[:, 0], level[:, 0]])
+    x = x[(x >= max(ground[0, 0], level[0, 0])) & (x <= min(ground[-1, 0], level[-1, 0]))]
+    if not x.size:
+        return ["level: lies beside the ground; it must reach over it"]
+    # On a scarp the ground is its lower end or its upper one: the water is judged by the upper.
+    over = np.interp(x, level[:, 0], level[:, 1]) - np.maximum(
+        np.interp(x, ground[:, 0], ground[:, 1]), -np.interp(-x, -ground[::-1, 0], -ground[::-1, 1])
+    )
+    k = int(np.argmax(over))
+    if over[k] > 1e-9 * float(np.ptp(ground)):
+        return [f"level: stands {over[k]:.4g} m above the ground at x = {x[k]:.10g}; ponds are not yet possible"]
+    return []
+
+
+def grounds_mistakes(ground: Any) -> list[str]:
+    """What is wrong with one ground, or with the first of many that is."""
+    try:
+        points = np.asarray(ground)
+    except ValueError:
+        points = np.asarray(None)
+    if points.dtype.kind not in "iuf" or points.ndim <= 2 or points.shape[-1] != 2:
+        return line_mistakes("ground", ground)
+    many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
+    with np.errstate(invalid="ignore"):
+        step = np.diff(many, axis=1)
+    bad = (
+        ~(np.abs(many) < FAR).all(axis=(1, 2))
+        | (step[..., 0] < 0.0).any(axis=1)
+        | (step == 0.0).all(axis=2).any(axis=1)
+    )
+    bad |= many[:, 0, 0] == many[:, -1, 0]
+    return line_mistakes("ground", many[int(np.argmax(bad))]) if bad.any() else []
+
+
+def simple_slope(
+    height: float, *, angle: float | None = None, run: float | None = None, flat: float | None = None
+) -> Floats:
+    """Points of a straight slope that falls to the right between level ground, its toe at the origin, m.
+
+    Parameters
+    ----------
+    height : float
+        m.
+    angle, run : float
+        Of the slope in rad, up to upright, or its horizontal length in m; one of them.
+    flat : float, optional
+        Length of the level ground on either side, by default four heights and the run.
+    """
+    found = mistakes({"height": height}, {"height": (0.0, INFINITY, "a positive length in m")})
+    if (angle is None) == (run is None):
+        found.append("angle or run: give one of them")
+    elif angle is not None:
+        found += mistakes({"angle": angle}, {"angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")})
+    else:
+        found += mistakes({"run": float(run or 0.0)}, {"run": (-5e-324, INFINITY, "a length of at least 0 in m")})
+    raise_all("simple_slope", found)
+    if angle is not None:
+        run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
+    assert run is not None
+    flat = 4 * height + run if flat is None else flat
+    return np.array([[-run - flat, height], [-run, height], [0.0, 0.0], [flat, 0.0]])
+
+
+def circle_through(
+    first: ArrayLike, second: ArrayLike, *, radius: ArrayLike | None = None, depth: ArrayLike | None = None
+) -> tuple[Any, Any]:
+    """Centre and radius of the circle through two points, its centre above, by its radius or its depth below the chord.
+
+    Raises
+    ------
+    ValueError
+        For points above each other, a radius below half their distance, or a depth above it (beyond a half disc).
+    """
+    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
+    half = np.hypot(*np.moveaxis(q - p, -1, 0)) / 2
+    found = ["radius or depth: give one of them"] if (radius is None) == (depth is None) else []
+    if np.any(p[..., 0] == q[..., 0]):
+        found.append("the two points lie above each other; a slip circle leads from one side to the other")
+    elif radius is not None and np.any(np.asarray(radius) < half):
+        found.append(
+            f"radius = {np.min(radius):.10g}: must be at least half the distance of the points, {np.max(half):.10g}"
+        )
+    elif depth is not None and np.any((np.asarray(depth) <= 0.0) | (np.asarray(depth) > half)):
+        found.append(f"depth = {np.max(depth):.10g}: must be above 0 and at most half the distance of the points, "
+                     f"{np.min(half):.10g}")  # fmt: skip
+    raise_all("circle_through", found)
+    if depth is not None:
+        radius = (half**2 + np.square(depth)) / (2 * np.asarray(depth))
+    rise = np.sqrt((np.asarray(radius) - half) * (np.asarray(radius) + half))
+    up = np.stack([-(q - p)[..., 1], (q - p)[..., 0]], axis=-1) / (2 * half)[..., None]
+    return (p + q) / 2 + up * rise[..., None], np.asarray(radius)[()]
+
+
+def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tuple[Any, Any]:
+    """Centre and radius of the circle through two points (entry and exit) that touches a level between them from above.
+
+    Raises
+    ------
+    ValueError
+        For a level that is not below both points.
+    """
+    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
+    low = np.asarray(level, dtype=np.float64)
+    a, b, run = p[..., 1] - low, q[..., 1] - low, (q - p)[..., 0]
+    if np.any((a <= 0.0) | (b <= 0.0)) or np.any(run == 0.0):
+        raise ValueError(f"circle_touching: level = {np.max(low):.10g}: must lie below both points, which must not "
+                         "lie above each other")  # fmt: skip
+    u = a * (run**2 + b * (b - a)) / (a * run + np.sqrt(a * b * (run**2 + (b - a) ** 2)))
+    radius = (u * u + a * a) / (2 * a)
+    return np.stack([p[..., 0] + u, low + radius], axis=-1), radius[()]

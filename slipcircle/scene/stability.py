@@ -1,0 +1,248 @@
+"""Three factors of safety of a homogeneous slope on any circles: the paper's, the ordinary method's and Bishop's.
+
+They are integrals along the arc of the integrands in `generated.slopes`, by Gauss' rule between the kinks of ground and
+water, so they are converged values and not those of a number of slices.
+"""
+
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from generated import slopes
+from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.scene import circles
+from slipcircle.scene.circles import Cut, Floats
+from slipcircle.scene.ground import line_mistakes, pond_mistakes
+
+METHODS = ("paper", "ordinary", "bishop")
+LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
+_BELOW_0 = -5e-324
+_BLOCK = 2048  # circles at a time
+_ROUNDS, _LEAST = 60, 5e-3  # steps towards Bishop's factor, and the least that is looked for
+
+
+@dataclass(frozen=True)
+class Slope:
+    """A homogeneous slope in plane strain.
+
+    Parameters
+    ----------
+    ground : array_like
+        Points of the surface from left to right, (V, 2), x and y in m; equal x is a vertical scarp.
+    cohesion : float
+        c', Pa.
+    friction : float
+        Friction coefficient, tan(phi').
+    unit_weight : float
+        gamma, N/m^3.
+    level : array_like, optional
+        Points of the water level from left to right, (W, 2), m; beyond its ends it goes on horizontally.
+    water_unit_weight : float
+        N/m^3.
+    pore_ratio : float
+        r_u, pore pressure over gamma h, h the height of the ground above the arc; not with a level.
+    k_h : float
+        Horizontal acceleration over g, positive down-slope.
+    base : float, optional
+        y of a firm layer, m: no circle goes below.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake, one sentence each.
+    """
+
+    ground: ArrayLike
+    cohesion: float
+    friction: float
+    unit_weight: float
+    level: ArrayLike | None = None
+    water_unit_weight: float = 9810.0
+    pore_ratio: float = 0.0
+    k_h: float = 0.0
+    base: float | None = None
+
+    def __post_init__(self) -> None:
+        positive, any_of = "a positive unit weight in N/m^3", "a finite number"
+        found = mistakes(vars(self), {
+            "cohesion": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"),
+            "friction": (_BELOW_0, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
+            "unit_weight": (0.0, INFINITY, positive), "water_unit_weight": (0.0, INFINITY, positive),
+            "pore_ratio": (_BELOW_0, 1.0, "at least 0 and below 1"), "k_h": (-1.0, 1.0, "between -1 and 1"),
+            **({} if self.base is None else {"base": (-INFINITY, INFINITY, any_of)}),
+        })  # fmt: skip
+        found += line_mistakes("ground", self.ground)
+        if self.level is not None:
+            found += line_mistakes("level", self.level)
+            if self.pore_ratio != 0.0:
+                found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
+        if not found:
+            for name in ("ground", "level") if self.level is not None else ("ground",):
+                object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
+            found += [] if self.level is None else pond_mistakes(np.asarray(self.ground), np.asarray(self.level))
+            if self.cohesion == 0.0 and self.friction == 0.0:
+                found.append("cohesion and friction are both 0: the slope has no strength")
+            lowest = float(np.asarray(self.ground)[:, 1].min())
+            if self.base is not None and self.base >= lowest:
+                found.append(f"base = {self.base:.10g}: must lie below the ground, whose lowest point is {lowest:.10g}")
+        raise_all("Slope", found)
+
+
+class Factors(NamedTuple):
+    """Factors of safety of stretches that circles cut off; NaN where a method refuses one.
+
+    Attributes
+    ----------
+    paper, ordinary, bishop : ndarray
+        Factor by method.
+    facing : ndarray
+        1 where the mass slides to the right, -1 to the left, 0 where nothing drives it.
+    negative : ndarray
+        Share of the arc under negative effective normal stress in the ordinary method.
+    """
+
+    paper: Floats
+    ordinary: Floats
+    bishop: Floats
+    facing: Floats
+    negative: Floats
+
+
+def factors(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any, methods: Any = METHODS) -> Factors:
+    """Factors of safety of one stretch of each circle.
+
+    Parameters
+    ----------
+    slope : Slope
+    centre, radius : ndarray
+        (n, 2) and (n,), m.
+    parts : Cut
+        Of the ground by these circles.
+    number : array_like of int
+        The stretch of each.
+    methods : sequence of str
+        Which of ``METHODS``; the others are NaN.
+
+    Notes
+    -----
+    Water: the ordinary method takes N' = W cos(a) - u l, which reproduces published factors (Fredlund and Krahn 1977);
+    its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
+    below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
+    """
+    found = [
+        _block(slope, centre[k : k + _BLOCK], radius[k : k + _BLOCK], parts.only(slice(k, k + _BLOCK)),
+               np.asarray(number)[k : k + _BLOCK], methods)
+        for k in range(0, max(len(radius), 1), _BLOCK)
+    ]  # fmt: skip
+    return Factors(*(np.concatenate(column) for column in zip(*found, strict=True)))
+
+
+def _lines(line: Floats, x: Floats) -> tuple[Floats, Floats, Floats]:
+    """A point and the slope of the edge above each x; beyond its ends, of the first and the last."""
+    k = np.clip(np.searchsorted(line[:, 0], x) - 1, 0, len(line) - 2)
+    run, rise = np.diff(line, axis=0).T
+    slope = np.divide(rise, run, out=np.zeros(len(run)), where=run > 0.0)
+    return line[k, 0], line[k, 1], slope[k]
+
+
+def _block(slope: Slope, centre: Floats, radius: Floats, parts: Cut, number: Any, methods: Any) -> Factors:
+    ground, n = np.asarray(slope.ground), len(radius)
+    (x1, y1), (x2, y2) = circles.ends(parts, number)
+    first, last = np.arctan2(x1, -y1), np.arctan2(x2, -y2)
+    sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
+    sound &= ~circles.below_ground(parts, parts.stretch == np.asarray(number)[:, None])
+    kinks = [
+        first[:, None],
+        last[:, None],
+        np.arcsin(np.clip((ground[1:-1, 0] - centre[:, :1]) / radius[:, None], -1, 1)),
+    ]
+    level = None
+    if slope.level is not None:
+        level, _, wet_kinks = circles.wet(np.asarray(slope.level), centre, radius)
+        kinks.append(wet_kinks)
+    at = np.sort(np.clip(np.concatenate(kinks, axis=1), first[:, None], last[:, None]), axis=1)
+    row, k = np.nonzero((np.diff(at, axis=1) > 0.0) & sound[:, None])
+    low, half = at[row, k], (at[row, k + 1] - at[row, k]) / 2
+    middle = low + half
+    r, cx, cy = radius[row], centre[row, 0], centre[row, 1]
+    beta = middle + half * _NODES[:, None]  # nodes first: sums over them are sums of rows
+    sine, cosine, weight = np.sin(beta), np.cos(beta), half * _WEIGHTS[:, None]
+
+    def above(line: Floats) -> Floats:
+        """Height of a line above the centre, over R."""
+        px, py, rise = _lines(line, cx + r * np.sin(middle))
+        return ((py - cy) - rise * (px - cx)) / r + rise * sine
+
+    def total(values: Floats) -> Floats:
+        return np.bincount(row, values.sum(axis=0), n).astype(np.float64)
+
+    top = above(ground)
+    height = np.maximum(top + cosine, 0.0)
+    if level is None:
+        pressure = slope.pore_ratio * height
+    else:
+        pressure = (slope.water_unit_weight / slope.unit_weight) * np.maximum(above(level) + cosine, 0.0)
+    drive = total(weight * slopes.drive(sine, cosine, height, 0.0))
+    facing = np.where(np.abs(drive) > 1e-9 * total(weight * cosine * height), np.sign(drive), 0.0)
+    sine = sine * facing[row]  # from here on down-slope is positive
+    k_h, mu = slope.k_h, slope.friction
+    drive = total(weight * slopes.drive(sine, cosine, height, k_h)) if k_h else np.abs(drive)
+    cohesion = slope.cohesion / (slope.unit_weight * radius)
+    arc = np.where(sound, last - first, np.nan)
+    drive = np.where(sound & (facing != 0.0) & (drive > 0.0), drive, np.nan)
+    nothing = np.full(n, np.nan)
+    paper = bishop = nothing
+    normal = slopes.ordinary_normal(sine, cosine, height, pressure, k_h) * weight
+    ordinary = (cohesion * arc + mu * total(normal)) / drive
+    negative = total(np.where(normal < 0.0, weight, 0.0)) / arc
+    if "paper" in methods:
+        distance = np.hypot(sine, top)
+        stress = slopes.radial_weight(cosine, distance) - pressure
+        if k_h:
+            stress += k_h * slopes.radial_tilt(sine, cosine, height, distance)
+        paper = (cohesion * arc + mu * np.maximum(total(weight * stress), 0.0)) / drive
+    if "bishop" in methods:
+        strength = slopes.bishop_strength(cosine, height, pressure, cohesion[row], mu) * weight
+        ends = np.array([first, last]) * facing
+        bishop = ordinary if mu == 0.0 else _bishop(strength, sine, cosine, row, mu, drive, ends, ordinary)
+    return Factors(paper, ordinary, bishop, facing, negative)
+
+
+def _bishop(strength: Floats, sine: Floats, cosine: Floats, row: NDArray[np.int64], mu: float, drive: Floats,
+            ends: Floats, start: Floats) -> Floats:  # fmt: skip
+    """F = integral of strength/m_alpha(F) over the drive: Newton's steps, kept within a bracket, all circles at once.
+
+    m_alpha is a sine of beta, so its least value is at an end: that makes the range of factors that are allowed.
+    """
+    s, c = np.sin(ends), np.cos(ends) - LEAST_LEVER
+    with np.errstate(divide="ignore", invalid="ignore"):
+        least = np.max(np.where(s > 0.0, np.where(c > 0.0, s * mu / c, np.inf), 0.0), axis=0)
+        most = np.min(np.where((s < 0.0) & (c < 0.0), s * mu / c, np.inf), axis=0)
+    n = len(drive)
+    left = np.isfinite(start) & (drive > 0.0) & (least < most)
+    low, high = least, most = np.where(left, np.maximum(least, _LEAST), _LEAST), np.where(left, most, np.inf)
+    factor = np.where(left, np.clip(start, least, most), 1.0)
+    found = np.full(n, np.nan)
+    keep = left[row]
+    for _ in range(_ROUNDS):
+        if not left.any():
+            break
+        if 2 * np.count_nonzero(keep := left[row]) < len(row):  # go on with the rest alone
+            strength, sine, cosine, row = strength[:, keep], sine[:, keep], cosine[:, keep], row[keep]
+        lever = slopes.bishop_lever(sine, cosine, mu, factor[row])
+        shear = strength / lever
+        value = np.bincount(row, shear.sum(axis=0), n) / drive - factor
+        slope = -np.bincount(row, (shear * sine / lever).sum(axis=0), n) * (mu / factor**2) / drive - 1.0
+        low, high = np.where(value > 0.0, factor, low), np.where(value > 0.0, high, factor)
+        step = factor - value / slope
+        middle = np.where(np.isfinite(high), (low + high) / 2, 2 * factor)
+        new = np.where((step > low) & (step < high) & (slope < 0.0), step, middle)
+        done = left & (np.abs(new - factor) <= 1e-8 * factor)
+        inside = (new > 2 * _LEAST) & (new >= least) & (new <= most) & (np.abs(value) <= 1e-6 * factor)
+        found = np.where(done & inside, new, found)
+        left = left & ~done
+        factor = np.where(left, new, factor)
+    return found

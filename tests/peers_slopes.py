@@ -1,0 +1,176 @@
+"""The search for the critical circle against SciPy's differential evolution on random slopes, and what things cost.
+
+`python -m tests.peers_slopes search [COUNT]` prints a line for each of COUNT slopes (200); the tests ask for a sample.
+`python -m tests.peers_slopes cost` measures factors of safety, a search, and a million sections beside their peers.
+"""
+
+import sys
+import time
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.optimize import differential_evolution
+
+from slipcircle.scene import circles
+from slipcircle.scene.ground import circle_through
+from slipcircle.scene.search import Search, critical
+from slipcircle.scene.stability import METHODS, Slope, factors
+
+
+class Case(NamedTuple):
+    """A slope, the method, and the least depth."""
+
+    slope: Slope
+    method: str
+    depth: float
+
+
+def case(seed: int) -> Case:
+    """A slope of two to six edges between level parts, facing either way, dry, wet or shaken."""
+    rng = np.random.default_rng(seed)
+    height, edges = rng.uniform(5, 40), int(rng.integers(1, 6))
+    run = height / np.tan(np.deg2rad(rng.uniform(18, 60)))
+    x = np.sort(np.concatenate([[0, run], rng.uniform(0, run, edges - 1)]))
+    y = np.sort(np.concatenate([[0, height], rng.uniform(0, height, edges - 1)]))
+    flat = 2.5 * height
+    ground = np.array([[-flat, 0.0], *np.stack([x, y], axis=1), [run + flat, height]])
+    gamma = rng.uniform(16e3, 22e3)
+    cohesion, friction = gamma * height * rng.uniform(0.02, 0.2), np.tan(np.deg2rad(rng.uniform(8, 38)))
+    more: dict[str, Any] = {}
+    match int(rng.integers(0, 4)):
+        case 1:
+            more = {"pore_ratio": rng.uniform(0.05, 0.4)}
+        case 2:
+            more = {"level": np.stack([ground[:, 0], ground[:, 1] - height * rng.uniform(0.05, 0.5)], axis=1)}
+        case 3:
+            more = {"k_h": rng.uniform(0.02, 0.2)}
+    if rng.random() < 0.5:
+        more["base"] = -height * rng.uniform(0.1, 1.0)
+    if rng.random() < 0.5:
+        ground = ground[::-1] * [-1, 1]
+        if "level" in more:
+            more["level"] = more["level"][::-1] * [-1, 1]
+    slope = Slope(ground, cohesion, friction, gamma, **more)
+    return Case(slope, METHODS[int(rng.integers(0, 3))], 0.05 * height)
+
+
+def evolved(given: Case, seed: int) -> float:
+    """The least factor by differential evolution over both ends and the share of the greatest opening."""
+    search = Search(given.slope, given.method, None, None, given.depth)
+    total = search.along[-1]
+
+    def judged(q: np.ndarray) -> np.ndarray:
+        some = np.sort(q[:2], axis=0)
+        return np.nan_to_num(search.judged(np.stack([*some, q[2]], axis=1))[0], nan=1e6)
+
+    bounds = [(0.0, total), (0.0, total), (0.005, 1.0)]
+    found = differential_evolution(judged, bounds, rng=seed, popsize=40, tol=1e-10, maxiter=400, vectorized=True,
+                                   updating="deferred", polish=False, init="sobol")  # fmt: skip
+    return float(found.fun)
+
+
+def excess(seed: int) -> float:
+    """How far the search's factor lies above that of evolution, relative."""
+    given = case(seed)
+    ours = critical(given.slope, given.method, depth=given.depth).factor_of_safety[given.method]
+    assert ours is not None
+    return ours / evolved(given, seed) - 1.0
+
+
+def main(count: int) -> None:
+    """Print all of them."""
+    worst, ours, theirs = -1.0, 0.0, 0.0
+    for seed in range(count):
+        given = case(seed)
+        start = time.process_time()
+        found = critical(given.slope, given.method, depth=given.depth)
+        middle = time.process_time()
+        other = evolved(given, seed)
+        ours, theirs = ours + middle - start, theirs + time.process_time() - middle
+        value = found.factor_of_safety[given.method]
+        assert value is not None
+        worst = max(worst, value / other - 1.0)
+        print(f"{seed:4d} {given.method:<9} {value:9.6f} {other:9.6f} {100 * (value / other - 1):+9.5f} %", flush=True)
+    print(f"worst {100 * worst:+.5f} %; search {ours / count:.3f} s, evolution {theirs / count:.3f} s in the mean")
+
+
+def cost() -> None:
+    """Seconds of processor time, medians of five."""
+    slope = Slope([(0, 25), (30, 25), (50, 35), (90, 35)], 3e3, np.tan(np.deg2rad(19.6)), 20e3, base=20)
+    ground, rng = np.asarray(slope.ground), np.random.default_rng(0)
+    ends = np.stack([rng.uniform(20, 31, 10_000), rng.uniform(45, 70, 10_000)])
+    p, q = (np.stack([x, np.interp(x, *ground.T)], axis=1) for x in ends)
+    centre, radius = circle_through(p, q, depth=rng.uniform(0.05, 0.35, 10_000) * np.hypot(*(q - p).T))
+
+    def judged() -> None:
+        parts = circles.cut(ground[None], centre, radius)
+        lane, number, _ = circles.stretches(parts)
+        factors(slope, centre[lane], radius[lane], parts.only(lane), number)
+
+    print(f"10,000 circles, three factors       {_seconds(judged):8.3f} s")
+    print(f"ACADS 1(a) from nothing             {_seconds(lambda: critical(slope)):8.3f} s")
+    n = 1_000_000
+    x = np.linspace(-60.0, 60.0, 11)
+    ground = np.stack([x, 10.0 - x / 5 + 1.5 * np.sin(x / 9)], axis=1)
+    p, q = (np.stack([u, np.interp(u, *ground.T)], axis=1) for u in (rng.uniform(-59, -50, n), rng.uniform(50, 59, n)))
+    centre, radius = circle_through(p, q, depth=rng.uniform(0.1, 0.3, n) * np.hypot(*(q - p).T))
+    start = time.process_time()
+    for k in range(0, n, 1 << 14):
+        some = slice(k, k + (1 << 14))
+        parts = circles.cut(ground[None], centre[some], radius[some])
+        circles.moments(parts, parts.stretch == 0)
+    ours = time.process_time() - start
+    print(f"a million sections, 10 edges        {ours:8.3f} s: cut and seven moments, {1e6 * ours / n:.2f} us each")
+    few = 2000
+    start = time.process_time()
+    worst = max(_by_gauss(ground, centre[k], float(radius[k])) for k in range(few))
+    print(f"Gauss quadrature, strips, 4 moments {time.process_time() - start:8.3f} s for {few}, "
+          f"{1e6 * (time.process_time() - start) / few:.0f} us each; they differ by {worst:.1e}")  # fmt: skip
+    try:
+        import shapely  # type: ignore[import-untyped,import-not-found,unused-ignore]
+    except ImportError:
+        print("shapely is not installed: pip install shapely, for area and centroid of polygons")
+        return
+    start = time.process_time()
+    for k in range(few):
+        disc = shapely.Point(*centre[k]).buffer(radius[k], quad_segs=64)
+        soil = shapely.Polygon([*ground, (60.0, -200.0), (-60.0, -200.0)])
+        _ = (piece := disc.intersection(soil)).area, piece.centroid
+    print(f"shapely, area and centroid alone    {time.process_time() - start:8.3f} s for {few}, "
+          f"{1e6 * (time.process_time() - start) / few:.0f} us each")  # fmt: skip
+
+
+def _by_gauss(ground: np.ndarray, centre: np.ndarray, radius: float) -> float:
+    """Four moments of one section by Gauss over strips; how far the greatest differs from ours, relative."""
+    parts = circles.cut(ground[None], centre[None], np.array([radius]))
+    ours = circles.moments(parts, parts.stretch == 0)
+    mine = (parts.stretch[0] == 0) & (parts.e_x[0] > 0)
+    x0, y0, u, v = (part[0][mine][:, None] for part in parts[:4])
+    nodes, weights = np.polynomial.legendre.leggauss(12)
+    s = (nodes + 1) / 2
+    x, top = x0 + s * u, y0 + s * v
+    floor = -np.sqrt(1 - x * x)
+    y = floor[..., None] + (top - floor)[..., None] * s
+    area = (weights / 2 * u * (top - floor))[..., None] * (weights / 2)
+    r = np.hypot(x[..., None], y)
+    found = {"polar": r, "inertia": r * r, "radial_y": y / r, "moment_x": np.broadcast_to(x[..., None], r.shape)}
+    return max(
+        abs(float((area * f).sum()) / float(ours[name][0]) - 1) for name, f in found.items() if name != "moment_x"
+    )
+
+
+def _seconds(work: Callable[[], object]) -> float:
+    taken = []
+    for _ in range(5):
+        start = time.process_time()
+        work()
+        taken.append(time.process_time() - start)
+    return float(np.median(taken))
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["cost"]:
+        cost()
+    else:
+        main(int(sys.argv[2]) if len(sys.argv) > 2 else 200)

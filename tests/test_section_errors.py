@@ -1,0 +1,82 @@
+"""What a section refuses, and in which words."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from slipcircle.scene.section import Section
+
+GOOD: dict[str, Any] = {
+    "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
+    "centre": (-5, 20),
+    "radius": 22.0,
+    "unit_weight": 2e4,
+}
+WRONG: dict[str, dict[str, Any]] = {
+    "misses the ground": {"radius": 5.0},
+    "several stretches": {"ground": [(-50, 10), (-20, 10), (-8, -9), (0, 0), (50, 0)]},
+    "no stretch of the ground": {"between": (20.0, 30.0)},
+    "order them by x": {"ground": [(-50, 10), (-20, 10), (-25, 0), (50, 0)]},
+    "leave one out": {"ground": [(-50, 10), (-50, 10), (0, 0), (50, 0)]},
+    "lies below the ground": {"centre": (-20, 9.0), "radius": 4.0},
+    "below base": {"base": -1.0},
+    "ponds": {"level": [(-50, 5), (50, 5)]},
+    "an end of the ground": {"ground": [(-15, 10), (0, 0), (50, 0)]},
+    "positive length": {"radius": -1.0},
+    "finite": {"centre": (math.nan, 20)},
+    "at least two points": {"ground": [(0, 1)]},
+    "positive unit weight": {"unit_weight": 0.0},
+    "from left to right": {"between": (5.0, 3.0)},
+    "above each other": {"ground": [(0, 1), (0, 5)]},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("words", WRONG)
+def test_errors_say_what_is_wrong(words: str) -> None:
+    Section(**GOOD)
+    with pytest.raises(ValueError, match=words) as raised:
+        Section(**(GOOD | WRONG[words]))
+    assert "\n" not in str(raised.value)
+
+
+def test_deeper_than_a_half_disc_has_geometry_and_no_motion() -> None:
+    found = Section([(-50, 0), (0, -1), (50, 0)], (0.0, 1.0), 20.0, 2e4)
+    assert found.no_motion is None
+    found = Section([(-50, 10), (0, 0), (50, 10)], (0.0, 1.0), 20.0, 2e4)
+    assert found.half_angle > math.pi / 2
+    assert found.area > 0.0
+    assert found.no_motion is not None
+    assert "half a circle" in found.no_motion
+
+
+def test_ten_thousand_malformed_sections() -> None:
+    rng = np.random.default_rng(10)
+    junk = [math.nan, math.inf, -math.inf, 0.0, -1.0, 1e300, "a", None, [], (1.0,), (1.0, 2.0), [[0.0, 1.0]], True]
+    refused = 0
+    for _ in range(10_000):
+        given = dict(GOOD)
+        for _ in range(int(rng.integers(1, 3))):
+            name = ("ground", "centre", "radius", "unit_weight", "level", "between", "base")[int(rng.integers(0, 7))]
+            match int(rng.integers(0, 3)):
+                case 0:
+                    given[name] = junk[int(rng.integers(0, len(junk)))]
+                case 1:
+                    given["ground"] = rng.permutation(np.array(GOOD["ground"], dtype=float)).tolist()
+                case _:
+                    given["centre"] = (rng.standard_normal(2) * 10.0 ** rng.integers(-3, 4)).tolist()
+                    given["radius"] = float(10.0 ** rng.uniform(-3, 4))
+        said = ""
+        try:
+            found = Section(**given)
+        except ValueError as error:
+            said = str(error)
+        if said:
+            assert said.startswith("Section: ")
+            assert "\n" not in said
+            refused += 1
+        else:
+            assert np.isfinite(found.weights).all(), given
+            assert np.all(found.area > 0.0), given
+    assert refused > 5000

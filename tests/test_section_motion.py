@@ -1,0 +1,155 @@
+"""Motions of real sections: an arc's where the ground is its chord, energy, factors of safety, from file to picture."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from slipcircle import Arc, Motion, Scene, Section, load, solve
+from slipcircle.__main__ import main
+from slipcircle.base.series import Pulse
+from slipcircle.scene import circles
+from slipcircle.scene.stability import Slope, factors
+
+GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
+CENTRE, RADIUS = [29.5, 53.6], 28.6
+WHOLE: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}, "drag": {"xi": 500.0}}
+
+
+def body(**more: Any) -> Section:
+    return Section(GROUND, CENTRE, RADIUS, 20e3, between=(29.0, 60.0), **more)
+
+
+def mirrored(section: Section) -> Section:
+    ground, centre = np.array(section.ground)[::-1] * [-1.0, 1.0], np.array(section.centre) * [-1.0, 1.0]
+    return Section(ground, centre, section.radius, section.unit_weight, between=(-60.0, -29.0))
+
+
+def outcomes(motion: Motion) -> list[float]:
+    return [motion.run_out, motion.duration, motion.peak.velocity, motion.peak.normal_stress, motion.factor_of_safety,
+            motion.yield_coefficient, motion.energy.work, motion.energy.dissipation]  # fmt: skip
+
+
+@pytest.mark.parametrize("effects", [{}, {"rotation": {}, "centripetal": {}}, WHOLE])
+@pytest.mark.parametrize("velocity", [0.0, 2.0])
+def test_one_chord_moves_as_its_arc(effects: Any, velocity: float) -> None:
+    radius, first, second = 60.0, math.radians(215.0), math.radians(280.0)
+    ends = [[100.0 + radius * math.cos(a), 80.0 + radius * math.sin(a)] for a in (first, second)]
+    ground = [[ends[0][0] - 200.0, ends[0][1]], *ends, [ends[1][0] + 200.0, ends[1][1]]]
+    section = Section(ground, [100.0, 80.0], radius, 19e3, between=(ends[0][0], ends[1][0]))
+    told: Any = {"friction": 0.15, "effects": effects, "initial_velocity": velocity}
+    told["end_time"] = None if effects else 5.0
+    expected = outcomes(solve(Scene(Arc(radius, first, second, 19e3), **told)))
+    assert outcomes(solve(Scene(section, **told))) == pytest.approx(expected, rel=1e-11)
+
+
+def test_either_facing_moves_alike() -> None:
+    law = {"law": "exponential", "peak": 0.35, "residual": 0.15, "length": 0.5}
+    effects = WHOLE | {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 2.0)}}
+    left, right = (solve(Scene(s, law, effects, initial_velocity=0.5)) for s in (body(), mirrored(body())))
+    assert (left.plan.scene.arc.facing, right.plan.scene.arc.facing) == (-1, 1)  # type: ignore[union-attr]
+    assert left.run_out > 1.0
+    assert outcomes(right) == pytest.approx(outcomes(left), rel=1e-11)
+    assert right.journey.run_out == pytest.approx(left.journey.run_out, rel=1e-11)
+    assert right.journey.toe_x == pytest.approx(-left.journey.toe_x, rel=1e-11)
+
+
+def test_cohesion_alone_stops_it_where_energy_says() -> None:
+    """Weight times the fall of the centroid is what cohesion takes along the arc: c (2 alpha R) R phi."""
+    section, cohesion = body(), 8e3
+    motion = solve(Scene(section, 0.0, {"rotation": {}, "cohesion": {"cohesion": cohesion}}))
+    radius, (x, y) = RADIUS, (np.array(section.centroid) - CENTRE)
+    weight, arc = section.area * 20e3, 2 * math.asin(section.chord / 2 / radius) * radius
+
+    def left(phi: float) -> float:  # it slides to the left
+        turned = -x * math.sin(phi) + y * math.cos(phi)
+        return float(weight * (y - turned) - cohesion * arc * radius * phi)
+
+    rest = brentq(left, 0.05, 2.0, xtol=1e-14)
+    assert motion.end.rotation == pytest.approx(rest, rel=1e-10)
+    assert motion.journey.fall == pytest.approx(cohesion * arc * radius * rest / weight, rel=1e-10)
+    assert abs(motion.energy.residual) < 1e-12 * motion.energy.work
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.25])
+def test_the_factor_is_that_of_the_paper_along_the_circle(ratio: float) -> None:
+    """By integrals over slices, which share nothing with the moments of the section."""
+    section = body()
+    effects = {"cohesion": {"cohesion": 3e3}, "pore_pressure": {"ratio": ratio}, "rotation": {}}
+    motion = solve(Scene(section, 0.3, effects))
+    slope = Slope(GROUND, 3e3, 0.3, 20e3, pore_ratio=ratio)
+    centre, radius = np.array([CENTRE]), np.array([RADIUS])
+    parts = circles.cut(np.array([GROUND]), centre, radius)
+    lane, number, _ = circles.stretches(parts)
+    found = factors(slope, centre[lane], radius[lane], parts.only(lane), number)
+    assert motion.factor_of_safety == pytest.approx(float(np.max(found.paper)), rel=1e-9)
+    assert motion.pore_pressure_at(0.0) == pytest.approx(ratio * 20e3 * section.mean_cover, rel=1e-12)
+    assert abs(motion.energy.residual) < 1e-11 * motion.energy.work
+
+
+def test_what_is_not_solved_is_told() -> None:
+    level, section = np.array([[0.0, 25.0], [30.0, 25.0], [45.0, 32.0], [90.0, 32.0]]), body()
+    (x1, _), (x2, _) = section.exit, section.entry
+    beta = np.linspace(math.asin((x1 - 29.5) / 28.6), math.asin((x2 - 29.5) / 28.6), 200_001)
+    x, y = 29.5 + 28.6 * np.sin(beta), 53.6 - 28.6 * np.cos(beta)
+    mean = float(np.mean(np.maximum(np.interp(x, *level.T) - y, 0.0))) * 9.81
+    assert mean > 5.0
+    with pytest.raises(ValueError, match=rf"arc\.level: .* is {mean:.4g}\d* kPa at the start"):
+        Scene(body(level=level), 0.3)
+    many = Section(GROUND, [[29.5, 53.6], [29.5, 53.7]], [28.6, 28.7], 20e3, between=(29.0, 60.0))
+    with pytest.raises(ValueError, match="must be one section"):
+        Scene(many, 0.3)
+    deep = Section([[-10, 10], [0, 0], [10, 10]], [0.2, 2.0], 4.0, 20e3)
+    with pytest.raises(ValueError, match="half a circle"):
+        Scene(deep, 0.3)
+    with pytest.raises(ValueError, match="of an Arc only"):
+        solve(Scene(body(), 0.3, ["rotation"])).sensitivity()
+    with pytest.raises(AttributeError, match="of a Section only"):
+        solve(Scene(Arc(60.0, 4.0, 5.0, 2e4), 0.9)).journey  # noqa: B018
+
+
+def test_an_ensemble_of_frictions_on_one_section() -> None:
+    many = solve(Scene(body(), np.array([0.1, 0.2, 0.3]), ["rotation"]))
+    one = solve(Scene(body(), 0.2, ["rotation"]))
+    assert many.run_out[1] == pytest.approx(one.run_out, rel=1e-9)
+    assert many.journey.run_out[1] == pytest.approx(one.journey.run_out, rel=1e-9)
+
+
+def test_from_a_file_to_the_slide(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture, report, film = (tmp_path / f"slide.{kind}" for kind in ("png", "html", "gif"))
+    assert main(["run", "real-slope", "--plot", str(picture), "--report", str(report), "--json"]) == 0
+    (record,) = json.loads(capsys.readouterr().out)
+    assert main(["search", "real-slope", "--json"]) == 0
+    (circle,) = json.loads(capsys.readouterr().out)
+    assert record["factor_of_safety"] == pytest.approx(circle["factor_of_safety"]["paper"], rel=1e-9)
+    assert record["toe_x"] == pytest.approx(circle["exit"][0] - record["toe_run_out"], rel=1e-9)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert "real-slope" in report.read_text("utf-8")
+    assert main(["run", "real-slope", "--plot", str(film)]) == 0
+    assert "x of the toe at the end" in capsys.readouterr().out
+    assert film.read_bytes().startswith(b"GIF")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("kN_m3 = 20", "kN_m3 = 19500", "is that in N/m3"),
+        ('critical = "bishop"', "centre_m = [29.5, 90]\nradius_m = 5", "misses the ground"),
+        ('critical = "bishop"', 'critical = "bishp"', "did you mean bishop"),
+        ("[circle]", "[search]\n", "circle: is missing"),
+        ("[rotation]", "[rotatoin]", "did you mean rotation"),
+        ("[rotation]", "[water]\nlevel_m = [[0, 25], [30, 25], [90, 33]]\n[rotation]", "water.level_m: a water level"),
+        ("[rotation]", "[arc]\nradius_m = 3\n[rotation]", "exclude each other"),
+    ],
+)
+def test_mistakes_of_a_scene_with_a_ground(tmp_path: Path, old: str, new: str, words: str) -> None:
+    text = Path("slipcircle/scenes/real-slope.toml").read_text("utf-8")
+    assert old in text
+    path = tmp_path / "slope.toml"
+    path.write_text(text.replace(old, new), "utf-8")
+    with pytest.raises(ValueError, match=words):
+        load(path)

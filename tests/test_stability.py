@@ -1,0 +1,311 @@
+"""Factors of safety against published and converged values, slices and limits; the search against evolution."""
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import peers_slopes
+import pytest
+
+from slipcircle.scene import circles
+from slipcircle.scene.ground import circle_through
+from slipcircle.scene.search import Critical, critical
+from slipcircle.scene.section import Section
+from slipcircle.scene.stability import METHODS, Factors, Slope, factors
+
+
+def tangent(degrees: float) -> float:
+    return math.tan(math.radians(degrees))
+
+
+def fixed(slope: Slope, centre: tuple[float, float], radius: float) -> dict[str, float]:
+    """The factors of the one stretch of a circle that is driven."""
+    c, r = np.array([centre]), np.array([radius])
+    parts = circles.cut(np.asarray(slope.ground)[None], c, r)
+    lane, number, _ = circles.stretches(parts)
+    found = factors(slope, c[lane], r[lane], parts.only(lane), number)
+    k = int(np.nanargmin(found.ordinary))
+    return {m: float(getattr(found, m)[k]) for m in (*METHODS, "facing", "negative")}
+
+
+ACADS = Slope([(0, 25), (30, 25), (50, 35), (90, 35)], 3e3, tangent(19.6), 20e3, base=20)
+YAMAGAMI_UEDA = Slope([(0, 5), (5, 5), (15, 10), (25, 10)], 9.8e3, tangent(10), 17.64e3)
+LI_LUMB = Slope([(0, 5), (5, 5), (15, 15), (20, 15)], 18e3, tangent(30), 18e3, pore_ratio=0.2)
+LOUKIDIS = Slope([(-50, 0), (0, 0), (75, 25), (150, 25)], 25e3, tangent(30), 20e3, k_h=0.432, base=-25)
+FREDLUND_KRAHN = Slope([(0, 60), (60, 60), (140, 20), (180, 20)], 600.0, tangent(20), 120.0)  # ft, psf, pcf
+FK_WATER = replace(FREDLUND_KRAHN, level=[(0, 40), (140, 20), (180, 20)], water_unit_weight=62.4)
+YAMAGAMI_2000 = Slope([(-6, 0), (0, 0), (8, 4), (12, 4)], 4.9e3, tangent(10), 15.68e3)
+
+
+@pytest.mark.parametrize(
+    ("slope", "centre", "radius", "method", "expected"),
+    [
+        (FREDLUND_KRAHN, (120, 90), 80, "ordinary", 1.9277),
+        (FREDLUND_KRAHN, (120, 90), 80, "bishop", 2.0756),
+        (replace(FREDLUND_KRAHN, pore_ratio=0.25), (120, 90), 80, "ordinary", 1.6062),
+        (replace(FREDLUND_KRAHN, pore_ratio=0.25), (120, 90), 80, "bishop", 1.7592),
+        (FK_WATER, (120, 90), 80, "ordinary", 1.6934),
+        (FK_WATER, (120, 90), 80, "bishop", 1.8290),
+        (YAMAGAMI_2000, (2.674, 7.573), 8.031, "bishop", 1.1006),
+        (ACADS, (29.5, 53.6), 28.6, "bishop", 0.985),
+    ],
+)
+def test_published_circles(
+    slope: Slope, centre: tuple[float, float], radius: float, method: str, expected: float
+) -> None:
+    assert fixed(slope, centre, radius)[method] == pytest.approx(expected, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("slope", "method", "expected", "centre", "radius", "leaves"),
+    [
+        (ACADS, "bishop", 0.985, (29.5, 53.6), 28.6, (30.0, 25.0)),
+        (ACADS, "ordinary", 0.942, None, None, (30.0, 25.0)),
+        (YAMAGAMI_UEDA, "ordinary", 1.2752, None, None, None),
+        (YAMAGAMI_UEDA, "bishop", 1.3426, (8.65, 14.10), 9.81, (5.0, 5.0)),
+        (LI_LUMB, "bishop", 1.3335, (4.07, 19.40), 14.43, (5.0, 5.0)),
+        (LOUKIDIS, "bishop", 0.991, None, None, None),
+    ],
+)
+def test_published_searches(
+    slope: Slope, method: str, expected: float, centre: tuple[float, float] | None, radius: float | None,
+    leaves: tuple[float, float] | None,
+) -> None:  # fmt: skip
+    found = critical(slope, method)
+    assert found.factor_of_safety[method] == pytest.approx(expected, rel=1e-3)
+    height = float(np.ptp(np.asarray(slope.ground)[:, 1]))
+    if centre is not None:  # where both are given to three digits
+        assert found.centre == pytest.approx(centre, abs=0.01 * height)
+        assert found.radius == pytest.approx(radius, abs=0.01 * height)
+    if leaves is not None:
+        assert found.exit == pytest.approx(leaves, abs=0.02 * height)
+    assert found.tried > 10_000
+    assert 0 < found.refused < found.tried
+
+
+@pytest.mark.parametrize(("angle", "number"), [(90, 3.8313), (75, 4.5645), (60, 5.2474), (45, 5.8701)])
+@pytest.mark.parametrize("method", ["bishop", "paper"])
+def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: str) -> None:
+    run = 0.0 if angle == 90 else 10.0 / tangent(angle)
+    slope = Slope([(0, 0), (40, 0), (40 + run, 10), (90, 10)], 20e3, 0.0, 20e3)
+    factor = critical(slope, method, exit=(40.0, 40.0)).factor_of_safety[method]
+    assert factor is not None
+    # F = 1 where gamma H/c is Taylor's number, and F is proportional to c: N = F gamma H/c.
+    assert factor * 20e3 * 10.0 / 20e3 == pytest.approx(number, rel=1e-4)
+
+
+# --- definitions ----------------------------------------------------------------------------------------------------
+
+
+def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Section) -> dict[str, float]:
+    """The three factors by 200,000 slices, in the words of the text books."""
+    ends = sorted((float(found.entry[0]), float(found.exit[0])))
+    x = np.linspace(ends[0], ends[1], 200_001)
+    width, x = np.diff(x), (x[1:] + x[:-1]) / 2
+    way = float(found.facing)
+    sine = -way * (x - centre[0]) / radius  # of the base's inclination, positive where it drives
+    cosine = np.sqrt(1.0 - sine**2)
+    base = centre[1] - radius * cosine
+    height = np.interp(x, *np.asarray(slope.ground).T) - base
+    pressure = slope.pore_ratio * slope.unit_weight * height
+    if slope.level is not None:
+        pressure = slope.water_unit_weight * np.maximum(np.interp(x, *np.asarray(slope.level).T) - base, 0.0)
+    weight, length = slope.unit_weight * height * width, width / cosine
+    drive = (weight * sine + slope.k_h * weight * (radius * cosine - height / 2) / radius).sum()
+    normal = weight * (cosine - slope.k_h * sine) - pressure * length
+    ordinary = (slope.cohesion * length + normal * slope.friction).sum() / drive
+    bishop = 1.0
+    for _ in range(300):
+        lever = cosine + sine * slope.friction / bishop
+        bishop = ((slope.cohesion * width + (weight - pressure * width) * slope.friction) / lever).sum() / drive
+    w = found.weights
+    stress = (
+        w.press
+        + slope.k_h * w.press_slope
+        - w.level * (pressure * length).sum() / length.sum() / found.reference_stress
+    )
+    cohesion = w.level * slope.cohesion / found.reference_stress
+    paper = (cohesion + slope.friction * stress) / (w.fall + slope.k_h * w.fall_slope)
+    return {"ordinary": ordinary, "bishop": bishop, "paper": paper}
+
+
+GROUND = [(-60.0, 14.0), (-25.0, 12.0), (-14.0, 7.0), (-6.0, 5.5), (0.0, 0.0), (60.0, -1.0)]
+LEVEL = [(-60.0, 9.0), (-20.0, 6.0), (-5.0, 1.0), (1.0, -0.5), (60.0, -1.5)]
+
+
+@pytest.mark.parametrize("mirror", [False, True])
+@pytest.mark.parametrize(
+    "more", [{}, {"pore_ratio": 0.3}, {"level": LEVEL}, {"k_h": 0.15}, {"k_h": -0.1, "level": LEVEL}], ids=str
+)
+def test_factors_are_the_limit_of_slices(mirror: bool, more: dict[str, object]) -> None:
+    slope = Slope(GROUND, 8e3, tangent(25), 19e3, **more)  # type: ignore[arg-type]
+    centre = (-6.0, 24.0)
+    if mirror:
+        level = None if slope.level is None else np.asarray(slope.level)[::-1] * [-1, 1]
+        slope = replace(slope, ground=np.asarray(slope.ground)[::-1] * [-1, 1], level=level)
+        centre = (6.0, 24.0)
+    found = Section(slope.ground, centre, 25.0, 19e3)
+    ours = fixed(slope, centre, 25.0)
+    assert ours["facing"] == (-1 if mirror else 1)
+    for method, value in sliced(slope, centre, 25.0, found).items():
+        assert ours[method] == pytest.approx(value, rel=1e-7), method
+
+
+def test_without_friction_all_methods_agree() -> None:
+    found = Section(GROUND, (-6.0, 24.0), 25.0, 19e3)
+    ours = fixed(Slope(GROUND, 40e3, 0.0, 19e3, level=LEVEL), (-6.0, 24.0), 25.0)
+    expected = 40e3 / (19e3 * 25.0) * 2 * found.half_angle / found.moments["weight_moment"]
+    for method in METHODS:
+        assert ours[method] == pytest.approx(expected, rel=1e-12)
+
+
+def test_the_ordinary_method_of_one_chord_in_closed_form() -> None:
+    # Without cohesion and water: mu times the integral of h cos^2 over that of -h sin cos, h of a straight chord.
+    p, q, radius = np.array([-20.0, 10.0]), np.array([8.0, 0.0]), 30.0
+    centre, _ = circle_through(p, q, radius=radius)
+    slope = Slope([p - 2 * (q - p), q + 2 * (q - p)], 0.0, 0.5, 2e4)
+    a = math.asin(np.hypot(*(q - p)) / 2 / radius)
+    dip = math.atan2(10.0, 28.0)
+    normal = math.sin(a) - a * math.cos(a) + math.cos(2 * dip) * (
+        (math.sin(a) + math.sin(3 * a) / 3) / 2 - math.cos(a) * math.sin(2 * a) / 2
+    )  # fmt: skip
+    drive = 2 / 3 * math.sin(a) ** 3 * math.sin(dip) * math.cos(dip)
+    assert fixed(slope, tuple(centre), radius)["ordinary"] == pytest.approx(0.5 * normal / drive, rel=1e-12)
+
+
+def test_many_circles_are_single_ones() -> None:
+    rng = np.random.default_rng(1)
+    p = np.stack([rng.uniform(-50, -26, 500), np.full(500, 13.0)], axis=1)
+    p[:, 1] = np.interp(p[:, 0], *np.array(GROUND).T)
+    q = np.stack([rng.uniform(1, 20, 500), np.full(500, 0.0)], axis=1)
+    q[:, 1] = np.interp(q[:, 0], *np.array(GROUND).T)
+    centre, radius = circle_through(p, q, depth=rng.uniform(0.1, 0.4, 500) * np.hypot(*(q - p).T) * 0.99)
+    slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL)
+    parts = circles.cut(np.array([GROUND]), centre, radius)
+    lane, number, _ = circles.stretches(parts)
+    many = factors(slope, centre[lane], radius[lane], parts.only(lane), number)
+    for k in range(0, len(lane), 37):
+        one = factors(
+            slope, centre[lane[k : k + 1]], radius[lane[k : k + 1]], parts.only(lane[k : k + 1]), number[k : k + 1]
+        )
+        assert [float(v[k]) for v in many] == pytest.approx([float(v[0]) for v in one], rel=1e-12, nan_ok=True)
+
+
+def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:
+    # The arc leaves the ground at about 73 deg: m_alpha = cos(73) - sin(73) mu/F is negative for factors below 2.2.
+    slope = Slope([(-60, 3), (-20, 3), (0, 0), (60, 0)], 1e2, tangent(35), 2e4, k_h=0.9)
+    centre, radius = circle_through((-22.0, 3.0), (30.0, 0.0), depth=20.0)
+    found = fixed(slope, tuple(centre), float(radius))
+    assert math.isnan(found["bishop"])
+    assert found["ordinary"] > 0
+    assert found["paper"] > 0
+
+
+# --- the search -----------------------------------------------------------------------------------------------------
+
+
+def test_limits_hold() -> None:
+    slope = Slope([(-50, 10), (-20, 10), (0, 0), (50, 0)], 5e3, tangent(20), 19e3, base=-2.0)
+    free = critical(slope)
+    least = free.factor_of_safety["bishop"]
+    assert least is not None
+    assert free.centre[1] - free.radius >= -2.0 - 1e-6
+    limits: list[dict[str, Any]] = [{"entry": (-40.0, -35.0)}, {"exit": (5.0, 8.0)}, {"depth": 6.0}]
+    for more in limits:
+        found = critical(slope, **more)
+        factor = found.factor_of_safety["bishop"]
+        assert factor is not None
+        assert factor >= least * (1 - 1e-6)
+        if "entry" in more:
+            assert -40.0 - 1e-6 <= found.entry[0] <= -35.0 + 1e-6
+        if "exit" in more:
+            assert 5.0 - 1e-6 <= found.exit[0] <= 8.0 + 1e-6
+        if "depth" in more:
+            assert Section(slope.ground, found.centre, found.radius, 19e3, between=found.between).depth >= 6.0 - 1e-6
+    again = critical(slope)
+    assert again == free
+    assert np.array_equal(again.values, free.values, equal_nan=True)
+
+
+def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
+    # Without friction and deep soil the least factor lies ever deeper: the ground is what ends it.
+    slope = Slope([(-20, 5), (-15, 5), (0, 0), (8, 0)], 20e3, 0.0, 19e3, base=-30.0)
+    found = critical(slope)
+    assert found.warning.startswith("the circle reaches the end of the ground at x = ")
+    assert critical(replace(ACADS)).warning == ""
+
+
+def test_a_mirrored_slope_has_the_mirrored_circle() -> None:
+    slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL, k_h=0.05)
+    other = replace(slope, ground=np.array(GROUND)[::-1] * [-1, 1], level=np.array(LEVEL)[::-1] * [-1, 1])
+    one, two = critical(slope), critical(other)
+    assert (one.facing, two.facing) == (1, -1)
+    for method in METHODS:
+        assert two.factor_of_safety[method] == pytest.approx(one.factor_of_safety[method], rel=1e-5)
+    assert two.centre == pytest.approx((-one.centre[0], one.centre[1]), rel=1e-3)
+
+
+def test_the_circle_is_a_section_that_moves_at_the_paper_s_factor() -> None:
+    found = critical(ACADS, "paper")
+    section = Section(ACADS.ground, found.centre, found.radius, 20e3, between=found.between)
+    w = section.weights
+    level = w.level * 3e3 / section.reference_stress
+    assert (level + tangent(19.6) * w.press) / w.fall == pytest.approx(found.factor_of_safety["paper"], rel=1e-9)
+    assert section.entry == pytest.approx(found.entry)
+    assert section.exit == pytest.approx(found.exit)
+    assert section.facing == found.facing
+
+
+@pytest.mark.parametrize("seed", range(0, 200, 25))
+def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
+    assert peers_slopes.excess(seed) < 5e-4
+
+
+@pytest.mark.parametrize(
+    ("slope", "more", "words"),
+    [
+        (replace(ACADS, cohesion=0.0), {}, "ever thinner skin"),
+        (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep"),
+        (Slope([(0, 0), (50, 0)], 1e3, 0.5, 2e4), {}, "level"),
+        (ACADS, {"method": "janbu"}, "must be one of"),
+        (ACADS, {"entry": (5.0, 1.0)}, "least and the greatest"),
+        (ACADS, {"exit": (200.0, 300.0)}, "beside the ground"),
+        (ACADS, {"depth": -1.0}, "at least 0"),
+        (ACADS, {"entry": (0.0, 1.0), "exit": (2.0, 3.0)}, "no circle is left"),
+    ],
+)
+def test_a_search_without_an_answer_says_why(slope: Slope, more: dict[str, object], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        critical(slope, **more)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({"cohesion": -1.0}, "cohesion"),
+        ({"friction": 10.0}, "arctangent"),
+        ({"unit_weight": math.nan}, "unit_weight"),
+        ({"pore_ratio": 1.2}, "pore_ratio"),
+        ({"k_h": 3.0}, "k_h"),
+        ({"base": 30.0}, "below the ground"),
+        ({"level": [(0, 30), (90, 30)]}, "ponds"),
+        ({"level": [(0, 20), (90, 30)], "pore_ratio": 0.2}, "exclude each other"),
+        ({"level": [(200, 20), (300, 20)]}, "beside the ground"),
+        ({"cohesion": 0.0, "friction": 0.0}, "no strength"),
+        ({"ground": [(30, 25), (0, 25), (50, 35)]}, "order them by x"),
+    ],
+)
+def test_slopes_that_are_refused(more: dict[str, object], words: str) -> None:
+    given = {"ground": ACADS.ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4}
+    with pytest.raises(ValueError, match=words):
+        Slope(**(given | more))  # type: ignore[arg-type]
+
+
+def test_results_are_plain() -> None:
+    found = critical(ACADS)
+    assert isinstance(found, Critical)
+    record = found.record()
+    assert {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"} <= record.keys()
+    assert set(record["factor_of_safety"]) == set(METHODS)
+    assert Factors._fields[:3] == METHODS
