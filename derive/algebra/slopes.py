@@ -255,5 +255,6 @@ def _prove_slices(claim: object) -> None:
     claim(sp.diff(head(), SINE) * COSINE - sp.diff(head(), COSINE) * SINE + sp.diff(head(), BETA)
           - (OFFSET + SLOPE * SINE + COSINE), "height of a line above the arc")  # fmt: skip
     zero = {HEIGHT: 0, DISTANCE: 1}
-    if forms["radial_weight"].subs(zero) != 0 or forms["radial_tilt"].subs(zero) != 0:
-        raise ProofError("a slice without height weighs")
+    for name in ("radial_weight", "radial_tilt"):
+        if (weighs := forms[name].subs(zero)) != 0:
+            raise ProofError(f"{name}: a slice without height weighs nothing", weighs)

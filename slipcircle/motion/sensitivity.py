@@ -152,7 +152,7 @@ class _Seeds:
         return self.one(name) / float(at) if float(at) else self.one(name) * 0.0
 
     def _effects(self, c: Floats, at: Mapping[str, int]) -> None:
-        arc = self.lanes.arc
+        arc: Any = self.lanes.arc
         scales = {
             "half_angle": float(arc.half_angle), "gravity": float(arc.gravity), "radius": float(arc.radius),
             "reference_stress": float(arc.reference_stress), "Theta": float(arc.dimensionless.moment_of_inertia),

@@ -60,7 +60,7 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
 def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
     """An arc or a section with other values, which were checked elsewhere, or will be."""
     held = {f.name: getattr(arc, f.name) for f in fields(arc)}
-    return Arc.unchecked(**held | values) if isinstance(arc, Arc) else replace(arc, **values)
+    return Arc.unchecked(**{**held, **values}) if isinstance(arc, Arc) else replace(arc, **values)
 
 
 def scene_with(scene: Scene, values: Mapping[str, float]) -> Scene:
