@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9762cc10cb0e3b0fc7c9f16ee0ab1cefb3a90b080ce7c4f318664251ebf17a86"
+#define DIGEST "ac660e74275f4f5c7bfe2b9aee2b59cd88179b0dada44cd92e6ba94b027a760c"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -840,7 +840,7 @@ INLINE V radius(const Hand *h, const V *p, int top, V order)
         const V here = logarithm(p[n]);
         V most = flat(-1000 * FIXED);
         for (int k = 0; k < 5; k++) most = greater((first[k] - here) * h->inverse[n - k], most);
-        const M counts = (order >= (double)n) & (order <= n + 3.0);
+        const M counts = (order >= (double)n) & (order <= n + 3.0) & (p[n] != 0.0); /* what is zero tells nothing */
         least = pick(counts & (most < least), most, least);
     }
     return power_of_two(least);

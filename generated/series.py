@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: c6b857e87b901254af05674cdd15ff719c92c3a3ff3b70e15c1c0db292b9dc11
+# sha256 of the text below: b5c1ff486fd26e0846d830a16bf7bcaa4147b74378e60617f8ea3d4357dd43f5
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -154,7 +154,8 @@ def _pow(r: Floats, c: Floats, n: int, p_: int, m_: int, z_: int, power_: int) -
 
 
 
-_SERIES = {"mul": _mul, "sqr": _sqr, "tim": _tim, "turn": _turn, "exp": _exp, "rec": _rec, "log": _log, "pow": _pow}
+_SERIES: dict[str, Any] = {"mul": _mul, "sqr": _sqr, "tim": _tim, "turn": _turn, "exp": _exp, "rec": _rec, "log": _log,
+    "pow": _pow}
 _SCALARS: dict[str, Any] = {
     "add": np.add,
     "sub": np.subtract,

@@ -18,6 +18,7 @@ if getattr(generated, "__project__", None) != "slipcircle":
         "the one that slipcircle needs: remove it from sys.path, or put slipcircle's folder before it"
     )
 
+from slipcircle.base import VERSION
 from slipcircle.motion.motion import Energy, Motion, State, Status
 from slipcircle.motion.plan import Plan, plan
 from slipcircle.motion.solver import solve
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from slipcircle.studies.conduct import ensemble, grid
     from slipcircle.studies.study import Study
 
-__version__ = "0.1.0"
+__version__ = VERSION
 # Asked for by name, since one motion needs nothing of them.
 _LATE = {
     "BackAnalysis": "studies.backanalysis", "Critical": "scene.search", "Slope": "scene.stability",

@@ -158,7 +158,7 @@ def test_covariance_of_a_fit() -> None:
     truth = solve(replace(VAIONT, friction=0.27))
     rng = np.random.default_rng(4)
     outputs = {"run_out": (truth.run_out, 8.0), "peak_velocity": (float(truth.peak.velocity), 0.3)}
-    exact = backanalyse(VAIONT, **outputs, field="friction")  # type: ignore[arg-type]
+    exact = backanalyse(VAIONT, **outputs, field="friction")
     assert exact.method == FITTED
     assert exact.value == pytest.approx(0.27, rel=1e-10)
     assert exact.solutions[0].chi_square < 1e-15

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from flint import arb, arb_series, ctx
 
-from derive.algebra.integrate import ProofError
+from derive.check.proof import ProofError
 from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations

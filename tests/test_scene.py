@@ -101,7 +101,7 @@ def test_a_plan_depends_on_which_effects_there_are_and_not_on_values() -> None:
     first = plan(Scene(ARC, 0.2, ("centripetal",), end_time=5.0))
     second = plan(Scene(Arc(10.0, 4.2, 5.5, 1e4), 0.0, ("centripetal",), -3.0))
     assert dataclasses.replace(first, scene=second.scene) == second
-    assert plan(Scene(ARC, 0.2)).functions != first.functions
+    assert plan(Scene(ARC, 0.2)).fragments != first.fragments
 
 
 def test_accuracy_of_the_call_wins() -> None:

@@ -202,7 +202,7 @@ def _over(a: Floats, b: Floats, n: int, first: int, last: int) -> Any:
 
 
 {functions}
-_SERIES = {{{series}}}
+_SERIES: dict[str, Any] = {{{series}}}
 _SCALARS: dict[str, Any] = {{
 {scalars}}}
 '''

@@ -49,7 +49,7 @@ def _phase(lanes: w.Lanes) -> None:
 
     def state(t: Any, k: Any = slice(None)) -> tuple[Any, Any, Any]:
         names = ("rotation", "angular_velocity", "angular_acceleration")
-        return tuple(getattr(formulas, f"{prefix}_{n}")(*(x[k] for x in of), t) for n in names)  # type: ignore[return-value]
+        return tuple(getattr(formulas, f"{prefix}_{n}")(*(x[k] for x in of), t) for n in names)
 
     x, speed, rate = state(until)
     fastest = (c[w.PEAK_TIME] == c[w.TIME]) & (np.abs(c[w.PEAK_OMEGA]) == omega)  # at the start, by the same formula

@@ -4,6 +4,7 @@ The walk, its phases and its events stay; a step goes to the next break or event
 """
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 from warnings import catch_warnings, simplefilter
 
@@ -56,9 +57,9 @@ class _Implicit(w.Lanes):
             upper, lower = (float(self.c[slot.cells + x, 0]) for x in (w.UPPER, w.LOWER))
             at = {"slip": 0, "speed": 1}.get(slot.kind)
             if at is not None and np.isfinite(upper):
-                found.append((2 + 2 * k, lambda t, y, at=at, upper=upper: upper - float(y[at])))
+                found.append((2 + 2 * k, partial(_short_of, at, upper, 1.0)))
             if slot.kind == "speed" and lower:
-                found.append((3 + 2 * k, lambda t, y, lower=lower: float(y[1]) - lower))
+                found.append((3 + 2 * k, partial(_short_of, 1, lower, -1.0)))
         return found
 
     def step(self) -> None:
@@ -124,6 +125,11 @@ class _Implicit(w.Lanes):
             rate = self._registers(times[row], y)[self.program.roles["net"]]
             into[:4, row, column] = c[w.ROTATION] + side * y[0], side * y[1], side * rate, c[w.SLIP] + y[0]
             into[4:, row, column] = y[2:]
+
+
+def _short_of(at: int, bound: float, sign: float, t: float, y: Floats) -> float:
+    """How far a state is below a bound, or above it."""
+    return sign * (bound - float(y[at]))
 
 
 def _root(f: Callable[[float, Floats], float], states: Callable[[float], Floats], low: float, high: float) -> float:

@@ -655,7 +655,7 @@ class Lanes:
         """Write an event of the first lane down."""
         if self.log is not None and self.which[0] == 0:
             c = self.c
-            self.log.append((kind, *(float(c[k, 0]) for k in (TIME, ROTATION, DIRECTION))))
+            self.log.append((kind, float(c[TIME, 0]), float(c[ROTATION, 0]), float(c[DIRECTION, 0])))
 
     def _lift_time(self, mask: Any) -> None:
         c = self.c

@@ -124,7 +124,7 @@ class Motion:
 
     def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
-        self._latest: tuple[bytes, Floats] = b"", np.zeros(0)  # times that were last asked for, and the states there
+        self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
 
     def __repr__(self) -> str:
         if self.shape:
@@ -336,7 +336,7 @@ class Motion:
     def _rows(self, time: Floats) -> Floats:
         """Numbers of the walk at times, kept for the next question about the same."""
         asked = time.tobytes()
-        if self._latest[0] != asked:
+        if self._latest is None or self._latest[0] != asked:
             self._latest = asked, self._lanes.read(np.ravel(time))
         return self._latest[1]
 

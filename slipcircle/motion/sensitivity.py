@@ -18,7 +18,7 @@ from generated.flow import PIECES
 from generated.growth import arc_growth
 from slipcircle.flow import walk as w
 from slipcircle.flow.bind import law_parts
-from slipcircle.flow.polynomials import value
+from slipcircle.flow.polynomials import shifted, slopes, value
 from slipcircle.flow.program import Program, Table
 from slipcircle.flow.solve import Lanes, walked
 from slipcircle.flow.tables import Data, of_law
@@ -190,10 +190,10 @@ class _Seeds:
             law = LAWS[name]
             growth = {"m": self.radius_growth, "m/s": self.speed_growth, "": 0.0 * self.time_growth}
             if name in PIECES:
-                scale = PIECES[name][0]
-                length = self.radius_growth - self.relative(f"friction.{scale}", given[scale])
-                own = [n.removeprefix("friction.") for n in self.names]
-                data = [_changed(name, given, n if n in given and n != scale else "") for n in own]
+                over = PIECES[name][0]
+                length = self.radius_growth - self.relative(f"friction.{over}", given[over])
+                plain = [n.removeprefix("friction.") for n in self.names]
+                data = [_changed(name, given, n if n in given and n != over else "") for n in plain]
                 self.tables[name] = (length, 0.0 * length, data)
             elif law.parameters[0].kind == "list":
                 scale = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
@@ -298,7 +298,7 @@ class _Walk(w.Lanes):
             moved = self.dot(w.OMEGA) / c[w.OMEGA, 0] + scale_growth
         else:
             local, moved = 0.0, self.none
-        terms = w.shifted(data.polynomial(np.array([piece])), np.array([local]))[:, 0]
+        terms = shifted(data.polynomial(np.array([piece])), np.array([local]))[:, 0]
         terms = np.append(terms, 0.0)
         for j in range(slot.degree + 1):
             unit = scale**j if slips else 1.0
@@ -306,7 +306,7 @@ class _Walk(w.Lanes):
             more = (j + 1) * terms[j + 1] if j + 1 < len(terms) else 0.0
             dots = factor * unit * (here * (factor_growth + (j * scale_growth if slips else 0.0)) + more * moved)
             if by_parameter is not None:
-                own = [w.shifted(d.polynomial(np.array([piece])), np.array([local]))[:, 0] for d in by_parameter]
+                own = [shifted(d.polynomial(np.array([piece])), np.array([local]))[:, 0] for d in by_parameter]
                 dots = dots + factor * unit * np.array([o[j] if j < len(o) else 0.0 for o in own])
             self.put(at + w.VALUE if j == 0 else at + w.Q1 + j - 1, dots)
 
@@ -381,7 +381,7 @@ class _Walk(w.Lanes):
         c, k = self.c, int(event[0])
         if k == 1:
             normal = self.program.roles["normal"]
-            falls = float(value(w.slopes(self.r[normal]), self.tau)[0])
+            falls = float(value(slopes(self.r[normal]), self.tau)[0])
             event_dot = -self.of(normal, float(self.tau[0])) / falls
         else:
             slot, data = self.program.tables[k // 2 - 1], self.tables[k // 2 - 1]

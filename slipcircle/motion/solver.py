@@ -138,6 +138,7 @@ def _refuse(motion: Motion) -> None:
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"
         )
-    numbers = (motion.end.displacement, motion.end.velocity, float(np.square(scene.initial_velocity)))
+    speed = float(np.asarray(scene.initial_velocity))
+    numbers = (motion.end.displacement, motion.end.velocity, speed * speed)
     if status == Status.FAILED or not all(map(math.isfinite, numbers)):
         raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")

@@ -9,6 +9,7 @@ from typing import IO, Any
 
 import numpy as np
 
+from slipcircle.base import VERSION
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
@@ -195,11 +196,9 @@ def conduct(
 
 def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
     """What tells one study from another, as a folder remembers it."""
-    from slipcircle import __version__
-
     scene = design.scene
     return {
-        "slipcircle": __version__, "outcomes": list(OUTCOMES), "accuracy": design.accuracy,
+        "slipcircle": VERSION, "outcomes": list(OUTCOMES), "accuracy": design.accuracy,
         "numbers": {n: _known(v) for n, v in sorted(scene.numbers.items())}, "given": _known(scene.arc.given or {}),
         "friction": _known(scene.friction), "effects": _known(scene.called),
         "inputs": [u.key for u in design.inputs.values()], "drawn": [u.record for u in design.drawn.values()],

@@ -124,7 +124,7 @@ class Space:
 
     def shares(self, values: Floats) -> Floats:
         """The other way round."""
-        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), np.e))
+        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), math.e))
         logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
         return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
 

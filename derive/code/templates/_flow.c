@@ -694,7 +694,7 @@ INLINE V radius(const Hand *h, const V *p, int top, V order)
         const V here = logarithm(p[n]);
         V most = flat(-1000 * FIXED);
         for (int k = 0; k < 5; k++) most = greater((first[k] - here) * h->inverse[n - k], most);
-        const M counts = (order >= (double)n) & (order <= n + 3.0);
+        const M counts = (order >= (double)n) & (order <= n + 3.0) & (p[n] != 0.0); /* what is zero tells nothing */
         least = pick(counts & (most < least), most, least);
     }
     return power_of_two(least);
