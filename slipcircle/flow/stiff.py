@@ -63,7 +63,10 @@ class _Implicit(w.Lanes):
         return found
 
     def step(self) -> None:
-        from scipy.integrate import LSODA  # only here
+        try:
+            from scipy.integrate import LSODA  # only here
+        except ImportError as error:
+            raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
 
         c, p = self.c, self.program
         begin, limit = float(c[w.TIME, 0]), float(min(self._break()[0], c[w.END_TIME, 0]))

@@ -118,7 +118,8 @@ def _refuse(motion: Motion) -> None:
             f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
             "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
         )
-    if status == Status.ENDLESS and not turns:
+    speed = float(np.asarray(scene.initial_velocity))
+    if status in (Status.ENDLESS, Status.FAILED) and not turns and scene.end_time is None and speed * speed < math.inf:
         raise ValueError(
             "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
         )
@@ -138,7 +139,6 @@ def _refuse(motion: Motion) -> None:
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"
         )
-    speed = float(np.asarray(scene.initial_velocity))
     numbers = (motion.end.displacement, motion.end.velocity, speed * speed)
     if status == Status.FAILED or not all(map(math.isfinite, numbers)):
         raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")
