@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from slipcircle import Scene, Unattainable, backanalyse, load, solve
+from slipcircle import Arc, Scene, Unattainable, backanalyse, load, solve
 from slipcircle.__main__ import main
 from slipcircle.studies.backanalysis import FITTED, ROOT
 
@@ -59,8 +59,10 @@ def test_round_trip_of_other_fields(field: str, value: float) -> None:
     elif field == "initial_velocity":
         scene = replace(WET, initial_velocity=value)
     elif field == "dip":
-        turn = float(WET.arc.dip) - value
-        arc = replace(WET.arc, theta_1=WET.arc.theta_1 + turn, theta_2=WET.arc.theta_2 + turn)  # type: ignore[operator]
+        arc = WET.arc
+        assert isinstance(arc, Arc)
+        turn = float(arc.dip) - value
+        arc = replace(arc, theta_1=arc.theta_1 + turn, theta_2=arc.theta_2 + turn)  # type: ignore[operator]
         scene = replace(WET, arc=arc)
     else:
         scene = replace(WET, arc=replace(WET.arc, **{field: value}))  # type: ignore[arg-type]
@@ -118,6 +120,7 @@ def test_several_solutions_and_none_is_missed(share: float, count: int) -> None:
 
 def test_mirrored() -> None:
     arc = PENDULUM.arc
+    assert isinstance(arc, Arc)
     first, second = (3 * math.pi - float(np.asarray(t)) for t in (arc.theta_2, arc.theta_1))
     mirror = replace(PENDULUM, arc=replace(arc, theta_1=first, theta_2=second))
     found = backanalyse(mirror, run_out=-400.0)
@@ -238,9 +241,11 @@ def test_all_minima() -> None:
     found = backanalyse(VAIONT, run_out=(400.0, 20.0), peak_velocity=(17.0, 1.0), field=("friction", "dip"))
     assert len(found.solutions) == 2
     assert [len(s.motion.phases) for s in found.solutions] == [1, 2]
+    whole = VAIONT.arc
+    assert isinstance(whole, Arc)
     for s in found.solutions:
-        middle = float(np.asarray(VAIONT.arc.theta_1)) + DIP - s.values["dip"]
-        arc = replace(VAIONT.arc, theta_1=middle, theta_2=middle + 2 * float(VAIONT.arc.half_angle))
+        middle = float(np.asarray(whole.theta_1)) + DIP - s.values["dip"]
+        arc = replace(whole, theta_1=middle, theta_2=middle + 2 * float(whole.half_angle))
         motion = solve(replace(VAIONT, arc=arc, friction=s.values["friction"]))
         assert motion.run_out == pytest.approx(400.0, rel=1e-7)
         assert float(motion.peak.velocity) == pytest.approx(17.0, rel=1e-7)

@@ -267,6 +267,8 @@ def test_given_coefficients_are_no_axis() -> None:
     found = solve(replace(printed, friction=np.array([0.1, 0.3])))
     for k, mu in enumerate((0.1, 0.3)):
         assert found.run_out[k] == pytest.approx(solve(replace(printed, friction=mu)).run_out, rel=1e-14)
-    given: dict[str, Any] = dict(printed.arc.given or {}) | {"radial_weight": np.array([0.1, 0.2])}
+    arc = printed.arc
+    assert isinstance(arc, Arc)
+    given: dict[str, Any] = dict(arc.given or {}) | {"radial_weight": np.array([0.1, 0.2])}
     with pytest.raises(ValueError, match=r"given.radial_weight: must be one number"):
-        replace(printed.arc, given=given)
+        replace(arc, given=given)

@@ -11,7 +11,7 @@ import pytest
 import references
 from flint import arb, ctx
 
-from slipcircle import Motion, Scene, solve
+from slipcircle import Arc, Motion, Scene, solve
 
 KEPT: dict[str, Any] = {r["name"]: r["numbers"] for r in json.loads(golden.FILE.read_text("utf-8"))}
 ROWS = golden.rows()
@@ -151,6 +151,7 @@ def test_energy_balances_and_adds_up(name: str) -> None:
     motion = golden.solved(name)
     times = dense(motion)
     energy, arc = motion.energy_at(times), motion.plan.scene.arc
+    assert isinstance(arc, Arc)
     total = np.max(np.abs([energy.kinetic_end, energy.work, energy.dissipation])) + energy.kinetic_start
     share = motion.energy_error_estimate + 1e-13
     assert np.all(np.abs(energy.residual) <= share * total)

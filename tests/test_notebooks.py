@@ -24,7 +24,7 @@ from nbclient import NotebookClient
 import generated
 from derive.judge.paper import CLAIMS
 from generated import stable, tiers
-from slipcircle import Motion, load, solve
+from slipcircle import Arc, Motion, load, solve
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -150,6 +150,7 @@ def numbers_of(motion: Motion) -> list[float]:
 
 def test_key_numbers_of_the_paper() -> None:
     numbers, arc = key_numbers("2_the_paper_reproduced.ipynb"), load("vaiont-frozen").arc
+    assert isinstance(arc, Arc)
     d = arc.dimensionless
     package = {
         "Table 2-1 2alpha": np.degrees(2 * arc.half_angle),

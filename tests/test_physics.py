@@ -655,6 +655,7 @@ def test_a_mirrored_slide_does_the_same_in_the_mirror() -> None:
     for effects, friction_name in zip(COMBINATIONS, itertools.cycle(FRICTIONS), strict=False):
         scene = replace(combined_scene(effects, friction_name, 8), end_time=15.0)
         arc = scene.arc
+        assert isinstance(arc, Arc)
         mirrored = replace(
             arc, theta_1=3 * np.pi - np.asarray(arc.theta_2), theta_2=3 * np.pi - np.asarray(arc.theta_1)
         )

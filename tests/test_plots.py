@@ -240,6 +240,7 @@ def test_water_that_heat_presses_is_what_friction_has_dissipated() -> None:
     """Undrained and adiabatic, Lambda/(rho c h) of each joule on a square metre of the layer is pore pressure."""
     m = motion("vaiont-heated")
     arc, columns = m.plan.scene.arc, trace(m)
+    assert isinstance(arc, Arc)
     layer = float(arc.radius) * float(arc.theta_2 - arc.theta_1)  # type: ignore[arg-type, operator]
     added = 0.025e6 / (2.7e6 * 0.1) * columns["dissipation"] / layer
     wanted = columns["normal_stress"] - added
@@ -260,6 +261,7 @@ def test_shaking_holds_and_works() -> None:
     """By the section's weight and centre: a circular segment, pulled along k_h and (1 - k_v)."""
     m = motion("vaiont-shaken")
     arc, columns = m.plan.scene.arc, trace(m)
+    assert isinstance(arc, Arc)
     radius, first, second = (float(np.asarray(x)) for x in (arc.radius, arc.theta_1, arc.theta_2))
     alpha, dip = (second - first) / 2, 1.5 * np.pi - (first + second) / 2
     lever = 2 / 3 * np.sin(alpha) ** 3 / (alpha - np.sin(alpha) * np.cos(alpha))
@@ -333,6 +335,7 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     assert all("(m)" in label for label in (ax.get_xlabel(), ax.get_ylabel()))
     assert ax.get_aspect() == 1.0
     arc = m.plan.scene.arc
+    assert isinstance(arc, Arc)
     radius = float(np.asarray(arc.radius))
     outlines = {str(p.get_label()): p.get_xy()[:-1] for p in ax.patches if isinstance(p, Polygon)}
     if name == "tiny":  # marks take the place of what cannot be seen
@@ -387,13 +390,13 @@ def test_animation_moves_the_mass() -> None:
     played = plots.animate(m, figure, 5)
     played._init_draw()  # which else complains that nothing was rendered
     moving = [p for p in figure.axes[0].patches if isinstance(p, Polygon)][-1]
+    arc = m.plan.scene.arc
+    assert isinstance(arc, Arc)
     for frame in (0, 2, 4):
         played._func(frame)
         state = m.at(m.duration * frame / 4)
         x, y = moving.get_xy()[0]
-        assert np.arctan2(y, x) % (2 * np.pi) == pytest.approx(
-            float(np.asarray(m.plan.scene.arc.theta_1)) + float(state.rotation)
-        )
+        assert np.arctan2(y, x) % (2 * np.pi) == pytest.approx(float(np.asarray(arc.theta_1)) + float(state.rotation))
         assert f"{float(state.velocity):.2f} m/s" in figure.get_suptitle()
 
 
