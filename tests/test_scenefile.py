@@ -449,8 +449,9 @@ def test_schema_and_a_file_from_the_shell(file: Path) -> None:
     file.write_text(ARC.replace("1492.6", "0"), "utf-8")
     done = command("run", file)
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr.splitlines()[0].startswith(f"slipcircle: {file}: arc.radius_m = 0: must be ")
-    assert done.stderr.splitlines()[1].startswith(f"{file}: friction: is missing")
+    assert done.stderr.startswith(f"slipcircle: {file}: arc.radius_m = 0: must be ")
+    assert f" {file}: friction: is missing" in done.stderr
+    assert done.stderr.count("\n") == 1
 
 
 def test_without_pydantic_shipped_scenes_run_and_files_say_what_to_type(file: Path) -> None:
@@ -466,7 +467,7 @@ def test_without_pydantic_shipped_scenes_run_and_files_say_what_to_type(file: Pa
 def test_scenes_of_different_lengths_stand_side_by_side(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "vaiont-softening", "wet-slope"]) == 0
     shown = capsys.readouterr().out
-    assert "22.50 deg at first" in shown
-    assert re.search(r"velocity after 1/3 ", shown)
-    assert re.search(r"duration +40.79 s +6.11 s", shown)
+    assert re.search(r"friction angle +22\.5 deg, exponential +24 deg\n", shown)
+    assert re.search(r"peak velocity +27\.9 m/s +1\.981 m/s\n", shown)
+    assert re.search(r"duration +40\.79 s +6\.113 s\n", shown)
     assert "frozen geometry" not in shown

@@ -133,7 +133,7 @@ def test_a_grid_has_no_probability() -> None:
     for draw in (studyplots.exceedance, studyplots.indices):
         with pytest.raises(ValueError, match="values on a grid have no probability"):
             draw(e)
-    with pytest.raises(ValueError, match="output = 'speed': must be one of run_out, peak_velocity, duration"):
+    with pytest.raises(ValueError, match="output = 'speed': must be one of reach, run_out, peak_velocity, duration"):
         studyplots.exceedance(found("two"), "speed")
 
 
@@ -145,13 +145,13 @@ def test_a_grid_is_drawn_as_curves() -> None:
     FigureCanvasAgg(figure)
     studyplots.overview(e, figure)
     assert clashes(figure) == []
-    assert [ax.get_ylabel() for ax in figure.axes] == ["run-out along the arc (m)", "peak velocity (m/s)"]
+    assert [ax.get_ylabel() for ax in figure.axes] == ["greatest displacement (m)", "peak velocity (m/s)"]
     for radius, *lines in zip(radii, *(ax.lines for ax in figure.axes), strict=True):
         drawn_at = [np.asarray(line.get_ydata()).tolist() for line in lines]
-        for angle, run_out, velocity in zip(angles, *drawn_at, strict=True):
+        for angle, reach, velocity in zip(angles, *drawn_at, strict=True):
             slide = replace(scene, arc=replace(scene.arc, radius=radius), friction=float(np.tan(np.deg2rad(angle))))
             m = solve(slide)
-            assert [run_out, velocity] == pytest.approx([m.run_out, float(m.peak.velocity)], rel=1e-9)
+            assert [reach, velocity] == pytest.approx([m.reach.displacement, float(m.peak.velocity)], rel=1e-9)
     (names,) = {tuple(t.get_text() for t in ax.get_legend().get_texts()) for ax in figure.axes}  # type: ignore[union-attr]
     assert list(names) == [f"arc.radius_m = {r:.4g}" for r in radii]
     with pytest.raises(ValueError, match="with at most 6 values of the second, not 1 x 7"):
@@ -168,7 +168,7 @@ def test_one_command_writes_everything(tmp_path: Path, capsys: pytest.CaptureFix
     line = ["sweep", "wet-slope", "--samples", "300", "--uncertain", "friction.angle_deg=normal:24:2", "--uncertain",
             "pore_pressure.ratio=uniform:0.1:0.4", "--sensitivity", "64", "--plot", str(plot)]  # fmt: skip
     assert main([*line, "--report", str(page), "--json"]) == 0
-    record = json.loads(capsys.readouterr().out)
+    (record,) = json.loads(capsys.readouterr().out)
     assert plot.read_bytes().startswith(b"\x89PNG\r\n")
     root = tree(page.read_text("utf-8"))
     cells = rows(root)
@@ -182,7 +182,7 @@ def test_one_command_writes_everything(tmp_path: Path, capsys: pytest.CaptureFix
     assert shlex.split(command)[-2:] == ["--seed", str(record["seed"])]
     # The printed command repeats it to the last bit.
     assert main(shlex.split(command)[1:]) == 0
-    assert json.loads(capsys.readouterr().out) == record
+    assert json.loads(capsys.readouterr().out) == [record]
     assert page.read_text("utf-8").count("distribution") > 1
     assert all(i.get("src").startswith("data:image/svg+xml") for i in root.iter("img"))
 

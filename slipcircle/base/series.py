@@ -86,6 +86,7 @@ class Series:
             raise ValueError(f"Series: sample {index + 1}: {said}")
 
     straight = True  # between its kinks
+    crests = np.empty(0)  # between its kinks
 
     def __call__(self, t: ArrayLike) -> Any:
         """Values at times, s."""
@@ -212,6 +213,12 @@ class Pulse:
         """Times at which it is not smooth, s."""
         middle = [self.start + self.duration / 2] if self.name == "triangular" else []
         return np.array([self.start, *middle, self.end])
+
+    @property
+    def crests(self) -> Floats:
+        """Times at which it is greatest in size, kinks aside, s."""
+        quarters = np.arange(math.pi / 2, 0.0 if self.straight else self._phase, math.pi)
+        return self.start + self.duration * quarters / self._phase
 
     @cached_property
     def pieces(self) -> Pieces:

@@ -34,7 +34,8 @@ def even_times(motion: Motion) -> Floats:
 
 
 def telling_times(motion: Motion) -> Floats:
-    """Even times, the peak, in each phase some that crowd towards both its ends, and where what is given has a kink.
+    """Even times, the peak, in each phase some that crowd towards both its ends, and where what is given has a kink or
+    a crest.
 
     Where that jumps, the time just before as well.
     """
@@ -49,7 +50,7 @@ def telling_times(motion: Motion) -> Floats:
         before = np.nextafter(knots, -np.inf)
         values = np.abs(function(knots))
         jumps = np.abs(function(before) - function(knots)) > _JUMP * np.max(values, initial=0.0)
-        found += [knots, before[jumps]]
+        found += [knots, before[jumps], function.crests]
     law = motion.plan.scene.friction
     found += [law["time"]] if isinstance(law, Mapping) and "time" in law else []
     return np.unique(np.clip(np.concatenate(found), 0.0, motion.duration))
