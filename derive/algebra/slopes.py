@@ -214,8 +214,9 @@ def prove() -> list[str]:
     parts = (1 - s) * g1 + s * g2 + s * (1 - s) * (E_X**2 + E_Y**2)
     ends = {g1: 1 - X**2 - Y**2, g2: 1 - (X + E_X) ** 2 - (Y + E_Y) ** 2}
     claim(parts.subs(ends) - (1 - x**2 - y**2), "1 - rho^2 along an edge")
-    for moment in MOMENTS:
-        name, sign = MEANS[moment.name]
+    declared = {m.name: m for m in MOMENTS}
+    for of, (name, sign) in MEANS.items():
+        moment = declared[of]
         claim(moment.weight - sign * WEIGHTS[name], f"{moment.symbol} is {'-' if sign < 0 else ''}{name}")
         if moment.name in SLOPES:
             slope, slope_sign = SLOPES[moment.name]
