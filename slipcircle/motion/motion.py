@@ -238,7 +238,10 @@ class Motion:
     def peak(self) -> State:
         rows = (walk.PEAK_ROTATION, walk.PEAK_OMEGA, walk.PEAK_RATE)
         last = (self._of(walk.PEAK_TIME) == self._of(walk.END_TIME)) & (self._of(walk.STATUS) == walk.ENDED)
+        last |= self._of(walk.PHASES) == 0.0
         time = np.where(last, self._duration, self._of(walk.PEAK_TIME) * self._lanes.bound.time_scale)
+        if not self.shape and 0.0 < time[0] < self._duration[0]:
+            return self.at(float(time[0]))  # of its rounded time; where a force leaps, as it is from then on
         return self._state(time, *map(self._of, rows))
 
     @cached_property
@@ -308,10 +311,9 @@ class Motion:
         shape = (*self.shape, *time.shape)
         lanes = self._lanes
         scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.bound.time_scale, lanes.radius))
-        rests = np.where(self._of(walk.STATUS) == walk.ARRESTED, self._duration, np.inf)
-        over = np.ravel(time)[:, None] >= rests  # to the last bit, whatever the time was divided by
-        rows[0] = np.where(over, self._of(walk.END_ROTATION), rows[0])
-        rows[1:3] = np.where(over, 0.0, rows[1:3])
+        over = np.ravel(time)[:, None] >= self._duration  # the end, whatever rounding makes of its time
+        for row, cell in enumerate((walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE)):
+            rows[row] = np.where(over, self._of(cell), rows[row])
         rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
         stress = lanes.stress_along(np.ravel(time), rows)
         speed = omega / scale
@@ -385,6 +387,8 @@ class Motion:
         rows, first = self._lanes.energies(np.ravel(time))
         unit = self._lanes.energy_unit
         shape = (*self.shape, *time.shape)
+        stands = np.ravel(time)[:, None] >= np.where(self._of(walk.STATUS) == walk.ARRESTED, self._duration, np.inf)
+        rows["kinetic"] = np.where(stands, 0.0, rows["kinetic"])
         kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
         return Energy(self._shaped(np.broadcast_to(unit * first, self._duration.shape)), kinetic, work, lost)
 
