@@ -289,8 +289,9 @@ class Motion:
         rotation, omega, rate = (np.where(good, v + 0.0, np.nan) for v in (rotation, omega, rate))
         scale, radius = lanes.bound.time_scale, lanes.radius
         stress = lanes.stress(time / scale, rotation, omega)
-        speed = omega / scale + 0.0  # no -0.0
-        columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2 + 0.0, stress)
+        with np.errstate(over="ignore"):  # what overflows is refused
+            speed = omega / scale + 0.0  # no -0.0
+            columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2 + 0.0, stress)
         return State(*(self._shaped(np.broadcast_to(v, good.shape)) for v in columns))
 
     def at(self, times: ArrayLike) -> State:
