@@ -35,7 +35,6 @@ class Grown(NamedTuple):
 
     function: Callable[[Any], Any]
     name: str
-    first: float  # length of the first stretch
 
 
 def order(accuracy: float) -> int:
@@ -123,7 +122,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     cells[walk.CLOSE] = np.inf
     shaken = called.get("shaking", {})
     cells[walk.ONE_WAY] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
-    cells[walk.FIRST_ONLY] = np.where(np.isinf(cells[walk.END_TIME]), _first_only(effects, parts, given, called), 0.0)
+    cells[walk.FIRST_ONLY] = np.where(np.isinf(cells[walk.END_TIME]), _first_only(effects, parts, given), 0.0)
     cells[walk.LIMIT] = _limit(program, data, cells, limit)
     return Bound(program, data, cells, time_scale, functions)
 
@@ -151,8 +150,7 @@ def in_time(function: Any) -> tables.Data:
     if isinstance(function, Pulse):
         start, duration, top = function.start, function.duration, function.amplitude
         if function.name == "rectangular":
-            found = tables.lines(np.array([start, start + duration]), np.array([top, top]), 0.0, 0.0)
-            return found
+            return tables.lines(np.array([start, start + duration]), np.array([top, top]), 0.0, 0.0)
         if function.name == "triangular":
             middle = start + duration / 2
             return tables.lines(np.array([start, middle, start + duration]), np.array([0.0, top, 0.0]), 0.0, 0.0)
@@ -170,7 +168,7 @@ def _law(name: str, parameters: Mapping[str, Any], radius: Any, time_scale: Any,
         breaks, found = tables.sampled(function, 0.0, first, "friction")
         data = tables.Data(np.array([*breaks, first]), np.array([*found, found[-1]]), np.zeros(len(breaks) + 1),
                            open=True)  # fmt: skip
-        pieces[name], grown[name] = (data, radius, 1.0), Grown(function, "friction", first)
+        pieces[name], grown[name] = (data, radius, 1.0), Grown(function, "friction")
         return
     law, speed = LAWS[name], radius / time_scale
     if name in PIECES:
@@ -189,7 +187,7 @@ def _law(name: str, parameters: Mapping[str, Any], radius: Any, time_scale: Any,
         given |= {f"{name}.{p.name}": parameters[p.name] / unit[p.unit] for p in law.parameters}
 
 
-def _first_only(effects: tuple[str, ...], parts: Any, given: Mapping[str, Any], called: Mapping[str, Any]) -> Any:
+def _first_only(effects: tuple[str, ...], parts: Any, given: Mapping[str, Any]) -> Any:
     """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop."""
     if not any(EFFECTS[e].turns for e in effects):
         return 0.0

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -96,6 +96,11 @@ class Lanes:
         return found
 
     @property
+    def time_scale(self) -> Any:
+        """s for one of the dimensionless time, without binding what only walking needs."""
+        return self.arc.time_scale
+
+    @property
     def radius(self) -> Any:
         return np.asarray(self.arc.radius, dtype=np.float64)
 
@@ -146,7 +151,7 @@ class Lanes:
     def _spread(self, times: Floats, rows: Floats) -> tuple[Any, ...]:
         """States at many times as lanes of their own: time, rotation, omega, slip and further states, and whose."""
         each = np.tile(np.arange(self.count), times.size)
-        time = (times[:, None] / np.broadcast_to(self._asking.time_scale, self.count)).ravel()
+        time = (times[:, None] / np.broadcast_to(self.time_scale, self.count)).ravel()
         return time, rows[0].ravel(), rows[1].ravel(), rows[3:].reshape(len(rows) - 3, -1), each
 
     def holding_friction(self, times: Floats, rows: Floats) -> Floats:
@@ -212,9 +217,8 @@ class Lanes:
 
         k_y is where the drive, linear in k_h, is zero; both are read off the program itself.
         """
-        still = [e for e in self.called if e != "shaking"]
-        kept = {e: self.called[e] for e in still}
-        drives, normals = [], []
+        kept = {e: given for e, given in self.called.items() if e != "shaking"}
+        free, normals = [], []
         found: dict[str, Any] = {}
         for k_h in (0.0, 1.0):
             bound = bind(self.arc, kept | {"shaking": {"horizontal": k_h}}, self.friction, 0.0, math.inf,
@@ -232,21 +236,20 @@ class Lanes:
                     )
                     pressed = normal > 0.0
                     held = resisting + np.where(pressed, mu * normal, 0.0)
-                    free = np.where(driving > resisting, np.inf, -np.inf)
+                    none = np.where(driving > resisting, np.inf, -np.inf)
                     found = {
-                        "limit_friction": np.where(pressed, bound.cells[walk.LIMIT], free),
+                        "limit_friction": np.where(pressed, bound.cells[walk.LIMIT], none),
                         "factor_of_safety": np.where(driving > 0.0, held / driving, np.inf), "friction": mu,
                     }  # fmt: skip
-                drives.append((c[roles["cell_driving"]] - c[roles["cell_resisting"]], c[roles["cell_drive"]]))
+                free.append(c[roles["cell_driving"]] - c[roles["cell_resisting"]])
                 normals.append(c[roles["cell_normal0"]].copy())
         with np.errstate(all="ignore"):
-            (free0, drive0), (free1, drive1) = drives
-            exact = normals[0] * (found["limit_friction"] - found["friction"])
-            drive0 = np.where(normals[0] > 0.0, exact, free0 - found["friction"] * normals[0])
-            drive1 = free1 - found["friction"] * normals[1]
-            yields = -drive0 / (drive1 - (free0 - found["friction"] * normals[0]))
+            mu = found["friction"]
+            drive, shaken = (f - mu * n for f, n in zip(free, normals, strict=True))
+            exact = np.where(normals[0] > 0.0, normals[0] * (found["limit_friction"] - mu), drive)
+            yields = -exact / (shaken - drive)
             lifted = normals[0] + yields * (normals[1] - normals[0]) < 0.0
-            found["yield_coefficient"] = np.where(lifted, -free0 / (free1 - free0), yields) + 0.0
+            found["yield_coefficient"] = np.where(lifted, -free[0] / (free[1] - free[0]), yields) + 0.0
         return found
 
     def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
@@ -257,7 +260,3 @@ class Lanes:
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
         found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}
         return found, bound.cells[walk.OMEGA] ** 2 / 2
-
-    def companions(self, cells: Any) -> "Lanes":
-        """Lanes of other numbers, for estimates."""
-        return replace(self, **cells)

@@ -165,7 +165,7 @@ class Motion:
     @property
     def stopped_at(self) -> Any:
         """Time at which the walk stopped, s, with an answer or without."""
-        return self._shaped(self._of(walk.TIME) * self._lanes.bound.time_scale)
+        return self._shaped(self._of(walk.TIME) * self._lanes.time_scale)
 
     @property
     def brake(self) -> Any:
@@ -200,7 +200,7 @@ class Motion:
 
     @cached_property
     def _duration(self) -> Floats:
-        status, scale = self._of(walk.STATUS), self._lanes.bound.time_scale
+        status, scale = self._of(walk.STATUS), self._lanes.time_scale
         ends = np.where(status == walk.ENDED, self._lanes.end_time, self._of(walk.REST_SINCE) * scale)
         return np.where(self._answered, ends, np.nan)
 
@@ -215,7 +215,7 @@ class Motion:
     @cached_property
     def outcomes(self) -> dict[str, Any]:
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
-        scale, radius = self._lanes.bound.time_scale, self._lanes.radius
+        scale, radius = self._lanes.time_scale, self._lanes.radius
         rows = {"reach": walk.REACH_ROTATION, "run_out": walk.END_ROTATION}
         found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
         found["peak_velocity"] = radius * (self._of(walk.PEAK_OMEGA) / scale + 0.0)
@@ -239,7 +239,7 @@ class Motion:
         rows = (walk.PEAK_ROTATION, walk.PEAK_OMEGA, walk.PEAK_RATE)
         last = (self._of(walk.PEAK_TIME) == self._of(walk.END_TIME)) & (self._of(walk.STATUS) == walk.ENDED)
         last |= self._of(walk.PHASES) == 0.0
-        time = np.where(last, self._duration, self._of(walk.PEAK_TIME) * self._lanes.bound.time_scale)
+        time = np.where(last, self._duration, self._of(walk.PEAK_TIME) * self._lanes.time_scale)
         if not self.shape and 0.0 < time[0] < self._duration[0]:
             return self.at(float(time[0]))  # of its rounded time; where a force leaps, as it is from then on
         return self._state(time, *map(self._of, rows))
@@ -249,7 +249,7 @@ class Motion:
         still = np.zeros_like(self._of(walk.REACH_TIME))
         last = self._of(walk.REACH_ROTATION) == self._of(walk.END_ROTATION)
         speed, rate = (np.where(last, self._of(k), still) for k in (walk.END_OMEGA, walk.END_RATE))
-        time = np.where(last, self._duration, self._of(walk.REACH_TIME) * self._lanes.bound.time_scale)
+        time = np.where(last, self._duration, self._of(walk.REACH_TIME) * self._lanes.time_scale)
         return self._state(time, self._of(walk.REACH_ROTATION), speed, rate)
 
     @property
@@ -260,7 +260,7 @@ class Motion:
     @property
     def lift_off(self) -> tuple[float, ...]:
         """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
-        scale, found = float(np.ravel(self._lanes.bound.time_scale)[0]), list[float]()
+        scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[float]()
         lifted, begun = False, -1.0  # as long as it is carried on through standstills it is one lift-off
         for kind, t, _, _ in self._log:
             if kind == walk.LIFTS and not lifted and begun != t:
@@ -272,7 +272,7 @@ class Motion:
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """The stretches of a single motion between its standstills."""
-        scale, found = float(np.ravel(self._lanes.bound.time_scale)[0]), list[Phase]()
+        scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[Phase]()
         ends = [(t * scale) for kind, t, _, _ in self._log if kind == walk.STANDS]
         for kind, t, rotation, direction in self._log:
             if kind == walk.BEGINS:
@@ -287,7 +287,7 @@ class Motion:
         lanes = self._lanes
         good = self._answered
         rotation, omega, rate = (np.where(good, v + 0.0, np.nan) for v in (rotation, omega, rate))
-        scale, radius = lanes.bound.time_scale, lanes.radius
+        scale, radius = lanes.time_scale, lanes.radius
         stress = lanes.stress(time / scale, rotation, omega)
         with np.errstate(over="ignore"):  # what overflows is refused
             speed = omega / scale + 0.0  # no -0.0
@@ -311,7 +311,7 @@ class Motion:
         rows = self._rows(time)
         shape = (*self.shape, *time.shape)
         lanes = self._lanes
-        scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.bound.time_scale, lanes.radius))
+        scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.time_scale, lanes.radius))
         over = np.ravel(time)[:, None] >= self._duration  # the end, whatever rounding makes of its time
         for row, cell in enumerate((walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE)):
             rows[row] = np.where(over, self._of(cell), rows[row])
