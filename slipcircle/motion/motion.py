@@ -1,7 +1,7 @@
 """The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -36,6 +36,10 @@ class Status(IntEnum):
     INVALID = 7  #: its numbers are no scene
 
 
+# The cells of which a motion is told.
+TOLD = (walk.TIME, walk.STATUS, walk.PHASES, walk.END_TIME, walk.PEAK_TIME, walk.PEAK_ROTATION, walk.PEAK_OMEGA,
+        walk.PEAK_RATE, walk.REACH_TIME, walk.REACH_ROTATION, walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE,
+        walk.CLOSE, walk.REST_SINCE, walk.TURNS)  # fmt: skip
 ENERGIES = 21  # times at which the energy balance is looked at
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
@@ -122,7 +126,7 @@ class Motion:
         What a user should know of a single motion; empty where all is well.
     """
 
-    def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: walk.Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
 
@@ -144,7 +148,7 @@ class Motion:
         return values.reshape(self.shape) if self.shape else values[0].item()
 
     def _of(self, cell: int) -> Floats:
-        return np.asarray(self._cells[cell])
+        return self._cells[cell]
 
     # --- what became of it -------------------------------------------------------------------------------------------
 
@@ -240,8 +244,9 @@ class Motion:
         last = (self._of(walk.PEAK_TIME) == self._of(walk.END_TIME)) & (self._of(walk.STATUS) == walk.ENDED)
         last |= self._of(walk.PHASES) == 0.0
         time = np.where(last, self._duration, self._of(walk.PEAK_TIME) * self._lanes.time_scale)
-        if not self.shape and 0.0 < time[0] < self._duration[0]:
-            return self.at(float(time[0]))  # of its rounded time; where a force leaps, as it is from then on
+        forced = any(t.kind == "time" for t in self._lanes.bound.program.tables)
+        if forced and not self.shape and 0.0 < time[0] < self._duration[0]:
+            return self.at(float(time[0]))  # of its rounded time: where a force leaps, as it is from then on
         return self._state(time, *map(self._of, rows))
 
     @cached_property
@@ -292,7 +297,7 @@ class Motion:
         with np.errstate(over="ignore"):  # what overflows is refused
             speed = omega / scale + 0.0  # no -0.0
             columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2 + 0.0, stress)
-        return State(*(self._shaped(np.broadcast_to(v, good.shape)) for v in columns))
+        return State(*(self._shaped(v + np.zeros(good.shape)) for v in columns))
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.
