@@ -129,6 +129,5 @@ def _refuse(motion: Motion) -> None:
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"
         )
-    numbers = (motion.end.displacement, motion.end.velocity, speed * speed)
-    if status == Status.FAILED or not all(map(math.isfinite, numbers)):
+    if status == Status.FAILED or not math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
         raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")
