@@ -49,9 +49,9 @@ def _phase(lanes: Walker) -> None:
     c[its.STATUS, endless] = its.TOO_LONG
     until = np.where(endless, 0.0, until)
 
-    def state(t: Any, k: Any = slice(None)) -> tuple[Any, Any, Any]:
+    def state(t: Any) -> tuple[Any, Any, Any]:
         names = ("rotation", "angular_velocity", "angular_acceleration")
-        return tuple(getattr(formulas, f"{prefix}_{n}")(*(x[k] for x in of), t) for n in names)
+        return tuple(getattr(formulas, f"{prefix}_{n}")(*of, t) for n in names)
 
     x, speed, rate = state(until)
     # At the start, by the same formula.
@@ -82,11 +82,10 @@ def _read(lanes: Walker, until: Floats, stops: Any, state: Any) -> None:
     """States at sample times within the phase."""
     c, s = lanes.c, lanes.samples
     assert s is not None
-    for lane, column in enumerate(lanes.which):
-        begin, end = c[its.TIME, lane], c[its.TIME, lane] + until[lane] if stops[lane] else c[its.END_TIME, lane]
-        times = s.times[:, column]
-        first, last = np.searchsorted(times, begin), np.searchsorted(times, end, "left" if stops[lane] else "right")
-        x, omega, rate = state(times[first:last] - begin, lane)
-        side = c[its.DIRECTION, lane]
-        s.states[:4, first:last, column] = (c[its.ROTATION, lane] + side * x, side * omega, side * rate,
-                                            c[its.SLIP, lane] + x)  # fmt: skip
+    begin, times = c[its.TIME], s.times[:, lanes.which]
+    end = np.where(stops, begin + until, c[its.END_TIME])
+    now = (times >= begin) & ((times < end) | (~stops & (times == end)))
+    x, omega, rate = state(np.where(now, times - begin, 0.0))
+    side = c[its.DIRECTION]
+    for row, value in enumerate((c[its.ROTATION] + side * x, side * omega, side * rate, c[its.SLIP] + x)):
+        s.states[row][:, lanes.which] = np.where(now, value, s.states[row][:, lanes.which])
