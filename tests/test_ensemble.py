@@ -19,7 +19,7 @@ from slipcircle.files.scenefile import read
 from slipcircle.files.scenekeys import schema
 from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.outputs import written
+from slipcircle.studies import written
 from slipcircle.studies.conduct import grid
 from slipcircle.studies.sampling import latin, monte_carlo, sobol
 from slipcircle.studies.statistics import (
@@ -436,7 +436,7 @@ def test_what_is_no_scene_is_counted_and_left_out() -> None:
     found = ensemble(scene, 4000, 1)
     assert found.counts[Status.INVALID] == np.sum(found.samples["arc.radius_m"] < 0.0) > 300
     assert found.n == 4000 - found.counts[Status.INVALID]
-    assert "are no scenes" in found.warnings[0]
+    assert Status.INVALID.reason in found.warnings[0]
     nothing = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(-50, 1)}), 10, 1)
     assert nothing.n == 0
     assert math.isnan(nothing.moving.value)

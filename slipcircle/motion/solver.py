@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -12,6 +11,7 @@ from slipcircle.flow.solve import Lanes
 from slipcircle.flow.walk import MOST_TURNS
 from slipcircle.motion.motion import Motion, Status
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
+from slipcircle.motion.results import taken
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.varied import arc_with
 
@@ -92,19 +92,7 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
 
 def parts(lanes: Lanes, size: int) -> list[Lanes]:
     """Lanes in blocks."""
-
-    def cut(value: Any, which: slice) -> Any:
-        if isinstance(value, Mapping):
-            return {n: cut(v, which) for n, v in value.items()}
-        return value[which] if isinstance(value, np.ndarray) and value.shape == (lanes.count,) else value
-
-    found = []
-    for first in range(0, lanes.count, size):
-        which = slice(first, min(first + size, lanes.count))
-        given = {f.name: cut(getattr(lanes, f.name), which) for f in fields(Lanes)}
-        arc = arc_with(lanes.arc, {n: cut(getattr(lanes.arc, n), which) for n in lanes.arc.quantities})
-        found.append(Lanes(**given | {"arc": arc, "count": which.stop - which.start}))
-    return found
+    return [taken(lanes, slice(first, first + size)) for first in range(0, lanes.count, size)]
 
 
 def _refuse(motion: Motion) -> None:

@@ -8,11 +8,12 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.quantities import RESULTS, Quantity, record, results
 from slipcircle.outputs import pictures
-from slipcircle.outputs.htmlpage import Raw, data, escaped, figure, folded, number, page, repeat, table, tag
+from slipcircle.outputs.htmlpage import data, figure, folded, number, page, repeat
 from slipcircle.outputs.plotstyle import ending, work
 from slipcircle.outputs.provenance import inputs
 from slipcircle.scene.friction import law_names

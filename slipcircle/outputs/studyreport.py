@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.motion import Status
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES, plain, shown, words
-from slipcircle.outputs import pictures, written
-from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
+from slipcircle.outputs import pictures
+from slipcircle.outputs.htmlpage import figure, folded, number, page, repeat
 from slipcircle.outputs.report import given
 from slipcircle.outputs.studyplots import DRAWN
+from slipcircle.studies import written
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
 if TYPE_CHECKING:

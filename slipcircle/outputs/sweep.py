@@ -17,8 +17,9 @@ from slipcircle.base.distributions import DISTRIBUTIONS
 from slipcircle.files.scenefile import find, load
 from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES, words
-from slipcircle.outputs import pictures, studyplots, tables, written
+from slipcircle.outputs import pictures, studyplots, tables
 from slipcircle.scene.scene import Scene
+from slipcircle.studies import written
 from slipcircle.studies.conduct import ensemble, grid
 from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine

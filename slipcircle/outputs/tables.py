@@ -25,15 +25,13 @@ Rows = Iterable[Sequence[str]]
 
 # --- motions ---------------------------------------------------------------------------------------------------------
 
-KEY = ("moves", "arrested", "reach", "run_out", "peak_velocity", "duration", "factor_of_safety", "yield_coefficient",
-       "friction", "limit_friction")  # fmt: skip
 COEFFICIENTS = {"Theta*": "moment_of_inertia", "J_r": "radial_weight", "J_theta": "weight_moment",
                 "lambda": "resistance_factor", "A": "dynamic_coefficient"}  # fmt: skip
 
 
 def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
-    chosen = [q for q in results(motion) if verbose or q.name in KEY or (q in JOURNEY and motion.moves)]
+    chosen = [q for q in results(motion) if verbose or q.key or (q in JOURNEY and motion.moves)]
     found = {q.label: q.text(motion) for q in chosen}
     if not motion.arrested:
         found["comes to rest"] = "no, still moving"
