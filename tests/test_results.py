@@ -100,7 +100,7 @@ def test_a_lane_is_the_scene_solved_by_itself() -> None:
     assert part.shape == (2,)
     np.testing.assert_array_equal(part.run_out, motion.run_out[1, 1:])
     np.testing.assert_allclose(part.at(TIMES).velocity, motion.at(TIMES).velocity[1, 1:], rtol=1e-12)
-    assert [m.shape for m in motion] == [(3,), (3,)]
+    assert [motion[k].shape for k in range(len(motion))] == [(3,), (3,)]
     with pytest.raises(IndexError):
         motion[2]
 

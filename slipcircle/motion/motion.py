@@ -139,7 +139,7 @@ class Motion(Results):
     STATUSES = tuple(Status)
 
     def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
-        self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
+        super().__init__(plan, lanes, cells, log)
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
 
     @property

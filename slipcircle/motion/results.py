@@ -1,16 +1,17 @@
 """What a motion gives to people and to their tools: a line, a table, a dictionary, pandas, xarray, lane by lane."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from importlib import import_module
 from math import prod
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.markup import Raw, table, tag
 from slipcircle.flow.solve import Lanes
+from slipcircle.motion.plan import Plan
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, results, shown, words
 from slipcircle.scene.varied import arc_with, scene_with
 
@@ -45,14 +46,15 @@ def taken(lanes: Lanes, which: Any) -> Lanes:
 class Results:
     """What `Motion` and its lanes are shown as and turned into; columns are named and in units as `quantities` say."""
 
-    _lanes: Any
-    _cells: Any
-    _log: Any
-    plan: Any
+    STATUSES: ClassVar[tuple[Any, ...]]
+    plan: Plan
     shape: Any
     status: Any
     outcomes: Any
     count: Any
+
+    def __init__(self, plan: Plan, lanes: Lanes, cells: NDArray[np.float64], log: Sequence[Any]) -> None:
+        self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
@@ -73,8 +75,8 @@ class Results:
             key = {q.name: q.text(self) for q in results(self) if q.key}
             if key["moves"] == "no":
                 return [["does not move,", f"factor of safety {key['factor_of_safety']}"]]
-            ends = "rests after" if key["arrested"] == "yes" else "still moves after"
-            return [[key["peak_velocity"], "at most"], ["run-out", key["run_out"]], [ends, key["duration"]]]
+            end = "rests after" if key["arrested"] == "yes" else "still moves after"
+            return [[key["peak_velocity"], "at most"], ["run-out", key["run_out"]], [end, key["duration"]]]
         found = []
         for name, q in OUTCOMES.items():
             values = np.asarray(self.outcomes[name])[~np.isnan(self.outcomes[name])]
@@ -188,6 +190,8 @@ class Results:
             own = tuple(getattr(value, "dims", ()))
             for axis, dim in enumerate(own, count - len(own)):
                 if found.setdefault(axis, str(dim)) != str(dim):
-                    raise ValueError(f"{name}: its dimension {dim!r} stands where {found[axis]!r} does, and NumPy pairs "
-                                     "them element by element; use xarray.broadcast before")  # fmt: skip
+                    raise ValueError(
+                        f"{name}: its dimension {dim!r} stands where {found[axis]!r} does, and NumPy pairs them "
+                        "element by element; use xarray.broadcast before"
+                    )
         return [found.get(k, "lane" if count == 1 else f"lane_{k}") for k in range(count)]

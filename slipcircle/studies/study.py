@@ -143,7 +143,7 @@ class Study:
         return frame
 
     def to_xarray(self) -> Any:
-        """The same as an xarray.Dataset: over the keys of a grid, else over samples with their inputs as coordinates."""
+        """The same as an xarray.Dataset: over the keys of a grid, or over samples with inputs as coordinates."""
         frame, keys = self.to_pandas(), [u.key for u in self.design.inputs.values()]
         if self.design.method == "grid":
             return frame.set_index(keys).to_xarray()
