@@ -11,7 +11,7 @@ import shlex
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import asdict
-from pathlib import Path
+from functools import partial
 from textwrap import wrap
 from typing import Any, TypeVar
 
@@ -157,9 +157,9 @@ def _run(options: argparse.Namespace) -> None:
     if options.csv:
         from slipcircle.outputs.trace import csv
 
-        made[options.csv] = csv(motions, options.times).encode()
+        made[options.csv] = csv(motions, options.times)
     if options.plot:
-        made[options.plot] = pictures.overview(motions, Path(options.plot).suffix[1:].lower())
+        made[options.plot] = pictures.overview(motions, options.plot)
     if options.report:
         from slipcircle.outputs.report import report
 
@@ -318,6 +318,7 @@ def _schema(options: argparse.Namespace) -> None:
 
 def _cost(options: argparse.Namespace) -> None:
     from slipcircle.cost import cost, costtext
+    from slipcircle.outputs.info import machine
 
     if options.plot:
         from slipcircle.outputs import pictures
@@ -325,19 +326,21 @@ def _cost(options: argparse.Namespace) -> None:
         pictures.check("cost", options.plot)
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
-        costtext.write_csv(found, options.csv)
+        files.write(options.csv, costtext.table_csv(found))
     if options.plot:
-        from slipcircle.cost.costplot import plot
+        from slipcircle.cost import costplot
 
-        plot(found, options.plot)
+        files.write(
+            options.plot, pictures.render(partial(costplot.overview, found), costplot.size(found), options.plot)
+        )
     if options.json:
-        _print({"machine": costtext.machine(), "rows": [costtext.record(row) for row in found]})
+        _print({"machine": machine(), "rows": [costtext.record(row) for row in found]})
         return
     for name in dict.fromkeys(row.function for row in found):
         rows = [row for row in found if row.function == name]
         tables.show(*costtext.table(rows), title=name)
         print(costtext.verdict(rows) + "\n")
-    print(costtext.wrapped([*costtext.NOTES, f"{costtext.machine()}."]))
+    print(costtext.wrapped([*costtext.NOTES, f"{machine()}."]))
 
 
 def _info(options: argparse.Namespace) -> None:

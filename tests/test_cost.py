@@ -25,7 +25,7 @@ from generated import kernels
 from slipcircle.cost import answers, cost, costtext, reference, scenes, ways
 from slipcircle.cost.cost import FRONTIER, Row
 from slipcircle.cost.ways import Way
-from slipcircle.outputs import tables
+from slipcircle.outputs import pictures, tables
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
@@ -401,15 +401,13 @@ def test_short_numbers(x: float, text: str) -> None:
     assert costtext.short(x) == text
 
 
-def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> None:
+def test_records_and_csv_keep_every_digit(rows: list[Row]) -> None:
     failing = Row("f", "w", float("inf"), (0.1 + 0.2,), 1 / 3)
     text = json.dumps([costtext.record(r) for r in (*rows, failing)], allow_nan=False)
     back = json.loads(text)
     assert back[-1] | {"error": None, "worst_input": [0.1 + 0.2], "ns_1": 1 / 3} == back[-1]
     assert "profile" not in back[0]
-    costtext.write_csv([*rows, failing], str(tmp_path / "c.csv"))
-    with open(tmp_path / "c.csv", encoding="utf-8", newline="") as file:
-        found = list(csv.DictReader(file))
+    found = list(csv.DictReader(costtext.table_csv([*rows, failing]).decode().splitlines()))
     assert [r["way"] for r in found] == [r.way for r in (*rows, failing)]
     for line, row in zip(found, rows, strict=False):
         assert float(line["ns_1"]) == row.ns_1
@@ -418,12 +416,12 @@ def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> No
         assert line["error"] == ("" if row.error != row.error else repr(row.error))
 
 
-def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
+def test_the_picture(tiered: Callable[..., list[Row]]) -> None:
     pytest.importorskip("matplotlib")
-    from slipcircle.cost.costplot import plot
+    from slipcircle.cost import costplot
 
-    plot([*tiered(), *judged(*RACE[:3])], str(tmp_path / "cost.svg"))
-    drawn = (tmp_path / "cost.svg").read_text("utf-8")
+    rows = [*tiered(), *judged(*RACE[:3])]
+    drawn = pictures.render(lambda figure: costplot.overview(rows, figure), costplot.size(rows), "svg").decode()
     for text in (MEASURED, "best, fused", "printed, float64", "ours, worst seen; a bar up to what is proved",
                  "time of an element at N = 1e4, ns", "alpha, rad", "our good"):  # fmt: skip
         assert f"<!-- {text} -->" in drawn, text

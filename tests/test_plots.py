@@ -453,7 +453,7 @@ def test_scaled() -> None:
 def test_csv_holds_every_digit() -> None:
     m = motion("wet-slope")
     even = np.linspace(0.0, m.duration, 401)
-    head, *rows = csv([m]).splitlines()
+    head, *rows = csv([m]).decode().splitlines()
     assert head.split(",")[:4] == ["time_s", "rotation_rad", "angular_velocity_rad_s", "velocity_m_s"]
     assert {"acceleration_m_s2", "normal_stress_Pa", "friction", "dissipation_J"} <= set(head.split(","))
     table = np.array([[float(x) for x in row.split(",")] for row in rows]).T
@@ -465,10 +465,15 @@ def test_csv_holds_every_digit() -> None:
 
 
 def test_csv_of_several_names_them() -> None:
-    head, *rows = csv([motion("still"), motion("wet-slope")]).splitlines()
+    head, *rows = csv([motion("still"), motion("wet-slope")]).decode().splitlines()
     assert head.startswith("scene,time_s,")
     assert [row.split(",")[0] for row in (rows[0], rows[1], rows[-1])] == ["still", "wet-slope", "wet-slope"]
-    assert csv([motion("swings"), motion("still")]).splitlines()[1].startswith('"swings, a name with $ and <",0.0,')
+    assert (
+        csv([motion("swings"), motion("still")])
+        .decode()
+        .splitlines()[1]
+        .startswith('"swings, a name with $ and <",0.0,')
+    )
 
 
 # --- nothing before it is needed -----------------------------------------------------------------------------------

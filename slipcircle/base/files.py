@@ -1,11 +1,13 @@
 """Files that a command writes: checked before the work begins, and never seen half written."""
 
+import csv
+import io
 import os
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 from slipcircle.base.checks import raise_all
 
@@ -83,6 +85,15 @@ def write(name: str | os.PathLike[str], content: bytes) -> None:
             file.write(content)
     except OSError as error:
         raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
+    """A table as CSV, in full precision; empty cells for None and NaN."""
+    text = io.StringIO()
+    out = csv.writer(text, lineterminator="\n")
+    out.writerow(head)
+    out.writerows(["" if x is None or x != x else x for x in row] for row in rows)
+    return text.getvalue().encode()
 
 
 def _is_device(name: str | os.PathLike[str]) -> bool:

@@ -187,6 +187,12 @@ def shown(value: float, digits: int = DIGITS) -> str:
     return f"{float(f'{value:.{digits - 1}e}') + 0.0:.{max(digits, 6)}g}"
 
 
+def spent(nanoseconds: float) -> str:
+    """A measured time, to three digits."""
+    per, unit = next(((p, u) for p, u in ((1e6, "ms"), (1e3, "us")) if nanoseconds >= p), (1.0, "ns"))
+    return f"{shown(nanoseconds / per, 3)} {unit}"
+
+
 def digits_left(error: float) -> int:
     """Significant digits, at most `DIGITS`, of which a relative error moves the last one by half a unit at most."""
     return DIGITS if error <= 0.0 else max(1, min(DIGITS, math.floor(-math.log10(min(2 * error, 1.0)))))

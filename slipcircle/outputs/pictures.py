@@ -43,11 +43,12 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
         raise ValueError(f"{command}: --plot {path}: {most}; --report has room for all {scenes}")
 
 
-def render(draw: Callable[[Any], Any], size: tuple[float, float], kind: str) -> bytes:
-    """What a function draws on an empty figure of a size in inches, as a file of a kind such as png."""
+def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
+    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ..."""
     from matplotlib import rc_context, style
     from matplotlib.figure import Figure
 
+    kind = path.rpartition(".")[2].lower()
     # Also the names within an SVG, and its metadata, are to be the same every time.
     with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
         figure = Figure(figsize=size, dpi=70 if kind == "gif" else 120, layout="constrained")
@@ -74,10 +75,10 @@ def _played(animation: Any) -> bytes:
         return path.read_bytes()
 
 
-def overview(motions: Sequence[Motion], kind: str) -> bytes:
-    """The overviews of motions, one above the other, as a file of a kind such as png; of a gif, the slide itself."""
-    if kind == "gif":
-        return render(lambda figure: plots.animate(motions[0], figure, _FRAMES), (7.0, 5.5), kind)
+def overview(motions: Sequence[Motion], path: str) -> bytes:
+    """The overviews of motions, one above the other, as a file by its name; of a gif, the slide itself."""
+    if path.lower().endswith("gif"):
+        return render(lambda figure: plots.animate(motions[0], figure, _FRAMES), (7.0, 5.5), path)
 
     sizes = [plots.size(m) for m in motions]
     heights = [height for _, height in sizes]
@@ -87,7 +88,7 @@ def overview(motions: Sequence[Motion], kind: str) -> bytes:
         for motion, part in zip(motions, parts, strict=True):
             plots.overview(motion, part)
 
-    return render(draw, (sizes[0][0], sum(heights)), kind)
+    return render(draw, (sizes[0][0], sum(heights)), path)
 
 
 def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
@@ -117,6 +118,6 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     return [(name, caption, partial(render, draw, size)) for name, caption, draw, size in found]
 
 
-def study(found: "Study", kind: str) -> bytes:
-    """Exceedance curves of uncertain scenes, and which unknown matters, as a file of a kind such as png."""
-    return render(partial(studyplots.overview, found), studyplots.size(found), kind)
+def study(found: "Study", path: str) -> bytes:
+    """Exceedance curves of uncertain scenes, and which unknown matters, as a file by its name."""
+    return render(partial(studyplots.overview, found), studyplots.size(found), path)

@@ -1,12 +1,9 @@
 """`slipcircle sweep`: a scene on a grid of values, or for samples of its uncertain numbers."""
 
 import argparse
-import csv
-import io
 import sys
 from concurrent.futures import BrokenExecutor
 from dataclasses import replace
-from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
@@ -86,13 +83,13 @@ def run(options: argparse.Namespace) -> Study:
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
     if options.plot:
-        files.write(options.plot, pictures.study(found, Path(options.plot).suffix[1:].lower()))
+        files.write(options.plot, pictures.study(found, options.plot))
     if options.report:
         from slipcircle.outputs.studyreport import study_report
 
         files.write(options.report, study_report(found, content, options.line).encode())
     if options.csv:
-        files.write(options.csv, _csv(found).encode())
+        files.write(options.csv, _csv(found))
     if options.npz:
         with files.replacing(options.npz) as file:
             _savez(file, written.arrays(found))
@@ -155,17 +152,10 @@ def _levels(given: list[str]) -> dict[str, NDArray[np.float64]]:
     return found
 
 
-def _csv(found: Study) -> str:
-    text = io.StringIO()
-    out = csv.writer(text, lineterminator="\n")
+def _csv(found: Study) -> bytes:
     if found.design.method == "grid":
-        head, rows = grid_rows(found)
-        out.writerow(head)
-        out.writerows(rows)
-        return text.getvalue()
-    out.writerow(["table", "output", "input", "at", "value", "low", "high"])
-    out.writerows(["" if isinstance(x, float) and np.isnan(x) else x for x in row] for row in written.rows(found))
-    return text.getvalue()
+        return files.table(*grid_rows(found))
+    return files.table(("table", "output", "input", "at", "value", "low", "high"), written.rows(found))
 
 
 def grid_rows(found: Study) -> tuple[list[str], list[list[Any]]]:

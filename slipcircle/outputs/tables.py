@@ -13,7 +13,7 @@ from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import JOURNEY, OUTCOMES, plain, record, results, shown, words
+from slipcircle.motion.quantities import JOURNEY, OUTCOMES, plain, record, results, shown, spent, words
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
@@ -89,16 +89,12 @@ LADDER = ("effect added", "time", "operations", *map(words, _OF_RUNG), "rests", 
 def ladder_rows(rungs: Iterable[Rung]) -> list[list[str]]:
     """A ladder as rows of a table; how far each differs from the fullest."""
     return [
-        [f"+ {r.added}" if r.added else "none", _seconds(r.seconds), f"{r.cost}",
+        [f"+ {r.added}" if r.added else "none", spent(1e9 * r.seconds), f"{r.cost}",
          *(f"{shown(getattr(r, n))} {q.unit}" for n, q in _OF_RUNG.items()),
          "no" if not r.arrested else "yes" if r.peak_velocity else "stays",
          f"{100 * r.difference:.3g} %"]
         for r in rungs
     ]  # fmt: skip
-
-
-def _seconds(x: float) -> str:
-    return f"{x * 1e6:.0f} us" if x < 1e-3 else f"{x * 1e3:.1f} ms" if x < 1e-2 else f"{x * 1e3:.0f} ms"
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------
