@@ -12,7 +12,7 @@ from typing import IO, Any
 from slipcircle.base.checks import raise_all
 
 
-def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) -> None:
+def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
     """See that files can be written.
 
     Parameters
@@ -20,7 +20,7 @@ def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) 
     command : str
         Whose options they are.
     outputs : mapping
-        Paths by the option that names them.
+        Paths by the option that names them, one or several.
     inputs : sequence of str
         Paths that are read and must not be written over.
 
@@ -30,7 +30,8 @@ def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) 
         Lists every path that cannot be written, and why.
     """
     found, taken = [], {os.path.realpath(path): "the scene file" for path in inputs}
-    for option, name in outputs.items():
+    named = [(o, name) for o, given in outputs.items() for name in ([given] if isinstance(given, str) else given)]
+    for option, name in named:
         path = Path(os.path.realpath(name))
         if _is_device(name):
             continue

@@ -11,8 +11,11 @@ from typing import TYPE_CHECKING, Any
 from slipcircle.motion.motion import Motion
 from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.plotstyle import missing, work
+from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
+    from slipcircle.motion.sensitivity import Sensitivity
+    from slipcircle.studies.backanalysis import BackAnalysis
     from slipcircle.studies.study import Study
 
 _Picture = tuple[str, str, Callable[[Any], Any], tuple[float, float]]  # name, caption, what draws it, inches
@@ -94,11 +97,6 @@ def overview(motions: Sequence[Motion], path: str) -> bytes:
 def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     """The pictures of a report: name, caption, and a function from a kind of file to its bytes."""
 
-    def histories(figure: Any) -> None:
-        axes = figure.subplots(2, 2)
-        for what, ax in zip(plots.OVERVIEW, axes.flat, strict=True):
-            plots.history(motion, what, ax)
-
     found: list[_Picture] = [
         ("Section", "The section: forces at the start; the mass at the start, at its peak velocity and at the end.",
          lambda figure: plots.section(motion, figure.add_subplot()), (8.0, 6.0)),
@@ -106,7 +104,8 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     if motion.moves:
         found += [
             ("Histories", "The motion over time. Where the mobilised friction is below the friction needed to stand "
-             "still the mass tends to speed up, elsewhere to slow down.", histories, (11.0, 6.5)),
+             "still the mass tends to speed up, elsewhere to slow down.",
+             lambda figure: plots.histories(motion, figure.add_gridspec(2, 2), figure, 2, 2), (11.0, 6.5)),
             ("Phase plane", "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
              f"up the {work(motion)}.", lambda figure: plots.phase_plane(motion, figure.add_subplot()), (8.0, 5.0)),
         ]  # fmt: skip
@@ -121,3 +120,20 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
 def study(found: "Study", path: str) -> bytes:
     """Exceedance curves of uncertain scenes, and which unknown matters, as a file by its name."""
     return render(partial(studyplots.overview, found), studyplots.size(found), path)
+
+
+def ladder(rungs: Sequence[Rung], path: str) -> bytes:
+    """What each effect changes, as a file by its name."""
+    return render(lambda figure: plots.ladder(rungs, figure.add_subplot()), (9.0, 1.5 + 0.5 * len(rungs)), path)
+
+
+def sensitivity(found: "Sensitivity", path: str) -> bytes:
+    """What a change of each number changes, as a file by its name."""
+    size = 8.0, len(found.outputs) * (1.6 + 0.3 * len(found.parameters))
+    return render(partial(studyplots.tornados, found), size, path)
+
+
+def backanalysis(found: "BackAnalysis", path: str) -> bytes:
+    """What was observed, over the fields that explain it, as a file by its name."""
+    size = 2.0 + 4.5 * len(found.units), 0.6 + 3.4 * len(found.observed)
+    return render(partial(studyplots.explained, found), size, path)

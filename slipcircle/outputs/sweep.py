@@ -13,7 +13,7 @@ from slipcircle.base import files
 from slipcircle.base.distributions import DISTRIBUTIONS
 from slipcircle.files.scenefile import find, load
 from slipcircle.motion.motion import Status
-from slipcircle.motion.quantities import OUTCOMES, words
+from slipcircle.motion.quantities import OUTCOMES, shown, words
 from slipcircle.outputs import pictures, studyplots, tables
 from slipcircle.scene.scene import Scene
 from slipcircle.studies import written
@@ -44,8 +44,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    parser.add_argument("--plot", metavar="FILE", help="draw exceedance curves and which unknown matters, or a grid of "
-                        "one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
+    parser.add_argument("--plot", metavar="FILE", action="append", help="draw exceedance curves and which unknown "
+                        "matters, or a grid of one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
     parser.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     parser.add_argument("--csv", metavar="FILE", help="write one table of all results")
     parser.add_argument("--npz", metavar="FILE", help="write all results as NumPy arrays, the samples where kept")
@@ -73,7 +73,8 @@ def run(options: argparse.Namespace) -> Study:
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
     if drawn:
-        pictures.check("sweep", options.plot or "")
+        for path in options.plot or [""]:
+            pictures.check("sweep", path)
         if options.grid:
             studyplots.check_grid([len(x) for x in _levels(options.grid).values()])
     content = source.read_bytes()
@@ -82,8 +83,8 @@ def run(options: argparse.Namespace) -> Study:
     except BrokenExecutor as error:
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
-    if options.plot:
-        files.write(options.plot, pictures.study(found, options.plot))
+    for path in options.plot or []:
+        files.write(path, pictures.study(found, path))
     if options.report:
         from slipcircle.outputs.studyreport import study_report
 
@@ -159,11 +160,16 @@ def _csv(found: Study) -> bytes:
 
 
 def grid_rows(found: Study) -> tuple[list[str], list[list[Any]]]:
-    """One row a scene: inputs in their keys' units, outputs, status."""
-    head = [*(u.key for u in found.design.inputs.values()), *(f"{n} ({unit})" for n, unit in UNITS.items()), "status"]
+    """One row a scene: inputs in their keys' units, outputs, status, and why there is no answer."""
+    head = [
+        *(u.key for u in found.design.inputs.values()),
+        *(f"{n} ({unit})" for n, unit in UNITS.items()),
+        "status",
+        "reason",
+    ]
     columns = [values.tolist() for name, values in found.samples.items() if name != "status"]
-    names = [Status(s).name for s in found.samples["status"].tolist()]
-    return head, [list(row) for row in zip(*columns, names, strict=True)]
+    kinds = [Status(s) for s in found.samples["status"].tolist()]
+    return head, [[*row, s.name, s.reason] for *row, s in zip(*columns, kinds, strict=True)]
 
 
 def record(found: Study) -> Any:
@@ -194,7 +200,7 @@ def show(found: Study) -> None:
             said = ", ".join(f"{count} {words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
             print(f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json")
             return
-        cells = [[*(f"{x:.6g}" for x in numbers), words(status)] for *numbers, status in rows]
+        cells = [[*map(shown, numbers), words(status) + (f": {why}" if why else "")] for *numbers, status, why in rows]
         tables.show([*(u.key for u in study.inputs.values()), *head, "status"], cells, found.scene.name)
         return
     percent = f"{100 * found.confidence:g} %"
@@ -207,16 +213,9 @@ def show(found: Study) -> None:
     )
     rows = [["mean", *(_pm(found.mean(n)) for n in OUTCOMES)], ["std", *(_pm(found.std(n)) for n in OUTCOMES)]]
     for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
-        rows.insert(2 * k + 1, [what, *(f"{found.linear[n][k]:.6g}" for n in OUTCOMES)])
+        rows.insert(2 * k + 1, [what, *(shown(found.linear[n][k]) for n in OUTCOMES)])
     said = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
     tables.show(["", *head], rows, "Mean and standard deviation", said)
-    chosen = (0.5, 0.1, 0.01)
-    curve = {n: found.exceedance(n) for n in ("reach", "peak_velocity")}
-    tables.show(
-        ["exceeded with probability", *(words(n, UNITS[n]) for n in curve)],
-        [[f"{p:g}", *(f"{found.quantile(n, 1 - p).value:.5g}" for n in curve)] for p in chosen],
-        "Exceedance", "the curves are in --csv, --npz and --json",
-    )  # fmt: skip
     if found.sensitivity:
         rows = []
         for output, of in found.sensitivity.items():

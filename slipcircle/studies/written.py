@@ -11,7 +11,7 @@ from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
 UNITS = {n: q.unit for n, q in OUTCOMES.items()}
-QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
+QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
 
 
 def record(found: Any) -> dict[str, Any]:
