@@ -438,9 +438,9 @@ def test_backanalysis_finds_what_was_there(files: dict[str, Path], capsys: pytes
     assert float(one) == pytest.approx(0.14, abs=error / 10)
     assert float(other) == pytest.approx(error, rel=0.06)
     side = math.copysign(1.0, e.run_out)
-    assert cells["run-out (m)"].startswith(f"{e.run_out:.6g} (observed {e.run_out:.6g} +- 0.25)")
-    assert float(cells["peak velocity (m/s)"]) == pytest.approx(side * e.peak, rel=1e-5)
-    assert float(cells["duration (s)"]) == pytest.approx(e.duration, rel=1e-5)
+    assert cells["run-out (m)"] == f"{e.run_out:.4g} (observed {e.run_out:.6g} +- 0.25)"
+    assert cells["peak velocity (m/s)"] == f"{side * e.peak:.4g}"
+    assert cells["duration (s)"] == f"{e.duration:.4g}"
     assert cells["swings"] == "0"
 
 

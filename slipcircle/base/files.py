@@ -89,11 +89,11 @@ def write(name: str | os.PathLike[str], content: bytes) -> None:
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
-    """A table as CSV, in full precision; empty cells for None and NaN."""
+    """A table as CSV, in full precision; an empty cell for None."""
     text = io.StringIO()
     out = csv.writer(text, lineterminator="\n")
     out.writerow(head)
-    out.writerows(["" if x is None or x != x else x for x in row] for row in rows)
+    out.writerows(rows)
     return text.getvalue().encode()
 
 

@@ -1,4 +1,7 @@
-"""The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time."""
+"""The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time.
+
+Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -156,7 +156,8 @@ def _levels(given: list[str]) -> dict[str, NDArray[np.float64]]:
 def _csv(found: Study) -> bytes:
     if found.design.method == "grid":
         return files.table(*grid_rows(found))
-    return files.table(("table", "output", "input", "at", "value", "low", "high"), written.rows(found))
+    rows = ([None if x != x else x for x in row] for row in written.rows(found))
+    return files.table(("table", "output", "input", "at", "value", "low", "high"), rows)
 
 
 def grid_rows(found: Study) -> tuple[list[str], list[list[Any]]]:
