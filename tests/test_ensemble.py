@@ -508,7 +508,7 @@ def test_sweep(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         json.loads(capsys.readouterr().out)[0]["moving"]
         == json.loads(json.dumps(written.record(ensemble(ONE, 100, 4))))["moving"]
     )
-    assert f"{found.quantile('run_out', 0.5).value:.5g}" in out
+    assert f"{found.quantile('run_out', 0.5).value:.4g} [" in out
     assert "Which unknown matters" in out
 
 
@@ -518,7 +518,9 @@ def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     assert main([*argv, "--csv", str(table)]) == 0
     assert "82 scenes: 82 rests" in capsys.readouterr().out
     head, *rows = table.read_text("utf-8").splitlines()
-    assert head == "friction.angle_deg,arc.radius_m,reach (m),run_out (m),peak_velocity (m/s),duration (s),status"
+    assert (
+        head == "friction.angle_deg,arc.radius_m,reach (m),run_out (m),peak_velocity (m/s),duration (s),status,reason"
+    )
     assert len(rows) == 82
     assert main([*argv, "--json"]) == 0
     assert len(json.loads(capsys.readouterr().out)[0]["rows"]) == 82

@@ -23,7 +23,8 @@ ASSUMED = (
     "Friction takes the mean of the normal stress over the arc, which sums radial components as scalars: (2.1), (2.9).",
     "Nothing holds it at its sides.",
 )
-PAPER = "Numbers in brackets are equations of the paper “Dynamic Slip Circle Method”."
+TITLE = "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method"
+PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 
 
 def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:

@@ -15,12 +15,13 @@ from slipcircle.files.scenefile import find, load
 from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES, shown, words
 from slipcircle.outputs import pictures, studyplots, tables
+from slipcircle.outputs.studyreport import interval, parts, study_report
 from slipcircle.scene.scene import Scene
 from slipcircle.studies import written
 from slipcircle.studies.conduct import ensemble, grid
 from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine
-from slipcircle.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.studies.statistics import Estimate
 from slipcircle.studies.study import Study
 
 UNITS = {n: q.unit for n, q in OUTCOMES.items()}
@@ -86,8 +87,6 @@ def run(options: argparse.Namespace) -> Study:
     for path in options.plot or []:
         files.write(path, pictures.study(found, path))
     if options.report:
-        from slipcircle.outputs.studyreport import study_report
-
         files.write(options.report, study_report(found, content, options.line).encode())
     if options.csv:
         files.write(options.csv, _csv(found))
@@ -162,12 +161,8 @@ def _csv(found: Study) -> bytes:
 
 def grid_rows(found: Study) -> tuple[list[str], list[list[Any]]]:
     """One row a scene: inputs in their keys' units, outputs, status, and why there is no answer."""
-    head = [
-        *(u.key for u in found.design.inputs.values()),
-        *(f"{n} ({unit})" for n, unit in UNITS.items()),
-        "status",
-        "reason",
-    ]
+    units = (f"{n} ({unit})" for n, unit in UNITS.items())
+    head = [*(u.key for u in found.design.inputs.values()), *units, "status", "reason"]
     columns = [values.tolist() for name, values in found.samples.items() if name != "status"]
     kinds = [Status(s) for s in found.samples["status"].tolist()]
     return head, [[*row, s.name, s.reason] for *row, s in zip(*columns, kinds, strict=True)]
@@ -182,16 +177,6 @@ def record(found: Study) -> Any:
     return {"scene": found.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in cells]}
 
 
-def _pm(e: Estimate) -> str:
-    """A value and its interval, to two digits of the interval's width."""
-    if np.isnan(e.value):
-        return "-"
-    wide = e.high - e.low
-    form = tables.decimals(wide) if wide > 0.0 else ".6g"
-    value, *ends = ("?" if np.isnan(x) else f"{x:{form}}" for x in e)
-    return f"{value} [{', '.join(ends)}]"
-
-
 def show(found: Study) -> None:
     """Print tables."""
     study, head = found.design, [words(n, unit) for n, unit in UNITS.items()]
@@ -204,28 +189,7 @@ def show(found: Study) -> None:
         cells = [[*map(shown, numbers), words(status) + (f": {why}" if why else "")] for *numbers, status, why in rows]
         tables.show([*(u.key for u in study.inputs.values()), *head, "status"], cells, found.scene.name)
         return
-    percent = f"{100 * found.confidence:g} %"
-    tables.show(
-        ["quantile", *head],
-        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTCOMES)] for p in written.QUANTILES],
-        f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}",
-        f"probability of moving {_pm(found.moving)}; {percent} intervals"
-        + ("" if found.samples else f"; from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"),
-    )
-    rows = [["mean", *(_pm(found.mean(n)) for n in OUTCOMES)], ["std", *(_pm(found.std(n)) for n in OUTCOMES)]]
-    for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
-        rows.insert(2 * k + 1, [what, *(shown(found.linear[n][k]) for n in OUTCOMES)])
-    said = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
-    tables.show(["", *head], rows, "Mean and standard deviation", said)
-    if found.sensitivity:
-        rows = []
-        for output, of in found.sensitivity.items():
-            for u, first, total in zip(study.inputs.values(), *of, strict=True):
-                rows.append([words(output), u.key, _pm(first), _pm(total)])
-        tables.show(["output", "input", "first-order index", "total index"], rows, "Which unknown matters",
-                    f"from {study.base} base points")  # fmt: skip
-    tables.show(
-        ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
-        [[str(c.n), _pm(c.moving), _pm(c.median), _pm(c.upper)] for c in found.convergence],
-        "Convergence",
-    )
+    print(f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}\n")
+    for part in parts(found):
+        cells = [[interval(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows]
+        tables.show(part.head or [""] * len(cells[0]), cells, part.title, part.note)
