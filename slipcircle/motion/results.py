@@ -1,7 +1,7 @@
 """What a motion gives to people and to their tools: a line, a table, a dictionary, pandas, xarray, lane by lane."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from importlib import import_module
 from math import prod
 from typing import Any, ClassVar, Self
@@ -13,7 +13,7 @@ from slipcircle.base.markup import Raw, table, tag
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, results, shown, words
-from slipcircle.scene.varied import arc_with, scene_with
+from slipcircle.scene.varied import scene_with
 
 
 def library(name: str) -> Any:
@@ -30,19 +30,6 @@ def library(name: str) -> Any:
         raise ImportError(f"to_{name} needs {name}: pip install {name}") from error
 
 
-def taken(lanes: Lanes, which: Any) -> Lanes:
-    """Some lanes, by an index of their flat arrays."""
-
-    def cut(value: Any) -> Any:
-        if isinstance(value, Mapping):
-            return {n: cut(v) for n, v in value.items()}
-        return value[which] if isinstance(value, np.ndarray) and value.shape == (lanes.count,) else value
-
-    given = {f.name: cut(getattr(lanes, f.name)) for f in fields(Lanes)}
-    arc = arc_with(lanes.arc, {n: cut(getattr(lanes.arc, n)) for n in lanes.arc.quantities})
-    return Lanes(**given | {"arc": arc, "count": np.arange(lanes.count)[which].size})
-
-
 class Results:
     """What `Motion` and its lanes are shown as and turned into; columns are named and in units as `quantities` say."""
 
@@ -53,7 +40,7 @@ class Results:
     outcomes: Any
     count: Any
 
-    def __init__(self, plan: Plan, lanes: Lanes, cells: NDArray[np.float64], log: Sequence[Any]) -> None:
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, NDArray[np.float64]], log: Sequence[Any]) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
 
     def __repr__(self) -> str:
@@ -111,11 +98,11 @@ class Results:
         which = np.arange(prod(self.shape)).reshape(self.shape)[index]
         varied = {n: np.broadcast_to(v, self.shape)[index] for n, v in scene.numbers.items() if np.ndim(v)}
         plan = replace(self.plan, scene=scene_with(scene, varied))
-        lanes = taken(self._lanes, np.ravel(which))
+        lanes = self._lanes.taken(np.ravel(which))
         if np.ndim(which):
-            return type(self)(plan, lanes, self._cells[:, np.ravel(which)], [])
+            return type(self)(plan, lanes, {k: v[np.ravel(which)] for k, v in self._cells.items()}, [])
         log: list[Any] = []  # which many lanes do not keep
-        return type(self)(plan, lanes, lanes.solve(log), log)
+        return type(self)(plan, lanes, dict(zip(self._cells, lanes.solve(log)[[*self._cells]], strict=True)), log)
 
     # --- tables ------------------------------------------------------------------------------------------------------
 
