@@ -3,18 +3,17 @@
 ``python tests/exact_scenes.py`` writes them; `test_cost` makes them again, and lays Taylor series beside them.
 """
 
+import json
 from collections.abc import Callable, Iterator
 from itertools import pairwise
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 from flint import arb, ctx
 
-from slipcircle.cost import answers
 from slipcircle.cost.reference import moments
-from slipcircle.cost.scenes import CASES, LAYER, LENGTH, SPEED, Case, Equation, answer, record
+from slipcircle.cost.scenes import ANSWERS, CASES, LAYER, LENGTH, SPEED, Case, Equation, answer, record
 
 _BITS, _ENOUGH, _LEVELS = 140, 1e-26, 14  # working precision, what two orders may differ by, orders
 _STEP, _LATEST = 0.25, 1e3  # the first step, and the latest standstill, dimensionless
@@ -151,14 +150,11 @@ def texts(case: Case, friction: float) -> tuple[str, str, str]:
 
 
 def written() -> str:
-    """The module of the answers, as it is to be."""
-    path = Path(answers.__file__)
-    lines = [path.read_text("utf-8").partition("= {\n")[0] + "= {"]
-    for name, known in answers.ANSWERS.items():
-        rows = (f"        {mu!r}: (" + ", ".join(f'"{x}"' for x in texts(CASES[name], mu)) + ")," for mu in known)
-        lines += [f'    "{name}": {{', *rows, "    },"]
-    return "\n".join([*lines, "}", ""])
+    """The file of the answers, as it is to be."""
+    known = json.loads(ANSWERS.read_text("utf-8"))
+    made = {name: {mu: texts(CASES[name], float(mu)) for mu in of} for name, of in known.items()}
+    return json.dumps(made, indent=1) + "\n"
 
 
 if __name__ == "__main__":
-    Path(answers.__file__).write_text(written(), "utf-8")
+    ANSWERS.write_text(written(), "utf-8")

@@ -1,22 +1,23 @@
-"""What solving scenes costs: this package beside DOP853 and heyoka, each judged by answers to 20 digits (`exact`).
+"""What solving scenes costs: this package beside DOP853 and heyoka, each judged by answers to 24 digits.
 
 One equation of motion, (3.11) with (2.20), written out once by hand over any arithmetic, serves every other way: over
 floats SciPy's, over heyoka's expressions heyoka's, over balls the tests', from which the answers come.
 """
 
+import json
 import math
 from collections.abc import Callable
 from dataclasses import replace
 from decimal import Decimal
 from functools import cache, partial
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any, NamedTuple, TextIO
 
 import numpy as np
 
 from generated import kernels
 from slipcircle.base.series import Series
-from slipcircle.cost.answers import ANSWERS
 from slipcircle.cost.reference import Floats
 from slipcircle.files.scenefile import load
 from slipcircle.flow import compiled, walk
@@ -34,6 +35,9 @@ RESIDUAL, LENGTH, SPEED = float(np.tan(np.radians(8.0))), 1.0, 5.0  # of the law
 LAYER = {"pressurisation": 4e3, "heat_capacity": 2.7e6, "thickness": 0.5}  # Pa/K, J/m^3 K, m: it stays pressed
 SAMPLES, SAMPLED = 4000, 20.0  # of the record: how many, and until when, s
 BATCH = 32  # lanes of heyoka at once: as many as still gain
+# Run-out, peak velocity and duration by friction, of one scene and then of an ensemble's lanes, to 24 digits;
+# ``python tests/exact_scenes.py`` writes them.
+ANSWERS = Path(__file__).with_name("answers.json")
 _LATEST = 1e3  # standstill, dimensionless
 Way = Callable[[Floats], Floats]  # friction coefficients to run-out, peak velocity and duration, (3, n)
 
@@ -133,7 +137,8 @@ def answer(of: Equation, phi: Any, omega: Any, time: Any) -> tuple[Any, Any, Any
 
 def exactly(name: str, many: bool) -> tuple[Floats, Floats, Floats]:
     """Frictions, answers as the nearest doubles, and what is left of these to 22 digits, (3, n) each of them."""
-    mu, *answers = zip(*((mu, *map(Decimal, texts)) for mu, texts in ANSWERS[name].items()), strict=True)
+    known = json.loads(ANSWERS.read_text("utf-8"))[name]
+    mu, *answers = zip(*((float(mu), *map(Decimal, texts)) for mu, texts in known.items()), strict=True)
     near = np.array(answers, dtype=np.float64)
     rest = np.array([[float(x - Decimal(float(x))) for x in row] for row in answers])
     which = slice(1, None) if many else slice(1)
