@@ -1,6 +1,6 @@
 """What a motion gives to people and to their tools: a line, a table, a dictionary, pandas, xarray, lane by lane."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from importlib import import_module
 from math import prod
@@ -35,13 +35,12 @@ class Results:
 
     STATUSES: ClassVar[tuple[Any, ...]]
     plan: Plan
+    _lanes: Lanes
+    _cells: Mapping[int, NDArray[np.float64]]
     shape: Any
     status: Any
     outcomes: Any
     count: Any
-
-    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, NDArray[np.float64]], log: Sequence[Any]) -> None:
-        self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
@@ -99,10 +98,11 @@ class Results:
         varied = {n: np.broadcast_to(v, self.shape)[index] for n, v in scene.numbers.items() if np.ndim(v)}
         plan = replace(self.plan, scene=scene_with(scene, varied))
         lanes = self._lanes.taken(np.ravel(which))
+        made: Any = type(self)
         if np.ndim(which):
-            return type(self)(plan, lanes, {k: v[np.ravel(which)] for k, v in self._cells.items()}, [])
+            return made(plan, lanes, {k: v[np.ravel(which)] for k, v in self._cells.items()}, [])
         log: list[Any] = []  # which many lanes do not keep
-        return type(self)(plan, lanes, dict(zip(self._cells, lanes.solve(log)[[*self._cells]], strict=True)), log)
+        return made(plan, lanes, dict(zip(self._cells, lanes.solve(log)[[*self._cells]], strict=True)), log)
 
     # --- tables ------------------------------------------------------------------------------------------------------
 
