@@ -3,8 +3,10 @@
 import inspect
 import math
 import pickle
+import re
 import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -13,7 +15,9 @@ import pytest
 
 import slipcircle
 from slipcircle import Motion, Status, Study, ensemble, load, solve
-from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS
+from slipcircle.__main__ import main
+from slipcircle.files import scenefile as files
+from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, shown
 from slipcircle.studies.conduct import grid
 
 ANGLES = np.array([8.0, 10.0, 40.0])
@@ -81,6 +85,32 @@ def test_a_signature_fits_a_screen() -> None:
 def test_dir_has_every_name_and_what_it_says_exists() -> None:
     assert set(slipcircle.__all__) <= set(dir(slipcircle))
     assert all(hasattr(slipcircle, name) for name in dir(slipcircle))
+
+
+def test_a_table_has_no_more_digits_than_the_error_leaves_and_no_fewer_than_wanted() -> None:
+    """Four significant digits, 0.4328 m and not 0.4 m; of a coarse solution only those that it has."""
+    (run_out,) = (q for q in RESULTS if q.name == "run_out")
+    assert run_out.text(solve(load("newmark-pulse"))) == "0.4328 m"
+    assert [digits_left(e) for e in (0.0, 1e-12, 4.9e-5, 6e-4, 6e-3, 0.3, 1.0)] == [4, 4, 4, 2, 1, 1, 1]
+    assert shown(677.3078, digits_left(2e-3)) == "680"
+
+
+def test_six_names_stand_whole_in_one_table(capsys: pytest.CaptureFixture[str]) -> None:
+    names = ["vaiont", "vaiont-frozen", "vaiont-as-printed", "vaiont-softening", "wet-slope", "newmark-pulse"]
+    assert main(["run", *names]) == 0
+    out = capsys.readouterr().out
+    assert all(name in out for name in names)
+    assert max(map(len, out.splitlines())) <= 100
+    assert "\N{HORIZONTAL ELLIPSIS}" not in out
+
+
+def test_a_name_commands_no_terminal(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = files.find("vaiont").read_text("utf-8")
+    (tmp_path / "a.toml").write_text(re.sub("^name = .*$", r'name = "a\\u001b[31mb"', text, flags=re.MULTILINE))
+    assert main(["run", str(tmp_path / "a.toml")]) == 0
+    out = capsys.readouterr().out
+    assert "\x1b" not in out
+    assert "\N{REPLACEMENT CHARACTER}[31mb" in out
 
 
 # --- lanes -----------------------------------------------------------------------------------------------------------
