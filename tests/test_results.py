@@ -125,6 +125,7 @@ def test_a_lane_is_the_scene_solved_by_itself() -> None:
             assert lane.shape == ()
             assert lane.run_out == alone.run_out == pytest.approx(motion.run_out[i, k], rel=1e-12)
             assert lane.phases == alone.phases
+            assert lane.plan.scene.numbers == alone.plan.scene.numbers
             assert lane.status is alone.status
     part = motion[1, 1:]
     assert part.shape == (2,)
