@@ -156,7 +156,8 @@ def test_ladders_on_the_command_line(name: str, capsys: pytest.CaptureFixture[st
     }[name]  # fmt: skip
     differs = [float(x[-2]) for x in shown]
     assert differs[-1] == 0.0
-    assert differs[-2] < 5.0 < differs[0]
+    assert differs[0] > 5.0
+    assert differs[-2] < 5.0 or len(differs) == 2
 
 
 def test_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
