@@ -142,13 +142,18 @@ def coefficients(arc: Any) -> Coefficients:
     """Of what has a radius, two angles and a gravity."""
     first, second = Fraction(float(np.asarray(arc.theta_1))), Fraction(float(np.asarray(arc.theta_2)))
     half, middle = (second - first) / 2, (first + second) / 2
-    names = ("moment_of_inertia", "radial_weight_amplitude", "weight_moment_amplitude", RESISTANCE.name, "polar_moment")
     with mpmath.workdps(50):
-        moments = [mpf(kernel(name, half).str(50, radius=False)) for name in names]
+
+        def moment(name: str) -> mpf:
+            return mpf(kernel(name, half).str(50, radius=False))
+
         radius, gravity = mpf(float(np.asarray(arc.radius))), mpf(float(np.asarray(arc.gravity)))
         dip = 3 * mpmath.pi / 2 - mpf(middle.numerator) / middle.denominator
         alpha = min(mpf(half.numerator) / half.denominator, mpmath.pi / 2)
-        return Coefficients(*moments, dip, mpmath.sqrt(radius / gravity), radius, gravity, alpha)
+        return Coefficients(
+            moment("moment_of_inertia"), moment("radial_weight_amplitude"), moment("weight_moment_amplitude"),
+            moment(RESISTANCE.name), moment("polar_moment"), dip, mpmath.sqrt(radius / gravity), radius, gravity, alpha,
+        )  # fmt: skip
 
 
 # --- the motion ----------------------------------------------------------------------------------------------------

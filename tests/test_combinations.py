@@ -152,7 +152,8 @@ def test_every_combination_of_effects(law: str) -> None:
 @pytest.mark.parametrize("name", ARCS)
 def test_frozen_slides_from_any_start(name: str, centripetal: bool) -> None:
     """Constant friction below and above the limit, starts in either direction, arrest and turning back."""
-    given, effects = arc(name), {"centripetal": {}} if centripetal else {}
+    given = arc(name)
+    effects: dict[str, Any] = {"centripetal": {}} if centripetal else {}
     speed, pace = math.sqrt(given["radius"] * given["gravity"]), math.sqrt(given["radius"] / given["gravity"])
     m = {k: float(v) for k, v in references.moments(given).items()}
     limit = m["fall"] / m["press"] * abs(math.tan(m["dip"]))

@@ -69,7 +69,8 @@ def test_rest_and_the_printed_limit_agree_to_the_last_bit(seed: int) -> None:
 @pytest.mark.parametrize("name", test_combinations.ARCS)
 def test_just_below_the_limit_the_swing_is_small_and_takes_half_a_period(name: str, ulps: int) -> None:
     """tan(x/2) = drive/tilt with the drive from the exact difference of the two doubles; duration pi sqrt(Theta*/K)."""
-    arc = Arc(**test_combinations.arc(name))
+    given: dict[str, Any] = test_combinations.arc(name)
+    arc = Arc(**given)
     limit = abs(float(arc.dimensionless.limit_friction))
     mu = limit
     for _ in range(ulps):
