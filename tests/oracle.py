@@ -222,7 +222,6 @@ CENTRIPETAL: dict[str, Callable[..., mpf]] = {
     "frozen_centripetal_arrest_time": arrest_time,
     "frozen_centripetal_arrest_rotation": arrest_rotation,
 }
-_ZERO = mpf(0)
 # Without the centripetal term b is zero.
 MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
     "frozen_angular_velocity": lambda a, w, t: angular_velocity(a, mpf(0), w, t),

@@ -14,8 +14,6 @@ import test_accuracy
 from slipcircle import Motion, solve
 from slipcircle.__main__ import main
 
-KEPT = {r["name"]: r["numbers"] for r in json.loads(golden.FILE.read_text("utf-8"))}
-
 
 def motion(given: golden.Data) -> Motion:
     found = solve(golden.built("", given))

@@ -12,12 +12,10 @@ import golden
 import mpmath as mp
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Pulse, Series
 
-Floats = NDArray[np.float64]
 GRAVITY = 9.81
 ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
 MU = math.tan(math.radians(20.0))

@@ -30,15 +30,8 @@ RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
 # --- 100 random scenes -----------------------------------------------------------------------------------------------
 
 
-def scene(given: Mapping[str, Any]) -> Scene:
-    effects = {name: dict(parameters) for name, parameters in given["effects"].items()}
-    shaking = effects.get("shaking", {})
-    if "time" in shaking:
-        time = np.array(shaking.pop("time"))
-        for name in ("horizontal", "vertical"):
-            if name in shaking:
-                shaking[name] = Series(time, np.array(shaking[name]), held=False)
-    return Scene(Arc(**given["arc"]), given["friction"], effects, given["initial_velocity"], given["end_time"])
+def scene(given: golden.Data) -> Scene:
+    return golden.built("", given)
 
 
 def off(value: float, reference: str, scale: str) -> float:
