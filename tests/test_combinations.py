@@ -130,10 +130,10 @@ def check(scene: Scene, given: golden.Data, bound: float = 1e-11, rounding: floa
 
 @pytest.mark.parametrize("law", LAWS)
 def test_every_combination_of_effects(law: str) -> None:
-    """Laws of slip with every combination of what depends on position and speed; each law with a part of all."""
+    """Each law with a tenth of all; laws of slip with every second of what depends on position and speed as well."""
     part = [c for k, c in enumerate(ALL) if k % len(LAWS) == LAWS.index(law)]
     solved = 0
-    for effects in dict.fromkeys([*(STEADY if law in SLIP_LAWS[:-1] else []), *part]):
+    for effects in dict.fromkeys([*(STEADY[LAWS.index(law) % 2 :: 2] if law in SLIP_LAWS[:-1] else []), *part]):
         given = drawn(effects, law, 31)
         try:
             motion = check(built(given, law), given)
