@@ -19,7 +19,6 @@ from slipcircle.flow.link import RESULTS
 from slipcircle.flow.program import Program, join
 
 CASES = random.Random(7).sample(list(flow_oracle.cases()), 80)
-RECURRENCES = ("turn", "exp", "rec", "log", "pow")
 
 
 @pytest.fixture
