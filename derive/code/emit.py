@@ -7,7 +7,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from types import SimpleNamespace
+
+import numpy as np
 
 from derive.code.program import Program, operations
 from derive.code.text import WIDTH, Language, Part, Reader, statements
@@ -45,9 +46,7 @@ class PythonText:
     """The private functions of a module, as they are written; each is read back, and may call those before it."""
 
     def __init__(self) -> None:
-        self.reader = Reader("python")
-        functions = SimpleNamespace(**self.reader.functions(), nan=float("nan"))
-        self.reader.scope |= {"Array": None, "Any": None, "np": functions, "horner": HELPERS["horner"]}
+        self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HELPERS["horner"]})
         self.parts: list[Part] = []
 
     def body(self, program: Program, name: str = "", space: str = "np") -> str:
