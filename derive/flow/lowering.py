@@ -8,6 +8,7 @@ series. Increments are built from increments, so that near a limit nothing cance
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -54,23 +55,21 @@ class Exp(sp.Function):
     call = "exp"
 
 
-@dataclass(frozen=True)
-class Fragment:
-    """A part of a program: what an effect, a law or the balance itself adds; all names are of cells and registers.
+class Fragment(NamedTuple):
+    """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
 
-    ``scalar`` computes cells from cells where a phase begins, ``series`` coefficients from coefficients. ``adds`` gives
-    for each quantity of the balance its base, the size of the base's terms, and its increment, a sum of (cell,
-    register). ``states`` are further states, each with the register of its rate. A ``table`` is of slip,
-    speed or time, with the register of its argument (or, of time, its own) and the degree of its pieces.
+    ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
+    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
+    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
+    argument (of time, its own) and the degree of its pieces.
     """
 
-    name: str
     words: tuple[str, ...]
     inputs: tuple[str, ...]
     optional: tuple[str, ...]
     scalar: tuple[tuple[str, ...], ...]
     series: tuple[tuple[object, ...], ...]
-    adds: Mapping[str, tuple[str, str, tuple[tuple[str, str], ...]]]
+    adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
     table: tuple[str, str, int] | None = None
 
@@ -215,15 +214,7 @@ class Lowering:
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())
         return Fragment(
-            self.name,
-            tuple(words),
-            tuple(inputs),
-            tuple(optional),
-            self.scalar(),
-            tuple(self.series),
-            added,
-            rates,
-            table,
+            tuple(words), tuple(inputs), tuple(optional), self.scalar(), tuple(self.series), added, rates, table
         )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:
