@@ -140,15 +140,14 @@ _balance = cache(dynamics.balance)
 
 def step(equation: str) -> sp.Expr:
     """Right-hand side of a derived equation of motion, with (2.20) and (2.24) put in, for a mass that turns."""
-    form = _balance()[equation].right.subs(sp.Symbol("sigma_star"), _balance()["2.20"].right)
+    form = _balance()[equation].rhs.subs(sp.Symbol("sigma_star"), _balance()["2.20"].rhs)
     known = {sp.Symbol("A"): polar / LEVER, dynamics.lam: LEVER, dynamics.j_r: j_r, dynamics.j_theta: j_theta}
     return form.subs(known)
 
 
 def momentum() -> Pair:
     """Both sides of (3.8), over ell rho."""
-    found = _balance()["3.8"]
-    left, right = (sp.expand(x / (ell * rho)).subs(dynamics.j_theta, j_theta) for x in (found.left, found.right))
+    left, right = (sp.expand(x / (ell * rho)).subs(dynamics.j_theta, j_theta) for x in _balance()["3.8"].args)
     return left, right
 
 

@@ -83,7 +83,7 @@ class Claim:
 
 
 _FULL = "evaluated at the full angle 2 alpha, not at alpha"
-_FULL_A = Cause(f"(2.24) {_FULL}", "wrong", lambda: s.dynamic(2 * s.half()))
+_FULL_A = Cause(f"(2.24) {_FULL}", "wrong", lambda: s.dynamic(2 * s.HALF))
 _LIMIT_ANGLE = Cause("follows: with Appendix II it is the dip of the chord", "wrong",
                      lambda: s.degrees(s.limit_friction(as_printed=True)))  # fmt: skip
 _RANGE_10 = "changes by {} of it over the paper's rotation in 30 s"
@@ -111,7 +111,7 @@ def _figure(id: str, claim: str, shows: str, values: Callable[[], list[mp.mpf]],
 
 
 def _over_angle(name: str) -> Callable[[], list[mp.mpf]]:
-    return lambda: [s.moment(name), s.moment(name, 2 * s.half())]
+    return lambda: [s.moment(name), s.moment(name, 2 * s.HALF)]
 
 
 def _notation(words: str, old: str, new: str) -> tuple[Cause, ...]:
@@ -209,7 +209,7 @@ CLAIMS = (
     Claim("(2.24)", "dynamic coefficient", "A = I_p*/(2 alpha (1 - cos(alpha)))", "I_p/(2*alpha*(1 - cos(alpha)))",
           lambda: m.step("3.18") * theta_star / (mu * m.LEVER)),
     Claim("Fig. 2-2", "A is of order one", "A(alpha) = O(1)", "1/10; 10",
-          lambda: [s.dynamic(x) for x in (mp.mpf("1e-5"), s.half(), mp.pi / 2 - mp.mpf("1e-9"))], "range",
+          lambda: [s.dynamic(x) for x in (mp.mpf("1e-5"), s.HALF, mp.pi / 2 - mp.mpf("1e-9"))], "range",
           shows="{} at alpha -> 0, {} here, {} at pi/2"),
     Claim("(2.25)", "static equilibrium", "sigma* = sigma_st*", "J_r/lam", lambda: m.step("2.20"), given=_MEAN),
     Claim("(2.26)", "stress, of the start", "sigma* = sigma_0* + A omega*^2", "J_r0/lam + A*omega_star**2",
@@ -283,7 +283,7 @@ CLAIMS = (
     Claim("Fig. 3-2", "J_theta within 10 %", "practically constant", "-1/10; 1/10",
           lambda: [s.turned("weight_moment")], "range", shows=_RANGE_10,
           causes=(Cause("J_theta falls like sin(psi), and psi by the rotation", "wrong",
-                        lambda: mp.sin(s.dip() - s.reached("phi", as_printed=True)) / mp.sin(s.dip()) - 1),)),
+                        lambda: mp.sin(s.DIP - s.reached("phi", as_printed=True)) / mp.sin(s.DIP) - 1),)),
     Claim("(3.16)", "equation of motion, short", "domega*/dt* = a - b omega*^2", "a - b*omega_star**2",
           lambda: m.step("3.16"), given=_MOTION),
     Claim("(3.17)", "drive", "a = (J_theta - J_r0 mu)/Theta*", "(J_theta0 - J_r0*mu)/Theta",
@@ -314,7 +314,7 @@ CLAIMS = (
     _number("Sect. 4 g", "gravity, nowhere stated, m/s^2", s.GRAVITY, shows="c0 implies {}", given=_SOLVED,
             value=lambda: s.implied("c0", lambda x: (x / s.reached("c0", as_printed=True, gravity="1")) ** 2)),
     _number("Table 4-1 Theta*", "moment of inertia", "0.4376", lambda: s.moment("moment_of_inertia"),
-            Cause(f"(3.15) {_FULL}", "wrong", lambda: s.moment("moment_of_inertia", 2 * s.half()))),
+            Cause(f"(3.15) {_FULL}", "wrong", lambda: s.moment("moment_of_inertia", 2 * s.HALF))),
     _number("Table 4-1 J_r", "radial weight", s.IMPLYING["J_r"], lambda: s.moment("radial_weight")),
     _number("Table 4-1 J_theta", "moment of the weight", "0.0387", lambda: s.moment("weight_moment"),
             Cause("J_theta from Appendix II, which integrates r(-cos theta)", "wrong", s.second_appendix)),

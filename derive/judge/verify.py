@@ -262,7 +262,7 @@ def _appendix(claim: Claim) -> Judgement:
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
     brackets, (claimed,) = _brackets(claim.subject), m.read(claim.expression)
     said = [brackets] if brackets else []
-    if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.first_end() + s.half())):
+    if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.FIRST_END + s.HALF)):
         said.append("NaN in real arithmetic here")
     if not _equal(proof.integrand, claimed, ()):
         number = _digits(s.value(proof.expression))
