@@ -4,6 +4,7 @@ import argparse
 import sys
 import time
 from collections.abc import Callable
+from importlib.util import find_spec
 from typing import TypeVar
 
 from derive.check.proof import ProofError
@@ -85,11 +86,11 @@ def binary() -> str:
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call."""
+    """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     parser = argparse.ArgumentParser(
         "python -m derive",
         description="Derive and prove everything, and write generated/; or judge the paper.",
-        epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call",
+        epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call or a missing package",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
     parser.add_argument("--search", action="store_true", help="search for all shapes of approximants anew (minutes)")
@@ -106,6 +107,10 @@ def main(argv: list[str] | None = None) -> int:
     hard.add_argument("--json", action="store_true", help="a list of objects on stdout")
     command("prove", "prove the error bounds of the kernels again, from their certificates alone")
     options = parser.parse_args(argv)
+    needed = ("flint",) if options.command == "prove" else ("sympy", "mpmath", "flint")
+    if missing := [name for name in needed if find_spec(name) is None]:
+        say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
+        return 2
     if options.command == "prove":
         from derive.check.table import prove_all
 
