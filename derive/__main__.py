@@ -37,14 +37,9 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     -------
     dict
         Text by file name.
-
-    Raises
-    ------
-    ProofError
-        If a step of the derivation does not hold.
     """
     from derive.algebra import dynamics, growth, integrate, rules, slopes
-    from derive.algebra.appendices import APPENDICES, reduction
+    from derive.algebra.appendices import APPENDICES, simplify
     from derive.approximate import search, shapes
     from derive.declare.quantities import MOMENTS
     from derive.flow import operations
@@ -63,9 +58,8 @@ def derive_all(anew: bool = False) -> dict[str, str]:
             counts = " -> ".join(map(str, step.operations))
             say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
     for appendix in APPENDICES:
-        for reduced in reduction(appendix):
-            took = f"{reduced.seconds:6.2f} s  {reduced.operations:3d} operations"
-            say(f"{'appendix ' + appendix.name:<32} {'reduce':<11} {took}: {reduced.text} ({reduced.proof})")
+        for reduced in timed(f"appendix {appendix.name}", "reduce", "", simplify, appendix).steps:
+            say(f"{'':<52}{reduced.operations:4d} operations: {reduced.text} ({reduced.proof})")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))

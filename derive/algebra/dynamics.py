@@ -73,11 +73,6 @@ def solution() -> dict[str, sp.Expr]:
     -------
     dict
         ``y`` with omega = y'/(b y), then ``angular_velocity``, ``rotation`` and ``angular_acceleration``.
-
-    Raises
-    ------
-    ProofError
-        If a solution does not satisfy its equation.
     """
     y = sp.Function("y")
     k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0

@@ -39,13 +39,7 @@ class Moment:
 
     @property
     def definition(self) -> tuple[str, ...]:
-        """What a certificate says that the function of alpha is.
-
-        Raises
-        ------
-        ProofError
-            If the weight is none of those that can be certified.
-        """
+        """What a certificate says that the function of alpha is."""
         power = sp.degree(self.weight, r) if self.weight.is_polynomial(r) else sp.Integer(0)
         turn = self.weight / r**power
         turned = turn in (sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(theta))

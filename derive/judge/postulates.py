@@ -126,13 +126,7 @@ POSTULATES = (
 
 
 def same_force() -> mp.mpf:
-    """How far from uniform a stress is whose friction force (3.5), for one coefficient, is that of the uniform one.
-
-    Raises
-    ------
-    ProofError
-        If the force is another one.
-    """
+    """How far from uniform a stress is whose friction force (3.5), for one coefficient, is that of the uniform one."""
     force = sum_of(columns) / sum_of(State().normal)
     if abs(force - 1) > mp.mpf(10) ** -20:
         raise ProofError("friction force of columns that stand alone, over that of the uniform stress", force, 1)
@@ -141,13 +135,7 @@ def same_force() -> mp.mpf:
 
 @cache
 def exhibit(postulate: Postulate) -> mp.mpf:
-    """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one.
-
-    Raises
-    ------
-    ProofError
-        If it does not: then nothing shows that this is a postulate.
-    """
+    """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one."""
     earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
     with mp.workdps(30):
         state, tiny = postulate.state(), mp.mpf(10) ** -20

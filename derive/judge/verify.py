@@ -83,13 +83,7 @@ def _inside(reach: tuple[sp.Expr, ...], share: sp.Rational) -> sp.Expr:
 
 @cache
 def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
-    """Decide whether a form is zero on a domain: refuted at a point with many digits, or else proved.
-
-    Raises
-    ------
-    ProofError
-        If neither succeeds.
-    """
+    """Decide whether a form is zero on a domain: refuted at a point with many digits, or else proved."""
     form = sp.sympify(form).as_dummy()
     for kind in (sp.Integral, sp.Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
         atoms = sorted(form.atoms(kind), key=sp.default_sort_key)
