@@ -168,14 +168,22 @@ def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
     return _module(docstring, [p.name for p, _ in programs], code)
 
 
-def plain_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
-    """A module of functions for callers that know the domain: arrays or floats in, no checks."""
-    programs, code = sorted(programs, key=lambda p: p[0].name), ""
-    for p, words in programs:
-        head, rest = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
-        doc = _fill(f'    """{sentence(words)} Operations: {operations(p.operations()) or "none"}."""')
-        code += f"\n\n{head}\n{doc}\n{rest}"
+def plain_module(docstring: str, programs: Iterable[tuple[Program, str]], head: str = "") -> str:
+    """A module of functions for callers that know the domain: arrays or floats in, no checks; each with its docstring.
+
+    ``head`` is what stands before them.
+    """
+    programs, code = list(programs), head
+    for p, doc in programs:
+        signature, body = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
+        code += f"\n\n{signature}\n{doc}{body}"
     return _module(docstring, [p.name for p, _ in programs], code)
+
+
+def described(programs: Iterable[tuple[Program, str]]) -> list[tuple[Program, str]]:
+    """Programs by name, each with a docstring of one sentence and what it costs."""
+    sentences = ((p, f"{sentence(words)} Operations: {operations(p.operations()) or 'none'}.") for p, words in programs)
+    return [(p, _fill(f'    """{words}"""') + "\n") for p, words in sorted(sentences, key=lambda x: x[0].name)]
 
 
 # What a generated module may need, in this order.

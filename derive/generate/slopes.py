@@ -110,23 +110,16 @@ def programs() -> list[Program]:
 
 def module() -> str:
     """The text of the module."""
-    made = programs()
-    names = ",\n    ".join(f'"{p.name}"' for p in made)
     constants = (
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
         f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"
     )
-    text = (
-        f'"""{TITLE}"""\n\nfrom typing import Any\n\nimport numpy as np\n\n__all__ = [\n    {names},\n]\n\n{constants}'
-    )
-    return text + "".join(f"\n\n{_function(p, _TEXTS[p.name])}" for p in made)
+    return emit.plain_module(TITLE, [(p, _doc(p, _TEXTS[p.name])) for p in programs()], constants)
 
 
-def _function(p: Program, words: Words) -> str:
-    code = emit.PythonText().body(p).replace("Array", "Any").replace(f"def _{p.name}", f"def {p.name}", 1)
-    head, body = code.split("\n", 1)
+def _doc(p: Program, words: Words) -> str:
     inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
     returns = "tuple of ndarray" if len(p.outputs) > 1 else "float or ndarray", words.returns
     cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
     notes = (words.note, cost) if words.note else (cost,)
-    return f"{head}\n{emit.numpydoc(words.summary, words.formula, inputs, returns, *notes, width=114)}{body}"
+    return emit.numpydoc(words.summary, words.formula, inputs, returns, *notes, width=114)
