@@ -14,7 +14,7 @@ import sympy as sp
 
 from derive.algebra.remainders import Primitive, Select
 from derive.code.program import program
-from derive.flow.operations import first
+from derive.flow.operations import OPERATIONS, Q, first
 
 # An increment: the coefficient, a number, of each product of registers, which are named in order.
 Increment = Mapping[tuple[str, ...], sp.Expr]
@@ -123,30 +123,27 @@ class Lowering:
             return power, self.apply("pow", relative, power, e.exp)
         raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
 
-    def apply(
-        self, operation: str, increment: Increment, factor: sp.Expr, exponent: sp.Expr | None = None
-    ) -> Increment:
-        """A factor times the register that an operation on an increment gives."""
+    def apply(self, operation: str, increment: Increment, factor: sp.Expr, *numbers: sp.Expr) -> Increment:
+        """A factor times the last result of an operation on an increment, which is 0 where the increment is."""
         z = self.register(increment)
         self.count += 1
-        first, second = (f"{self.name}.{operation}{self.count}{x}" for x in ("", "_less_1"))
-        if operation == "exp":
-            self.put("tim", f"{z}.times", z)
-            self.put("exp", first, second, f"{z}.times", z)
-        elif operation == "pow":
-            self.put("pow", first, second, z, self.cell(exponent))
-        elif operation == "rec":
-            self.put("rec", first, second, z)
-        else:
-            self.put("log", second := first, z)
-        return series(second, factor)
+        names = (f"{self.name}.{operation}{self.count}{x}" for x in ("", "_less_1"))
+        results = [name for _, name in zip(OPERATIONS[operation].results, names, strict=False)]
+        self.operate(operation, results, z, *map(self.cell, numbers))
+        return series(results[-1], factor)
 
     def turn(self, increment: Increment, sine: sp.Expr, versine: sp.Expr) -> Increment:
         """Factors times sin and versine, 1 - cos, of an increment."""
         x = self.register(increment)
-        self.put("tim", f"{x}.times", x)
-        self.put("turn", s := f"sin({x})", v := f"vers({x})", f"{x}.times", x)
-        return total((sine, series(s)), (versine, series(v)))
+        self.operate("turn", (f"sin({x})", f"vers({x})"), x)
+        return total((sine, series(f"sin({x})")), (versine, series(f"vers({x})")))
+
+    def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
+        """Append an operation on the register z, and before it what is made of z alone, if it takes that too."""
+        own = Q in OPERATIONS[operation].arguments
+        if own:
+            self.put("tim", f"{z}.times", z)
+        self.put(operation, *results, *([f"{z}.times"] if own else []), z, *numbers)
 
     def put(self, *operation: object) -> None:
         """Append an operation on series, once."""
