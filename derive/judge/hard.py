@@ -109,7 +109,7 @@ def forms() -> dict[str, Form]:
             still = {} if "b" in inputs[full] else {b: sp.Integer(0)}
             found[full] = Form(words, program(full, inputs[full], form, let=still), exact)
     drop = next(p for p, _ in functions.laws() if p.name == "drop_exponential")
-    law = next(x.coefficient for x in LAWS if x.name == "exponential")
+    law = next(sp.sympify(x.coefficient) for x in LAWS if x.name == "exponential")
     fallen = law - law.subs(SLIP, SLIP + MORE)
     found[drop.name] = Form("mu(slip) - mu(slip + more)", program(drop.name, drop.inputs, fallen), fallen)
     return found
