@@ -98,26 +98,11 @@ def solution() -> dict[str, sp.Expr]:
     return ways
 
 
-@dataclass(frozen=True)
-class Argument:
-    """What an input of the motion means, its domain in Python, and a point inside."""
-
-    words: str
-    inside: str
-    safe: float
-
-
-ARGUMENTS = {
-    a: Argument("Drive, (J_theta - mu J_r)/Theta* (3.17).", "np.isfinite(a)", 1.0),
-    b: Argument("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
-    omega_0: Argument("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
-    t: Argument("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
-}
-# Of what comes to rest.
-BRAKED = {
-    a: Argument(ARGUMENTS[a].words, "(a < 0.0) & np.isfinite(a)", -1.0),
-    b: Argument(ARGUMENTS[b].words, "(b >= 0.0) & np.isfinite(b)", 1.0),
-    omega_0: Argument(ARGUMENTS[omega_0].words, "(omega_0 >= 0.0) & np.isfinite(omega_0)", 0.0),
+INPUTS = {
+    a: "Drive, (J_theta - mu J_r)/Theta* (3.17).",
+    b: "Brake, mu I_p*/Theta* (3.18).",
+    omega_0: "Initial angular velocity over sqrt(g/R).",
+    t: "Time over sqrt(R/g), not negative.",
 }
 ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no certificate)."
 
@@ -137,15 +122,29 @@ class MotionForm:
     equation: str
     summary: str
 
-    def arguments(self) -> list[Argument]:
-        """What is said of its inputs."""
-        return [(ARGUMENTS if t in self.inputs else BRAKED)[x] for x in self.inputs]
+    @property
+    def limits(self) -> dict[sp.Symbol, str]:
+        """Of its inputs; none is infinite."""
+        limits = {t: ">= 0"} if t in self.inputs else {a: "< 0", b: ">= 0", omega_0: ">= 0"}
+        return {x: limit for x, limit in limits.items() if x in self.inputs}
 
+    @property
     def domain(self) -> str:
-        """In words."""
-        if t in self.inputs:
-            return "t >= 0" + (", until the solution runs to infinity" if b in self.inputs else "")
-        return "a < 0, b >= 0, omega_0 >= 0" if b in self.inputs else "a < 0, omega_0 >= 0"
+        """The limits, in words."""
+        words = ", ".join(f"{x} {limit}" for x, limit in self.limits.items())
+        return words + (", until the solution runs to infinity" if {b, t} <= {*self.inputs} else "")
+
+    @property
+    def inside(self) -> str:
+        """The same in Python."""
+        finite = {x: f"np.isfinite({x})" for x in self.inputs}
+        return " & ".join(f"(({x} {self.limits[x]}.0) & {y})" if x in self.limits else y for x, y in finite.items())
+
+    @property
+    def safe(self) -> tuple[float, ...]:
+        """A point inside."""
+        point = {a: 1.0 if t in self.inputs else -1.0, b: 1.0, omega_0: 0.0, t: 0.0}
+        return tuple(point[x] for x in self.inputs)
 
 
 _X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)

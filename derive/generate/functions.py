@@ -167,13 +167,11 @@ def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
     found = []
     for form in dynamics.FORMS:
-        names, arguments = tuple(x.name for x in form.inputs), form.arguments()
-        inside = " & ".join(f"({x.inside})" if "&" in x.inside else x.inside for x in arguments)
-        words = tuple((n, x.words) for n, x in zip(names, arguments, strict=True))
+        words = tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs)
         found.append(Function(
-            program(form.name, names, form.result, let=form.let), form.summary, form.formula,
-            f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain(), inside,
-            tuple(x.safe for x in arguments), dynamics.ACCURACY,
+            program(form.name, tuple(x.name for x in form.inputs), form.result, let=form.let), form.summary,
+            form.formula, f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain, form.inside,
+            form.safe, dynamics.ACCURACY,
         ))  # fmt: skip
     return found
 
