@@ -117,22 +117,28 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "hard":
         from derive.judge.hard import report as hard_report
 
-        print(hard_report("json" if options.json else "table"))
+        print(hard_report("json" if options.json else "text"))
         return 0
+    return regenerate(options.check, options.search)
+
+
+def regenerate(check: bool, search: bool) -> int:
+    """Derive everything, then write what has changed, or show it."""
     from derive.approximate import shapes
     from derive.generate import write
 
     start = time.perf_counter()
     try:
-        texts = derive_all(options.search)
+        texts = derive_all(search)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    if options.check:
-        diff = write.difference(texts) + write.difference({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
+    places = (texts, write.FOLDER), ({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
+    if check:
+        diff = "".join(write.difference(*place) for place in places)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
-    changed = write.write(texts) + write.write({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
+    changed = [name for place in places for name in write.write(*place)]
     timed("kernels", "compile", "{0}", binary)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")

@@ -200,7 +200,7 @@ def _exactly(form: sp.Expr, inputs: tuple[str, ...], arguments: tuple[float, ...
         return mpmath.re(function(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in arguments)))
 
 
-def report(form: Literal["table", "json"]) -> str:
+def report(form: Literal["text", "json"]) -> str:
     """The hard cases, each with the error of the printed form beside ours."""
     results = measured()
     if form == "json":

@@ -26,7 +26,7 @@ from derive.algebra.integrate import quadrature
 from derive.algebra.prove import prove_zero
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD
-from derive.declare.symbols import theta, theta_m
+from derive.declare.symbols import in_words, theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
 from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Claim
@@ -290,8 +290,8 @@ def _instead(postulate: Postulate) -> str:
 
 def words(form: sp.Expr) -> str:
     """A form as one reads it."""
-    text = str(sp.sstr(form.replace(sp.Integral, _integral))).replace("~", "").replace("**", "^").replace("*", " ")
-    return text.replace("rate_star", "domega*/dt*").replace("_star", "*").replace("_of(", "(")
+    text = in_words(form.replace(sp.Integral, _integral)).replace("~", "")
+    return text.replace("rate*", "domega*/dt*").replace("_of(", "(")
 
 
 def _integral(f: sp.Expr, *limits: sp.Tuple) -> sp.Symbol:
