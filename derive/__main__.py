@@ -133,12 +133,12 @@ def regenerate(check: bool, search: bool) -> int:
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    places = (texts, write.FOLDER), ({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
+    records = {shapes.RECORDS.name: shapes.text()}
     if check:
-        diff = "".join(write.difference(*place) for place in places)
+        diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
-    changed = [name for place in places for name in write.write(*place)]
+    changed = write.write(texts) + write.write(records, shapes.RECORDS.parent)
     timed("kernels", "compile", "{0}", binary)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
