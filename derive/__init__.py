@@ -1,6 +1,8 @@
 """From a definition to source text: SymPy derives, simplifies, stabilises and writes the package `generated`.
 
-Nothing here is imported at run time. The stages, in the order in which `python -m derive` walks them:
+Nothing here is imported at run time. What does not hold raises a `ProofError` with the claim, what was found and what
+was wanted, and stops the run: the docstrings do not repeat it. The stages, in the order in which `python -m derive`
+walks them:
 
 ``quantities``, ``symbols``   what is derived, declared once as data
 ``integrate``                 definition -> closed form, each step proved

@@ -69,9 +69,7 @@ def test_steps_come_one_at_a_time(appendix: Appendix) -> None:
     told = reduction(appendix)
     first = next(told)
     assert first.expression == parse(appendix)
-    rest = list(told)
-    assert [first, *rest] == list(simplify(appendix).steps)
-    assert all(step.seconds > 0 for step in rest)
+    assert [first, *told] == list(simplify(appendix).steps)
 
 
 def test_what_they_integrate() -> None:
