@@ -19,12 +19,17 @@ def tangent(degrees: float) -> float:
     return math.tan(math.radians(degrees))
 
 
+def masses(ground: Any, centre: Any, radius: Any) -> tuple[Any, Any, Any, Any]:
+    """Centres, radii, left and right ends of all stretches that circles cut off."""
+    parts = circles.cut(np.asarray(ground, dtype=float)[None], centre, radius)
+    lane, number, _ = circles.stretches(parts)
+    left, right = (centre[lane] + radius[lane, None] * end.T for end in circles.ends(parts.only(lane), number))
+    return centre[lane], radius[lane], left, right
+
+
 def fixed(slope: Slope, centre: tuple[float, float], radius: float) -> dict[str, float]:
     """The factors of the one stretch of a circle that is driven."""
-    c, r = np.array([centre]), np.array([radius])
-    parts = circles.cut(np.asarray(slope.ground)[None], c, r)
-    lane, number, _ = circles.stretches(parts)
-    found = factors(slope, c[lane], r[lane], parts.only(lane), number)
+    found = factors(slope, *masses(slope.ground, np.array([centre]), np.array([radius])))
     k = int(np.nanargmin(found.ordinary))
     return {m: float(getattr(found, m)[k]) for m in (*METHODS, "facing", "negative")}
 
@@ -182,13 +187,10 @@ def test_many_circles_are_single_ones() -> None:
     q[:, 1] = np.interp(q[:, 0], *np.array(GROUND).T)
     centre, radius = circle_through(p, q, depth=rng.uniform(0.1, 0.4, 500) * np.hypot(*(q - p).T) * 0.99)
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL)
-    parts = circles.cut(np.array([GROUND]), centre, radius)
-    lane, number, _ = circles.stretches(parts)
-    many = factors(slope, centre[lane], radius[lane], parts.only(lane), number)
-    for k in range(0, len(lane), 37):
-        one = factors(
-            slope, centre[lane[k : k + 1]], radius[lane[k : k + 1]], parts.only(lane[k : k + 1]), number[k : k + 1]
-        )
+    every = masses(GROUND, centre, radius)
+    many = factors(slope, *every)
+    for k in range(0, len(every[1]), 37):
+        one = factors(slope, *(x[k : k + 1] for x in every))
         assert [float(v[k]) for v in many] == pytest.approx([float(v[0]) for v in one], rel=1e-12, nan_ok=True)
 
 

@@ -28,7 +28,7 @@ def found(file: slopefile.SlopeFile, method: str | None = None) -> Critical:
     """The critical circle of a slope's file; where it gives a circle, the factors of that one."""
     chosen = method or file.method
     if file.section is not None:
-        return at_circle(file.slope, file.section, chosen)
+        return at_circle(file.slope, file.section)
     try:
         return critical(file.slope, chosen, **file.limits, told=lambda line: say(f"{file.name}: {line}"))
     except ValueError as error:
