@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -55,6 +56,7 @@ def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, capsys:
     assert set(record["factor_of_safety"]) == {"paper", "ordinary", "bishop"}
     assert record["exit"] == pytest.approx([30, 25], abs=0.2)
     assert record["tried"] > record["refused"] > 0
+    assert record.keys() == {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"}
     assert "my-slope: least factor" in err
     assert picture.read_bytes().startswith(b"\x89PNG")
     search(path, "--method", "ordinary")
@@ -67,6 +69,74 @@ def test_a_circle_that_is_given_is_not_searched(write: Write, capsys: pytest.Cap
     assert (record["tried"], record["refused"]) == (1, 0)
     assert record["circle"] == {"centre": [29.5, 53.6], "radius": 28.6}
     assert record["factor_of_safety"]["bishop"] == pytest.approx(0.98516, rel=1e-4)
+
+
+SLIDE = """\
+[friction]
+law = "exponential"
+peak_deg = 19.6
+residual_deg = 10
+length_m = 0.5
+[rotation]
+[circle]
+"""
+SCENE = ACADS.replace("[friction]\nangle_deg = 19.6\n", "") + SLIDE + 'critical = "bishop"\n'
+FIXED = SCENE.replace('[circle]\ncritical = "bishop"\n', CIRCLE)
+
+
+def test_the_motion_has_the_factors_of_its_circle(
+    write: Write, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, page = write(SCENE), tmp_path / "slide.html"
+    assert main(["run", path, "--report", str(page)]) == 0
+    table = dict(re.split(r"  +", line, maxsplit=1) for line in capsys.readouterr().out.splitlines() if "  " in line)
+    assert table["factor of safety by Bishop's simplified method"] == "0.9850"
+    assert table["factor of safety by the ordinary method (Fellenius)"] == "0.9502"  # of Bishop's circle
+    assert table["circle"] == "least factor by bishop"
+    assert {"peak velocity", "x of the toe at the end", "run-out along the arc", "centre", "exit"} <= table.keys()
+    for label in ("Bishop&#x27;s simplified method", "circles tried, refused", "arc under negative normal stress"):
+        assert label in page.read_text("utf-8")
+    main(["run", path, "--json"])
+    (motion,) = json.loads(capsys.readouterr().out)
+    search(path, "--json")
+    (alone,) = json.loads(capsys.readouterr().out)
+    assert motion["stability"] == alone
+    assert motion["factor_of_safety"] == pytest.approx(alone["factor_of_safety"]["paper"], rel=1e-9)
+
+
+def test_a_given_circle_has_factors_with_its_motion(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", write(FIXED)]) == 0
+    out = capsys.readouterr().out
+    assert re.search("Bishop's simplified method +0.9852", out)
+    assert re.search("circle +as given", out)
+    assert re.search("circles tried, refused +1, 0", out)
+    scene = slipcircle.load(write(FIXED))
+    assert scene.stability is not None
+    assert scene.stability.factor_of_safety["bishop"] == pytest.approx(0.98516, rel=1e-4)
+    pressed = slipcircle.load(write(FIXED + "[pore_pressure]\npressure_kPa = 5\n"))
+    assert pressed.stability is None  # no slope has a pressure of one circle
+    by_speed = "rate = { law = 'rate_weakening', peak = 0.5, residual = 0.1, velocity_m_s = 1 }\nlaw"
+    rated = slipcircle.load(write(FIXED.replace("law", by_speed))).stability
+    assert rated is not None
+    assert rated.slope.friction == pytest.approx(0.5 * math.tan(math.radians(19.6)))
+
+
+@pytest.mark.parametrize(
+    ("soil", "friction"),
+    [
+        ("law = 'prescribed'\ntime_s = [0, 9]\nangle_deg = [20, 5]\n", math.tan(math.radians(20))),
+        ("law = 'tabulated'\nslip_m = [0, 9]\ncoefficient = [0.3, 0.1]\n", 0.3),
+        ("angle_deg = { distribution = 'uniform', low = 18, high = 24 }\n", math.tan(math.radians(21))),
+    ],
+)
+def test_the_strength_at_the_start_counts(write: Write, soil: str, friction: float) -> None:
+    text = FIXED.replace(SLIDE[: SLIDE.index("[rotation]")], "[friction]\n" + soil)
+    text += "[pore_pressure]\nratio = [0.1, 0.3]\ntime_s = [0, 10]\n"
+    scene, file = slipcircle.load(write(text)), slopefile.read(write(text))
+    assert scene.stability is not None
+    for slope in (scene.stability.slope, file.slope):
+        assert slope.friction == pytest.approx(friction, rel=1e-14)
+        assert slope.pore_ratio == 0.1
 
 
 def test_the_command_refuses_what_it_cannot_read(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
@@ -138,6 +208,9 @@ def test_what_a_file_says(write: Write) -> None:
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[search]\nk_h = 4\n", "a share of g"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 26]]\n", "water.level_m: stands"),
         ("[ground]", "[ground", "is not TOML"),
+        ("= 19.6", "= { distribution = 'normal', mean = 20 }", "friction.angle_deg: std: is missing"),
+        ("= 20\nbase", "= { distribution = 'normal', mean = 20, std = 1 }\nbase", "must be a number"),
+        ("[cohesion]", "[pore_pressure]\npressure_kPa = 3\n[cohesion]", "give ratio"),
     ],
 )  # fmt: skip
 def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, words: str) -> None:

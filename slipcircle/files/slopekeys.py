@@ -31,6 +31,10 @@ def _weight(words: str) -> Key:
     return Key(words, "number", TINY, 100.0, 1e3, "is that in N/m3? 1 kN/m3 is 1000 N/m3")
 
 
+_FRICTION = {
+    "angle_deg": Key("friction angle, deg", low=0.0, high=75.0, factor=math.pi / 180),
+    "coefficient": Key("friction coefficient, tan(phi)", high=4.0, low=0.0, beyond="an angle? say angle_deg"),
+}
 TABLES: Mapping[str, Mapping[str, Key]] = {
     "": {"name": Key("name of the slope, by default the file's", "text"), "note": Key("source of the numbers", "text")},
     "ground": {
@@ -43,10 +47,8 @@ TABLES: Mapping[str, Mapping[str, Key]] = {
         "width_m": Key("length across the section, by default 1 m", low=TINY),
         "base_m": Key("y of a firm layer below which no circle goes, m"),
     },
-    "friction": {
-        "angle_deg": Key("friction angle, deg", low=0.0, high=75.0, factor=math.pi / 180),
-        "coefficient": Key("friction coefficient, tan(phi)", high=4.0, low=0.0, beyond="an angle? say angle_deg"),
-    },
+    "friction": _FRICTION,
+    "friction.rate": _FRICTION,
     "cohesion": {"cohesion_kPa": Key("strength without normal stress, kPa", low=0.0, high=1e5, factor=1e3,
                                      beyond="is that in Pa? 1 kPa is 1000 Pa")},
     "water": {
@@ -72,12 +74,14 @@ TABLES: Mapping[str, Mapping[str, Key]] = {
     },
 }  # fmt: skip
 GEOMETRY = ("ground", "circle", "water", "search")  # what a scene's file may have in place of an arc
+OF_SOIL = ("friction", "cohesion", "pore_pressure")  # of a scene at its start
 OF_MOTION = {*EFFECTS, "initial_velocity_m_s", "end_time_s", "accuracy"} - {*TABLES}  # not asked by a search
 AT_START = {"peak_deg": "angle_deg", "peak": "coefficient"}
 # What makes a table whole: one of these sets of keys.
 WHOLE = {
     "ground": (("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m")),
     "friction": (("angle_deg",), ("coefficient",)),
+    "pore_pressure": (("ratio",),),
     "circle": (("centre_m", "radius_m"), ("through_m", "radius_m"), ("through_m", "depth_m"),
                ("through_m", "touching_m"), ("critical",)),
 }  # fmt: skip

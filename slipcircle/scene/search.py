@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -29,6 +30,7 @@ class Critical:
 
     Attributes
     ----------
+    slope : Slope
     method : str
         Whose factor is the least; empty for a circle that was given.
     factor_of_safety : dict
@@ -50,6 +52,7 @@ class Critical:
         That the circle reaches an end of the ground, beyond which a lesser factor may lie.
     """
 
+    slope: Slope = field(repr=False, compare=False)
     method: str
     factor_of_safety: dict[str, float | None]
     centre: tuple[float, float]
@@ -131,11 +134,11 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     """One circle, by arrays of one."""
     found = factors(slope, centre, radius, left, right)
     by_method = {m: float(getattr(found, m)[0]) for m in METHODS}
-    (cx, cy), first, second = (tuple(map(float, p[0])) for p in (centre, left, right))
+    middle, first, second = ((float(p[0, 0]), float(p[0, 1])) for p in (centre, left, right))
     facing = int(found.facing[0])
     entry, exit = (first, second) if facing >= 0 else (second, first)
     known = {m: v if np.isfinite(v) else None for m, v in by_method.items()}
-    return Critical("", known, (cx, cy), float(radius[0]), entry, exit, facing, float(found.negative[0]))
+    return Critical(slope, "", known, middle, float(radius[0]), entry, exit, facing, float(found.negative[0]))
 
 
 def _mistakes(slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> list[str]:
@@ -243,11 +246,11 @@ class Search:
             vertices = vertices[np.unique(np.searchsorted(vertices, np.linspace(0.0, total, _VERTICES)))]
         given = [vertices]
         least = _LEAST if len(vertices) <= _EDGES else 1  # on short edges too: the slope between wide level parts
-        for low, high in zip(vertices[:-1], vertices[1:], strict=True):
+        for low, high in pairwise(vertices.tolist()):
             given.append(np.linspace(low, high, max(least, round(_PLACES * (high - low) / total)) + 1)[1:-1])
         for limits in filter(None, (self.entry, self.exit)):
-            x = np.linspace(*np.clip(limits, self.ground[0, 0], self.ground[-1, 0]), _LEAST + 1)
-            given.append(np.interp(x, self.ground[:, 0], self.along))
+            first, last = np.interp(limits, self.ground[:, 0], self.along)
+            given.append(np.linspace(first, last, _LEAST + 1))
         return np.unique(np.concatenate(given))
 
     def coarse(self, told: Callable[[str], None]) -> tuple[Floats, Floats]:
@@ -265,11 +268,11 @@ class Search:
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
             raise ValueError("critical: no circle is left by the limits given; widen entry, exit, depth or base")
-        best, chosen = values[order[0]], []
+        chosen: list[int] = []
         while len(chosen) < _VALLEYS and order.size:
             chosen.append(k := order[0])
             order = order[np.any(np.abs(q[order] - q[k]) > _APART * wide[k], axis=1)]
-        told(f"{len(values)} circles; following {len(chosen)}, from {best:.4g}")
+        told(f"{len(values)} circles; following {len(chosen)}, from {values[chosen[0]]:.4g}")
         return q[chosen], wide[chosen]
 
     def refined(self, at: Floats, step: Floats) -> tuple[Floats, Floats]:
@@ -295,6 +298,6 @@ class Search:
         centres, values = np.concatenate(self.centres), np.concatenate(self.values)
         found = _described(self.slope, *self.laid(q))
         ends = [x for x in self.ground[[0, -1], 0] if np.min(np.abs(np.subtract(found.between, x))) < 1e3 * self.blur]
-        said = f"the circle reaches the end of the ground at x = {ends[0]:.6g}; a longer one may give less" if ends else ""
+        said = [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in ends]
         return replace(found, method=self.method, tried=len(values), refused=int(np.isnan(values).sum()),
-                       centres=centres, values=values, warning=said)  # fmt: skip
+                       centres=centres, values=values, warning="".join(said[:1]))  # fmt: skip

@@ -134,7 +134,7 @@ def factors(
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
     given = (centre, radius, left, right)
-    found = [_block(slope, *(x[k : k + _BLOCK] for x in given), methods) for k in range(0, len(radius) or 1, _BLOCK)]
+    found = [_block(slope, methods, *(x[k : k + _BLOCK] for x in given)) for k in range(0, len(radius) or 1, _BLOCK)]
     return Factors(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
@@ -146,7 +146,7 @@ def _edge(line: Floats, above: Floats, x: Floats) -> tuple[Floats, Floats]:
     return line[k, 1] + slope[k] * (x - line[k, 0]), slope[k]
 
 
-def _block(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats, methods: Any) -> Factors:
+def _block(slope: Slope, methods: Any, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Factors:
     ground, n, (cx, cy) = np.asarray(slope.ground), len(radius), centre.T
     first, last = (np.arctan2(p[:, 0] - cx, cy - p[:, 1]) for p in (left, right))
     sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)

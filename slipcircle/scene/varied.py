@@ -64,9 +64,9 @@ def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
 
 
 def scene_with(scene: Scene, values: Mapping[str, float]) -> Scene:
-    """A scene with other values of its numbers, which are checked."""
+    """A scene with other values of its numbers, which are checked; what was said of its stability is not theirs."""
     parts = parts_with(scene, {n: float(v) for n, v in values.items()})
-    return replace(scene, **parts | {"arc": type(scene.arc)(**parts["arc"])})
+    return replace(scene, **parts | {"arc": type(scene.arc)(**parts["arc"]), "stability": None})
 
 
 def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:
