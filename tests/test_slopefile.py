@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -225,3 +226,49 @@ def test_all_mistakes_at_once(write: Write) -> None:
     with pytest.raises(ValueError, match="cohesoin") as raised:
         slopefile.read(write(text))
     assert len(str(raised.value).splitlines()) == 3
+
+
+# --- ensembles ------------------------------------------------------------------------------------------------------
+
+
+def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(
+    write: Write, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drawn = "{ distribution = 'lognormal', mean = 3, std = 2 }"  # its median is 2.5
+    path, page = write(SCENE.replace("cohesion_kPa = 3", f"cohesion_kPa = {drawn}")), tmp_path / "study.html"
+    assert main(["sweep", path, "--samples", "64", "--seed", "1", "--report", str(page), "--sensitivity", "0"]) == 0
+    words = "the critical circle of the means, of the least factor by bishop"
+    assert words in capsys.readouterr().err
+    assert words in page.read_text("utf-8")
+    study = slipcircle.ensemble(slipcircle.load(path), 64, rng=1, sensitivity=0)
+    of_means = slipcircle.critical(slopefile.read(write(ACADS)).slope)
+    assert study.scene.arc.centre == of_means.centre  # type: ignore[union-attr]
+    assert study.scene.arc.radius == of_means.radius
+    # Every sample slides along it: the greatest cohesion of them alone is another motion along the same circle.
+    k = int(np.argmax(study.samples["reach"]))
+    effects = {"cohesion": {"cohesion": 1e3 * study.samples["cohesion.cohesion_kPa"][k]}, "rotation": {}}
+    alone = slipcircle.solve(replace(study.scene, effects=effects, uncertain={}))
+    assert alone.reach.displacement == pytest.approx(study.samples["reach"][k], rel=1e-9)
+
+
+def test_means_given_with_the_command_have_their_own_circle(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = slipcircle.load(write(SCENE))
+    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 30, "std": 2}}
+    study = slipcircle.ensemble(replace(scene, uncertain=drawn), 64, rng=1)
+    expected = slipcircle.critical(slopefile.read(write(ACADS.replace("19.6", "30"))).slope)
+    assert study.scene.arc.centre == expected.centre  # type: ignore[union-attr]
+    assert study.scene.stability == expected
+    assert main(["sweep", write(SCENE), "--grid", "friction.peak_deg=18,19"]) == 0
+    assert "the critical circle of the scene as it is given" in capsys.readouterr().err
+    fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1)
+    assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])  # type: ignore[union-attr]
+    assert not any("critical" in said for said in fixed.warnings)
+
+
+def test_a_folder_knows_one_circle_from_another(write: Write, tmp_path: Path) -> None:
+    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 15, "std": 2}}
+    one = replace(slipcircle.load(write(FIXED)), uncertain=drawn)
+    slipcircle.ensemble(one, 64, rng=1, folder=tmp_path / "kept")
+    other = replace(one, arc=replace(one.arc, radius=28.55))
+    with pytest.raises(ValueError, match="another study: section"):
+        slipcircle.ensemble(other, 64, rng=1, folder=tmp_path / "kept")

@@ -4,7 +4,7 @@ import math
 import os
 import tomllib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
@@ -181,7 +181,7 @@ def section_of(document: Mapping[str, Any]) -> tuple[Section, Critical | None]:
             return section, None if poor else _stability(given, section)
         least = judged(_made({"name": ""}, given))
         circle = {"centre_m": least.centre, "radius_m": least.radius, "between_m": least.between}
-        return _section(given | {"circle": circle}), replace(least, centres=least.centres[:0], values=least.values[:0])
+        return _section(given | {"circle": circle}), least.without_map()
     except ValueError as error:
         raise ValueError(_by_key(str(error))) from error
 

@@ -1,6 +1,6 @@
 """The critical circle of a slope: a coarse family of all circles at once, then the best of its valleys refined."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
@@ -31,8 +31,8 @@ class Critical:
     Attributes
     ----------
     slope : Slope
-    method : str
-        Whose factor is the least; empty for a circle that was given.
+    method, limits : str, mapping
+        Whose factor is the least, and what limited the search; empty for a circle that was given.
     factor_of_safety : dict
         By method; None where a method refuses the circle.
     centre, radius : tuple of float, float
@@ -66,12 +66,17 @@ class Critical:
     centres: Floats = field(default_factory=lambda: np.empty((0, 2)), repr=False, compare=False)
     values: Floats = field(default_factory=lambda: np.empty(0), repr=False, compare=False)
     warning: str = ""
+    limits: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def between(self) -> tuple[float, float]:
         """x of both ends, from left to right: which of the circle's stretches it is."""
         left, right = sorted((self.entry[0], self.exit[0]))
         return left, right
+
+    def without_map(self) -> "Critical":
+        """The same without the circles that were tried, which are many."""
+        return replace(self, centres=self.centres[:0], values=self.values[:0])
 
     def record(self) -> dict[str, Any]:
         """For JSON, in SI units."""
@@ -300,4 +305,5 @@ class Search:
         ends = [x for x in self.ground[[0, -1], 0] if np.min(np.abs(np.subtract(found.between, x))) < 1e3 * self.blur]
         said = [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in ends]
         return replace(found, method=self.method, tried=len(values), refused=int(np.isnan(values).sum()),
-                       centres=centres, values=values, warning="".join(said[:1]))  # fmt: skip
+                       centres=centres, values=values, warning="".join(said[:1]),
+                       limits={"entry": self.entry, "exit": self.exit, "depth": self.depth})  # fmt: skip
