@@ -13,6 +13,7 @@ import slipcircle
 from slipcircle.__main__ import main
 from slipcircle.files import slopefile
 from slipcircle.outputs import searching
+from slipcircle.outputs.guide import guide
 
 ACADS = """\
 note = "Giam and Donald 1989"
@@ -272,3 +273,17 @@ def test_a_folder_knows_one_circle_from_another(write: Write, tmp_path: Path) ->
     other = replace(one, arc=replace(one.arc, radius=28.55))
     with pytest.raises(ValueError, match="another study: section"):
         slipcircle.ensemble(other, 64, rng=1, folder=tmp_path / "kept")
+
+
+def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
+    said = " ".join(guide().split()).replace("real- slope", "real-slope")
+    stability = slipcircle.load("real-slope").stability
+    assert stability is not None
+    wet = slipcircle.critical(replace(stability.slope, pore_ratio=0.5))
+    shares = []
+    for found in (stability, wet):
+        paper, ordinary, bishop = (found.factor_of_safety[m] or math.nan for m in ("paper", "ordinary", "bishop"))
+        assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in said
+        shares.append(f"{100 * (1 - paper / bishop):.0f} %")
+    assert f"by {shares[0]} and by {shares[1]} of Bishop's" in said
+    assert "critical method by which the critical circle is looked for: paper, ordinary, bishop" in said

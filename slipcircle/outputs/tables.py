@@ -15,6 +15,7 @@ from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
 from slipcircle.motion.quantities import JOURNEY, OUTCOMES, plain, record, results, shown, words
 from slipcircle.scene.search import Critical
+from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
@@ -63,9 +64,6 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 # --- slopes ----------------------------------------------------------------------------------------------------------
 
-METHODS = {"paper": "the paper's method (mean normal stress)", "ordinary": "the ordinary method (Fellenius)",
-           "bishop": "Bishop's simplified method"}  # fmt: skip
-
 
 def stability_column(found: Critical) -> dict[str, str]:
     """What is said of a slip circle of a slope: each value by its label."""
@@ -74,7 +72,7 @@ def stability_column(found: Critical) -> dict[str, str]:
         return ", ".join(map(shown, xy)) + " m"
 
     by_method = found.factor_of_safety.items()
-    rows = {f"factor of safety by {METHODS[m]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
+    rows = {f"factor of safety by {METHODS[m][0]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
     if found.slope.k_h:
         rows["horizontal acceleration k_h of these"] = shown(found.slope.k_h)
     return rows | {
