@@ -52,7 +52,7 @@ def case(seed: int) -> Case:
         if "level" in more:
             more["level"] = more["level"][::-1] * [-1, 1]
     slope = Slope(ground, cohesion, friction, gamma, **more)
-    return Case(slope, METHODS[int(rng.integers(0, 3))], 0.05 * height)
+    return Case(slope, list(METHODS)[int(rng.integers(0, 3))], 0.05 * height)
 
 
 def evolved(given: Case, seed: int) -> float:

@@ -310,4 +310,4 @@ def test_results_are_plain() -> None:
     record = found.record()
     assert {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"} <= record.keys()
     assert set(record["factor_of_safety"]) == set(METHODS)
-    assert Factors._fields[:3] == METHODS
+    assert Factors._fields[:3] == tuple(METHODS)

@@ -123,5 +123,5 @@ def _map(ax: Any, found: Critical) -> None:
     x, y = (low + (places + 0.5) * size).T
     picture = ax.tricontourf(x, y, least, levels=levels, cmap="viridis_r", alpha=0.75, zorder=0)
     words = f"least factor of safety of circles about a centre ({found.method})"
-    ax.figure.colorbar(picture, ax=ax, label=words, format="%.2f")
+    ax.figure.colorbar(picture, ax=ax, label=words, format="%.3g")
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))

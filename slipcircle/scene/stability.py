@@ -6,7 +6,7 @@ water, so they are converged values and not those of a number of slices.
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,8 +24,8 @@ METHODS: Mapping[str, tuple[str, str]] = {
               "from the centre (2.23)"),
     "ordinary": ("the ordinary method (Fellenius)", "c + mu (W cos a - k_h W sin a - u l)/l: the cosine is that of the "
                  "base below the point, which is the larger one"),
-    "bishop": ("Bishop's simplified method", "[c + mu (W/b - u)] cos a/m_alpha, m_alpha = cos a + sin a mu/F: slices push "
-               "each other horizontally, which presses steep bases more"),
+    "bishop": ("Bishop's simplified method", "[c + mu (W/b - u)] cos a/m_alpha, m_alpha = cos a + sin a mu/F: slices "
+               "push each other horizontally, which presses steep bases more"),
 }  # fmt: skip
 COMPARED = """\
 The factor is the moment of that strength about the centre over that of the weight, and of k_h times the weight at \
