@@ -40,6 +40,7 @@ LI_LUMB = Slope([(0, 5), (5, 5), (15, 15), (20, 15)], 18e3, tangent(30), 18e3, p
 LOUKIDIS = Slope([(-50, 0), (0, 0), (75, 25), (150, 25)], 25e3, tangent(30), 20e3, k_h=0.432, base=-25)
 FREDLUND_KRAHN = Slope([(0, 60), (60, 60), (140, 20), (180, 20)], 600.0, tangent(20), 120.0)  # ft, psf, pcf
 FK_WATER = replace(FREDLUND_KRAHN, level=[(0, 40), (140, 20), (180, 20)], water_unit_weight=62.4)
+ARAI_TAGYO = Slope([(0, 15), (18, 15), (48, 35), (80, 35)], 41.65e3, tangent(15), 18.82e3, base=0)  # 1985, example 1
 YAMAGAMI_2000 = Slope([(-6, 0), (0, 0), (8, 4), (12, 4)], 4.9e3, tangent(10), 15.68e3)
 
 
@@ -71,6 +72,7 @@ def test_published_circles(
         (YAMAGAMI_UEDA, "bishop", 1.3426, (8.65, 14.10), 9.81, (5.0, 5.0)),
         (LI_LUMB, "bishop", 1.3335, (4.07, 19.40), 14.43, (5.0, 5.0)),
         (LOUKIDIS, "bishop", 0.991, None, None, None),
+        (ARAI_TAGYO, "bishop", 1.404, None, None, (18.0, 15.0)),  # published: 1.451 (1985), 1.409 (Slide2)
     ],
 )
 def test_published_searches(
@@ -83,6 +85,9 @@ def test_published_searches(
     if centre is not None:  # where both are given to three digits
         assert found.centre == pytest.approx(centre, abs=0.01 * height)
         assert found.radius == pytest.approx(radius, abs=0.01 * height)
+        assert radius is not None  # and where that circle enters the level crest
+        enters = centre[0] + math.sqrt(radius**2 - (centre[1] - found.entry[1]) ** 2)
+        assert found.entry == pytest.approx((enters, slope.ground[-1][1]), abs=0.02 * height)  # type: ignore[index]
     if leaves is not None:
         assert found.exit == pytest.approx(leaves, abs=0.02 * height)
     assert found.tried > 10_000
@@ -98,6 +103,26 @@ def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: st
     assert factor is not None
     # F = 1 where gamma H/c is Taylor's number, and F is proportional to c: N = F gamma H/c.
     assert factor * 20e3 * 10.0 / 20e3 == pytest.approx(number, rel=1e-4)
+
+
+def test_steep_slopes_without_friction_need_no_base() -> None:
+    slope = Slope([(-60, 0), (0, 0), (10 / tangent(60), 10), (60, 10)], 20e3, 0.0, 20e3)
+    found = critical(slope)
+    assert found.factor_of_safety["bishop"] == pytest.approx(0.52474, rel=1e-4)  # Taylor: toe circles above 53 deg
+    assert found.exit == pytest.approx((0.0, 0.0), abs=0.01)
+    # Below, ever deeper circles are ever worse, and F gamma H/c tends to 5.52: here by 1000 slopes' heights of soil.
+    deep = Slope([(-6e4, 0), (0, 0), (10 / tangent(40), 10), (6e4, 10)], 20e3, 0.0, 20e3, base=-1e4)
+    assert critical(deep).factor_of_safety["bishop"] == pytest.approx(0.552, abs=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("slope", "angle", "number"), [(45, 5, 0.136), (45, 10, 0.108), (45, 20, 0.062), (30, 10, 0.075), (30, 20, 0.025)]
+)
+def test_taylor_s_friction_circles(slope: float, angle: float, number: float) -> None:
+    """c/(gamma H) at which F = 1, by another method, read off his chart to two or three digits."""
+    ground = [(-40, 0), (0, 0), (10 / tangent(slope), 10), (70, 10)]
+    found = critical(Slope(ground, number * 20e3 * 10, tangent(angle), 20e3, base=-20))
+    assert found.factor_of_safety["bishop"] == pytest.approx(1.0, abs=0.012)
 
 
 # --- definitions ----------------------------------------------------------------------------------------------------
@@ -268,7 +293,8 @@ def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
     ("slope", "more", "words"),
     [
         (replace(ACADS, cohesion=0.0), {}, "ever thinner skin"),
-        (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep"),
+        (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep, where the factor tends to 0.0828;"),
+        (replace(ACADS, friction=0.0, base=None, k_h=0.1), {}, "infinitely deep"),
         (Slope([(0, 0), (50, 0)], 1e3, 0.5, 2e4), {}, "level"),
         (ACADS, {"method": "janbu"}, "must be one of"),
         (ACADS, {"entry": (5.0, 1.0)}, "least and the greatest"),

@@ -14,11 +14,12 @@ from slipcircle.scene.section import Section
 from slipcircle.scene.stability import METHODS, Slope, factors
 
 _PLACES, _LEAST, _EDGES = 40, 7, 12  # of the ground; on each edge, where there are few edges
-_VERTICES = 80  # beyond, those nearest to even places
+_VERTICES = 48  # beyond, those nearest to even places
 _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 0.88, 1.0])
 _VALLEYS, _APART = 12, 2.5  # that are followed, and spacings of the coarse family between them
 _ROUNDS, _SHRINK, _FINE = 150, 0.6, 1e-5  # a valley is done at this step over its first
 _HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
+_SENSE = 1 / 3  # of an arc that may be under negative stress, without a warning
 _SIZE = 1 << 17  # of an array: ground vertices times circles at a time
 _OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 Range = tuple[float, float]
@@ -49,7 +50,8 @@ class Critical:
     centres, values : ndarray
         Of every circle that was tried: its centre, (tried, 2), and its factor or NaN; for a map.
     warning : str
-        That the circle reaches an end of the ground, beyond which a lesser factor may lie.
+        That the circle reaches an end of the ground, beyond which a lesser factor may lie, or that a third of the arc
+        and more is under negative stress.
     """
 
     slope: Slope = field(repr=False, compare=False)
@@ -108,13 +110,13 @@ def critical(
     Raises
     ------
     ValueError
-        If the slope has no critical circle (level ground, c = 0 without a least depth, phi = 0 without a base), or no
-        circle is left by what is asked for.
+        If the slope has no critical circle (level ground, c = 0 without a least depth, phi = 0 without a base where
+        deeper is ever worse), or no circle is left by what is asked for.
 
     Notes
     -----
     Each circle leads from one point of the ground to another, and is judged by what it cuts off between them: ground
-    vertices are always among these points (of a ground of more than 80, evenly chosen ones), and circles open up to
+    vertices are always among these points (of a ground of more than 48, evenly chosen ones), and circles open up to
     the one that is upright at an end or touches the base. The best valleys of this coarse family are followed to 1e-5
     of its spacing. Deterministic.
     """
@@ -124,7 +126,14 @@ def critical(
     for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
         at, step = search.refined(at, share * step)
     told(f"least factor {np.nanmin(search.values[-1]):.6g} by {method}")
-    return search.result(at[:1])
+    found = search.result(at[:1])
+    least, deep = found.factor_of_safety[method] or np.inf, _bottomless(slope)
+    if slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
+        raise ValueError(
+            f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
+            f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
+        )
+    return found
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:
@@ -132,7 +141,7 @@ def at_circle(slope: Slope, section: Section) -> Critical:
     left, right = sorted([section.entry, section.exit], key=lambda end: float(end[0]))
     given = (section.centre, section.radius, left, right)
     found = _described(slope, *(np.array([x], dtype=np.float64) for x in given))
-    return replace(found, refused=int(not any(found.factor_of_safety.values())))
+    return replace(found, refused=int(None in found.factor_of_safety.values()))
 
 
 def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
@@ -169,10 +178,16 @@ def _mistakes(slope: Slope, method: str, entry: Any, exit: Any, depth: float) ->
             + (f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else "")
             + "; give a least depth"
         )
-    elif slope.friction == 0.0 and slope.base is None and exit is None:
-        found.append("friction = 0 without a base: the critical circle runs infinitely deep in flat slopes; give the "
-                     "base of the soil, or where the circle comes out (exit)")  # fmt: skip
     return found
+
+
+def _bottomless(slope: Slope) -> float:
+    """The factor of ever deeper circles without friction: that of a step between level grounds, beside which all else
+    is small. F = 4 a c/(gamma H sin(a)^2) of circles about it with half the opening a, least where tan(a) = 2 a.
+    """
+    ground = np.asarray(slope.ground)
+    step = abs(float(ground[-1, 1] - ground[0, 1])) * slope.unit_weight
+    return 0.0 if slope.k_h > 0.0 else 5.5199 * slope.cohesion / step if step and not slope.k_h else np.inf
 
 
 class Search:
@@ -302,8 +317,12 @@ class Search:
         """All that is said of the best circle."""
         centres, values = np.concatenate(self.centres), np.concatenate(self.values)
         found = _described(self.slope, *self.laid(q))
+        said = []
+        if found.negative > _SENSE:
+            said.append(f"{100 * found.negative:.0f} % of the arc is under negative effective normal stress, where "
+                        "the methods have no sense")  # fmt: skip
         ends = [x for x in self.ground[[0, -1], 0] if np.min(np.abs(np.subtract(found.between, x))) < 1e3 * self.blur]
-        said = [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in ends]
+        said += [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in ends]
         return replace(found, method=self.method, tried=len(values), refused=int(np.isnan(values).sum()),
-                       centres=centres, values=values, warning="".join(said[:1]),
+                       centres=centres, values=values, warning="; ".join(said),
                        limits={"entry": self.entry, "exit": self.exit, "depth": self.depth})  # fmt: skip

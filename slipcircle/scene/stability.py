@@ -36,7 +36,7 @@ the motion starts from, so that a slope may stand by Bishop's factor and slide b
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 _BELOW_0 = -5e-324
-_BLOCK = 2048  # circles at a time
+_BLOCK = 1 << 13  # ground vertices times circles at a time: what fits into the caches
 _ROUNDS, _LEAST = 60, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
 
@@ -148,8 +148,8 @@ def factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    given = (centre, radius, left, right)
-    found = [_block(slope, methods, *(x[k : k + _BLOCK] for x in given)) for k in range(0, len(radius) or 1, _BLOCK)]
+    given, size = (centre, radius, left, right), max(32, _BLOCK // len(np.asarray(slope.ground)))
+    found = [_block(slope, methods, *(x[k : k + size] for x in given)) for k in range(0, len(radius) or 1, size)]
     return Factors(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
