@@ -71,6 +71,26 @@ def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Sampl
             live = live[going]
 
 
+def begin(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """Base the phase that would begin where each lane is, in the direction set; its registers there, without walking.
+
+    Parameters
+    ----------
+    program, tables, cells
+        As `walk` takes them; the cells of a phase are filled in place.
+
+    Returns
+    -------
+    ndarray
+        (registers, lanes).
+    """
+    lanes = Lanes(program, tables, cells, None, np.arange(cells.shape[1]))
+    with np.errstate(all="ignore"):
+        lanes.find_pieces()
+        lanes.base()
+        return lanes._series(0)[0][:, 0]
+
+
 class Lanes:
     """Some lanes on their way: columns of cells that this class steps, each by itself."""
 

@@ -1,7 +1,7 @@
 """The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -36,6 +36,14 @@ class Status(IntEnum):
     INVALID = 7  #: its numbers are no scene
 
 
+# The cells of which a motion is told.
+TOLD = (walk.TIME, walk.STATUS, walk.PHASES, walk.END_TIME, walk.PEAK_TIME, walk.PEAK_ROTATION, walk.PEAK_OMEGA,
+        walk.PEAK_RATE, walk.REACH_TIME, walk.REACH_ROTATION, walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE,
+        walk.CLOSE, walk.REST_SINCE, walk.TURNS)  # fmt: skip
+# What becomes of a lane that the walk leaves so; one that moved.
+_BECOMES = np.full(walk.NEED + 1, Status.FAILED, np.int8)
+_BECOMES[[walk.ARRESTED, walk.ENDED, walk.STOPPED, walk.UPRIGHT, walk.TOO_LONG]] = (
+    Status.RESTS, Status.MOVING, Status.MOVING, Status.UPRIGHT, Status.ENDLESS)  # fmt: skip
 ENERGIES = 21  # times at which the energy balance is looked at
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
@@ -122,7 +130,7 @@ class Motion:
         What a user should know of a single motion; empty where all is well.
     """
 
-    def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: walk.Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
 
@@ -144,21 +152,18 @@ class Motion:
         return values.reshape(self.shape) if self.shape else values[0].item()
 
     def _of(self, cell: int) -> Floats:
-        return np.asarray(self._cells[cell])
+        return self._cells[cell]
 
     # --- what became of it -------------------------------------------------------------------------------------------
 
     @cached_property
     def _states(self) -> NDArray[np.int8]:
         """The status of each lane."""
-        status, moved = self._of(walk.STATUS), self._of(walk.PHASES) > 0.0
-        found = np.full(status.shape, Status.FAILED, np.int8)
-        found[status == walk.ARRESTED] = Status.RESTS
-        found[(status == walk.ARRESTED) & (self._of(walk.TURNS) > 0.0)] = Status.TURNED
-        found[(status == walk.ENDED) | (status == walk.STOPPED)] = Status.MOVING
-        found[((status == walk.ARRESTED) | (status == walk.ENDED)) & ~moved] = Status.STAYS
-        found[status == walk.UPRIGHT] = Status.UPRIGHT
-        found[status == walk.TOO_LONG] = Status.ENDLESS
+        found = _BECOMES[self._of(walk.STATUS).astype(np.intp)]
+        found[(found == Status.RESTS) & (self._of(walk.TURNS) > 0.0)] = Status.TURNED
+        found[(found <= Status.TURNED) & (self._of(walk.STATUS) != walk.STOPPED) & (self._of(walk.PHASES) == 0.0)] = (
+            Status.STAYS
+        )
         found[self._lanes.invalid] = Status.INVALID
         return found
 
@@ -240,8 +245,9 @@ class Motion:
         last = (self._of(walk.PEAK_TIME) == self._of(walk.END_TIME)) & (self._of(walk.STATUS) == walk.ENDED)
         last |= self._of(walk.PHASES) == 0.0
         time = np.where(last, self._duration, self._of(walk.PEAK_TIME) * self._lanes.time_scale)
-        if not self.shape and 0.0 < time[0] < self._duration[0]:
-            return self.at(float(time[0]))  # of its rounded time; where a force leaps, as it is from then on
+        forced = any(t.kind == "time" for t in self._lanes.bound.program.tables)
+        if forced and not self.shape and 0.0 < time[0] < self._duration[0]:
+            return self.at(float(time[0]))  # of its rounded time: where a force leaps, as it is from then on
         return self._state(time, *map(self._of, rows))
 
     @cached_property
@@ -284,15 +290,15 @@ class Motion:
 
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
         """A state of each lane from its numbers: s, and dimensionless."""
-        lanes = self._lanes
-        good = self._answered
-        rotation, omega, rate = (np.where(good, v + 0.0, np.nan) for v in (rotation, omega, rate))
+        lanes, good = self._lanes, self._answered
+        if not good.all():
+            rotation, omega, rate = (np.where(good, v, np.nan) for v in (rotation, omega, rate))
         scale, radius = lanes.time_scale, lanes.radius
         stress = lanes.stress(time / scale, rotation, omega)
         with np.errstate(over="ignore"):  # what overflows is refused
-            speed = omega / scale + 0.0  # no -0.0
-            columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2 + 0.0, stress)
-        return State(*(self._shaped(np.broadcast_to(v, good.shape)) for v in columns))
+            speed = omega / scale
+            columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+        return State(*(self._shaped(v + 0.0) for v in columns))  # no -0.0
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.

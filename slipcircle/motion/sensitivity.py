@@ -219,7 +219,7 @@ _COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
 def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     """Rows: peak velocity, run-out, duration; a column for each parameter."""
     seeds = _Seeds(lanes, names)
-    bound = lanes.bind(directions=len(names))
+    bound = lanes.bound.asking(directions=len(names))
     places = {n: k for k, n in enumerate(bound.program.cells)}
     for j, tangent in enumerate(bound.program.tangents):
         for name, dot in seeds.inputs.items():
