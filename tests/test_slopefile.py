@@ -146,6 +146,16 @@ def test_the_command_refuses_what_it_cannot_read(write: Write, capsys: pytest.Ca
     assert "is that in N/m3" in capsys.readouterr().err
     assert search(write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0"))) == 1
     assert "thinner skin" in capsys.readouterr().err
+    limits = "[search]\nexit_m = [30, 2]\ndepth_m = 2e5\n"
+    for command, text in (("search", ACADS + limits), ("run", SCENE + limits)):
+        assert main([command, write(text)]) == 1
+        err = capsys.readouterr().err
+        assert "search.exit_m = [30, 2]: must be the least and the greatest x" in err
+        assert "search.depth_m = 200000.0" in err
+    assert search("vaiont") == 1
+    assert "a search needs [ground]" in capsys.readouterr().err
+    assert search("real-slope", write(ACADS), "--plot", "x.png") == 1
+    assert "shows one slope" in capsys.readouterr().err
     assert search("no-such-slope.toml") == 1
     assert "no-such-slope.toml: there is no such file" in capsys.readouterr().err
     with pytest.raises(SystemExit, match="2"):
@@ -287,3 +297,18 @@ def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
         shares.append(f"{100 * (1 - paper / bishop):.0f} %")
     assert f"by {shares[0]} and by {shares[1]} of Bishop's" in said
     assert "critical method by which the critical circle is looked for: paper, ordinary, bishop" in said
+
+
+def test_the_limits_of_a_file_hold(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    limits = "[search]\nentry_m = [60, 65]\nexit_m = [20, 24]\ndepth_m = 2\nk_h = 0.1\n"
+    search(write(ACADS + limits), "--json")
+    (record,) = json.loads(capsys.readouterr().out)
+    assert 60 - 1e-6 <= record["entry"][0] <= 65
+    assert 20 <= record["exit"][0] <= 24 + 1e-6
+    search(write(ACADS + limits.replace("k_h = 0.1", "")), "--json")
+    (still,) = json.loads(capsys.readouterr().out)
+    assert still["factor_of_safety"]["bishop"] > record["factor_of_safety"]["bishop"] + 0.2
+    assert main(["run", write(SCENE + limits)]) == 0
+    out = capsys.readouterr().out
+    assert re.search("horizontal acceleration k_h of these +0.1", out)
+    assert re.search(r"\nfactor of safety +\d", out)  # the motion's own, without k_h

@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 import tomllib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -60,6 +61,8 @@ def read(path: str | os.PathLike[str]) -> SlopeFile:
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ValueError(f"{file}: is not TOML: {error}") from error
+    if "arc" in document:
+        raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
     given, found = _read(document)
     if not found:
         try:
@@ -198,7 +201,10 @@ def judged(file: SlopeFile, method: str | None = None, told: Callable[[str], Non
     """The critical circle of a slope's file; where it gives a circle, the factors of that one."""
     if file.section is not None:
         return at_circle(file.slope, file.section)
-    return critical(file.slope, method or file.method, **file.limits, told=told)
+    try:
+        return critical(file.slope, method or file.method, **file.limits, told=told)
+    except ValueError as error:
+        raise ValueError(re.sub(r"\b(entry|exit|depth) = ", r"search.\1_m = ", str(error))) from error
 
 
 def _at_start(table: Any) -> Any:
@@ -266,6 +272,8 @@ def _by_key(said: str) -> str:
     keys = {"between": "circle.between_m", "centre": "circle.centre_m", "radius": "circle.radius_m",
             "depth": "circle.depth_m", "base": "ground.base_m", "ground": "ground.points_m", "level": "water.level_m",
             "pore_ratio": "pore_pressure.ratio"}  # fmt: skip
+    if said.startswith("critical: "):
+        return said
     _, _, rest = said.partition(": ")
     for name, key in keys.items():
         if rest.startswith(name) and not rest[len(name) :][:1].isalpha():

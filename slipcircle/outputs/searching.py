@@ -39,7 +39,9 @@ def run(options: argparse.Namespace) -> list[Critical]:
     """Run the command: the result for each slope, shown as a table unless JSON is asked for."""
     if options.plot:
         files.check("search", {"--plot": options.plot}, options.slopes)
-        pictures.check("search", options.plot, 1 if len(options.slopes) == 1 else 10**6)
+        pictures.check("search", options.plot)
+        if len(options.slopes) > 1:
+            raise ValueError(f"search: --plot {options.plot}: shows one slope; search them one by one")
     read = [slopefile.read(find(name)) for name in options.slopes]
     results = [found(file, options.method) for file in read]
     if options.plot:

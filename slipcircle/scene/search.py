@@ -20,7 +20,7 @@ _VALLEYS, _APART = 12, 2.5  # that are followed, and spacings of the coarse fami
 _ROUNDS, _SHRINK, _FINE = 150, 0.6, 1e-5  # a valley is done at this step over its first
 _HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
 _SENSE = 1 / 3  # of an arc that may be under negative stress, without a warning
-_SIZE = 1 << 17  # of an array: ground vertices times circles at a time
+_SIZE = 1 << 13  # ground vertices times circles at a time: what fits into the caches
 _OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 Range = tuple[float, float]
 
@@ -226,7 +226,7 @@ class Search:
 
     def judged(self, q: Floats) -> Floats:
         """The factor of each circle, NaN where there is none, or none that is wanted."""
-        rows = max(64, _SIZE // len(self.ground))  # what fits into the caches
+        rows = max(32, _SIZE // len(self.ground))
         return np.concatenate([self._judged(q[k : k + rows]) for k in range(0, len(q), rows)])
 
     def _judged(self, q: Floats) -> Floats:

@@ -36,7 +36,6 @@ the motion starts from, so that a slope may stand by Bishop's factor and slide b
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 _BELOW_0 = -5e-324
-_BLOCK = 1 << 13  # ground vertices times circles at a time: what fits into the caches
 _ROUNDS, _LEAST = 60, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
 
@@ -127,6 +126,14 @@ class Factors(NamedTuple):
     negative: Floats
 
 
+def _edge(line: Floats, above: Floats, x: Floats) -> tuple[Floats, Floats]:
+    """Of the edge of a line above a point, continued where the line ends: its height at x, and its slope."""
+    k = np.clip(np.searchsorted(line[:, 0], above) - 1, 0, len(line) - 2)
+    run, rise = np.diff(line, axis=0).T
+    slope = np.divide(rise, run, out=np.zeros(len(run)), where=run > 0.0)
+    return line[k, 1] + slope[k] * (x - line[k, 0]), slope[k]
+
+
 def factors(
     slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats, methods: Collection[str] = METHODS
 ) -> Factors:
@@ -148,22 +155,6 @@ def factors(
     its other convention, (W - u b) cos(a), gives greater ones. Bishop's method refuses a circle where m_alpha falls
     below 0.05; all methods refuse one that overhangs at an end, or whose centre lies below the ground.
     """
-    given, size = (centre, radius, left, right), max(32, _BLOCK // len(np.asarray(slope.ground)))
-    found = [_block(slope, methods, *(x[k : k + size] for x in given)) for k in range(0, len(radius) or 1, size)]
-    return Factors(*(np.concatenate(column) for column in zip(*found, strict=True)))
-
-
-def _edge(line: Floats, above: Floats, x: Floats) -> tuple[Floats, Floats]:
-    """Of the edge of a line above a point, continued where the line ends: its height at x, and its slope."""
-    k = np.clip(np.searchsorted(line[:, 0], above) - 1, 0, len(line) - 2)
-    run, rise = np.diff(line, axis=0).T
-    slope = np.divide(rise, run, out=np.zeros(len(run)), where=run > 0.0)
-    return line[k, 1] + slope[k] * (x - line[k, 0]), slope[k]
-
-
-def _block(
-    slope: Slope, methods: Collection[str], centre: Floats, radius: Floats, left: Floats, right: Floats
-) -> Factors:
     ground, n, (cx, cy) = np.asarray(slope.ground), len(radius), centre.T
     first, last = (np.arctan2(p[:, 0] - cx, cy - p[:, 1]) for p in (left, right))
     sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
