@@ -10,7 +10,7 @@ import pytest
 
 from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
-from slipcircle.scene.search import Critical, critical
+from slipcircle.scene.search import Critical, Search, critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import METHODS, Factors, Slope, factors
 
@@ -253,6 +253,18 @@ def test_limits_hold() -> None:
     again = critical(slope)
     assert again == free
     assert np.array_equal(again.values, free.values, equal_nan=True)
+
+
+def test_a_mass_is_one_piece() -> None:
+    # From crest to toe below the bench, and so flat that the bench stands out below the arc.
+    slope = Slope([(-60, 20), (-30, 20), (-20, 12), (-12, 12), (10, 0), (60, 0)], 10e3, 0.5, 19e3)
+    search = Search(slope, "bishop", None, None, 0.0)
+    crest, toe = search.along[1], search.along[4]
+    flat, deep = search.judged(np.array([[crest, toe, 0.05], [crest, toe, 0.9]])).tolist()
+    assert math.isnan(flat)
+    assert deep > 0.0
+    centre, radius, _, _ = search.laid(np.array([[crest, toe, 0.05], [crest, toe, 0.9]]))
+    assert [len(masses(slope.ground, centre[k : k + 1], radius[k : k + 1])[1]) for k in (0, 1)] == [2, 1]
 
 
 def test_a_circle_at_the_end_of_the_ground_is_told() -> None:

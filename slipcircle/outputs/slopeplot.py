@@ -68,7 +68,8 @@ def outline(soil: Any, circle: Any) -> Any:
     first, last = _angles(circle)
     arc = _points(circle, np.linspace(first, last, _ON_ARC))
     ground, (left, right) = np.asarray(soil.ground, dtype=np.float64), sorted((circle.entry[0], circle.exit[0]))
-    inner = ground[(ground[:, 0] > left) & (ground[:, 0] < right)]
+    within = np.hypot(*(ground - circle.centre).T) < (1 - 1e-9) * float(np.asarray(circle.radius))  # also on a scarp
+    inner = ground[(ground[:, 0] >= left) & (ground[:, 0] <= right) & within]
     return np.concatenate([arc, inner[::-1]])
 
 
