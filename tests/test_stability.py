@@ -263,8 +263,10 @@ def test_a_mass_is_one_piece() -> None:
     flat, deep = search.judged(np.array([[crest, toe, 0.05], [crest, toe, 0.9]])).tolist()
     assert math.isnan(flat)
     assert deep > 0.0
-    centre, radius, _, _ = search.laid(np.array([[crest, toe, 0.05], [crest, toe, 0.9]]))
-    assert [len(masses(slope.ground, centre[k : k + 1], radius[k : k + 1])[1]) for k in (0, 1)] == [2, 1]
+    _, _, left, right = masses(slope.ground, *search.laid(np.array([[crest, toe, 0.05], [crest, toe, 0.9]]))[:2])
+    assert left[0, 0] > -20.0  # the flat circle cuts off what lies below the bench alone
+    assert left[1] == pytest.approx([-30, 20])
+    assert right == pytest.approx(np.array([[10.0, 0.0], [10.0, 0.0]]))
 
 
 def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
