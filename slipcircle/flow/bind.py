@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from slipcircle.base.series import Pulse, Series
-from slipcircle.flow import tables, walk
+from slipcircle.flow import cells as its
+from slipcircle.flow import tables
 from slipcircle.flow.program import Program, join
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
@@ -150,20 +151,20 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     for k, slot in enumerate(program.tables):
         piece, scale, factor = pieces[slot.name]
         data.append(piece)
-        cells[slot.cells + walk.SCALE], cells[slot.cells + walk.SCALED_BY] = scale, factor
+        cells[slot.cells + its.SCALE], cells[slot.cells + its.SCALED_BY] = scale, factor
         if slot.name in grown:
             functions[k] = grown[slot.name]
     with np.errstate(over="ignore"):
-        cells[walk.OMEGA] = np.asarray(velocity, dtype=np.float64) / radius * time_scale
-        cells[walk.END_TIME] = np.asarray(end_time, dtype=np.float64) / time_scale
+        cells[its.OMEGA] = np.asarray(velocity, dtype=np.float64) / radius * time_scale
+        cells[its.END_TIME] = np.asarray(end_time, dtype=np.float64) / time_scale
     # The steps of one scene cost next to nothing, whatever their order.
-    cells[walk.ORDER], cells[walk.FACTOR] = order(min(accuracy, FINEST) if lanes == 1 else accuracy), STEP
-    cells[[walk.FIRST_STOP, walk.LIFT_TIME]] = np.nan
-    cells[walk.CLOSE] = np.inf
+    cells[its.ORDER], cells[its.FACTOR] = order(min(accuracy, FINEST) if lanes == 1 else accuracy), STEP
+    cells[[its.FIRST_STOP, its.LIFT_TIME]] = np.nan
+    cells[its.CLOSE] = np.inf
     shaken = called.get("shaking", {})
-    cells[walk.ONE_WAY] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
-    cells[walk.FIRST_ONLY] = np.where(np.isinf(cells[walk.END_TIME]), _first_only(effects, parts, given), 0.0)
-    cells[walk.LIMIT] = np.abs(weights.static_limit)
+    cells[its.ONE_WAY] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
+    cells[its.FIRST_ONLY] = np.where(np.isinf(cells[its.END_TIME]), _first_only(effects, parts, given), 0.0)
+    cells[its.LIMIT] = np.abs(weights.static_limit)
     return Bound(program, data, cells, time_scale, functions, joined)
 
 

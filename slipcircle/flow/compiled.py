@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.series import SCALAR, SERIES
-from slipcircle.flow import walk
+from slipcircle.flow import cells as its
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
 
@@ -79,8 +79,8 @@ def flat(program: Program) -> bytes:
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
 
-def run(program: Program, tables: Sequence[Data], cells: Floats, samples: walk.Samples | None = None,
-        log: walk.Log | None = None, level: str | None = None) -> None:  # fmt: skip
+def run(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
+        log: its.Log | None = None, level: str | None = None) -> None:  # fmt: skip
     """Walk every lane until it rests, ends or fails, as `slipcircle.flow.walk.walk` does; other threads run meanwhile.
 
     Parameters
@@ -97,7 +97,7 @@ def run(program: Program, tables: Sequence[Data], cells: Floats, samples: walk.S
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
-    code, order, left = flat(program), int(cells[walk.ORDER].max()), 1
+    code, order, left = flat(program), int(cells[its.ORDER].max()), 1
     while left:
         left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:

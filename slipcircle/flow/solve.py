@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
+from slipcircle.flow.columns import Columns
 from slipcircle.flow.program import Program
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
@@ -19,7 +21,7 @@ Floats = NDArray[np.float64]
 BLOCK = 16384  # lanes at once, so that what they need stays in the cache
 
 
-def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = None, log: walk.Log | None = None,
+def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = None, log: its.Log | None = None,
            walker: Any = None) -> Floats:  # fmt: skip
     """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
     cells, data = bound.start(), list(bound.tables)
@@ -27,16 +29,16 @@ def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = No
         frozen.walk(bound.program, data, cells, samples, log)
     while True:
         (walker or (compiled.run if compiled.module() else walk.walk))(bound.program, data, cells, samples, log)
-        asking = cells[walk.STATUS] == walk.NEED
+        asking = cells[its.STATUS] == its.NEED
         if not np.any(asking):
             break
         for k, grown in bound.functions.items():
             data[k] = _longer(data[k], grown)
-        lanes = walk.Lanes(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
+        lanes = Columns(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
         lanes.base()
         cells[:, asking] = lanes.c
-        cells[walk.STATUS, asking] = walk.MOVING
-    long = (cells[walk.STATUS] == walk.TOO_LONG) & (cells[walk.STEPS] > walk.MOST_STEPS)
+        cells[its.STATUS, asking] = its.MOVING
+    long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS)
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells
@@ -108,7 +110,7 @@ class Lanes:
     @cached_property
     def bound(self) -> Bound:
         found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
-        found.cells[walk.STATUS, np.broadcast_to(self.invalid, self.count)] = walk.FAILED
+        found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
         return found
 
     @property
@@ -132,7 +134,7 @@ class Lanes:
         weight = np.multiply(arc.width, arc.unit_weight) * np.power(arc.radius, 3.0)
         return weight * arc.dimensionless.moment_of_inertia
 
-    def solve(self, log: walk.Log | None = None) -> Floats:
+    def solve(self, log: its.Log | None = None) -> Floats:
         """The cells of all lanes at their end."""
         return walked(self.bound, self.closed, None, log)
 
@@ -142,7 +144,7 @@ class Lanes:
         at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
         rows = np.zeros((2 + len(bound.program.states), times.size, self.count))
         found = np.full((2 + len(bound.program.states), times.size, self.count), np.nan)
-        cells = walked(bound, closed, walk.Samples(np.ascontiguousarray(at), rows))
+        cells = walked(bound, closed, its.Samples(np.ascontiguousarray(at), rows))
         found[:, order] = rows
         return found, cells
 
@@ -183,7 +185,7 @@ class Lanes:
             c, _ = self._begun(bound, time, rotation, 0.0, further, each, side)
             roles = bound.program.roles
             driving, resisting, normal = (c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0"))
-            may = walk.Lanes(bound.program, (), c, None, each).may_start(side)
+            may = Columns(bound.program, (), c, None, each).may_start(side)
             with np.errstate(all="ignore"):
                 held = np.where((normal > 0.0) & may, (driving - resisting) / normal, np.nan)
             found = np.fmax(found, np.maximum(held, 0.0).reshape(found.shape))
@@ -203,10 +205,10 @@ class Lanes:
                side: Any) -> tuple[Floats, Floats]:  # fmt: skip
         """Cells and registers at the start of a phase in given states."""
         cells = bound.cells[:, each].copy()
-        cells[walk.TIME], cells[walk.ROTATION], cells[walk.OMEGA] = time, rotation, np.abs(omega)
-        cells[walk.DIRECTION], cells[walk.LIFTED] = side, 0.0
+        cells[its.TIME], cells[its.ROTATION], cells[its.OMEGA] = time, rotation, np.abs(omega)
+        cells[its.DIRECTION], cells[its.LIFTED] = side, 0.0
         if further is not None:
-            cells[walk.SLIP] = further[0]
+            cells[its.SLIP] = further[0]
             for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
                 cells[cell] = value
         parts = [t.lanes(each) if t.coefficients.ndim == 3 else t for t in bound.tables]
@@ -216,8 +218,8 @@ class Lanes:
     def brake(self) -> Floats:
         """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
         bound = self.bound
-        lanes = walk.Lanes(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
-        lanes.c[walk.DIRECTION] = 1.0
+        lanes = Columns(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
+        lanes.c[its.DIRECTION] = 1.0
         with np.errstate(all="ignore"):
             lanes.base()
             return 2 * frozen.brake(lanes)
@@ -231,9 +233,9 @@ class Lanes:
         bound = self.bound.shaken()
         roles, at = bound.program.roles, bound.program.places
         c = bound.cells
-        c[walk.OMEGA], c[walk.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
+        c[its.OMEGA], c[its.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
         c[at["k_h"]], shaken = 0.0, c.copy()
-        shaken[at["k_h"]] = c[walk.DIRECTION]
+        shaken[at["k_h"]] = c[its.DIRECTION]
         _begin(bound.program, bound.tables, c)
         _begin(bound.program, bound.tables, shaken)
         driving, resisting, normal, mu, limit = (
@@ -260,4 +262,4 @@ class Lanes:
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
         found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}
-        return found, bound.cells[walk.OMEGA] ** 2 / 2
+        return found, bound.cells[its.OMEGA] ** 2 / 2

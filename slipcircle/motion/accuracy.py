@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.flow import walk
+from generated.flow import CELLS
+from slipcircle.flow import cells as its
 from slipcircle.flow.bind import STEP, Bound
 from slipcircle.flow.program import Program
 from slipcircle.flow.solve import Lanes, walked
@@ -18,10 +19,10 @@ Floats = NDArray[np.float64]
 # the combination that matters more often.
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
-MOVED = 4 * walk.EPS  # what rounding may do to an input
+MOVED = 4 * its.EPS  # what rounding may do to an input
 ORDERS = np.array([0, 1, 2, 3, 4, 1, 2, 3])  # of the motion itself, and of its companions
 FACTORS = np.array([STEP, 0.130, 0.125, 0.120, 0.115, 0.110, 0.105, 0.100])
-TIMES, LEAST = 3.0, 8 * walk.EPS / 2  # the spread counts thrice, and is at least this
+TIMES, LEAST = 3.0, 8 * its.EPS / 2  # the spread counts thrice, and is at least this
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 SHARES = (np.arange(16) + 0.5) / 16  # of the duration, at which states are compared
 
@@ -29,11 +30,11 @@ SHARES = (np.arange(16) + 0.5) / 16  # of the duration, at which states are comp
 @lru_cache(maxsize=256)
 def _moves(program: Program) -> tuple[NDArray[np.intp], Floats]:
     """The inputs of a program, and by what the motion itself and its companions multiply them, (8, inputs)."""
-    names, reserved = program.cells, len(walk.CELLS)
+    names, reserved = program.cells, len(CELLS)
     inputs = [
         k for k in range(reserved, len(names)) if "." not in names[k] or not names[k].rpartition(".")[2].isupper()
     ]
-    every = [walk.LIMIT, walk.OMEGA, *inputs, *(slot.cells + walk.SCALED_BY for slot in program.tables)]
+    every = [its.LIMIT, its.OMEGA, *inputs, *(slot.cells + its.SCALED_BY for slot in program.tables)]
     kept = [place for place, k in enumerate(every) if not names[k].startswith("=")]
     signs = np.array([np.zeros(len(kept)), *(signs[np.array(kept) % 7] for signs in SIGNS)])
     return np.array(every)[kept], 1.0 + signs * MOVED
@@ -49,8 +50,8 @@ def companions(bound: Bound, which: Any) -> Bound:
     if np.ndim(which):
         cells = np.repeat(cells, len(which), axis=1)
     cells[inputs] *= factors[which].T if np.ndim(which) else factors[which, :, None]
-    cells[walk.ORDER] += ORDERS[which]
-    cells[walk.FACTOR] = FACTORS[which]
+    cells[its.ORDER] += ORDERS[which]
+    cells[its.FACTOR] = FACTORS[which]
     return bound._replace(cells=cells)
 
 
@@ -62,28 +63,28 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
     """
     bound, single = lanes.bound, lanes.count == 1
     duration = _duration(cells)
-    run_out = np.maximum(np.abs(cells[walk.END_ROTATION]), 1e-300)
-    peak = np.maximum(np.abs(cells[walk.PEAK_OMEGA]), 1e-300)
-    moves = cells[walk.PHASES] > 0.0
+    run_out = np.maximum(np.abs(cells[its.END_ROTATION]), 1e-300)
+    peak = np.maximum(np.abs(cells[its.PEAK_OMEGA]), 1e-300)
+    moves = cells[its.PHASES] > 0.0
     along: Any = 0.0
     if single:  # all at once, beside the motion itself
         times = np.ascontiguousarray(SHARES[:, None] * duration)
-        samples = walk.Samples(np.repeat(times, 8, axis=1), np.zeros((2 + len(bound.program.states), len(times), 8)))
+        samples = its.Samples(np.repeat(times, 8, axis=1), np.zeros((2 + len(bound.program.states), len(times), 8)))
         found: Any = [walked(companions(bound, np.arange(8)), lanes.closed, samples)]
         if moves[0]:
             off = np.abs(samples.states[:2] - samples.states[:2, :, :1]).max(axis=1)
             along = np.maximum(off[0] / run_out, off[1] / peak)
     else:
         found = (walked(companions(bound, k), lanes.closed) for k in range(1, 8))
-    spread, unlike = np.zeros(lanes.count), cells[walk.CLOSE] < UNDECIDED
+    spread, unlike = np.zeros(lanes.count), cells[its.CLOSE] < UNDECIDED
     for other in found:
         off = np.fmax.reduce([
             np.abs(_duration(other) - duration) / np.maximum(duration, 1e-300),
-            np.abs(other[walk.END_ROTATION] - cells[walk.END_ROTATION]) / run_out,
-            np.abs(np.abs(other[walk.PEAK_OMEGA]) - np.abs(cells[walk.PEAK_OMEGA])) / peak,
+            np.abs(other[its.END_ROTATION] - cells[its.END_ROTATION]) / run_out,
+            np.abs(np.abs(other[its.PEAK_OMEGA]) - np.abs(cells[its.PEAK_OMEGA])) / peak,
             along + np.zeros(other.shape[1]),
         ])  # fmt: skip
-        other_way = (other[walk.STATUS] != cells[walk.STATUS]) | ((other[walk.PHASES] > 0.0) != moves)
+        other_way = (other[its.STATUS] != cells[its.STATUS]) | ((other[its.PHASES] > 0.0) != moves)
         spread = np.fmax(spread, np.fmax.reduce(off) if single else off)
         unlike = unlike | (np.any(other_way) if single else other_way)
     likely = np.where(moves, np.maximum(TIMES * spread, LEAST), 0.0)
@@ -91,4 +92,4 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
 
 
 def _duration(cells: Any) -> Any:
-    return np.where(cells[walk.STATUS] == walk.ENDED, cells[walk.END_TIME], cells[walk.REST_SINCE])
+    return np.where(cells[its.STATUS] == its.ENDED, cells[its.END_TIME], cells[its.REST_SINCE])

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
+from slipcircle.flow.cells import MOST_TURNS
 from slipcircle.flow.solve import BLOCK, Lanes
-from slipcircle.flow.walk import MOST_TURNS
 from slipcircle.motion.motion import TOLD, Motion, Status
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.scene.scene import Scene
