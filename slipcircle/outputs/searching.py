@@ -3,7 +3,6 @@
 import argparse
 import sys
 from functools import partial
-from pathlib import Path
 
 from slipcircle.base import files
 from slipcircle.files import slopefile
@@ -45,8 +44,8 @@ def run(options: argparse.Namespace) -> list[Critical]:
     read = [slopefile.read(find(name)) for name in options.slopes]
     results = [found(file, options.method) for file in read]
     if options.plot:
-        draw, kind = partial(slopeplot.searched, results[0]), Path(options.plot).suffix[1:].lower()
-        files.write(options.plot, pictures.render(draw, (9.0, 6.0), kind))
+        draw = partial(slopeplot.searched, results[0])
+        files.write(options.plot, pictures.render(draw, (9.0, 6.0), options.plot))
     for file, result in zip(read, results, strict=True):
         if result.warning:
             say(f"{file.name}: {result.warning}")

@@ -1,5 +1,7 @@
 """A scene: the arc, its friction, the effects that it calls for, how it starts and when it ends."""
 
+from __future__ import annotations  # so that a signature says ArrayLike
+
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -73,7 +75,7 @@ class Scene:
     name: str = ""
     note: str = ""
     uncertain: Mapping[str, Any] = field(default_factory=dict)
-    stability: "Critical | None" = None
+    stability: Critical | None = None
 
     def __post_init__(self) -> None:
         effects, found = _named(self.effects)
