@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1a2b5c8ca46c3a35bfbecf293a80802316cafbaa361c0813d27924978fa75992
+# sha256 of the text below: 9e4e727347b89039f683d3b80c48858f2fc65b40da7868e6a7ea12c383edaa8a
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -121,11 +121,15 @@ EFFECTS = {
         'the mass presses harder on the slip surface the faster it turns', False, (), ('adds A omega^2 to sigma',)),
     'pore_pressure': Effect('pore_pressure', '2.20', (
         Parameter('ratio', '', -5e-324, 1.0,
-            'r_u, pore pressure over the static normal stress at the position, constant or a function of time', 'ratio',
-            1.0, 'pore_ratio', lambda value, scales: value, True, 'series'),
+            'r_u, pore pressure over the static normal stress at the position (of a real section over the weight of '
+            'the soil above), constant or a function of time', 'ratio', 1.0, 'pore_ratio', lambda value,
+            scales: scales['cover']*value, True, 'series'),
         Parameter('pressure', 'Pa', -5e-324, INFINITY,
             'mean pore pressure on the slip surface, constant or a function of time', 'pressure_kPa', 1000.0,
             'pore_pressure', lambda value, scales: value/scales['reference_stress'], True, 'series'),
+        Parameter('level', 'Pa', -5e-324, INFINITY,
+            'mean pressure on the arc of a real section below its water level, which stays while the mass turns '
+            'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation'),
         Parameter('time', 's', -5e-324, INFINITY,
             'times of a ratio or pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value,
             scales: value, True, 'list'),
@@ -144,7 +148,8 @@ EFFECTS = {
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
             1.0, '', lambda value, scales: value, True, 'refuse|linear'),
     ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure', 'record'),
-        ('adds J_r pore_ratio/lambda + pore_pressure* to u', 'pore_pressure* = pressure/sigma_ref')),
+        ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'pore_ratio* = cover ratio',
+        'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, INFINITY, 'shear strength without normal stress', 'cohesion_kPa', 1000.0,
             'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),

@@ -399,7 +399,7 @@ def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
     """What makes a parameter dimensionless, as people read it, computed."""
     names = {"alpha": "half_angle", "g": "gravity", "R": "radius", "rho": "density", "sigma_ref": "reference_stress",
              "Theta": "Theta"}  # fmt: skip
-    scales = {name: 1.0 + 0.37 * k for k, name in enumerate((*names.values(), "thickness", "heat_capacity"))}
+    scales = {name: 1.0 + 0.37 * k for k, name in enumerate((*names.values(), "thickness", "heat_capacity", "cover"))}
     known = scales | {short: scales[name] for short, name in names.items()} | {"sqrt": np.sqrt}
     told = {e: [f.split("* = ") for f in effect.formulas if "* = " in f] for e, effect in EFFECTS.items()}
     for effect, formulas in told.items():
@@ -407,7 +407,7 @@ def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
             (p,) = (p for p in EFFECTS[effect].parameters if p.symbol == symbol)
             product = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula)
             assert np.isclose(eval(product, known | {p.name: 7.0}), p.dimensionless(7.0, scales), rtol=1e-14)
-    assert sum(map(len, told.values())) == 5
+    assert sum(map(len, told.values())) == 8
 
 
 def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:

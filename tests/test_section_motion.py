@@ -92,14 +92,6 @@ def test_the_factor_is_that_of_the_paper_along_the_circle(ratio: float) -> None:
 
 
 def test_what_is_not_solved_is_told() -> None:
-    level, section = np.array([[0.0, 25.0], [30.0, 25.0], [45.0, 32.0], [90.0, 32.0]]), body()
-    (x1, _), (x2, _) = section.exit, section.entry
-    beta = np.linspace(math.asin((x1 - 29.5) / 28.6), math.asin((x2 - 29.5) / 28.6), 200_001)
-    x, y = 29.5 + 28.6 * np.sin(beta), 53.6 - 28.6 * np.cos(beta)
-    mean = float(np.mean(np.maximum(np.interp(x, *level.T) - y, 0.0))) * 9.81
-    assert mean > 5.0
-    with pytest.raises(ValueError, match=rf"arc\.level: .* is {mean:.4g}\d* kPa at the start"):
-        Scene(body(level=level), 0.3)
     many = Section(GROUND, [[29.5, 53.6], [29.5, 53.7]], [28.6, 28.7], 20e3, between=(29.0, 60.0))
     with pytest.raises(ValueError, match="must be one section"):
         Scene(many, 0.3)
@@ -142,7 +134,6 @@ def test_from_a_file_to_the_slide(tmp_path: Path, capsys: pytest.CaptureFixture[
         ('critical = "bishop"', 'critical = "bishp"', "did you mean bishop"),
         ("[circle]", "[search]\n", "circle: is missing"),
         ("[rotation]", "[rotatoin]", "did you mean rotation"),
-        ("[rotation]", "[water]\nlevel_m = [[0, 25], [30, 25], [90, 33]]\n[rotation]", "water.level_m: a water level"),
         ("[rotation]", "[arc]\nradius_m = 3\n[rotation]", "exclude each other"),
     ],
 )

@@ -25,8 +25,8 @@ class Fragment(NamedTuple):
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
-    argument (of time, its own) and the degree of its pieces.
+    out. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -36,7 +36,7 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, int] | None = None
+    table: tuple[str, str, str, int] | None = None
 
 
 # The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime

@@ -60,8 +60,8 @@ class Fragment:
 
     ``scalar`` computes cells from cells where a phase begins, ``series`` coefficients from coefficients. ``adds`` gives
     for each quantity of the balance its base, the size of the base's terms, and its increment, a sum of (cell,
-    register). ``states`` are further states, each with the register of its rate. A ``table`` is of slip,
-    speed or time, with the register of its argument (or, of time, its own) and the degree of its pieces.
+    register). ``states`` are further states, each with the register of its rate. A ``table`` has its name, is of slip,
+    speed, rotation or time, with the register of its argument (or, of time, its own) and the degree of its pieces.
     """
 
     name: str
@@ -72,7 +72,7 @@ class Fragment:
     series: tuple[tuple[object, ...], ...]
     adds: Mapping[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, int] | None = None
+    table: tuple[str, str, str, int] | None = None
 
 
 @dataclass
@@ -210,7 +210,7 @@ class Lowering:
 
     def fragment(self, words: Iterable[str], adds: Mapping[str, sp.Expr], inputs: Iterable[str] = (),
                  optional: Iterable[str] = (), states: Mapping[str, sp.Expr] | None = None,
-                 table: tuple[str, str, int] | None = None) -> Fragment:  # fmt: skip
+                 table: tuple[str, str, str, int] | None = None) -> Fragment:  # fmt: skip
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())

@@ -82,7 +82,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     scales = {
         "half_angle": arc.half_angle, "gravity": arc.gravity, "reference_stress": arc.reference_stress,
         "Theta": arc.dimensionless.moment_of_inertia, "radius": radius,
-        "density": np.divide(arc.unit_weight, arc.gravity),
+        "density": np.divide(arc.unit_weight, arc.gravity), "cover": weights.cover,
     }  # fmt: skip
     pieces: dict[str, tuple[tables.Data, Any, Any]] = {}  # by name: data, scale, factor
     grown: dict[str, Grown] = {}
@@ -92,11 +92,12 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
             if not p.symbol:
                 continue
             value = called[effect].get(p.name, 0.0)
-            share = weights.cover if (effect, p.name) == ("pore_pressure", "ratio") else 1.0
-            if callable(value):
-                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(share, scales | own)
+            if callable(value) and p.kind == "rotation":
+                pieces[p.symbol] = _under_water(arc, effects), 1.0, p.dimensionless(1.0, scales | own)
+            elif callable(value):
+                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(1.0, scales | own)
             else:
-                given[p.symbol] = p.dimensionless(value * share, scales | own)
+                given[p.symbol] = p.dimensionless(value, scales | own)
     for name, parameters in parts:
         _law(name, parameters, radius, time_scale, given, pieces, grown)
     cells = np.zeros((len(program.cells), lanes))
@@ -140,6 +141,22 @@ def _limit(program: Program, data: list[tables.Data], cells: Floats, limit: Any)
         driving, resisting, normal = (c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0"))
         alone = (driving == c[roles["cell_f0"]]) & (normal == c[roles["cell_p0"]]) & (resisting == 0.0)
         return np.where(alone, np.abs(limit), (driving - resisting) / normal)
+
+
+def _under_water(section: Any, effects: tuple[str, ...]) -> tables.Data:
+    """The mean pore pressure under a section's water level, Pa, at all rotations until its weight presses no more."""
+    if not any(EFFECTS[e].turns for e in effects):
+        still = np.zeros((1, tables.TERMS, *section.shape))
+        still[0, 0] = section.mean_pressure()
+        return tables.Data(np.zeros(1), still, np.zeros(1))
+    weights = section.weights
+    upright = np.arctan2(weights.press, weights.press_slope)  # J_r cos phi - J_r' sin phi falls to zero
+    kinks = np.moveaxis(section.pressure_kinks, -1, 0)
+    if section.shape:
+        return tables.turning(section.mean_pressure, kinks, upright - np.pi, upright)
+    most, kinks = np.reshape(upright, 1), kinks[:, None]
+    found = tables.turning(lambda turn: section.mean_pressure(turn[..., 0])[..., None], kinks, most - np.pi, most)
+    return found._replace(breaks=found.breaks[:, 0], coefficients=found.coefficients[..., 0])
 
 
 def in_time(function: Any) -> tables.Data:

@@ -55,7 +55,7 @@ class _Implicit(w.Lanes):
             found.append((99, lambda t, y: float(self._registers(t, y)[roles["upright"]])))
         for k, slot in enumerate(self.program.tables):
             upper, lower = (float(self.c[slot.cells + x, 0]) for x in (w.UPPER, w.LOWER))
-            at = {"slip": 0, "speed": 1}.get(slot.kind)
+            at = {"slip": 0, "rotation": 0, "speed": 1}.get(slot.kind)
             if at is not None and np.isfinite(upper):
                 found.append((2 + 2 * k, partial(_short_of, at, upper, 1.0)))
             if slot.kind == "speed" and lower:

@@ -129,7 +129,7 @@ class Lanes:
         """The pieces in which the lanes' slips and speeds lie, wherever they came from."""
         c = self.c
         for slot, data in zip(self.program.tables, self.tables, strict=True):
-            if slot.kind != "time":
+            if slot.kind in ("slip", "speed"):
                 argument = c[SLIP if slot.kind == "slip" else OMEGA] * c[slot.cells + SCALE]
                 c[slot.cells + PIECE] = np.maximum(np.searchsorted(data.breaks, argument, side="right") - 1, 0)
 
@@ -207,13 +207,36 @@ class Lanes:
     def _piece(self, slot: Table, data: Data) -> None:
         """Where a phase begins: the piece's bounds, its value and the coefficients of what is beyond."""
         c, at = self.c, slot.cells
-        scale, factor = c[at + SCALE], c[at + SCALED_BY]
+        factor = c[at + SCALED_BY]
         if slot.kind == "time":
             self._time_piece(slot, data)
             c[at + INC] = 0.0
             terms = self._local(slot, data)
             c[at + VALUE] = terms[0]
             return
+        if slot.kind == "rotation":
+            terms, powers = self._turned(slot, data)
+        else:
+            terms, powers = self._passed(slot, data)
+        c[at + VALUE] = factor * terms[0]
+        for j in range(1, slot.degree + 1):
+            c[at + Q1 + j - 1] = factor * terms[j] * powers**j if j < len(terms) else 0.0
+
+    def _turned(self, slot: Table, data: Data) -> tuple[Floats, Floats]:
+        """Of the rotation, which goes either way: the piece that lies ahead, about now, in the direction of travel."""
+        c, at = self.c, slot.cells
+        turn, side = c[ROTATION], c[DIRECTION]
+        piece, last = data.entered(turn, side > 0.0), len(data.breaks) - 1
+        c[at + PIECE] = piece
+        edge, above = data.begins(piece), data.begins(np.minimum(piece + 1, last))
+        bound = np.where(side > 0.0, np.where(piece < last, above, np.inf), np.where(piece > 0, edge, -np.inf))
+        c[at + UPPER] = side * (bound - turn)
+        return shifted(data.polynomial(piece), turn - edge), side
+
+    def _passed(self, slot: Table, data: Data) -> tuple[Floats, Floats]:
+        """Of slip or speed."""
+        c, at = self.c, slot.cells
+        scale = c[at + SCALE]
         piece = c[at + PIECE].astype(np.intp)
         edge, last = data.breaks[piece], len(data.breaks) - 1
         poly = data.polynomial(piece)
@@ -221,19 +244,14 @@ class Lanes:
         if slot.kind == "slip":
             local = np.maximum(c[SLIP] * scale - edge, 0.0)
             c[at + UPPER] = (above - edge - local) / scale
-            terms = shifted(poly, local)
-            powers = scale
+            return shifted(poly, local), scale
         else:
             moving = c[OMEGA] * scale > 0.0
             local = np.where(moving, np.log(np.where(moving, c[OMEGA] * scale, edge) / edge), 0.0)
             inside = piece > 0  # piece 0 is constant, below the first speed
             local = np.where(inside, local, 0.0)
             c[at + UPPER], c[at + LOWER] = above / scale, np.where(inside, edge / scale, 0.0)
-            terms = shifted(poly, local)
-            powers = np.ones_like(scale)
-        c[at + VALUE] = factor * terms[0]
-        for j in range(1, slot.degree + 1):
-            c[at + Q1 + j - 1] = factor * terms[j] * powers**j if j < len(terms) else 0.0
+            return shifted(poly, local), np.ones_like(scale)
 
     def _time_piece(self, slot: Table, data: Data) -> None:
         c, at = self.c, slot.cells
@@ -454,7 +472,7 @@ class Lanes:
         for k, slot in enumerate(p.tables):
             if slot.kind == "time":
                 continue
-            ahead = -(r[p.roles["x"]] if slot.kind == "slip" else omega)
+            ahead = -(omega if slot.kind == "speed" else r[p.roles["x"]])
             bound = np.where(np.isfinite(c[slot.cells + UPPER]), c[slot.cells + UPPER], 1e300)
             ahead[0] += bound
             later(2 + 2 * k, ahead, c[PASSED] == SLOWER if slot.kind == "speed" else None)
@@ -504,7 +522,10 @@ class Lanes:
                 continue
             at, data = slot.cells, self.tables[k]
             up, down = event == 2 + 2 * k, event == 3 + 2 * k
-            if slot.kind == "slip":
+            if slot.kind == "rotation":
+                edge = data.begins(c[at + PIECE].astype(np.intp) + (up & (c[DIRECTION] > 0.0)))
+                c[ROTATION] = np.where(up, edge, c[ROTATION])
+            elif slot.kind == "slip":
                 c[at + PIECE, up] += 1.0
                 edge = data.breaks[c[at + PIECE].astype(np.intp)]
                 c[SLIP] = np.where(up, edge / c[at + SCALE], c[SLIP])

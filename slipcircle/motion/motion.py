@@ -465,6 +465,11 @@ class Motion:
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"
             )
+        section = self.plan.scene.arc
+        depth = section.drowned(self.reach.rotation, self.end.rotation) if isinstance(section, Section) else 0.0
+        if depth > 1e-6 * self._lanes.radius:
+            found.append(f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water "
+                         "above it is left out")  # fmt: skip
         if self.swings_back:
             found.append(
                 f"the mass swings back: it reaches {abs(self.reach.displacement):.4g} m after {self.reach.time:.4g} s, "

@@ -138,7 +138,7 @@ class _Seeds:
         self.growths = {
             "half_angle": alpha_dot / alpha, "gravity": gravity, "Theta": inertia / alpha * alpha_dot, "radius": radius,
             "reference_stress": unit_weight + radius + alpha_dot / math.tan(alpha / 2),
-            "density": unit_weight - gravity,
+            "density": unit_weight - gravity, "cover": 0.0 * radius,
         }  # fmt: skip
         self.tables: dict[str, tuple[Any, Any, list[Data] | None]] = {}  # growth of scale, of factor; data by parameter
         self._effects(c, at)
@@ -156,7 +156,7 @@ class _Seeds:
         scales = {
             "half_angle": float(arc.half_angle), "gravity": float(arc.gravity), "radius": float(arc.radius),
             "reference_stress": float(arc.reference_stress), "Theta": float(arc.dimensionless.moment_of_inertia),
-            "density": float(arc.unit_weight) / float(arc.gravity),
+            "density": float(arc.unit_weight) / float(arc.gravity), "cover": float(arc.weights.cover),
         }  # fmt: skip
         for effect, given in self.lanes.called.items():
             own = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}

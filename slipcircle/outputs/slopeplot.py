@@ -66,6 +66,8 @@ def slide(motion: Motion, body: Section, ax: Any = None) -> Any:
     for role, _, words in places:
         ax.add_patch(Polygon(turned[role], closed=True, label=words, zorder=2, **AREAS[role]))
     ax.plot(*ground.T, color="black", lw=1.4, zorder=3, label="ground")
+    if body.level is not None:
+        _water(ax, body.level, (ground[0, 0], ground[-1, 0]))
     toe, (cx, cy) = np.asarray(body.exit), np.asarray(body.centre, dtype=np.float64)
     ax.plot(*mass[:_ON_ARC].T, zorder=4, label="slip circle", **LINES["main"])
     if motion.moves:
@@ -88,9 +90,14 @@ def outline(body: Section) -> Any:
     first, last = (np.arctan2(x - centre[0], centre[1] - y) for x, y in (left, right))
     beta = np.linspace(first, last, _ON_ARC)
     arc = centre + float(np.asarray(body.radius)) * np.stack([np.sin(beta), -np.cos(beta)], axis=1)
-    ground = np.asarray(body.ground, dtype=np.float64)
-    inner = ground[(ground[:, 0] > left[0]) & (ground[:, 0] < right[0])]
-    return np.concatenate([arc, inner[::-1]])
+    return np.concatenate([arc, body.surface[-2:0:-1]])
+
+
+def _water(ax: Any, level: Any, view: tuple[float, float]) -> None:
+    """A water level, which goes on horizontally beyond its ends."""
+    x, y = np.asarray(level, dtype=np.float64).T
+    x = np.concatenate([[min(view[0], x[0])], x, [max(view[1], x[-1])]])
+    ax.plot(x, np.concatenate([y[:1], y, y[-1:]]), color="#56B4E9", lw=1.6, zorder=3, label="water level")
 
 
 def section(slope: Slope, found: Critical, ax: Any = None) -> Any:
@@ -123,10 +130,7 @@ def section(slope: Slope, found: Critical, ax: Any = None) -> Any:
         cx + r * np.sin(beyond), cy - r * np.cos(beyond), zorder=4, label="its continuation, assumed", **LINES["help"]
     )
     if slope.level is not None:
-        level = np.asarray(slope.level)
-        wide = np.concatenate([[[view[0], level[0, 1]]], level, [[view[1], level[-1, 1]]]])
-        wide = wide[np.argsort(wide[:, 0], kind="stable")] if level[0, 0] > view[0] or level[-1, 0] < view[1] else level
-        ax.plot(*wide.T, color="#56B4E9", lw=1.6, zorder=3, label="water level")
+        _water(ax, slope.level, view)
     if slope.base is not None:
         ax.axhline(slope.base, color="0.3", lw=2.5, zorder=3, label="firm layer")
     words = ", ".join(f"{m} {v:.3f}" for m in METHODS if (v := found.factor_of_safety[m]) is not None)

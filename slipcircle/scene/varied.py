@@ -34,7 +34,8 @@ def value_in(scene: Scene, number: Number) -> float | None:
 def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
     """The fields of a scene with other values of its numbers by name, SI; numbers or arrays, unchecked."""
     arc: dict[str, Any] = {}
-    effects = {e: dict(given) for e, given in scene.called.items()}
+    assert isinstance(scene.effects, dict)
+    effects = {e: dict(given) for e, given in scene.effects.items()}
     top: dict[str, Any] = {"uncertain": {}}
     friction = scene.friction
     for name, value in values.items():
