@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 9e4e727347b89039f683d3b80c48858f2fc65b40da7868e6a7ea12c383edaa8a
+# sha256 of the text below: 01b7eba5ada19b7fb914e1598c16b82255373dbfb19c818030a24729ca9dbb11
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -171,16 +171,14 @@ EFFECTS = {
         ('adds Theta omega viscosity* to resistance',
         'viscosity* = 2 alpha viscosity/(Theta rho thickness sqrt(R g))')),
     'shaking': Effect('shaking', '3.11', (
-        Parameter('horizontal', '', -INFINITY, INFINITY,
-            'k_h(t), driving acceleration over g in the sense of positive rotation', '', 1.0, 'k_h', lambda value,
-            scales: value, True, 'series'),
+        Parameter('horizontal', '', -INFINITY, INFINITY, 'k_h(t), driving acceleration over g, positive down-slope', '',
+            1.0, 'k_h', lambda value, scales: value, True, 'series'),
         Parameter('vertical', '', -INFINITY, INFINITY, 'k_v(t), acceleration over g that lightens the mass', '', 1.0,
             'k_v', lambda value, scales: value, True, 'series'),
         Parameter('pulse', '', -INFINITY, INFINITY, 'name of a pulse', 'pulse', 1.0, '', lambda value, scales: value,
             True, 'rectangular|half-sine|triangular|sine'),
-        Parameter('amplitude', '', -INFINITY, INFINITY,
-            'greatest k_h of the pulse, driving down-slope for a positive dip', 'amplitude_g', 1.0, '', lambda value,
-            scales: value, True, 'number'),
+        Parameter('amplitude', '', -INFINITY, INFINITY, 'greatest k_h of the pulse, positive down-slope', 'amplitude_g',
+            1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('vertical_amplitude', '', -INFINITY, INFINITY, 'greatest k_v of the pulse, by default 0',
             'vertical_amplitude_g', 1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('start', 's', -INFINITY, INFINITY,

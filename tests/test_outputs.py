@@ -85,6 +85,7 @@ class Exact:
 
     def __init__(self, given: golden.Data) -> None:
         ctx.prec = 160
+        given = golden.to_the_right(given)
         self.given, self.effects = given, given["effects"]
         self.motion = time_references.Solution(given, 26, 22)
         p, self.m = self.motion.p, {k: float(v) for k, v in references.moments(given["arc"]).items()}

@@ -322,16 +322,16 @@ def test_constant_shaking_tilts_gravity() -> None:
     assert shaken.peak.velocity == pytest.approx(tilted.peak.velocity, rel=1e-9)
 
 
-def test_a_mirrored_slide_does_the_same_in_the_mirror() -> None:
+def test_a_mirrored_slide_does_the_same() -> None:
     mirrored = replace(ARC, theta_1=3 * np.pi - ARC.theta_2, theta_2=3 * np.pi - ARC.theta_1)
     pulse = {"pulse": "sine", "amplitude": 0.4, "vertical_amplitude": 0.2, "duration": 20.0, "cycles": 6.0}
     called = TURNING | {"viscosity": PARAMETERS["viscosity"], "thermal_pressurisation": HEAT}
     for two_way in (False, True):
         one = solve(Scene(ARC, 0.5, called | {"shaking": pulse | {"two_way": two_way}}))
-        other = solve(Scene(mirrored, 0.5, called | {"shaking": pulse | {"amplitude": -0.4, "two_way": two_way}}))
-        assert [c[1:] for c in golden.changes(one)] == [(-a, -b) for _, a, b in golden.changes(other)]
+        other = solve(Scene(mirrored, 0.5, called | {"shaking": pulse | {"two_way": two_way}}))
+        assert [c[1:] for c in golden.changes(one)] == [c[1:] for c in golden.changes(other)]
         assert len(golden.changes(one)) > 1
-        assert one.run_out == pytest.approx(-other.run_out, rel=1e-10)
+        assert one.run_out == pytest.approx(other.run_out, rel=1e-10)
         assert one.duration == pytest.approx(other.duration, rel=1e-10)
 
 

@@ -204,10 +204,10 @@ EFFECTS = (
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
            "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
     Effect("shaking", "3.11", (
-        _series("horizontal", "k_h(t), driving acceleration over g in the sense of positive rotation", _K_H),
+        _series("horizontal", "k_h(t), driving acceleration over g, positive down-slope", _K_H),
         _series("vertical", "k_v(t), acceleration over g that lightens the mass", _K_V),
         _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
-        _optional("amplitude", "greatest k_h of the pulse, driving down-slope for a positive dip", key="amplitude_g"),
+        _optional("amplitude", "greatest k_h of the pulse, positive down-slope", key="amplitude_g"),
         _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),
         _optional("start", "time at which the shaking begins, by default 0 or the record's own", "s", "start_s"),
         _optional("duration", "duration of the pulse", "s", "duration_s"),

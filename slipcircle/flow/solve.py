@@ -224,9 +224,7 @@ class Lanes:
             bound = bind(self.arc, kept | {"shaking": {"horizontal": k_h}}, self.friction, 0.0, math.inf,
                          self.accuracy, self.count)  # fmt: skip
             roles, c = bound.program.roles, bound.cells.copy()
-            down = np.where(c[[*bound.program.cells].index("fall")] < 0.0, -1.0, 1.0)
-            c[walk.DIRECTION] = down
-            c[[*bound.program.cells].index("k_h")] *= down
+            c[walk.DIRECTION] = 1.0
             lanes = walk.Lanes(bound.program, bound.tables, c, None, np.arange(self.count))
             with np.errstate(all="ignore"):
                 lanes.base()

@@ -42,7 +42,7 @@ ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
 @dataclass(frozen=True)
 class State:
-    """The motion at one time, or at an array of times; counterclockwise and down-slope for a positive dip.
+    """The motion at one time, or at an array of times; positive down-slope.
 
     Attributes
     ----------

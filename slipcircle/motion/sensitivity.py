@@ -120,7 +120,7 @@ class _Seeds:
         arc = lanes.arc
         alpha = float(arc.half_angle)
         alpha_dot = (self.one("theta_2") - self.one("theta_1")) / 2
-        dip_dot = -(self.one("theta_1") + self.one("theta_2")) / 2
+        dip_dot = -arc.facing * (self.one("theta_1") + self.one("theta_2")) / 2
         radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
         weight, radial, polar, level, inertia = (float(g) for g in arc_growth(alpha))

@@ -41,7 +41,7 @@ class Scene:
         changes with time is a `slipcircle.base.series.Series` or `Pulse`, or what such are made of: a pulse by
         name, a record's file, or a list with its times.
     initial_velocity : float or array_like, optional
-        Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
+        Velocity along the arc at the start, m/s, positive down-slope.
     end_time : float or array_like, optional
         s; by default until the mass rests.
     accuracy : float, optional
