@@ -59,6 +59,8 @@ class Quantity:
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
+        if np.ndim(value):  # a point
+            return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
         return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
 
