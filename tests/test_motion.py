@@ -317,7 +317,7 @@ def test_turning_back_is_continuous(effects: tuple[str, ...]) -> None:
 
 @BOTH
 def test_mirrored_arcs_move_alike(effects: tuple[str, ...]) -> None:
-    """Mirrored in a vertical line: theta becomes 3 pi - theta. Only its rounding may be seen; positive is down-slope."""
+    """Mirrored in a vertical line: theta becomes 3 pi - theta. Only its rounding may be seen."""
     for mu, velocity in itertools.product((0.0, 0.2, 0.41, 0.5), (0.0, 8.0, -8.0)):
         right = solve(Scene(VAIONT, mu, effects, velocity, end_time=40.0))
         left = solve(Scene(BACKWARDS, mu, effects, velocity, end_time=40.0))

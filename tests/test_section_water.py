@@ -14,6 +14,7 @@ from strips import integrals
 from test_slopes import bumpy
 
 from slipcircle import Motion, Scene, Section, solve
+from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, tables, walk
 from slipcircle.flow.bind import bind
 
@@ -175,7 +176,7 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
     one, other = bound.cells.copy(), bound.cells.copy()
     walk.walk(bound.program, bound.tables, one)
     compiled.run(bound.program, bound.tables, other)
-    for cell in (walk.STATUS, walk.PHASES, walk.TIME, walk.PEAK_OMEGA, walk.END_ROTATION, walk.FIRST_STOP):
+    for cell in (its.STATUS, its.PHASES, its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.FIRST_STOP):
         assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
 
 
@@ -191,7 +192,7 @@ def test_many_sections_walk_together() -> None:
     for k in range(0, count, 7):
         one = Section(GROUND, centre[k], radius[k], GAMMA, level=LEVEL)
         alone = solve(Scene(one, 0.3, ["rotation"], float(push[k]), accuracy=1e-12))
-        assert cells[walk.END_ROTATION, k] == pytest.approx(alone.end.rotation, rel=1e-11)
+        assert cells[its.END_ROTATION, k] == pytest.approx(alone.end.rotation, rel=1e-11)
 
 
 def test_a_level_of_the_section_is_an_effect_of_its_own() -> None:

@@ -1,4 +1,4 @@
-"""Positive is down-slope, whatever the facing: arcs and sections and their mirror images do the same, field by field."""
+"""Positive is down-slope, whatever the facing: arcs, sections and their mirror images do the same in every field."""
 
 import json
 import math
