@@ -51,7 +51,7 @@ def test_either_facing_moves_alike() -> None:
     law = {"law": "exponential", "peak": 0.35, "residual": 0.15, "length": 0.5}
     effects = WHOLE | {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 2.0)}}
     left, right = (solve(Scene(s, law, effects, initial_velocity=0.5)) for s in (body(), mirrored(body())))
-    assert (left.plan.scene.arc.facing, right.plan.scene.arc.facing) == (-1, 1)  # type: ignore[union-attr]
+    assert (left.plan.scene.arc.facing, right.plan.scene.arc.facing) == (-1, 1)
     assert left.run_out > 1.0
     assert outcomes(right) == pytest.approx(outcomes(left), rel=1e-11)
     assert right.journey.run_out == pytest.approx(left.journey.run_out, rel=1e-11)

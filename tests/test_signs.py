@@ -47,8 +47,7 @@ def test_a_mirror_changes_no_number(one: Any, other: Any, asked: str) -> None:
 
 
 def test_studies_of_a_mirrored_arc() -> None:
-    observed = {"run_out": 15.0}
-    one, other = (backanalyse(Scene(arc, 0.2, ["rotation"]), **observed).value for arc in (RIGHT, LEFT))
+    one, other = (backanalyse(Scene(arc, 0.2, ["rotation"]), run_out=15.0).value for arc in (RIGHT, LEFT))
     assert other == pytest.approx(one, rel=1e-11)
     drawn = {"friction": {"distribution": "uniform", "low": 0.1, "high": 0.3}}
     many = [ensemble(Scene(arc, 0.2, ["rotation"], uncertain=drawn), 64, 3) for arc in (RIGHT, LEFT)]
