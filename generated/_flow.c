@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "89589e8a65da97b1c63a88af587e20f9f19eaf7471ad6c18980770a77a0d95b1"
+#define DIGEST "ae03a53e346fb290cf9b982d2339260cda8c7b8857fd2cf0af4777d2b6f2bed4"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -870,14 +870,15 @@ INLINE V power_of_two(V y)
 INLINE V radius(const Hand *h, const V *p, int top, V order)
 {
     V first[5], least = flat(1000 * FIXED);
-    for (int k = 0; k < 5 && k <= top; k++) first[k] = logarithm(p[k]);
+    M told = {0}; /* where the first are nothing there is nothing to compare with */
+    for (int k = 0; k < 5 && k <= top; k++) first[k] = logarithm(p[k]), told |= p[k] != 0.0;
     double low = order[0];
     for (int k = 1; k < LANES; k++) low = order[k] < low ? order[k] : low;
     for (int n = low > 8.0 ? (int)low - 3 : 5; n <= top; n++) {
         const V here = logarithm(p[n]);
         V most = flat(-1000 * FIXED);
         for (int k = 0; k < 5; k++) most = greater((first[k] - here) * h->inverse[n - k], most);
-        const M counts = (order >= (double)n) & (order <= n + 3.0) & (p[n] != 0.0); /* what is zero tells nothing */
+        const M counts = told & (order >= (double)n) & (order <= n + 3.0) & (p[n] != 0.0); /* what is zero tells nothing */
         least = pick(counts & (most < least), most, least);
     }
     return power_of_two(least);
