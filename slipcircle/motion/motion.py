@@ -233,8 +233,9 @@ class Motion(Results):
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
         scale, radius = self._lanes.time_scale, self._lanes.radius
         rows = {"reach": its.REACH_ROTATION, "run_out": its.END_ROTATION}
-        found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
-        found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
+        with np.errstate(over="ignore"):  # what overflows is refused
+            found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
+            found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
         answered = {n: np.where(self._answered, v, np.nan) for n, v in found.items()}
         return {n: self._shaped(v) for n, v in (answered | {"duration": self._duration}).items()}
 
