@@ -14,20 +14,20 @@ from slipcircle.scene.numbers import Number, number_of, numbers_of
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
 
-DIP = Number("arc.dip_deg", "dip", "deg", -90.0, 90.0, False, np.pi / 180)  # of the chord: both ends of the arc turn
+DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180)  # down-slope; both ends of the arc turn
 
 
 def number_in(scene: Scene, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
     if path in (DIP.key, DIP.name):
-        return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", -np.pi / 2, np.pi / 2)
+        return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
     only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
     return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction)
 
 
 def value_in(scene: Scene, number: Number) -> float | None:
     """The value that a scene has of a number, SI; none where it has none."""
-    value = scene.arc.dip if number.name == DIP.name else scene.numbers.get(number.name)
+    value = abs(scene.arc.dip) if number.name == DIP.name else scene.numbers.get(number.name)
     return None if value is None else float(np.asarray(value))
 
 
@@ -41,7 +41,10 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
     for name, value in values.items():
         head, _, tail = name.partition(".")
         if name == DIP.name:
-            arc |= {n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - value) for n in ("theta_1", "theta_2")}
+            arc |= {
+                n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - scene.arc.facing * value)
+                for n in ("theta_1", "theta_2")
+            }
         elif name in scene.arc.quantities:
             arc[name] = value
         elif name == "friction":
