@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "a4eb19877f559fded344de5e10aa97f5e6852dfb0891d55cce690adcc38df46b"
+#define DIGEST "ae03a53e346fb290cf9b982d2339260cda8c7b8857fd2cf0af4777d2b6f2bed4"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -24,8 +24,8 @@ enum { HIGHEST = 40, STRIDE = HIGHEST + 2, MOST_TABLES = 16, MOST_STATES = 16 };
 
 typedef struct { int32_t kind, reg, cell, degree; } Table;
 typedef struct {
-    const double *breaks, *coefficients, *jumps; /* (pieces), (pieces, terms[, lanes]), (pieces) */
-    int64_t pieces, across; /* across: lanes of the coefficients, or 0 where lanes share them */
+    const double *breaks, *coefficients, *jumps; /* (pieces[, lanes]), (pieces, terms[, lanes]), (pieces) */
+    int64_t pieces, across, apart; /* lanes of the coefficients and of the breaks, or 0 where lanes share them */
     int terms, sine, open;
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
@@ -35,7 +35,7 @@ typedef struct {
 
 typedef struct {
     /* Of the program: cells, of which those from `made` on come from the prologue or are alike in all lanes; registers,
-     * states, tables, those of time and those of slip or speed. */
+     * states, tables, those of time and the others. */
     int cells, made, registers, states, tables, timed, sloped;
     const int32_t *scalar, *scalar_end, *series, *series_end, *later_end, *state; /* after `series` what no rate needs */
     const Table *table;
@@ -138,7 +138,7 @@ static PyObject *walk(PyObject *self, PyObject *args)
         if (!PyArg_ParseTuple(PyTuple_GET_ITEM(tables, t), "y*y*y*iLpp", b, b + 1, b + 2, &d->terms, &across, &d->sine,
                               &d->open)) goto done;
         d->breaks = b[0].buf, d->coefficients = b[1].buf, d->jumps = b[2].buf;
-        d->pieces = b[0].len / 8, d->across = across;
+        d->pieces = b[2].len / 8, d->across = across, d->apart = b[0].len > b[2].len ? across : 0;
     }
     w.all = cells.buf, w.count = cells.len / 8 / w.cells;
     w.begin = begin, w.end = end < w.count ? end : w.count, w.budget = budget;
@@ -220,7 +220,7 @@ enum { LIN, RAMP, MUL, SQR, TIM, TURN, EXP, REC, LOG, POW };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
 enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 }; /* of a table's cells */
-enum { OF_SLIP, OF_SPEED, OF_TIME };
+enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { NOTHING, LIFT, FASTER, SLOWER }; /* what a phase has just passed: its root at the start is divided out */
 enum { NONE = -1, STANDS, LIFTS, TIPS, EDGES }; /* events: none, standstill, lift-off or landing, upright, tables' */
 enum { BEGINS = 1, CAME_TO_REST, LIFTED_OFF, LANDED }; /* what is noted */
@@ -651,6 +651,12 @@ static void time_bound(const Hand *h, const Table *t, const Data *d, unsigned k)
     c[LOWER][k] += sum;
 }
 
+/* Where a lane's piece begins. */
+static double begins(const Data *d, int64_t piece, int64_t column)
+{
+    return d->breaks[d->apart ? piece * d->apart + column : piece];
+}
+
 /* Where a phase begins: each table's piece, its value, and the coefficients of what is beyond. */
 static void pieces(const Hand *h, unsigned k)
 {
@@ -672,9 +678,22 @@ static void pieces(const Hand *h, unsigned k)
             time_bound(h, t, d, k);
             continue;
         }
-        const int64_t piece = (int64_t)c[PIECE][k];
-        const double edge = d->breaks[piece], above = piece < last ? d->breaks[piece + 1] : INFINITY;
-        if (t->kind == OF_SLIP) {
+        const double turn = all[ROTATION][k];
+        const int up = all[DIRECTION][k] > 0.0;
+        int64_t piece = (int64_t)c[PIECE][k];
+        if (t->kind == OF_ROTATION) { /* a break belongs to the piece ahead */
+            for (piece = 0; piece < last; piece++) {
+                const double next = begins(d, piece + 1, h->column[k]);
+                if (!(next < turn || (up && next == turn))) break;
+            }
+            c[PIECE][k] = (double)piece;
+        }
+        const double edge = begins(d, piece, h->column[k]);
+        const double above = piece < last ? begins(d, piece + 1, h->column[k]) : INFINITY;
+        if (t->kind == OF_ROTATION) {
+            local = turn - edge, power = all[DIRECTION][k];
+            c[UPPER][k] = up ? above - turn : piece > 0 ? local : INFINITY;
+        } else if (t->kind == OF_SLIP) {
             local = fmax(all[SLIP][k] * scale - edge, 0.0), power = scale;
             c[UPPER][k] = (above - edge - local) / scale;
         } else { /* piece 0 is constant, below the first speed */
@@ -700,7 +719,7 @@ static void find_pieces(const Hand *h, unsigned k)
     for (int i = 0; w->sloped && i < w->tables; i++) {
         const Table *const t = w->table + i;
         const Data *const d = w->data + i;
-        if (t->kind == OF_TIME) continue;
+        if (t->kind == OF_TIME || t->kind == OF_ROTATION) continue;
         const double at = c[t->kind == OF_SLIP ? SLIP : OMEGA][k] * c[t->cell + SCALE][k];
         int64_t piece = 0;
         while (piece < d->pieces - 1 && d->breaks[piece + 1] <= at) piece++;
@@ -1104,7 +1123,7 @@ static void ends(Hand *h, unsigned k, double rate, int status)
     reaches(h, k);
 }
 
-/* An edge of a table of slip or speed is passed. */
+/* An edge of a table of slip, speed or rotation is passed. */
 static void passes(Hand *h, unsigned k, int event, double rate)
 {
     Walk *const w = h->w;
@@ -1114,6 +1133,10 @@ static void passes(Hand *h, unsigned k, int event, double rate)
     const int up = (event - EDGES) % 2 == 0;
     enters(h, k, rate);
     if (t->kind == OF_SPEED) all[OMEGA][k] = c[up ? UPPER : LOWER][k], all[PASSED][k] = up ? FASTER : SLOWER;
+    if (t->kind == OF_ROTATION) {
+        all[ROTATION][k] = begins(d, (int64_t)c[PIECE][k] + (all[DIRECTION][k] > 0.0), h->column[k]);
+        return;
+    }
     c[PIECE][k] += up ? 1.0 : -1.0;
     if (t->kind == OF_SLIP) all[SLIP][k] = d->breaks[(int64_t)c[PIECE][k]] / c[SCALE][k];
     if (d->open && up && c[PIECE][k] == (double)(d->pieces - 1)) all[STATUS][k] = NEED, h->todo[k] = READY;
@@ -1187,14 +1210,14 @@ static void step(Hand *h, unsigned which)
     for (int i = 0; w->sloped && i < w->tables; i++) {
         const Table *const t = w->table + i;
         if (t->kind == OF_TIME) continue;
-        const V *const p = t->kind == OF_SLIP ? x : omega;
+        const V *const p = t->kind == OF_SPEED ? omega : x;
         const V upper = lesser(c[t->cell + UPPER], flat(1e300)), lower = c[t->cell + LOWER];
         const M slower = t->kind == OF_SPEED ? c[PASSED] == (double)SLOWER : no;
         if ((ask = which & suspects(p, top, tau, -one, upper, slower))) {
             function(e, p, top, -one, upper, slower);
             TAKE(first_zero(e, top, tau, ask), EDGES + 2 * i);
         }
-        if (t->kind == OF_SLIP) continue;
+        if (t->kind != OF_SPEED) continue;
         const M faster = c[PASSED] == (double)FASTER;
         if ((ask = which & bits(lower > 0.0) & suspects(p, top, tau, one, -lower, faster))) {
             function(e, p, top, one, -lower, faster);

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 1a2b5c8ca46c3a35bfbecf293a80802316cafbaa361c0813d27924978fa75992
+# sha256 of the text below: 01b7eba5ada19b7fb914e1598c16b82255373dbfb19c818030a24729ca9dbb11
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -121,11 +121,15 @@ EFFECTS = {
         'the mass presses harder on the slip surface the faster it turns', False, (), ('adds A omega^2 to sigma',)),
     'pore_pressure': Effect('pore_pressure', '2.20', (
         Parameter('ratio', '', -5e-324, 1.0,
-            'r_u, pore pressure over the static normal stress at the position, constant or a function of time', 'ratio',
-            1.0, 'pore_ratio', lambda value, scales: value, True, 'series'),
+            'r_u, pore pressure over the static normal stress at the position (of a real section over the weight of '
+            'the soil above), constant or a function of time', 'ratio', 1.0, 'pore_ratio', lambda value,
+            scales: scales['cover']*value, True, 'series'),
         Parameter('pressure', 'Pa', -5e-324, INFINITY,
             'mean pore pressure on the slip surface, constant or a function of time', 'pressure_kPa', 1000.0,
             'pore_pressure', lambda value, scales: value/scales['reference_stress'], True, 'series'),
+        Parameter('level', 'Pa', -5e-324, INFINITY,
+            'mean pressure on the arc of a real section below its water level, which stays while the mass turns '
+            'through it', '', 1.0, 'water', lambda value, scales: value/scales['reference_stress'], True, 'rotation'),
         Parameter('time', 's', -5e-324, INFINITY,
             'times of a ratio or pressure that is a list, straight lines between them', 'time_s', 1.0, '', lambda value,
             scales: value, True, 'list'),
@@ -144,7 +148,8 @@ EFFECTS = {
         Parameter('gaps', '', -INFINITY, INFINITY, 'missing samples: refused, or bridged by straight lines', 'gaps',
             1.0, '', lambda value, scales: value, True, 'refuse|linear'),
     ), (), 'water pressure on the slip surface relieves friction', False, ('ratio', 'pressure', 'record'),
-        ('adds J_r pore_ratio/lambda + pore_pressure* to u', 'pore_pressure* = pressure/sigma_ref')),
+        ('adds J_r pore_ratio*/lambda + pore_pressure* + water* to u', 'pore_ratio* = cover ratio',
+        'pore_pressure* = pressure/sigma_ref', 'water* = level/sigma_ref')),
     'cohesion': Effect('cohesion', '3.11', (
         Parameter('cohesion', 'Pa', -5e-324, INFINITY, 'shear strength without normal stress', 'cohesion_kPa', 1000.0,
             'cohesion', lambda value, scales: value/scales['reference_stress'], False, 'number'),
@@ -166,16 +171,14 @@ EFFECTS = {
         ('adds Theta omega viscosity* to resistance',
         'viscosity* = 2 alpha viscosity/(Theta rho thickness sqrt(R g))')),
     'shaking': Effect('shaking', '3.11', (
-        Parameter('horizontal', '', -INFINITY, INFINITY,
-            'k_h(t), driving acceleration over g in the sense of positive rotation', '', 1.0, 'k_h', lambda value,
-            scales: value, True, 'series'),
+        Parameter('horizontal', '', -INFINITY, INFINITY, 'k_h(t), driving acceleration over g, positive down-slope', '',
+            1.0, 'k_h', lambda value, scales: value, True, 'series'),
         Parameter('vertical', '', -INFINITY, INFINITY, 'k_v(t), acceleration over g that lightens the mass', '', 1.0,
             'k_v', lambda value, scales: value, True, 'series'),
         Parameter('pulse', '', -INFINITY, INFINITY, 'name of a pulse', 'pulse', 1.0, '', lambda value, scales: value,
             True, 'rectangular|half-sine|triangular|sine'),
-        Parameter('amplitude', '', -INFINITY, INFINITY,
-            'greatest k_h of the pulse, driving down-slope for a positive dip', 'amplitude_g', 1.0, '', lambda value,
-            scales: value, True, 'number'),
+        Parameter('amplitude', '', -INFINITY, INFINITY, 'greatest k_h of the pulse, positive down-slope', 'amplitude_g',
+            1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('vertical_amplitude', '', -INFINITY, INFINITY, 'greatest k_v of the pulse, by default 0',
             'vertical_amplitude_g', 1.0, '', lambda value, scales: value, True, 'number'),
         Parameter('start', 's', -INFINITY, INFINITY,

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: aff48ce9166d5e39ecb69a692e0a4cd839e5a8f269520e3591e6d527b4fe5fc4
+# sha256 of the text below: cd36ad1a6aa9e074d83f697f15694c28dd51020a62d104b161eb3e92625216b3
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -15,8 +15,8 @@ class Fragment(NamedTuple):
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
-    argument (of time, its own) and the degree of its pieces.
+    out. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -26,7 +26,7 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, int] | None = None
+    table: tuple[str, str, str, int] | None = None
 
 
 # The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime
@@ -222,35 +222,57 @@ FRAGMENTS: dict[str, Fragment] = {
     'pore_pressure': Fragment(
         words=(
             '(2.20) water pressure on the slip surface relieves friction',
-            'adds J_r pore_ratio/lambda + pore_pressure* to u',
+            'adds J_r pore_ratio*/lambda + pore_pressure* + water* to u',
+            'pore_ratio* = cover ratio',
             'pore_pressure* = pressure/sigma_ref',
+            'water* = level/sigma_ref',
         ),
         inputs=('pore_ratio', 'pore_pressure'),
         optional=('pore_ratio', 'pore_pressure'),
         scalar=(
-            ('mul', 'pore_pressure.t5', 'level', 'pore_pressure'),
-            ('mul', 'pore_pressure.t6', 'pore_ratio', 'press_0'),
-            ('add', 'pore_pressure.lifting', 'pore_pressure.t5', 'pore_pressure.t6'),
-            ('abs', 'pore_pressure.t8', 'pore_pressure.t5'),
-            ('abs', 'pore_pressure.t9', 'pore_pressure.t6'),
-            ('add', 'pore_pressure.lifting_size', 'pore_pressure.t8', 'pore_pressure.t9'),
+            ('mul', 'pore_pressure.t13', 'level', 'pore_pressure'),
+            ('mul', 'pore_pressure.t14', 'level', 'water'),
+            ('add', 'pore_pressure.t15', 'pore_pressure.t13', 'pore_pressure.t14'),
+            ('mul', 'pore_pressure.t16', 'pore_ratio', 'press_0'),
+            ('add', 'pore_pressure.lifting', 'pore_pressure.t15', 'pore_pressure.t16'),
+            ('abs', 'pore_pressure.t18', 'pore_pressure.t13'),
+            ('abs', 'pore_pressure.t19', 'pore_pressure.t14'),
+            ('add', 'pore_pressure.t20', 'pore_pressure.t18', 'pore_pressure.t19'),
+            ('abs', 'pore_pressure.t21', 'pore_pressure.t16'),
+            ('add', 'pore_pressure.lifting_size', 'pore_pressure.t20', 'pore_pressure.t21'),
             ('neg', 'pore_pressure.2', 'press_slope_0'),
             ('neg', 'pore_pressure.3', 'press_0'),
-            ('mul', 'pore_pressure.t13', 'pore_ratio', 'press_slope_0'),
-            ('neg', 'pore_pressure.4', 'pore_pressure.t13'),
-            ('neg', 'pore_pressure.5', 'pore_pressure.t6'),
+            ('mul', 'pore_pressure.t25', 'pore_ratio', 'press_slope_0'),
+            ('neg', 'pore_pressure.4', 'pore_pressure.t25'),
+            ('neg', 'pore_pressure.5', 'pore_pressure.t16'),
+            ('mul', 'pore_pressure.6', 'level', 'water.Q1'),
+            ('mul', 'pore_pressure.7', 'level', 'water.Q2'),
+            ('mul', 'pore_pressure.8', 'level', 'water.Q3'),
+            ('mul', 'pore_pressure.9', 'level', 'water.Q4'),
+            ('mul', 'pore_pressure.10', 'level', 'water.Q5'),
+            ('mul', 'pore_pressure.11', 'level', 'water.Q6'),
+            ('mul', 'pore_pressure.12', 'level', 'water.Q7'),
         ),
         series=(
             ('mul', 'dpore_ratio*sin(x)', 'dpore_ratio', 'sin(x)'),
             ('mul', 'dpore_ratio*vers(x)', 'dpore_ratio', 'vers(x)'),
+            ('sqr', 'x*x', 'x'),
+            ('mul', 'x*x*x', 'x*x', 'x'),
+            ('mul', 'x*x*x*x', 'x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x', 'x*x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x*x', 'x*x*x*x*x', 'x'),
+            ('mul', 'x*x*x*x*x*x*x', 'x*x*x*x*x*x', 'x'),
         ),
         adds={
             'lifting': ('pore_pressure.lifting', 'pore_pressure.lifting_size', (('level', 'dpore_pressure'), ('press_0',
                 'dpore_ratio'), ('pore_pressure.2', 'dpore_ratio*sin(x)'), ('pore_pressure.3', 'dpore_ratio*vers(x)'),
-                ('pore_pressure.4', 'sin(x)'), ('pore_pressure.5', 'vers(x)'))),
+                ('pore_pressure.4', 'sin(x)'), ('pore_pressure.5', 'vers(x)'), ('pore_pressure.6', 'x'),
+                ('pore_pressure.7', 'x*x'), ('pore_pressure.8', 'x*x*x'), ('pore_pressure.9', 'x*x*x*x'),
+                ('pore_pressure.10', 'x*x*x*x*x'), ('pore_pressure.11', 'x*x*x*x*x*x'), ('pore_pressure.12',
+                'x*x*x*x*x*x*x'))),
         },
         states=(),
-        table=None,
+        table=('water', 'rotation', 'x', 7),
     ),
     'cohesion': Fragment(
         words=(
@@ -476,7 +498,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('linear.mu', 'linear.mu_size', (('linear.Q1', 'x'),)),
         },
         states=(),
-        table=('slip', 'x', 1),
+        table=('linear', 'slip', 'x', 1),
     ),
     'hyperbolic': Fragment(
         words=(
@@ -539,7 +561,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 ('tabulated.Q3', 'x*x*x'))),
         },
         states=(),
-        table=('slip', 'x', 3),
+        table=('tabulated', 'slip', 'x', 3),
     ),
     'rate_weakening': Fragment(
         words=(
@@ -593,7 +615,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 ('rate_tabulated.Q2', 'log_speed*log_speed'), ('rate_tabulated.Q3', 'log_speed*log_speed*log_speed'))),
         },
         states=(),
-        table=('speed', 'log_speed', 3),
+        table=('rate_tabulated', 'speed', 'log_speed', 3),
     ),
     'prescribed': Fragment(
         words=(
@@ -610,7 +632,7 @@ FRAGMENTS: dict[str, Fragment] = {
             'mu': ('prescribed.mu', 'prescribed.mu_size', (('=1.0', 'dprescribed'),)),
         },
         states=(),
-        table=('time', 'dprescribed', 0),
+        table=('prescribed', 'time', 'dprescribed', 0),
     ),
     'callable': Fragment(
         words=(
@@ -637,7 +659,7 @@ FRAGMENTS: dict[str, Fragment] = {
                 ('callable.Q7', 'x*x*x*x*x*x*x'))),
         },
         states=(),
-        table=('slip', 'x', 7),
+        table=('callable', 'slip', 'x', 7),
     ),
     'product': Fragment(
         words=(

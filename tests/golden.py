@@ -79,16 +79,14 @@ def scene(friction: Any, effects: Mapping[str, Any], velocity: float = 0.0, end:
 
 
 def mirrored(given: Data) -> Data:
-    """In a vertical line: angles, velocity and horizontal shaking change their sign."""
+    """In a vertical line: angles change, and nothing else, since positive is down-slope."""
     first, second = given["arc"]["theta_1"], given["arc"]["theta_2"]
-    arc = given["arc"] | {"theta_1": 3 * math.pi - second, "theta_2": 3 * math.pi - first}
-    effects = dict(given["effects"])
-    if "shaking" in effects:
-        shaking = effects["shaking"]
-        turned = {k: [-x for x in shaking[k]] for k in ("horizontal",) if k in shaking}
-        turned |= {k: -shaking[k] for k in ("amplitude",) if k in shaking}
-        effects["shaking"] = shaking | turned
-    return given | {"arc": arc, "effects": effects, "initial_velocity": -given["initial_velocity"]}
+    return given | {"arc": given["arc"] | {"theta_1": 3 * math.pi - second, "theta_2": 3 * math.pi - first}}
+
+
+def to_the_right(given: Data) -> Data:
+    """The one of a scene and its mirror image that counterclockwise is down-slope for, as the oracles take it."""
+    return mirrored(given) if given["arc"]["theta_1"] + given["arc"]["theta_2"] > 3 * math.pi else given
 
 
 def drawn() -> Iterator[tuple[str, Data]]:
@@ -312,7 +310,7 @@ def misses(motion: Motion, given: Data, at: list[float], terms: int = 26, digits
     if given["friction"] == 0.0 and "cohesion" not in given["effects"]:  # `solve` gives the first standstill
         given = given | {"end_time": motion.duration}
     ctx.prec = 160
-    follow = time_references.Solution(given, terms, digits)
+    follow = time_references.Solution(to_the_right(given), terms, digits)
     exact, p = follow.record(), follow.p
     run_out, peak = abs(motion.run_out) or 1.0, abs(float(motion.peak.velocity)) or 1.0
     unit, error = p.radius / p.scale, motion.error_estimate

@@ -89,7 +89,7 @@ def moments(arc: Mapping[str, float]) -> dict[str, arb]:
         "level": oracle.kernel("resistance_factor", half) / inertia,
         "inertia": inertia,
         "reference_stress": oracle.exact(arc["unit_weight"]) * depth,
-        "dip": 3 * arb.pi() / 2 - oracle.exact(middle),
+        "dip": abs(3 * arb.pi() / 2 - oracle.exact(middle)),  # positive is down-slope, for either facing
         "half_angle": oracle.exact(half),
     }
 
@@ -472,6 +472,7 @@ def draw(group: str, number: int, rng: np.random.Generator) -> dict[str, Any]:
     """A random scene of a group, whose effects go through all combinations."""
     near, lifted = number < NEAR.get(group, 0), group == "constant" and number >= GROUPS[group] - LIFTED
     arc = _arc(rng)
+    backwards = arc["theta_1"] + arc["theta_2"] > 3 * math.pi  # random signs of speeds have the sense of the angles
     m = {k: float(v) for k, v in moments(arc).items()}
     centripetal, water, cohesive, dragged = EFFECTS[number % len(EFFECTS)]
     turns = group != "frozen" and (group in ("constant", "exponential") or rng.random() < 0.8)
@@ -505,7 +506,7 @@ def draw(group: str, number: int, rng: np.random.Generator) -> dict[str, Any]:
     speed = math.sqrt(arc["radius"] * arc["gravity"]) * 10 ** rng.uniform(-2.0, -0.2)
     start = rng.choice([0.0, speed, -speed], p=[0.8, 0.1, 0.1] if near else [0.55, 0.25, 0.2])
     if lifted:
-        start = -math.copysign(speed, m["dip"])
+        start = speed if backwards else -speed  # up-slope
     if near:
         friction = limit * (1 - 10 ** rng.uniform(-6.0, -3.0))
     elif start == 0.0:
@@ -520,7 +521,7 @@ def draw(group: str, number: int, rng: np.random.Generator) -> dict[str, Any]:
         "arc": arc,
         "friction": _law(group, friction, arc["radius"], rng),
         "effects": effects,
-        "initial_velocity": float(start),
+        "initial_velocity": -float(start) if backwards and start else float(start),
         "end_time": period * 10 ** rng.uniform(-1.0, 1.0) if ends else None,
     }
 

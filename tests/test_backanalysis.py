@@ -123,7 +123,7 @@ def test_mirrored() -> None:
     assert isinstance(arc, Arc)
     first, second = (3 * math.pi - float(np.asarray(t)) for t in (arc.theta_2, arc.theta_1))
     mirror = replace(PENDULUM, arc=replace(arc, theta_1=first, theta_2=second))
-    found = backanalyse(mirror, run_out=-400.0)
+    found = backanalyse(mirror, run_out=400.0)
     assert found.value == pytest.approx(backanalyse(PENDULUM, run_out=400.0).value, rel=1e-13)
 
 

@@ -31,7 +31,7 @@ def shaken(horizontal: Any, vertical: Any = None, mu: float = MU, arc: Arc = ARC
 def factor(arc: Arc = ARC, mu: float = MU) -> tuple[float, float]:
     """Gamma and k_y by their definitions (design of (3.11)), from the amplitudes of the weights."""
     weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
-    psi = float(arc.dip)
+    psi = abs(float(arc.dip))
     gamma = weight * math.cos(psi) + mu * radial * math.sin(psi)
     return gamma, (mu * radial * math.cos(psi) - weight * math.sin(psi)) / gamma
 

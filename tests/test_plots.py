@@ -374,7 +374,7 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     for words, turn in turns.items():
         (outline,) = (xy for label, xy in outlines.items() if label.startswith(words))
         assert np.allclose(np.hypot(*outline.T), radius)
-        ends = np.array([arc.theta_1, arc.theta_2]) + turn
+        ends = np.array([arc.theta_1, arc.theta_2]) + arc.facing * turn
         assert np.allclose(outline[[0, -1]], radius * np.array([np.cos(ends), np.sin(ends)]).T)
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
     for outline in outlines.values():

@@ -50,7 +50,7 @@ def test_either_facing_moves_alike() -> None:
     law = {"law": "exponential", "peak": 0.35, "residual": 0.15, "length": 0.5}
     effects = WHOLE | {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 2.0)}}
     left, right = (solve(Scene(s, law, effects, initial_velocity=0.5)) for s in (body(), mirrored(body())))
-    assert (left.plan.scene.arc.facing, right.plan.scene.arc.facing) == (-1, 1)  # type: ignore[union-attr]
+    assert (left.plan.scene.arc.facing, right.plan.scene.arc.facing) == (-1, 1)
     assert left.run_out > 1.0
     assert outcomes(right) == pytest.approx(outcomes(left), rel=1e-11)
     assert right.journey.run_out == pytest.approx(left.journey.run_out, rel=1e-11)
@@ -89,14 +89,6 @@ def test_the_factor_is_that_of_the_paper_along_the_circle(ratio: float) -> None:
 
 
 def test_what_is_not_solved_is_told() -> None:
-    level, section = np.array([[0.0, 25.0], [30.0, 25.0], [45.0, 32.0], [90.0, 32.0]]), body()
-    (x1, _), (x2, _) = section.exit, section.entry
-    beta = np.linspace(math.asin((x1 - 29.5) / 28.6), math.asin((x2 - 29.5) / 28.6), 200_001)
-    x, y = 29.5 + 28.6 * np.sin(beta), 53.6 - 28.6 * np.cos(beta)
-    mean = float(np.mean(np.maximum(np.interp(x, *level.T) - y, 0.0))) * 9.81
-    assert mean > 5.0
-    with pytest.raises(ValueError, match=rf"arc\.level: .* is {mean:.4g}\d* kPa at the start"):
-        Scene(body(level=level), 0.3)
     many = Section(GROUND, [[29.5, 53.6], [29.5, 53.7]], [28.6, 28.7], 20e3, between=(29.0, 60.0))
     with pytest.raises(ValueError, match="must be one section"):
         Scene(many, 0.3)
@@ -139,7 +131,6 @@ def test_from_a_file_to_the_slide(tmp_path: Path, capsys: pytest.CaptureFixture[
         ('critical = "bishop"', 'critical = "bishp"', "did you mean bishop"),
         ("[circle]", "[search]\n", "circle: is missing"),
         ("[rotation]", "[rotatoin]", "did you mean rotation"),
-        ("[rotation]", "[water]\nlevel_m = [[0, 25], [30, 25], [90, 33]]\n[rotation]", "water.level_m: a water level"),
         ("[rotation]", "[arc]\nradius_m = 3\n[rotation]", "exclude each other"),
     ],
 )

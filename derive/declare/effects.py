@@ -20,9 +20,11 @@ THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
 FALL, PRESS, LEVEL, POLAR = sp.symbols("fall press level polar", real=True)
 FALL_SLOPE, PRESS_SLOPE = sp.symbols("fall_slope press_slope", real=True)
 # What parameters are converted with: half angle, gravity, radius, density, Theta*, the reference stress (2.13).
-ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, VALUE = sp.symbols(
-    "half_angle gravity radius density reference_stress value", real=True
+# cover is the stress of which r_u is a share, over the static normal stress.
+ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, COVER, VALUE = sp.symbols(
+    "half_angle gravity radius density reference_stress cover value", real=True
 )
+DEGREE = 7  # of the pieces of what is known by its values only
 
 
 @dataclass(frozen=True)
@@ -32,8 +34,8 @@ class Parameter:
     ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` is what stands
     for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
     other parameters, by their names. An ``optional`` one may be left out. ``kind`` is "number", "list" (of numbers),
-    "series" (a number, or a function of time), "text", "flag" or one of several words, "this|that". What has no
-    ``key`` cannot be written in a file.
+    "series" (a number, or a function of time), "rotation" (a function of it, which the section gives), "text", "flag"
+    or one of several words, "this|that". What has no ``key`` cannot be written in a file.
     """
 
     name: str
@@ -143,8 +145,8 @@ LAWS = (
 )  # fmt: skip
 
 
-_COHESION, _RATIO, _PRESSURE, _DRAG, _VISCOSITY = sp.symbols(
-    "cohesion pore_ratio pore_pressure drag viscosity", real=True
+_COHESION, _RATIO, _PRESSURE, _WATER, _DRAG, _VISCOSITY = sp.symbols(
+    "cohesion pore_ratio pore_pressure water drag viscosity", real=True
 )
 _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
@@ -171,11 +173,15 @@ EFFECTS = (
     Effect("centripetal", "2.20", (), ("speed squared",),
            "the mass presses harder on the slip surface the faster it turns", stress=A * OMEGA_2),
     Effect("pore_pressure", "2.20", (
-        Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position, "
-                  "constant or a function of time", "ratio", symbol=_RATIO, optional=True, kind="series"),
+        Parameter("ratio", "", _BELOW_0, 1.0, "r_u, pore pressure over the static normal stress at the position (of a "
+                  "real section over the weight of the soil above), constant or a function of time", "ratio", 1.0,
+                  _RATIO, COVER * VALUE, optional=True, kind="series"),
         Parameter("pressure", "Pa", _BELOW_0, _INFINITY, "mean pore pressure on the slip surface, constant "
                   "or a function of time", "pressure_kPa", 1e3, _PRESSURE, VALUE / REFERENCE, optional=True,
                   kind="series"),
+        Parameter("level", "Pa", _BELOW_0, _INFINITY, "mean pressure on the arc of a real section below its water "
+                  "level, which stays while the mass turns through it", "", 1.0, _WATER, VALUE / REFERENCE,
+                  optional=True, kind="rotation"),
         Parameter("time", "s", _BELOW_0, _INFINITY, "times of a ratio or pressure that is a list, straight lines "
                   "between them", "time_s", optional=True, kind="list"),
         _optional("record", "file of a record of either, relative to the scene's: a table of times and values",
@@ -184,7 +190,7 @@ EFFECTS = (
                   kind="text"),
         _optional("start", "time of its first sample, by default the record's own", "s", "start_s"),
         *_OF_A_RECORD), (),
-           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE,
+           "water pressure on the slip surface relieves friction", pressure=_RATIO * J_R / LAMBDA + _PRESSURE + _WATER,
            any_of=("ratio", "pressure", "record")),
     Effect("cohesion", "3.11", (
         Parameter("cohesion", "Pa", _BELOW_0, _INFINITY, "shear strength without normal stress", "cohesion_kPa", 1e3,
@@ -200,10 +206,10 @@ EFFECTS = (
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
            "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
     Effect("shaking", "3.11", (
-        _series("horizontal", "k_h(t), driving acceleration over g in the sense of positive rotation", _K_H),
+        _series("horizontal", "k_h(t), driving acceleration over g, positive down-slope", _K_H),
         _series("vertical", "k_v(t), acceleration over g that lightens the mass", _K_V),
         _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
-        _optional("amplitude", "greatest k_h of the pulse, driving down-slope for a positive dip", key="amplitude_g"),
+        _optional("amplitude", "greatest k_h of the pulse, positive down-slope", key="amplitude_g"),
         _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),
         _optional("start", "time at which the shaking begins, by default 0 or the record's own", "s", "start_s"),
         _optional("duration", "duration of the pulse", "s", "duration_s"),

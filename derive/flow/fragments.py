@@ -9,6 +9,7 @@ from derive.algebra.remainders import Select
 from derive.declare import effects as declared
 from derive.declare.effects import (
     BY_PSI,
+    DEGREE,
     EFFECTS,
     FALL,
     LAMBDA,
@@ -78,7 +79,7 @@ NORMAL, FRICTION = cell("normal"), cell("friction")
 # In the rate of a state these count in full: there is no base to subtract.
 TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 # A Python function of slip, which the runtime turns into pieces.
-CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=7)
+CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
 def seen(q: sp.Symbol) -> sp.Symbol:
@@ -148,8 +149,15 @@ def moving(effect: Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Incre
             if p.symbol is not None:
                 s = signs.get(p.symbol, ONE)
                 found[p.symbol] = (s * p.symbol, series(f"d{p.symbol}", s) if p.kind == "series" else {})
+            if p.kind == "rotation":
+                found[p.symbol] = (p.symbol, powers(str(p.symbol), "x", DEGREE))
         found |= {x: (cell(f"{x}_0"), series(f"d{x}")) for x in effect.given}
     return found
+
+
+def powers(table: str, argument: str, degree: int) -> Increment:
+    """The increment of a table's piece, a polynomial of a register."""
+    return {(argument,) * k: cell(f"{table}.Q{k}") for k in range(1, degree + 1)}
 
 
 def of_effect(effect: Effect) -> Fragment:
@@ -162,13 +170,15 @@ def of_effect(effect: Effect) -> Fragment:
         low.put("lin", f"d{x}", f"{x}_less", (("=1.0", str(x)),))
     low.moving = {**low.moving, **TOTALS}
     rate = sp.expand(effect.growth * OMEGA).subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
-    symbols = [p for p in effect.parameters if p.symbol is not None]
+    symbols = [p for p in effect.parameters if p.symbol is not None and p.kind != "rotation"]
+    turned = [str(p.symbol) for p in effect.parameters if p.kind == "rotation"]
     return low.fragment(
         (f"({effect.equation}) {effect.help}", *declared.formulas(effect)),
         quantities(effect),
         inputs=[str(p.symbol) for p in symbols],
         optional=[str(p.symbol) for p in symbols if p.optional],
         states={str(x): rate for x in effect.given},
+        table=(turned[0], "rotation", "x", DEGREE) if turned else None,
     )
 
 
@@ -183,7 +193,7 @@ def of_law(law: Law) -> Fragment:
     value, argument = cell(f"{law.name}.VALUE"), "x"
     if law.depends_on == ("time",):
         low.moving, argument = {value: (value, series(f"d{law.name}"))}, f"d{law.name}"
-        return low.fragment(words, {"mu": value}, table=("time", argument, 0))
+        return low.fragment(words, {"mu": value}, table=(law.name, "time", argument, 0))
     if law.depends_on == ("speed",):
         # The logarithm of the speed over that where the phase began. The first piece, below the table, is constant.
         argument, beyond, start = "log_speed", cell("beyond"), cell("start_speed")
@@ -191,11 +201,10 @@ def of_law(law: Law) -> Fragment:
         low.cells["start_speed"] = Select(0, beyond, cell("omega"), 1)
         low.put("lin", "relative_speed", low.cell(-beyond), ((low.cell(beyond / start), "omega"),))
         low.put("log", argument, "relative_speed")
-    powers = {(argument,) * k: cell(f"{law.name}.Q{k}") for k in range(1, law.degree + 1)}
-    low.moving = {value: (value, powers)}
+    low.moving = {value: (value, powers(law.name, argument, law.degree))}
     of = "x" if argument == "x" else "log(omega/omega_0)"
     words.append(f"mu = VALUE + Q1 y + Q2 y^2 + ..., y = {of}")
-    return low.fragment(words, {"mu": value}, table=(law.depends_on[0], argument, law.degree))
+    return low.fragment(words, {"mu": value}, table=(law.name, law.depends_on[0], argument, law.degree))
 
 
 def pieces(law: Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:

@@ -62,8 +62,8 @@ class Fragment(NamedTuple):
 
     ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
     of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
-    argument (of time, its own) and the degree of its pieces.
+    out. ``states`` are series with those of their rates. A ``table`` has its name, is of slip, speed, rotation or
+    time, with the series of its argument (of time, its own) and the degree of its pieces.
     """
 
     words: tuple[str, ...]
@@ -73,7 +73,7 @@ class Fragment(NamedTuple):
     series: tuple[tuple[object, ...], ...]
     adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, int] | None = None
+    table: tuple[str, str, str, int] | None = None
 
 
 @dataclass
@@ -208,7 +208,7 @@ class Lowering:
 
     def fragment(self, words: Iterable[str], adds: Mapping[str, sp.Expr], inputs: Iterable[str] = (),
                  optional: Iterable[str] = (), states: Mapping[str, sp.Expr] | None = None,
-                 table: tuple[str, str, int] | None = None) -> Fragment:  # fmt: skip
+                 table: tuple[str, str, str, int] | None = None) -> Fragment:  # fmt: skip
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())

@@ -259,8 +259,8 @@ def _less_sine(x: Floats) -> Floats:
 
 @dataclass(frozen=True, eq=False)
 class Shaking:
-    """What shakes a scene, over gravity: ``horizontal`` is k_h(t), which drives in the sense of positive rotation
-    (down-slope for a positive dip), and ``vertical`` k_v(t), which lightens the mass."""
+    """What shakes a scene, over gravity: ``horizontal`` is k_h(t), which drives down-slope, and ``vertical`` k_v(t),
+    which lightens the mass."""
 
     horizontal: Series | Pulse
     vertical: Series | Pulse | None = None

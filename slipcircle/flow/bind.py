@@ -126,7 +126,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     scales = {
         "half_angle": arc.half_angle, "gravity": arc.gravity, "reference_stress": arc.reference_stress,
         "Theta": arc.dimensionless.moment_of_inertia, "radius": radius,
-        "density": np.divide(arc.unit_weight, arc.gravity),
+        "density": np.divide(arc.unit_weight, arc.gravity), "cover": weights.cover,
     }  # fmt: skip
     pieces: dict[str, tuple[tables.Data, Any, Any]] = {}  # by name: data, scale, factor
     grown: dict[str, Grown] = {}
@@ -136,11 +136,12 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
             if not p.symbol:
                 continue
             value = called[effect].get(p.name, 0.0)
-            share = weights.cover if (effect, p.name) == ("pore_pressure", "ratio") else 1.0
-            if callable(value):
-                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(share, scales | own)
+            if callable(value) and p.kind == "rotation":
+                pieces[p.symbol] = _under_water(arc, effects), 1.0, p.dimensionless(1.0, scales | own)
+            elif callable(value):
+                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(1.0, scales | own)
             else:
-                given[p.symbol] = p.dimensionless(value * share, scales | own)
+                given[p.symbol] = p.dimensionless(value, scales | own)
     for name, parameters in parts:
         _law(name, parameters, radius, time_scale, given, pieces, grown)
     cells, at = blank(program, lanes), program.places
@@ -166,6 +167,22 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     cells[its.FIRST_ONLY] = np.where(np.isinf(cells[its.END_TIME]), _first_only(effects, parts, given), 0.0)
     cells[its.LIMIT] = np.abs(weights.static_limit)
     return Bound(program, data, cells, time_scale, functions, joined)
+
+
+def _under_water(section: Any, effects: tuple[str, ...]) -> tables.Data:
+    """The mean pore pressure under a section's water level, Pa, at all rotations until its weight presses no more."""
+    if not any(EFFECTS[e].turns for e in effects):
+        still = np.zeros((1, tables.TERMS, *section.shape))
+        still[0, 0] = section.mean_pressure()
+        return tables.Data(np.zeros(1), still, np.zeros(1))
+    weights = section.weights
+    upright = np.arctan2(weights.press, weights.press_slope)  # J_r cos phi - J_r' sin phi falls to zero
+    kinks = np.moveaxis(section.pressure_kinks, -1, 0)
+    if section.shape:
+        return tables.turning(section.mean_pressure, kinks, upright - np.pi, upright)
+    most, kinks = np.reshape(upright, 1), kinks[:, None]
+    found = tables.turning(lambda turn: section.mean_pressure(turn[..., 0])[..., None], kinks, most - np.pi, most)
+    return found._replace(breaks=found.breaks[:, 0], coefficients=found.coefficients[..., 0])
 
 
 def in_time(function: Any) -> tables.Data:

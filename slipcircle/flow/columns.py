@@ -44,7 +44,7 @@ class Columns:
         """The pieces in which the lanes' slips and speeds lie, wherever they came from."""
         c = self.c
         for slot, data in zip(self.program.tables, self.tables, strict=True):
-            if slot.kind != "time":
+            if slot.kind in ("slip", "speed"):
                 argument = c[its.SLIP if slot.kind == "slip" else its.OMEGA] * c[slot.cells + its.SCALE]
                 c[slot.cells + its.PIECE] = np.maximum(np.searchsorted(data.breaks, argument, side="right") - 1, 0)
 
@@ -67,13 +67,33 @@ class Columns:
     def _piece(self, slot: Table, data: Data) -> None:
         """Where a phase begins: the piece's bounds, its value and the coefficients of what is beyond."""
         c, at = self.c, slot.cells
-        scale, factor = c[at + its.SCALE], c[at + its.SCALED_BY]
+        factor = c[at + its.SCALED_BY]
         if slot.kind == "time":
             self._time_piece(slot, data)
             c[at + its.INC] = 0.0
             terms = self._local(slot, data)
             c[at + its.VALUE] = terms[0]
             return
+        terms, powers = (self._turned if slot.kind == "rotation" else self._passed)(slot, data)
+        c[at + its.VALUE] = factor * terms[0]
+        for j in range(1, slot.degree + 1):
+            c[at + its.Q1 + j - 1] = factor * terms[j] * powers**j if j < len(terms) else 0.0
+
+    def _turned(self, slot: Table, data: Data) -> tuple[Floats, Floats]:
+        """Of the rotation, which goes either way: the piece that lies ahead, about now, in the direction of travel."""
+        c, at = self.c, slot.cells
+        turn, side = c[its.ROTATION], c[its.DIRECTION]
+        piece, last = data.entered(turn, side > 0.0), len(data.breaks) - 1
+        c[at + its.PIECE] = piece
+        edge, above = data.begins(piece), data.begins(np.minimum(piece + 1, last))
+        bound = np.where(side > 0.0, np.where(piece < last, above, np.inf), np.where(piece > 0, edge, -np.inf))
+        c[at + its.UPPER] = side * (bound - turn)
+        return shifted(data.polynomial(piece), turn - edge), side
+
+    def _passed(self, slot: Table, data: Data) -> tuple[Floats, Floats]:
+        """Of slip or speed."""
+        c, at = self.c, slot.cells
+        scale = c[at + its.SCALE]
         piece = c[at + its.PIECE].astype(np.intp)
         edge, last = data.breaks[piece], len(data.breaks) - 1
         poly = data.polynomial(piece)
@@ -81,19 +101,14 @@ class Columns:
         if slot.kind == "slip":
             local = np.maximum(c[its.SLIP] * scale - edge, 0.0)
             c[at + its.UPPER] = (above - edge - local) / scale
-            terms = shifted(poly, local)
-            powers = scale
+            return shifted(poly, local), scale
         else:
             moving = c[its.OMEGA] * scale > 0.0
             local = np.where(moving, np.log(np.where(moving, c[its.OMEGA] * scale, edge) / edge), 0.0)
             inside = piece > 0  # piece 0 is constant, below the first speed
             local = np.where(inside, local, 0.0)
             c[at + its.UPPER], c[at + its.LOWER] = above / scale, np.where(inside, edge / scale, 0.0)
-            terms = shifted(poly, local)
-            powers = np.ones_like(scale)
-        c[at + its.VALUE] = factor * terms[0]
-        for j in range(1, slot.degree + 1):
-            c[at + its.Q1 + j - 1] = factor * terms[j] * powers**j if j < len(terms) else 0.0
+            return shifted(poly, local), np.ones_like(scale)
 
     def _time_piece(self, slot: Table, data: Data) -> None:
         c, at = self.c, slot.cells

@@ -18,7 +18,7 @@ from slipcircle.flow.tables import Data
 Floats = NDArray[np.float64]
 
 # What the C walk knows by number, beside the operations: kinds of tables, and roles.
-KINDS = ("slip", "speed", "time")
+KINDS = ("slip", "speed", "time", "rotation")
 ROLES = ("x", "omega", "net", "normal", "upright", "cell_drive", "cell_drive_scale", "cell_normal0", "cell_f0",
          "cell_p0", "cell_ps0", "cell_driving", "cell_resisting", "cell_mu")  # fmt: skip
 STRIDE = 42  # coefficients from one register to the next: the highest order that the C walk takes, and two

@@ -76,6 +76,11 @@ def _load(link: Linker, name: str, sums: dict[str, list[Any]], friction: str = "
         sums.setdefault(friction if quantity == "mu" else quantity, []).append(added)
 
 
+def _powers(degree: int) -> list[str]:
+    """The cells of a piece's coefficients beyond its value."""
+    return [f"Q{k}" for k in range(1, degree + 1)]
+
+
 @lru_cache(maxsize=256)
 def join(
     effects: tuple[str, ...],
@@ -94,7 +99,7 @@ def join(
     laws : tuple of str
         The friction law, as in `generated.effects.LAWS` or "callable", and the law of speed that multiplies it, if any.
     moving : tuple of str
-        Symbols of parameters that are functions of time.
+        Symbols of parameters that are functions of time, or of the rotation.
     absent : tuple of str
         Symbols of optional parameters that are not given, and left out.
     asked : tuple of str
@@ -110,17 +115,22 @@ def join(
     link, sums, tables = Linker(), dict[str, list[Any]](), list[tuple[str, str, str, int]]()
     for name in ("gravity", *effects):
         _load(link, name, sums)
+        if table := FRAGMENTS[name].table:
+            tables += [table] if table[0] in moving else []
+            own = (table[0], *(f"{table[0]}.{x}" for x in _powers(table[3])))
+            link.cells |= {} if table[0] in moving else dict.fromkeys(own, ("set", ZERO))
+    turned = {name for name, _, _, _ in tables}
     for slot, name in enumerate(laws):
         _load(link, name, sums, "mu" if len(laws) == 1 else ("slip_mu", "rate_mu")[slot])
         if table := FRAGMENTS[name].table:
-            tables.append((name, *table))
+            tables.append(table)
     if len(laws) > 1:
         _load(link, "product", sums)
     for name in ("balance", *(x for x in asked if x in FRAGMENTS)):
         _load(link, name, sums)
     for symbol in moving:
         link.cells[symbol] = ("set", f"{symbol}.VALUE")
-        tables.append((symbol, "time", f"d{symbol}", 0))
+        tables += [] if symbol in turned else [(symbol, "time", f"d{symbol}", 0)]
     for name, kind, register, _ in tables:
         if kind == "time":
             link.registers[register] = ("ramp", register, name)
@@ -151,7 +161,7 @@ def _linked(
     directions: int,
 ) -> Program:
     """Names to indices: from what is wanted back to what it takes."""
-    own = [f"{t}.{x}" for t, _, _, d in tables for x in (*TABLE_CELLS, *(f"Q{i + 1}" for i in range(d)))]
+    own = [f"{t}.{x}" for t, _, _, d in tables for x in (*TABLE_CELLS, *_powers(d))]
     varied = [*rates, "ROTATION", "SLIP", *given, *(x for x in own if x.rpartition(".")[2][0] in "VQ")]
     primes = [f"'{j}" for j in range(directions)]
     fixed = [*dict.fromkeys((*CELLS, *rates, *given, *own, *(x + prime for prime in primes for x in varied)))]

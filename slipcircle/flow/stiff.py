@@ -56,7 +56,7 @@ class _Implicit(Walker):
             found.append((99, lambda t, y: float(self._registers(t, y)[roles["upright"]])))
         for k, slot in enumerate(self.program.tables):
             upper, lower = (float(self.c[slot.cells + x, 0]) for x in (its.UPPER, its.LOWER))
-            at = {"slip": 0, "speed": 1}.get(slot.kind)
+            at = {"slip": 0, "rotation": 0, "speed": 1}.get(slot.kind)
             if at is not None and np.isfinite(upper):
                 found.append((2 + 2 * k, partial(_short_of, at, upper, 1.0)))
             if slot.kind == "speed" and lower:

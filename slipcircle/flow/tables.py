@@ -1,9 +1,11 @@
 """Functions in pieces, as the flow walks them: laws by table, records, pulses, and functions given in Python."""
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.polynomial import Chebyshev, Polynomial
 from numpy.typing import ArrayLike, NDArray
 
 from generated.flow import PIECES
@@ -19,7 +21,7 @@ class Data(NamedTuple):
     function, the last piece is not known yet.
     """
 
-    breaks: Floats
+    breaks: Floats  # (pieces), or of rotations (pieces, lanes)
     coefficients: Floats  # (pieces, terms), or (pieces, terms, lanes)
     jumps: Floats
     sine: bool = False
@@ -27,7 +29,20 @@ class Data(NamedTuple):
 
     def lanes(self, which: Any) -> "Data":
         """For some of the lanes."""
-        return self._replace(coefficients=self.coefficients[..., which]) if self.coefficients.ndim == 3 else self
+        if self.coefficients.ndim < 3:
+            return self
+        own = self.breaks[:, which] if self.breaks.ndim == 2 else self.breaks
+        return self._replace(breaks=own, coefficients=self.coefficients[..., which])
+
+    def begins(self, piece: NDArray[np.intp]) -> Floats:
+        """Where each lane's piece begins."""
+        return np.asarray(self.breaks[piece, np.arange(piece.size)] if self.breaks.ndim == 2 else self.breaks[piece])
+
+    def entered(self, places: Floats, upwards: Any) -> NDArray[np.intp]:
+        """The pieces that places belong to; a break to the piece beyond, in the direction of travel."""
+        breaks = self.breaks if self.breaks.ndim == 2 else self.breaks[:, None]
+        passed = (breaks < places) | ((breaks == places) & upwards)
+        return np.maximum(np.count_nonzero(passed, axis=0) - 1, 0)
 
     def polynomial(self, piece: NDArray[np.intp]) -> Floats:
         """Coefficients of each lane's piece, (terms, lanes)."""
@@ -97,10 +112,47 @@ def of_speed(speeds: Floats, values: Floats) -> Data:
     return Data(breaks, np.vstack([first, found.coefficients]), np.zeros(breaks.size))
 
 
-# --- functions given in Python ---------------------------------------------------------------------------------------
+# --- functions known by their values ---------------------------------------------------------------------------------
 
 TERMS = 8  # of a piece
 _NODES = np.cos(np.pi * (np.arange(TERMS) + 0.5) / TERMS)
+# T_0 to T_7 by powers of 1 + x, what is beyond a piece's left end over half its length.
+_POWERS = np.array([Chebyshev.basis(k)(Polynomial([-1.0, 1.0])).coef.tolist() + [0.0] * (TERMS - 1 - k)
+                    for k in range(TERMS)]).T  # fmt: skip
+WIDEST = 0.2  # of a piece, where no derivative is greater than the function's size: (0.1)^8/(2^7 8!) is 2e-15 of it
+
+
+def turning(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats) -> Data:
+    """A function of the rotation that is a sum of 1, phi, sin phi and cos phi between kinks, by interpolation.
+
+    Parameters
+    ----------
+    function : callable
+        Takes rotations, (..., lanes), rad.
+    kinks : ndarray
+        (kinks, lanes), increasing.
+    least, most : ndarray
+        Between which it is asked for, (lanes,); beyond, it is a constant.
+    """
+    inner = np.concatenate([[least], np.clip(kinks, least, most), [most]])
+    edges = [inner[:1]]
+    for first, second in pairwise(inner):
+        count = int(np.ceil((second - first).max() / WIDEST))  # none, where kinks coincide
+        share = np.arange(1, count + 1)[:, None] / max(count, 1)
+        edges.append(np.where(share < 1.0, first + share * (second - first), second))
+    breaks = np.concatenate(edges)
+    half = np.diff(breaks, axis=0) / 2
+    values = function(breaks[:-1, None] + half[:, None] * (1.0 + _NODES[:, None]))
+    # First the coefficients of Chebyshev, which fall, so that the powers' great numbers do not cancel.
+    chebyshev = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS)))) @ values
+    with np.errstate(divide="ignore", invalid="ignore"):
+        terms = _POWERS @ chebyshev / half[:, None] ** np.arange(TERMS)[:, None]
+    terms = np.where(half[:, None] > 0.0, terms, 0.0)
+    last = np.zeros_like(terms[:1])
+    last[0, 0] = function(most)
+    return Data(breaks, np.concatenate([terms, last]), np.zeros(len(breaks)))
+
+
 _CHECK = np.cos(np.pi * np.arange(2 * TERMS + 1) / (2 * TERMS))
 CLOSE = 1e-13
 NARROWEST = 2.0**-40

@@ -193,7 +193,7 @@ class Walker(Resting):
         for k, slot in enumerate(p.tables):
             if slot.kind == "time":
                 continue
-            ahead = -(r[p.roles["x"]] if slot.kind == "slip" else omega)
+            ahead = -(omega if slot.kind == "speed" else r[p.roles["x"]])
             bound = np.where(np.isfinite(c[slot.cells + its.UPPER]), c[slot.cells + its.UPPER], 1e300)
             ahead[0] += bound
             later(2 + 2 * k, ahead, c[its.PASSED] == its.SLOWER if slot.kind == "speed" else None)
@@ -243,7 +243,10 @@ class Walker(Resting):
                 continue
             at, data = slot.cells, self.tables[k]
             up, down = event == 2 + 2 * k, event == 3 + 2 * k
-            if slot.kind == "slip":
+            if slot.kind == "rotation":
+                edge = data.begins(c[at + its.PIECE].astype(np.intp) + (up & (c[its.DIRECTION] > 0.0)))
+                c[its.ROTATION] = np.where(up, edge, c[its.ROTATION])
+            elif slot.kind == "slip":
                 c[at + its.PIECE, up] += 1.0
                 edge = data.breaks[c[at + its.PIECE].astype(np.intp)]
                 c[its.SLIP] = np.where(up, edge / c[at + its.SCALE], c[its.SLIP])

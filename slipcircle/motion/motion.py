@@ -66,7 +66,7 @@ ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
 @dataclass(frozen=True)
 class State:
-    """The motion at one time, or at an array of times; counterclockwise and down-slope for a positive dip.
+    """The motion at one time, or at an array of times; positive down-slope.
 
     Attributes
     ----------
@@ -489,6 +489,11 @@ class Motion(Results):
                 f"ill-conditioned: the energy is balanced to {self.energy_error_estimate:.1e} only, as what drives and "
                 "what resists are all but equal"
             )
+        section = self.plan.scene.arc
+        depth = section.drowned(self.reach.rotation, self.end.rotation) if isinstance(section, Section) else 0.0
+        if depth > 1e-6 * self._lanes.radius:
+            found.append(f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water "
+                         "above it is left out")  # fmt: skip
         if self.swings_back:
             found.append(
                 f"the mass swings back: it reaches {abs(self.reach.displacement):.4g} m after {self.reach.time:.4g} s, "

@@ -71,7 +71,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
         raise_all("plan", mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}))
     called = scene.called
-    moving = tuple(e for e, given in called.items() if any(map(callable, given.values())))
+    moving = tuple((e, n) for e, given in called.items() for n, value in given.items() if callable(value))
     return Plan(scene, **_choice(tuple(called), scene_laws(scene), moving, wanted), accuracy=wanted)
 
 
@@ -81,14 +81,16 @@ def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 @cache
-def _choice(called: tuple[str, ...], laws: Any, moving: tuple[str, ...], accuracy: float) -> dict[str, Any]:
+def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], ...], accuracy: float) -> dict[str, Any]:
     """What a plan is made of but for the scene's values, so that it is chosen once."""
     effects, (names, depends) = tuple(e for e in EFFECTS if e in called), laws
-    symbols = tuple(p.symbol for e in effects if e in moving for p in EFFECTS[e].parameters if p.kind == "series")
-    program = join(effects, names, symbols)
+    own = [(e, p) for e in effects for p in EFFECTS[e].parameters if (e, p.name) in moving]
+    program = join(effects, names, tuple(p.symbol for _, p in own))
+    timed = [e for e, p in own if p.kind == "series"]
     reasons = [f"{e} {'turns the mass' if EFFECTS[e].turns else f'depends on {WORDS.get(x, x)}'}" for e in effects
-               for x in EFFECTS[e].depends_on if x != "speed squared" and (x != "time" or e in moving)]  # fmt: skip
-    reasons += [f"{e} depends on time" for e in moving if "time" not in EFFECTS[e].depends_on]
+               for x in EFFECTS[e].depends_on if x != "speed squared" and (x != "time" or e in timed)]  # fmt: skip
+    reasons += [f"{e} depends on time" for e in dict.fromkeys(timed) if "time" not in EFFECTS[e].depends_on]
+    reasons += [f"{e} depends on the rotation" for e, p in own if p.kind == "rotation"]
     reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]
     terms = order(accuracy)
     return {

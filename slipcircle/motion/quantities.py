@@ -62,6 +62,8 @@ class Quantity:
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
+        if np.ndim(value):  # a point
+            return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
         return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
 
@@ -100,6 +102,13 @@ RESULTS: tuple[Quantity, ...] = (
 )
 # Of a section, which lies somewhere.
 JOURNEY: tuple[Quantity, ...] = (
+    Quantity("area", "m^2", "area of the section", "plan.scene.arc.area"),
+    Quantity("mass_per_metre", "kg/m", "mass per metre of width", "plan.scene.arc.mass_per_metre"),
+    Quantity("chord", "m", "chord of the slip circle under the mass", "plan.scene.arc.chord"),
+    Quantity("depth", "m", "greatest thickness of the mass", "plan.scene.arc.depth"),
+    Quantity("entry", "m", "upper end of the slip surface, x and y", "plan.scene.arc.entry"),
+    Quantity("exit", "m", "lower end of the slip surface, x and y", "plan.scene.arc.exit"),
+    Quantity("centroid", "m", "centroid at the start, x and y", "plan.scene.arc.centroid"),
     Quantity("toe_run_out", "m", "horizontal run-out of the toe", "journey.run_out", solved=True),
     Quantity("toe_x", "m", "x of the toe at the end", "journey.toe_x", solved=True),
     Quantity("toe_y", "m", "y of the toe at the end", "journey.toe_y", solved=True),

@@ -121,7 +121,7 @@ class _Seeds:
         arc = lanes.arc
         alpha = float(arc.half_angle)
         alpha_dot = (self.one("theta_2") - self.one("theta_1")) / 2
-        dip_dot = -(self.one("theta_1") + self.one("theta_2")) / 2
+        dip_dot = -arc.facing * (self.one("theta_1") + self.one("theta_2")) / 2
         radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
         weight, radial, polar, level, inertia = (float(g) for g in arc_growth(alpha))
@@ -139,7 +139,7 @@ class _Seeds:
         self.growths = {
             "half_angle": alpha_dot / alpha, "gravity": gravity, "Theta": inertia / alpha * alpha_dot, "radius": radius,
             "reference_stress": unit_weight + radius + alpha_dot / math.tan(alpha / 2),
-            "density": unit_weight - gravity,
+            "density": unit_weight - gravity, "cover": 0.0 * radius,
         }  # fmt: skip
         self.tables: dict[str, tuple[Any, Any, list[Data] | None]] = {}  # growth of scale, of factor; data by parameter
         self._effects(c, at)
@@ -157,7 +157,7 @@ class _Seeds:
         scales = {
             "half_angle": float(arc.half_angle), "gravity": float(arc.gravity), "radius": float(arc.radius),
             "reference_stress": float(arc.reference_stress), "Theta": float(arc.dimensionless.moment_of_inertia),
-            "density": float(arc.unit_weight) / float(arc.gravity),
+            "density": float(arc.unit_weight) / float(arc.gravity), "cover": float(arc.weights.cover),
         }  # fmt: skip
         for effect, given in self.lanes.called.items():
             own = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}

@@ -13,7 +13,8 @@ WIDTH, INDENT = 100, 28
 HEAD = """\
 A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
 [friction] are needed. The table of an effect calls for it, even an empty one; what no table calls
-for is neither computed nor paid for.
+for is neither computed nor paid for. In place of [arc], [ground] and [circle] give a real slope,
+[water] its water level; Vaiont has an [arc], as no profile of it is at hand that could be cited.
 
 The balance of momentum, dimensionless (times over sqrt(R/g), stresses over sigma_ref, which is
 unit weight R (1 - cos alpha); numbers in brackets are the paper's equations and figures):

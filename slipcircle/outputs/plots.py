@@ -178,8 +178,7 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     ax = axis(ax, (7.0, 2.5))
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
     given = given_in_time(motion.plan.scene)
-    way = -1.0 if motion.plan.scene.arc.dip < 0.0 else 1.0
-    names = {"shaking.horizontal": ("down-slope $k_h$" if way > 0.0 else "horizontal $k_h$", "main"),
+    names = {"shaking.horizontal": ("down-slope $k_h$", "main"),
              "shaking.vertical": ("lightening $k_v$", "other")}  # fmt: skip
     curves = {name: given[name] for name in names if name in given}
     if not curves:
@@ -191,7 +190,7 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     for name, function in curves.items():
         label, line = names[name]
         ax.plot(at, function(at), label=label, **{**LINES[line], "lw": 1.2})
-    yields = motion.yield_coefficient * way
+    yields = motion.yield_coefficient
     ax.axhline(yields, label=f"yields at the start: $k_y$ = {number(yields)}", **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
     ax.grid(alpha=0.3)

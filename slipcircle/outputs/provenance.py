@@ -123,7 +123,8 @@ def _of_scene(scene: Scene) -> Iterator[Input]:
 def _parameters(path: str, declared: Any, given: Mapping[str, Any]) -> Iterator[Input]:
     for p in declared.parameters:
         if p.name in given:
-            yield Input(f"{path}.{p.name}", _shown(given[p.name]), p.unit, p.help, "")
+            value = "of the section's water level" if p.kind == "rotation" else _shown(given[p.name])
+            yield Input(f"{path}.{p.name}", value, p.unit, p.help, "")
 
 
 def _shown(value: Any) -> str:

@@ -7,6 +7,8 @@ import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
+
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.motion import Motion
@@ -118,4 +120,6 @@ def given(plan: Plan, text: str | None) -> Iterable[Raw]:
 def _value(quantity: Quantity, found: Any) -> Raw:
     """A number of the result: in full in the attribute, with six digits in the text."""
     value = quantity.read(found)
-    return Raw("yes" if value else "no") if isinstance(value, bool) else data(float(value), *quantity.seen(value))
+    if isinstance(value, bool) or np.ndim(value):
+        return Raw(quantity.text(found))
+    return data(float(value), *quantity.seen(value))

@@ -35,7 +35,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
         places.append(("end", times * float(end.rotation), f"{ending(motion)}: {number(end.displacement)} m"))
         if peak.rotation not in (0.0, end.rotation):
             places.append(("peak", times * float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
-    turned = [rotation for _, rotation, _ in places]
+    turned = [rotation * arc.facing for _, rotation, _ in places]
     swept = np.linspace(first + min(turned), second + max(turned), 400)
     ax.plot(*_points(radius, swept), label="slip surface", color="0.45", lw=1.2)
     outlines = [_points(radius, np.linspace(first, second, 200) + rotation) for rotation in turned]
@@ -142,7 +142,7 @@ def _forces(ax: Any, motion: Motion, radius: float, first: float, second: float,
     draw(tip, centre, "weight", 2.2)
     _write(ax, "$W$", tip, np.array([0.0, -1.0]))
     ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * shown))
-    way = motion.phases[0].direction if motion.phases else math.copysign(1.0, float(arc.dip))
+    way = arc.facing * (motion.phases[0].direction if motion.phases else 1)
     rough = float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects
     for share in _ARROWS:
         at = _points(radius, np.array([middle + share * alpha]))[:, 0]
@@ -177,9 +177,9 @@ def animate(motion: Motion, figure: Any = None, frames: int = 60) -> Any:
 
     ax = section(motion, None if figure is None else figure.add_subplot())
     arc = motion.plan.scene.arc
-    centre, facing = np.zeros(2), 1.0
+    centre, facing = np.zeros(2), float(arc.facing)
     if isinstance(arc, Section):
-        centre, facing = np.asarray(arc.centre, dtype=np.float64), float(arc.facing)
+        centre = np.asarray(arc.centre, dtype=np.float64)
         outline = slopeplot.outline(arc, arc) - centre
     else:
         radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))

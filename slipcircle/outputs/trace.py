@@ -59,7 +59,7 @@ def telling_times(motion: Motion) -> Floats:
 
 def given_in_time(scene: Scene) -> dict[str, Any]:
     """What changes with time in a scene: a `Series` or `Pulse` by ``effect.parameter``."""
-    return {f"{e}.{n}": value for e, own in scene.called.items() for n, value in own.items() if callable(value)}
+    return {f"{e}.{n}": value for e, own in scene.called.items() for n, value in own.items() if hasattr(value, "kinks")}
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:

@@ -1,8 +1,8 @@
 """Records read from files: accelerations that shake a scene, and the pore pressure in it.
 
-Signs. A scene's ``k_h`` is the *driving* acceleration over gravity, in the sense of positive rotation: to the right,
-which is down-slope for a positive dip. In the frame of the ground the mass feels the opposite of what the ground does,
-so that ground which accelerates to the right drives the mass to the left: driving = -ground. Likewise ``k_v``, which
+Signs. A scene's ``k_h`` is the *driving* acceleration over gravity, positive down-slope. In the frame of the ground the
+mass feels the opposite of what the ground does, so that ground which accelerates down-slope, which is positive for a
+record too, drives the mass up-slope: driving = -ground. Likewise ``k_v``, which
 lightens the mass, is minus the upward acceleration of the ground. A record must therefore say what it holds.
 """
 

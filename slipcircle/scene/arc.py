@@ -58,7 +58,9 @@ class Arc:
 
     Notes
     -----
-    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape.
+    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. Either
+    facing: motions, velocities and shaking are positive down-slope, whichever way that turns. Only ``dip`` and the
+    paper's J_theta with its quotients (``dimensionless``, ``weight_moment``) have the sense of the angles.
     """
 
     radius: ArrayLike
@@ -126,8 +128,14 @@ class Arc:
 
     @cached_property
     def dip(self) -> Any:
-        """psi, the dip of the chord, rad."""
+        """psi, the dip of the chord, rad; negative where gravity turns the mass clockwise."""
         return 1.5 * np.pi - np.add(self.theta_1, self.theta_2) / 2
+
+    @cached_property
+    def facing(self) -> Any:
+        """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
+        moment = self.dip if self.given is None else self.given["weight_moment"]
+        return np.where(np.asarray(moment) < 0.0, -1.0, 1.0)[()]
 
     @cached_property
     def time_scale(self) -> Any:
@@ -177,7 +185,7 @@ class Arc:
     def weights(self) -> Weights:
         """What the balance needs; r_u is a share of the static normal stress."""
         d, (weight, radial), press = self.dimensionless, self.amplitudes_per_inertia, self.press()
-        limit = d.limit_friction
+        limit = self.facing * d.limit_friction
         return Weights(
             limit * press, weight * (press / radial), press, -radial * (limit * press / weight),
             press / d.static_normal_stress, d.polar_moment_per_inertia, limit, 1.0,

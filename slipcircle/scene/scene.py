@@ -46,7 +46,7 @@ class Scene:
         changes with time is a `slipcircle.base.series.Series` or `Pulse`, or what such are made of: a pulse by
         name, a record's file, or a list with its times.
     initial_velocity : float or array_like, optional
-        Velocity along the arc at the start, m/s; positive turns counterclockwise, down-slope for a positive dip.
+        Velocity along the arc at the start, m/s, positive down-slope.
     end_time : float or array_like, optional
         s; by default until the mass rests.
     accuracy : float, optional
@@ -126,9 +126,13 @@ class Scene:
 
     @property
     def called(self) -> Mapping[str, Mapping[str, Any]]:
-        """Effects by name, each with its parameters, however they were given."""
+        """Effects by name, each with its parameters, however they were given; and the water level of a section."""
         assert isinstance(self.effects, dict)
-        return self.effects
+        if not isinstance(self.arc, Section) or self.arc.level is None:
+            return self.effects
+        return self.effects | {
+            "pore_pressure": {**self.effects.get("pore_pressure", {}), "level": self.arc.mean_pressure}
+        }
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
@@ -163,10 +167,6 @@ def _unsolved(section: Section) -> list[str]:
         return ["arc: must be one section; several circles or grounds are several scenes"]
     if section.no_motion:
         return [f"arc: {section.no_motion}"]
-    if section.level is not None:
-        mean = float(section.mean_pressure()) / 1e3
-        return ["arc.level: a water level through which the mass turns is not followed; leave it out and give the mean "
-                f"pore pressure on the arc, which is {mean:.6g} kPa at the start"]  # fmt: skip
     return []
 
 
@@ -187,7 +187,7 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
-    wanted = {p.name: p for p in effect.parameters}
+    wanted = {p.name: p for p in effect.parameters if p.kind != "rotation"}
     needed = [p for p in effect.parameters if not p.optional]
     found = [f"effects.{name}: {p.name!r} is missing: {p.help} ({p.unit})" for p in needed if p.name not in parameters]
     if effect.any_of and not any(n in parameters for n in effect.any_of):
@@ -197,7 +197,7 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
         for n in parameters
         if n not in wanted
     ]
-    given = [(p, parameters[p.name]) for p in effect.parameters if p.name in parameters]
+    given = [(p, parameters[p.name]) for p in wanted.values() if p.name in parameters]
     words = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
     numbers = {p.name: v for p, v in given if p.kind in ("number", "list", "series") and p.key and not callable(v)}
     bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in numbers}

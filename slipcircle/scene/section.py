@@ -394,6 +394,27 @@ class Section:
         turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
         return self._shaped(np.sort(turns, axis=1))
 
+    @cached_property
+    def surface(self) -> Floats:
+        """The ground over the mass of one section, from its left to its right end, m."""
+        ends = np.array(sorted([tuple(self.entry), tuple(self.exit)]))
+        ground = np.asarray(self.ground, dtype=np.float64)
+        inner = ground[(ground[:, 0] > ends[0, 0]) & (ground[:, 0] < ends[1, 0])]
+        return np.concatenate([ends[:1], inner, ends[1:]])
+
+    def drowned(self, *rotations: float) -> float:
+        """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
+        if self.level is None:
+            return 0.0
+        if len(rotations) > 1:
+            return max(map(self.drowned, rotations))
+        points, level = self.placed(self.surface, rotations[0]), np.asarray(self.level, dtype=np.float64)
+        (x, y), (dx, dy) = points[:-1].T, np.diff(points, axis=0).T
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = (level[:, :1] - x) / dx  # of each edge, where a vertex of the level is
+        depth = np.where((share > 0.0) & (share < 1.0), level[:, 1:] - (y + share * dy), 0.0)
+        return float(max(0.0, depth.max(), (np.interp(points[:, 0], *level.T) - points[:, 1]).max()))
+
     # --- where it goes -----------------------------------------------------------------------------------------------
 
     def placed(self, points: Any, rotation: Any) -> Any:

@@ -19,33 +19,37 @@ from slipcircle.scene.section import Section
 # The numbers of a scene that a critical circle depends on, and of the slope that it was looked for in.
 _OF_SLOPE = {"friction": "friction", "friction.peak": "friction", "cohesion.cohesion": "cohesion",
              "pore_pressure.ratio": "pore_ratio", "unit_weight": "unit_weight"}  # fmt: skip
-DIP = Number("arc.dip_deg", "dip", "deg", -90.0, 90.0, False, np.pi / 180)  # of the chord: both ends of the arc turn
+DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180)  # down-slope; both ends of the arc turn
 
 
 def number_in(scene: Scene, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
     if path in (DIP.key, DIP.name):
-        return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", -np.pi / 2, np.pi / 2)
+        return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
     only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
     return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction)
 
 
 def value_in(scene: Scene, number: Number) -> float | None:
     """The value that a scene has of a number, SI; none where it has none."""
-    value = scene.arc.dip if number.name == DIP.name else scene.numbers.get(number.name)
+    value = abs(scene.arc.dip) if number.name == DIP.name else scene.numbers.get(number.name)
     return None if value is None else float(np.asarray(value))
 
 
 def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
     """The fields of a scene with other values of its numbers by name, SI; numbers or arrays, unchecked."""
     arc: dict[str, Any] = {}
-    effects = {e: dict(given) for e, given in scene.called.items()}
+    assert isinstance(scene.effects, dict)
+    effects = {e: dict(given) for e, given in scene.effects.items()}
     top: dict[str, Any] = {"uncertain": {}}
     friction = scene.friction
     for name, value in values.items():
         head, _, tail = name.partition(".")
         if name == DIP.name:
-            arc |= {n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - value) for n in ("theta_1", "theta_2")}
+            arc |= {
+                n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - scene.arc.facing * value)
+                for n in ("theta_1", "theta_2")
+            }
         elif name in scene.arc.quantities:
             arc[name] = value
         elif name == "friction":

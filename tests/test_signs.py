@@ -1,0 +1,72 @@
+"""Positive is down-slope, whatever the facing: arcs, sections and their mirror images do the same in every field."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from slipcircle import Arc, Scene, Section, backanalyse, ensemble, solve
+from slipcircle.__main__ import main
+from slipcircle.base.series import Pulse, Series
+from slipcircle.motion.quantities import HISTORY, RESULTS
+
+RIGHT = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
+LEFT = Arc(60.0, math.radians(250.0), math.radians(320.0), 19e3)
+GROUND = np.array([[0.0, 35.0], [40.0, 35.0], [52.0, 30.0], [60.0, 25.0], [90.0, 25.0]])
+LEVEL = np.array([[0.0, 32.0], [45.0, 32.0], [60.0, 25.0], [90.0, 25.0]])
+FALLING = Section(GROUND, [57.0, 56.0], 28.0, 20e3, level=LEVEL)
+RISING = Section(GROUND[::-1] * [-1, 1], [-57.0, 56.0], 28.0, 20e3, level=LEVEL[::-1] * [-1, 1])
+RECORD = Series(np.arange(0.0, 3.1, 0.25), np.array([0, 3, -2, 4, -3, 1, 5, -4, 2, 0, 1, -1, 0]) / 10.0, held=False)
+ASKED: dict[str, tuple[Any, Any, float]] = {
+    "pushed down": ({"rotation": {}, "centripetal": {}}, 0.35, 2.0),
+    "pushed up": ({"rotation": {}, "cohesion": {"cohesion": 4e3}}, 0.2, -2.0),
+    "swings": ({"rotation": {}}, 0.02, 0.0),
+    "pulse": ({"rotation": {}, "shaking": {"horizontal": Pulse("sine", 0.3, 0.0, 2.0)}}, 0.4, 0.0),
+    "record": ({"rotation": {}, "shaking": {"horizontal": RECORD, "two_way": True}}, 0.4, 0.0),
+    "softens": ({"rotation": {}}, {"law": "exponential", "peak": 0.22, "residual": 0.15, "length": 1.0}, 0.0),
+}
+
+
+@pytest.mark.parametrize(("one", "other"), [(RIGHT, LEFT), (FALLING, RISING)], ids=["arc", "section"])
+@pytest.mark.parametrize("asked", ASKED)
+def test_a_mirror_changes_no_number(one: Any, other: Any, asked: str) -> None:
+    effects, friction, velocity = ASKED[asked]
+    a, b = (solve(Scene(arc, friction, effects, velocity)) for arc in (one, other))
+    assert (a.plan.scene.arc.facing, b.plan.scene.arc.facing) == (1, -1)
+    assert a.reach.displacement > 0.0 or asked == "pushed up"
+    times = np.linspace(0.0, a.duration * 0.999, 23)
+    for q in RESULTS:
+        assert q.read(b) == pytest.approx(q.read(a), rel=1e-9, abs=1e-9), q.name
+    for name, q in HISTORY.items():
+        first, second = q.at(a, times), q.at(b, times)
+        np.testing.assert_allclose(second, first, rtol=0, atol=1e-8 * max(1e-9, np.nanmax(np.abs(first))), err_msg=name)
+    assert json.dumps([w.split()[:4] for w in a.warnings]) == json.dumps([w.split()[:4] for w in b.warnings])
+
+
+def test_studies_of_a_mirrored_arc() -> None:
+    one, other = (backanalyse(Scene(arc, 0.2, ["rotation"]), run_out=15.0).value for arc in (RIGHT, LEFT))
+    assert other == pytest.approx(one, rel=1e-11)
+    drawn = {"friction": {"distribution": "uniform", "low": 0.1, "high": 0.3}}
+    many = [ensemble(Scene(arc, 0.2, ["rotation"], uncertain=drawn), 64, 3) for arc in (RIGHT, LEFT)]
+    assert many[1].mean("run_out").value == pytest.approx(many[0].mean("run_out").value, rel=1e-9)
+    a, b = (solve(Scene(arc, 0.2, ["rotation"], 1.0)).sensitivity() for arc in (RIGHT, LEFT))
+    for output in a.outputs:
+        for name in ("friction", "radius", "initial_velocity"):
+            assert b.derivative(output, name) == pytest.approx(a.derivative(output, name), rel=1e-9, abs=1e-12)
+        for name, image in (("theta_1", "theta_2"), ("theta_2", "theta_1")):  # they change places, and their sense
+            assert b.derivative(output, name) == pytest.approx(-a.derivative(output, image), rel=1e-9)
+
+
+def test_an_observed_run_out_is_positive_for_either_facing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "left.toml"
+    path.write_text('[arc]\nradius_m = 60\ntheta_1_deg = 250\ntheta_2_deg = 320\nunit_weight_kN_m3 = 19\n'
+                    "[friction]\nangle_deg = 12\n[rotation]\n", "utf-8")  # fmt: skip
+    assert main(["backanalyse", str(path), "--run-out-m", "15"]) == 0
+    capsys.readouterr()
+    assert main(["run", str(path), "--json", "--plot", str(tmp_path / "left.png")]) == 0
+    (record,) = json.loads(capsys.readouterr().out)
+    assert record["run_out"] > 0.0
+    assert solve(Scene(LEFT, 0.9, ["rotation"], initial_velocity=1.0)).run_out > 0.0
