@@ -142,7 +142,7 @@ def started(kernel: Kernel, seam: float) -> Best:
             found.append(Pieces(HALF_PI, count_near(closed, HALF_PI)))
         else:
             far = with_degree(closed, baseline(closed, seam), seam)
-            found.append(Pieces(seam, count_near(closed, seam), far))
+            found.append(Pieces(seam, count_near(closed, seam), far=far))
     return tuple(found)
 
 
@@ -161,6 +161,7 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
         yield tuple(replace(p, seam=round(p.seam + more / 100, 2)) if p.far else p for p in shape)
     for k, (closed, part) in enumerate(zip(kernel.closed, shape, strict=True)):
         moves = [replace(part, count=part.count + more) for more in (-1, 1)]
+        moves += [replace(part, kept=part.kept + more) for more in (-1, 1) if 2 <= part.kept + more < part.count - 2]
         if far := part.far:
             about, changed = end(closed), []
             assert about is not None

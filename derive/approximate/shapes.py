@@ -156,10 +156,14 @@ class Far:
 
 @dataclass(frozen=True)
 class Pieces:
-    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it."""
+    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it.
+
+    Fused, the rounding errors of the ``kept`` leading sums near 0 are kept.
+    """
 
     seam: float
     count: int
+    kept: int = 2
     far: Far | None = None
 
 
@@ -176,7 +180,7 @@ def records() -> dict[tuple[str, ...], Shape]:
     """The shapes that were found before, by definition; what is found in this run joins them."""
     found = {}
     for key, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
-        best = [Pieces(p["seam"], p["count"], Far(**p["far"]) if p["far"] else None) for p in known["best"]]
+        best = [Pieces(p["seam"], p["count"], p["kept"], Far(**p["far"]) if p["far"] else None) for p in known["best"]]
         found[tuple(key.split(" / "))] = Shape(tuple(best), tuple(map(tuple, known["cheap"])))
     return found
 

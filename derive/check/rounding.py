@@ -84,9 +84,10 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
     largest = float(exact.abs_upper()) * UP + TINY
     if not largest < 2.0**900:
         raise Unbounded(f"{node.kind} is unbounded")
-    if node.kind in ("add", "sub"):  # Sterbenz: a difference no larger than either operand is exact
+    if node.kind in ("add", "sub"):
+        # Doubles not below 2**(k - 1) are multiples of 2**(k - 53), and so is their sum: a double, if at most 2**k.
         smaller = min(float(values[i].abs_lower()) for i in node.args) * DOWN
-        if largest <= smaller:
+        if smaller > 0 and largest <= math.ldexp(1.0, math.frexp(smaller)[1]):
             return 0.0
     half = math.ldexp(1.0, math.frexp(largest)[1] - 54)
     return ((half if node.kind != "log" else 2 * LOG_ULPS * half) + node.floor) * UP
