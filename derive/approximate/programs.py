@@ -1,8 +1,9 @@
 """The certified kernels' programs: an approximant of F(alpha)/alpha**3 near 0, and of F less a straight line near pi/2.
 
 Near: F = x u W, where u = x**2 and W = c0 + u (c1 + u (c2 + ...)). Fused, the rounding errors of u, of u W and of the
-leading sums of W are kept, as many as the shape says. Far, in b = fl(pi/2) - x (exact there): F = line(x) + correction(b), the line without
-rounding, so that the small correction needs no care. Every piece is computed for every x, and one chosen.
+leading sums of W are kept, as many as the shape says. Far, in b = fl(pi/2) - x (exact there): F = line(x) +
+correction(b), the line without rounding, so that the small correction needs no care. Every piece is computed for
+every x, and one chosen.
 """
 
 from collections.abc import Sequence
