@@ -353,33 +353,31 @@ class Worst:
 
 def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]:
     """Find bounds that can be proved: the worst box is halved, again and again. With them the patches' worst boxes."""
-    found, worst = halve(record, list(patches(record)), halvings)
+    found, worst = {"bound": 0.0, "bound_to_quarter_pi": 0.0}, []
+    every = list(patches(record))
+    for claim in found:
+        found[claim], boxes = halve(record, [part for part in every if claimed(part) == claim], halvings)
+        worst += boxes
     whole = max(found.values())
     return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
 
 
-def halve(record: Record, every: list[Patch], halvings: int) -> tuple[dict[str, float], list[Worst]]:
-    """What can be proved on these patches, by claim, and their worst boxes."""
-    found = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
-    worst = []
-    for claim in found:
-        heap = [
-            (-error(record, part, part.lower, part.upper), number, part.lower, part.upper)
-            for number, part in enumerate(every)
-            if claimed(part) == claim
-        ]
-        heapq.heapify(heap)
-        for _ in range(halvings if heap else 0):
-            _, number, lower, upper = heap[0]
-            middle = (lower + upper) / 2
-            if not lower < middle < upper:
-                break
-            halves = ((lower, middle), (middle, upper))
-            entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
-            heapq.heapreplace(heap, entries[0])
-            heapq.heappush(heap, entries[1])
-        found[claim] = -heap[0][0] if heap else 0.0
-        of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
-        for _, number, lower, upper in heapq.nsmallest(16, of_patch.values()):
-            worst.append(Worst(lower, upper, every[number].top > 0))
-    return found, worst
+def halve(record: Record, every: list[Patch], halvings: int) -> tuple[float, list[Worst]]:
+    """What can be proved on these patches, and their worst boxes."""
+    heap = [
+        (-error(record, part, part.lower, part.upper), number, part.lower, part.upper)
+        for number, part in enumerate(every)
+    ]
+    heapq.heapify(heap)
+    for _ in range(halvings if heap else 0):
+        _, number, lower, upper = heap[0]
+        middle = (lower + upper) / 2
+        if not lower < middle < upper:
+            break
+        halves = ((lower, middle), (middle, upper))
+        entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
+        heapq.heapreplace(heap, entries[0])
+        heapq.heappush(heap, entries[1])
+    of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
+    worst = heapq.nsmallest(16, of_patch.values())
+    return -heap[0][0] if heap else 0.0, [Worst(a, b, every[number].top > 0) for _, number, a, b in worst]
