@@ -43,7 +43,7 @@ from derive.declare.symbols import alpha
 SEAMS = tuple(k / 100 for k in range(64, 124, 4))
 SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
 NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirtieth of an ulp at most
-HALVINGS = 250
+HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp

@@ -204,9 +204,8 @@ def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
 def near_samples(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
-        function = scaled(closed, wanted)
         points = grid(arb(0), exact(seam) ** 2, count)
-        return sample(function, lambda u: 1 / function(u), points).without(exact(wanted))
+        return sample(scaled(closed, wanted), lambda u, f: 1 / f, points).without(exact(wanted))
 
 
 @cache
@@ -220,7 +219,7 @@ def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
     """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
     with ctx.workprec(GUARD):
         points = grid(arb(0), exact(Fraction(1, 25)), degree)
-        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z: z * z.sqrt(), points)
+        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z, _: z * z.sqrt(), points)
         return nearest(arb(2).log()), rounded(samples, degree, careful=1)
 
 
@@ -231,7 +230,7 @@ def cheap_samples(closed: sp.Expr, above: int, below: int) -> Samples:
         largest = (arb.pi() / 2) ** 2
         place: Function = (lambda w: largest - w) if below else (lambda u: u)
         points = grid(arb(0), largest, above + below, 2)
-        return sample(lambda z: function(place(z)), lambda z: 1 / function(place(z)), points)
+        return sample(lambda z: function(place(z)), lambda z, f: 1 / f, points)
 
 
 @cache
@@ -284,9 +283,12 @@ def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float,
             b = w.sqrt()
             return (at(closed, exact(HALF_PI) - b) - horner(known, b)) / b**power
 
+        def weight(w: arb, left: arb) -> arb:
+            b = w.sqrt()
+            return b**power / (left * b**power + horner(known, b))
+
         points = grid(arb(0), exact(HALF_PI - seam) ** 2, (2 if shape.log else 1) * far.degree + 2, 2)
-        samples = sample(rest, lambda w: w.sqrt() ** power / at(closed, exact(HALF_PI) - w.sqrt()), points)
-        return samples, constant, tilt
+        return sample(rest, weight, points), constant, tilt
 
 
 def far_minimax(closed: sp.Expr, far: Far, samples: Samples) -> tuple[list[arb], list[arb], float, list[arb]]:

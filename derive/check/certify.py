@@ -48,14 +48,14 @@ QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Parts of [lower, upper], both ends included, no double left out, each with one tape.
 
-    Where to cut first is guessed from the constants, which matters for the time only: what is undecided is halved.
+    Where to cut first is guessed, from the constants that are compared too: what is undecided is halved.
     """
-    constants = [float.fromhex(v) for kind, _, v in record["operations"] if kind == "const"]
-    guesses = {0.5, 1.0, QUARTER, TOP, *constants, *(TOP - c for c in constants)}
-    if any(v == "exponent" for _, _, v in record["operations"]):
-        guesses |= {TOP - 0.75 * 2.0**-k for k in range(54)}
-    inner = sorted(c for c in guesses if lower < c < upper)
-    starts = sorted({lower, upper, *inner, *(math.nextafter(c, 9.0) for c in inner)})
+    operations = record["operations"]
+    compared = [operations[a] for kind, args, _ in operations if kind == "less" for a in args]
+    guesses = {QUARTER, *(k / 16 for k in range(26)), *(float.fromhex(c) for kind, _, c in compared if kind == "const")}
+    if any(value == "exponent" for _, _, value in operations):
+        guesses |= {math.nextafter(TOP - 0.75 * 2.0**-k, 9.0) for k in range(54)}
+    starts = [lower, *sorted(c for c in guesses if lower < c < upper), upper]
     todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise(starts)] + [(upper, upper)]
     found: list[tuple[float, float, Tape]] = []
     todo.reverse()
