@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 import sympy as sp
@@ -47,7 +47,8 @@ HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
-JUDGED = 40  # shapes at most
+KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
+TRIALS = 40  # shapes judged at most, for one quantity
 
 
 def bound(variant: Variant) -> float:
@@ -139,10 +140,10 @@ def started(kernel: Kernel, seam: float) -> Best:
     found = []
     for closed in kernel.closed:
         if end(closed) is None:
-            found.append(Pieces(HALF_PI, count_near(closed, HALF_PI)))
+            found.append(Pieces(HALF_PI, count_near(closed, HALF_PI), KEPT))
         else:
             far = with_degree(closed, baseline(closed, seam), seam)
-            found.append(Pieces(seam, count_near(closed, seam), far=far))
+            found.append(Pieces(seam, count_near(closed, seam), KEPT, far))
     return tuple(found)
 
 
@@ -174,7 +175,7 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
             yield (*shape[:k], move, *shape[k + 1 :])
 
 
-def best(kernel: Kernel) -> Best:
+def best(kernel: Kernel, trials: int = TRIALS) -> Best:
     """The pieces with the least bound and the fewest operations.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
@@ -185,14 +186,14 @@ def best(kernel: Kernel) -> Best:
     ProofError
         If none keeps what the tier promises.
     """
-    found = refined(kernel, rising=len(kernel.closed) == 1) or refined(kernel, rising=False)
+    found = refined(kernel, len(kernel.closed) == 1, trials) or refined(kernel, False, trials)
     if found is None:
         goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
         raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
     return found
 
 
-def refined(kernel: Kernel, rising: bool) -> Best | None:
+def refined(kernel: Kernel, rising: bool, trials: int) -> Best | None:
     """The best shape that was found, of those that rise over their seam or of all; None if none keeps its goals."""
     judged: dict[Best, float] = {}
 
@@ -201,7 +202,7 @@ def refined(kernel: Kernel, rising: bool) -> Best | None:
 
     def judge(shape: Best) -> None:
         allowed = not rising or not shape[0].far or rises(kernel.closed[0], shape[0].seam)
-        if allowed and shape not in judged and len(judged) < JUDGED:
+        if allowed and shape not in judged and len(judged) < trials:
             fused = variant(shape, "fused")
             judged[shape] = bound(fused) + OPERATION * sum(fused.program.operations().values())
 
@@ -252,7 +253,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
     raise ProofError(f"{kernel.name}: tier {tier}", "no degrees that keep it", f"{goal:g}")
 
 
-def search(kernel: Kernel) -> Shape:
+def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
     """Find the shape of a kernel; a quotient has the best tier alone.
 
     Raises
@@ -261,13 +262,13 @@ def search(kernel: Kernel) -> Shape:
         If none keeps what the tiers promise.
     """
     cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"] if len(kernel.closed) == 1 else []
-    return Shape(best(kernel), tuple(cheap))
+    return Shape(best(kernel, trials), tuple(cheap))
 
 
-def complete(anew: bool = False, processes: int = 2) -> str:
+def complete(anew: bool = False, trials: int = TRIALS, processes: int = 2) -> str:
     """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
     wanted = {k.definition: k for k in kernels() if anew or k.definition not in records()}
     if wanted:
         with ProcessPoolExecutor(processes) as pool:
-            records().update(zip(wanted, pool.map(search, wanted.values()), strict=True))
+            records().update(zip(wanted, pool.map(partial(search, trials=trials), wanted.values()), strict=True))
     return ", ".join(" / ".join(definition) for definition in wanted) or "none"
