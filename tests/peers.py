@@ -30,7 +30,7 @@ import generated
 from derive.declare.quantities import RESISTANCE
 from derive.declare.symbols import alpha
 from slipcircle.cost.cost import interleaved
-from slipcircle.cost.costtext import machine
+from slipcircle.outputs.info import machine
 
 Floats = NDArray[np.float64]
 SIZES = (10_000, 1_000_000)
