@@ -268,6 +268,7 @@ class _Specialise:
         grids = [self.grid[a] for a in args]
         grid = min([sum(grids[:2]), *grids[2:]]) if kind in ("mul", "fma") else min(grids)
         line = self._line(kind, [self.affine[a] for a in args])
+        size: Fraction | float
         if line is not None:
             size = max(abs(line[0] * x + line[1]) for x in self.ends)
         else:
@@ -278,9 +279,10 @@ class _Specialise:
     @staticmethod
     def _line(kind: str, lines: Sequence[Line | None]) -> Line | None:
         """The affine form of a result, if there is one."""
-        if None in lines:
+        known = [line for line in lines if line]
+        if len(known) < len(lines):
             return None
-        (a, b), *others = lines
+        (a, b), *others = known
         match kind, others:
             case "neg", _:
                 return -a, -b
