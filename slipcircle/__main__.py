@@ -193,7 +193,7 @@ def _run(options: argparse.Namespace) -> None:
     columns = [tables.motion_column(m, options.verbose) for m in motions]
     tables.show(
         ["", *(m.plan.scene.name for m in motions)],
-        [[label, *(c.get(label, "") for c in columns)] for label in columns[0]],
+        tables.beside(columns),
         caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
     )
     for m in motions:

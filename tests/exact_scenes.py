@@ -13,7 +13,7 @@ import numpy as np
 from flint import arb, ctx
 
 from slipcircle.cost.reference import moments
-from slipcircle.cost.scenes import ANSWERS, CASES, LAYER, LENGTH, SPEED, Case, Equation, answer, record
+from slipcircle.cost.scenes import ANSWERS, CASES, LAYER, LENGTH, SHEARED, SPEED, Case, Equation, answer, record
 
 _BITS, _ENOUGH, _LEVELS = 140, 1e-26, 14  # working precision, what two orders may differ by, orders
 _STEP, _LATEST = 0.25, 1e3  # the first step, and the latest standstill, dimensionless
@@ -38,6 +38,9 @@ class Exactly(Equation):
             self.weight, self.radial, self.polar = (number(of[n] / of["moment_of_inertia"]) for n in names)
             self.dip, self.radius, self.scale = number((3 * arb.pi() - low - high) / 2), number(radius), number(scale)
             self.decay, self.pace = number(radius / LENGTH), number(radius / scale / SPEED)
+            sheared = (high - low) / of["moment_of_inertia"] if case.shears else arb(0)
+            pace = arb(float(np.asarray(scene.arc.unit_weight))) * scale * SHEARED["thickness"]
+            self.viscous = number(sheared * SHEARED["viscosity"] / pace)
             self.kappa = number(radius * LAYER["pressurisation"] / arb(LAYER["heat_capacity"]) / LAYER["thickness"])
             end: Any = scene.end_time
             self.end = None if end is None else number(arb(end) / scale)
@@ -152,7 +155,8 @@ def texts(case: Case, friction: float) -> tuple[str, str, str]:
 def written() -> str:
     """The file of the answers, as it is to be."""
     known = json.loads(ANSWERS.read_text("utf-8"))
-    made = {name: {mu: texts(CASES[name], float(mu)) for mu in of} for name, of in known.items()}
+    frictions = {name: known.get(name, known["constant friction"]) for name in CASES}  # a new case takes those
+    made = {name: {mu: texts(CASES[name], float(mu)) for mu in of} for name, of in frictions.items()}
     return json.dumps(made, indent=1) + "\n"
 
 

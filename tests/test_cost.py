@@ -476,6 +476,8 @@ def test_the_references_of_scenes_are_the_motion(name: str) -> None:
     effects: dict[str, Any] = {"rotation": {}, "centripetal": {}}
     if case.heats:
         effects["thermal_pressurisation"] = scenes.LAYER
+    if case.shears:
+        effects["viscosity"] = scenes.SHEARED
     made = ANSWERS[name][repr(mu)]
     if case.shakes:
         with pytest.MonkeyPatch.context() as patch:  # few samples: series through all of them take minutes
@@ -487,7 +489,7 @@ def test_the_references_of_scenes_are_the_motion(name: str) -> None:
         effects["shaking"] = {"time": time.tolist(), "horizontal": k_h.tolist()}
     scene = {"arc": arc, "friction": law, "effects": effects, "initial_velocity": 0.0, "end_time": None}
     with flint.ctx.workprec(200):
-        if case.weakens or case.heats or case.shakes:
+        if case.weakens or case.heats or case.shears or case.shakes:
             found = time_references.solve(scene)
             texts = [found[n] for n in ("run_out", "peak", "duration")]
         else:

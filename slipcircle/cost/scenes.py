@@ -33,6 +33,7 @@ LEAST_RTOL = 1e-13  # that SciPy grants
 ANGLES = (10.0, 14.0, 19.5)  # of friction, deg: the first and last of an ensemble, and between them that of one scene
 RESIDUAL, LENGTH, SPEED = float(np.tan(np.radians(8.0))), 1.0, 5.0  # of the laws: "", m, m/s
 LAYER = {"pressurisation": 4e3, "heat_capacity": 2.7e6, "thickness": 0.5}  # Pa/K, J/m^3 K, m: it stays pressed
+SHEARED = {"viscosity": 2e3, "thickness": 0.5}  # Pa s, m: it takes a sixth of the speed in the unit of time
 SAMPLES, SAMPLED = 4000, 20.0  # of the record: how many, and until when, s
 BATCH = 32  # lanes of heyoka at once: as many as still gain
 # Run-out, peak velocity and duration by friction, of one scene and then of an ensemble's lanes, to 24 digits;
@@ -57,6 +58,7 @@ class Case(NamedTuple):
     softens: bool = False
     weakens: bool = False
     heats: bool = False
+    shears: bool = False
     shakes: bool = False
 
     def scene(self, mu: Any) -> Scene:
@@ -67,6 +69,8 @@ class Case(NamedTuple):
             friction = {"law": "rate_weakening", "peak": mu, "residual": RESIDUAL, "velocity": SPEED}
         if self.heats:
             more["thermal_pressurisation"] = LAYER
+        if self.shears:
+            more["viscosity"] = SHEARED
         if self.shakes:
             time, k_h = record()
             more["shaking"] = {"horizontal": Series(time, k_h)}
@@ -87,6 +91,7 @@ CASES = {
     "softening": Case(softens=True),
     "rate weakening": Case(weakens=True),
     "heat": Case(heats=True),
+    "viscosity": Case(shears=True),
     "record": Case(shakes=True),
 }
 
@@ -107,6 +112,9 @@ class Equation:
         self.dip, self.radius, self.scale = float(arc.dip), float(np.asarray(arc.radius)), float(arc.time_scale)
         self.decay, self.pace = self.radius / LENGTH, self.radius / self.scale / SPEED
         self.kappa = self.radius * LAYER["pressurisation"] / LAYER["heat_capacity"] / LAYER["thickness"]
+        sheared = 2.0 * float(arc.half_angle) / float(kernels.moment_of_inertia(arc.half_angle)) if case.shears else 0.0
+        weight, pace = float(np.asarray(arc.unit_weight)), self.scale * SHEARED["thickness"]
+        self.viscous = sheared * SHEARED["viscosity"] / (weight * pace)
 
     def start(self) -> list[Any]:
         """Rotation, angular velocity, and under heat the effective normal force."""
@@ -125,7 +133,7 @@ class Equation:
         if k_h is not None:
             drive, press = drive + self.weight * k_h * cos, press - self.radial * k_h * sin
         if not self.case.heats:
-            return [omega, drive - mu * (press + self.polar * omega * omega)]
+            return [omega, drive - mu * (press + self.polar * omega * omega) - self.viscous * omega]
         rate = drive - mu * y[2]
         return [omega, rate, (self.radial * sin + 2.0 * self.polar * rate - self.kappa * mu * y[2]) * omega]
 
