@@ -25,13 +25,15 @@ def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: objec
     return result
 
 
-def derive_all(anew: bool = False) -> dict[str, str]:
+def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     """Derive and prove everything, and return the text of `generated`; progress goes to stderr.
 
     Parameters
     ----------
     anew : bool
         Whether the shapes of all kernels are searched for; else only those that have no record.
+    trials : int, optional
+        How many shapes such a search may judge for one quantity.
 
     Returns
     -------
@@ -51,7 +53,7 @@ def derive_all(anew: bool = False) -> dict[str, str]:
         timed(moment.name, "quadrature", "worst relative difference {0}", integrate.compare, derivation, 30)
     for kernel in shapes.kernels():
         timed(kernel.name, "definition", "{0} comparisons with the checker's", shapes.agree, kernel)
-    timed("kernels", "search", "shapes found anew: {0}", search.complete, anew)
+    timed("kernels", "search", "shapes found anew: {0}", search.complete, anew, trials or search.TRIALS)
     for name, closed in integrate.closed_forms().items():
         form = timed(name, "stable form", "proved equal to the closed form, alpha^{0.power} at 0", rules.stable, closed)
         for step in form.steps:
@@ -88,6 +90,7 @@ def main(argv: list[str] | None = None) -> int:
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
     parser.add_argument("--search", action="store_true", help="search for all shapes of approximants anew (minutes)")
+    parser.add_argument("--trials", type=int, metavar="N", help="let a search judge N shapes for one quantity (40)")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
 
     def command(name: str, words: str) -> argparse.ArgumentParser:
@@ -119,17 +122,17 @@ def main(argv: list[str] | None = None) -> int:
 
         print(hard_report("json" if options.json else "text"))
         return 0
-    return regenerate(options.check, options.search)
+    return regenerate(options.check, options.search, options.trials)
 
 
-def regenerate(check: bool, search: bool) -> int:
+def regenerate(check: bool, search: bool, trials: int | None) -> int:
     """Derive everything, then write what has changed, or show it."""
     from derive.approximate import shapes
     from derive.generate import write
 
     start = time.perf_counter()
     try:
-        texts = derive_all(search)
+        texts = derive_all(search, trials)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1

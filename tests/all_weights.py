@@ -82,14 +82,27 @@ def declare(root: Path, weights: Sequence[str]) -> None:
     path.write_text("".join([*lines[:end], *added, *lines[end:]]), "utf-8")
 
 
-def run(root: Path, *command: str) -> subprocess.CompletedProcess[str]:
+def run(root: Path, *command: str, **environment: str) -> subprocess.CompletedProcess[str]:
     """Python in the copy, which sees no other."""
-    environment = os.environ | {"PYTHONPATH": str(root)}
+    environment = os.environ | {"PYTHONPATH": str(root)} | environment
     return subprocess.run([sys.executable, *command], cwd=root, env=environment, capture_output=True, text=True)
 
 
-def follow(root: Path, weights: Sequence[str]) -> dict[str, dict[str, tuple[float, float]]]:
+def follow(
+    root: Path, weights: Sequence[str], *options: str, **environment: str
+) -> dict[str, dict[str, tuple[float, float]]]:
     """Declare, derive, measure: by kernel, tier and form what was seen and what is proved.
+
+    Parameters
+    ----------
+    root : Path
+        Where the copy is made.
+    weights : sequence of str
+        Of `WEIGHTS`.
+    *options : str
+        Of ``python -m derive``.
+    **environment : str
+        For both commands.
 
     Raises
     ------
@@ -98,8 +111,8 @@ def follow(root: Path, weights: Sequence[str]) -> dict[str, dict[str, tuple[floa
     """
     copy(root)
     declare(root, weights)
-    for command in (("-m", "derive"), ("-c", MEASURE, *map(kernel, weights))):
-        done = run(root, *command)
+    for command in (("-m", "derive", *options), ("-c", MEASURE, *map(kernel, weights))):
+        done = run(root, *command, **environment)
         if done.returncode:
             raise RuntimeError(done.stderr)
     found: dict[str, Any] = json.loads(done.stdout)

@@ -27,12 +27,13 @@ import sympy as sp
 from numpy.typing import NDArray
 
 import generated
+from derive.declare.quantities import RESISTANCE
+from derive.declare.symbols import alpha
 from slipcircle.cost.cost import interleaved
 from slipcircle.outputs.info import machine
 
 Floats = NDArray[np.float64]
 SIZES = (10_000, 1_000_000)
-alpha = sp.Symbol("alpha", real=True)
 # (2.19), (3.15), Appendix I in one line, (3.13) integrated, (3.14)
 PRINTED: Mapping[str, sp.Expr] = {
     "polar_moment": 2 * alpha / 3
@@ -41,7 +42,7 @@ PRINTED: Mapping[str, sp.Expr] = {
     "moment_of_inertia": alpha / 2 - sp.sin(2 * alpha) * (1 + 2 * sp.cos(alpha) ** 2) / 12,
     "radial_weight_amplitude": sp.sin(alpha) - sp.cos(alpha) ** 2 * sp.atanh(sp.sin(alpha)),
     "weight_moment_amplitude": 2 * sp.sin(alpha) / 3 - 2 * sp.sin(alpha) * sp.cos(alpha) ** 2 / 3,
-    "resistance_factor": 2 * alpha * (1 - sp.cos(alpha)),
+    "resistance_factor": RESISTANCE.form,
 }
 Maker = Callable[[sp.Expr], Callable[[Floats, Floats], object]]
 

@@ -1,23 +1,25 @@
 """Three weights, drawn at random, are declared in a copy: what follows (`python tests/all_weights.py`: all 15)."""
 
-import os
+import json
 import random
 from pathlib import Path
 
 import all_weights
-import pytest
 
 
-@pytest.mark.skipif("SLIPCIRCLE_SEARCH" not in os.environ, reason="its searches take minutes: SLIPCIRCLE_SEARCH=1")
 def test_three_weights_give_everything(tmp_path: Path) -> None:
-    """Closed form, certificates within the goals, and no error beside quadrature that is more than proved."""
-    kept = [w for w in all_weights.WEIGHTS if w not in ("r**4", "r**5")]  # no shape tried keeps these within 1 ulp
-    drawn = random.SystemRandom().sample(kept, 3)
-    found = all_weights.follow(tmp_path, drawn)
+    """Closed form, certificates within the goals, and no error beside quadrature that is more than proved.
+
+    The search judges fewer shapes than it may, and nothing is compiled, as either takes its time.
+    """
+    drawn = random.SystemRandom().sample(all_weights.WEIGHTS, 3)
+    found = all_weights.follow(tmp_path, drawn, "--trials", "14", SLIPCIRCLE_COMPILED="0")
     assert set(found) == set(map(all_weights.kernel, drawn))
     assert not all_weights.faults(found), drawn
     for weight in drawn:
-        assert (tmp_path / "generated" / "certificates" / f"{all_weights.kernel(weight)}.json").is_file()
+        path = tmp_path / "generated" / "certificates" / f"{all_weights.kernel(weight)}.json"
+        bounds = {(r["tier"], r["form"]): r["bound"] for r in json.loads(path.read_text("utf-8"))["certificates"]}
+        assert bounds["best", "fused"] <= 1, weight
 
 
 def test_a_changed_weight_changes_the_kernel(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 import ast
 import math
+import pickle
 import random
 import sys
 from collections.abc import Callable
@@ -381,6 +382,13 @@ def test_nothing_but_zero_at_zero() -> None:
     record = find("resistance_factor")
     record["operations"] += [["const", [], (2.0**-1074).hex()], ["add", [record["output"], record["output"] + 1], None]]
     assert refused(sealed(record | {"output": len(record["operations"]) - 1})) == "zero"
+
+
+def test_a_refusal_passes_between_processes() -> None:
+    """Whole, or a pool of processes breaks where it should say what was refused."""
+    refusal = records.rejected("bound", RECORDS[0], 2.5, "at most 1")
+    passed = pickle.loads(pickle.dumps(refusal))
+    assert (type(passed), str(passed), passed.check) == (type(refusal), str(refusal), "bound")
 
 
 def test_what_is_no_program_is_refused() -> None:

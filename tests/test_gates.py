@@ -111,7 +111,7 @@ def test_the_run_stops_and_writes_nothing(
     else:  # a number in C that is not the certified one
         monkeypatch.setattr(emit_c, "C", replace(emit_c.C, number=lambda x: math.nextafter(x, 2.0).hex()))
         chosen = programs.of(kernel("resistance_factor"), shapes.records()[RESISTANCE.definition])
-        monkeypatch.setattr(command, "derive_all", lambda _: emit_c.source(chosen, {}))
+        monkeypatch.setattr(command, "derive_all", lambda *_: emit_c.source(chosen, {}))
 
     def no(*_: Any) -> None:
         pytest.fail("something was written")

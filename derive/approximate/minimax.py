@@ -94,10 +94,11 @@ def grid(lower: arb, upper: arb, unknowns: int, cluster: int = 1) -> list[arb]:
         return [(lower + (upper - lower) * x**cluster).mid() for x in middle]
 
 
-def sample(function: Function, weight: Function, points: Sequence[arb]) -> Samples:
-    """A function and a weight on a grid."""
+def sample(function: Function, weight: Callable[[arb, arb], arb], points: Sequence[arb]) -> Samples:
+    """A function on a grid, and the weight of its error at a point and a value."""
     with ctx.workprec(GUARD):
-        return Samples(list(points), [function(x).mid() for x in points], [weight(x).mid() for x in points])
+        values = [function(x).mid() for x in points]
+        return Samples(list(points), values, [weight(x, f).mid() for x, f in zip(points, values, strict=True)])
 
 
 def horner(coefficients: Sequence[arb], x: arb) -> arb:

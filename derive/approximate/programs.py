@@ -1,8 +1,9 @@
 """The certified kernels' programs: an approximant of F(alpha)/alpha**3 near 0, and of F less a straight line near pi/2.
 
-Near: F = x u W, where u = x**2 and W = c0 + u (c1 + u P2(u)). Fused, the rounding errors of u, of u W and of the two
-leading sums of W are kept. Far, in b = fl(pi/2) - x (exact there): F = line(x) + correction(b), the line without
-rounding, so that the small correction needs no care. Every piece is computed for every x, and one chosen.
+Near: F = x u W, where u = x**2 and W = c0 + u (c1 + u (c2 + ...)). Fused, the rounding errors of u, of u W and of the
+leading sums of W are kept, as many as the shape says. Far, in b = fl(pi/2) - x (exact there): F = line(x) +
+correction(b), the line without rounding, so that the small correction needs no care. Every piece is computed for
+every x, and one chosen.
 """
 
 from collections.abc import Sequence
@@ -119,9 +120,9 @@ class Code:
 # --- pieces --------------------------------------------------------------------------------------------------------
 
 
-def excess(code: Code, u: int, closed: sp.Expr, seam: float, count: int) -> int:
+def excess(code: Code, u: int, closed: sp.Expr, piece: Pieces) -> int:
     """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
-    return code.mul(code.horner(u, near_fit(closed, seam, count, Fraction(1))), u)
+    return code.mul(code.horner(u, near_fit(closed, piece.seam, piece.count, Fraction(1))), u)
 
 
 def to_limit(code: Code, closed: sp.Expr, w: int) -> int:
@@ -129,38 +130,44 @@ def to_limit(code: Code, closed: sp.Expr, w: int) -> int:
     return w if limit(closed) == 1 else code.put("div", w, code.const(float(1 / limit(closed))))
 
 
-def near_sum(code: Code, u: int, closed: sp.Expr, seam: float, count: int) -> tuple[Pair, int, int]:
+def near_sum(code: Code, u: int, closed: sp.Expr, piece: Pieces) -> tuple[Pair, int, int]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
-    c, exact = near_fit(closed, seam, count, limit(closed)), limit(closed)
-    c0, c0_low = float(exact), float(exact - Fraction(float(exact)))
-    p2 = code.fma(u, code.halves(u, c[2:]), code.const(c[1]))
-    p1 = code.fma(p2, u, code.const(c[0]))
-    w = code.fma(p1, u, code.const(c0))
-    low = code.fma(p1, u, code.sub(code.const(c0), w))
-    turn = code.sub(code.const(c[0]), p1)
-    low = code.fma(u, code.fma(p2, u, turn), code.add(low, code.const(c0_low)) if c0_low else low)
-    slope = w
+    exact, kept = limit(closed), piece.kept
+    c = (float(exact), *near_fit(closed, piece.seam, piece.count, exact))
+    sums = [code.fma(u, code.halves(u, c[kept + 1 :]), code.const(c[kept]))]
+    for coefficient in reversed(c[:kept]):
+        sums.insert(0, code.fma(sums[0], u, code.const(coefficient)))
+    turns, lost = [], []
+    for k in range(kept):
+        turns.append(code.sub(code.const(c[k]), sums[k]))
+        lost.append(code.fma(sums[k + 1], u, turns[k]))
+    c0_low = float(exact - Fraction(c[0]))
+    lost[0] = code.add(lost[0], code.const(c0_low)) if c0_low else lost[0]
+    low = lost[-1]
+    for error in reversed(lost[:-1]):
+        low = code.fma(u, low, error)
+    slope = sums[0]
     if c0_low:  # u W' is nearly W - c0 + u (P1 - c1); left out where W stays close to 1
-        slope = code.fma(code.neg(u), turn, code.fma(code.const(2.0), w, code.const(-c0)))
-    return Pair(w, low), slope, p1
+        slope = code.fma(code.neg(u), turns[1], code.fma(code.const(2.0), sums[0], code.const(-c[0])))
+    return Pair(sums[0], low), slope, sums[1]
 
 
-def near(code: Code, x: int, closed: sp.Expr, seam: float, count: int) -> Pair:
+def near(code: Code, x: int, closed: sp.Expr, piece: Pieces) -> Pair:
     """F = x h + x h_low, h = u W."""
     u = code.mul(x, x)
     du = code.fma(x, x, code.neg(u))
-    w, slope, _ = near_sum(code, u, closed, seam, count)
+    w, slope, _ = near_sum(code, u, closed, piece)
     h = code.mul(u, w.high)
     return Pair(h, code.fma(u, w.low, code.fma(du, slope, code.fma(u, w.high, code.neg(h)))))
 
 
-def near_value(code: Code, x: int, closed: sp.Expr, seam: float, count: int) -> int:
+def near_value(code: Code, x: int, closed: sp.Expr, piece: Pieces) -> int:
     """F; rounded, or underflowing, once at the end: a product with a power of x comes last."""
     if code.fused:
-        h = near(code, x, closed, seam, count)
+        h = near(code, x, closed, piece)
         return code.fma(x, h.high, code.mul(x, h.low))
     u = code.mul(x, x)
-    return code.mul(to_limit(code, closed, code.fma(u, excess(code, u, closed, seam, count), u)), x)
+    return code.mul(to_limit(code, closed, code.fma(u, excess(code, u, closed, piece), u)), x)
 
 
 def logarithm(code: Code, b: int) -> int:
@@ -221,7 +228,7 @@ def best(kernel: Kernel, parts: Sequence[Pieces], form: str) -> Program:
 def whole(code: Code, x: int, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> int:
     """F near 0, and beyond the seam."""
     (closed,), (shape,) = forms, parts
-    value = near_value(code, x, closed, shape.seam, shape.count)
+    value = near_value(code, x, closed, shape)
     if shape.far is None:
         return value
     beyond = far(code, x, closed, shape.far, shape.seam)
@@ -251,14 +258,14 @@ def plain_quotient(code: Code, x: int, forms: Sequence[sp.Expr], parts: Sequence
 def fused_part(code: Code, x: int, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
     """W below the seam, F above it; what is lost in `low`."""
     u = code.mul(x, x)
-    w, _, p1 = near_sum(code, u, closed, part.seam, part.count)
+    w, _, p1 = near_sum(code, u, closed, part)
     w = Pair(w.high, code.fma(code.fma(x, x, code.neg(u)), p1, w.low))
     if part.far:
         beyond = far(code, x, closed, part.far, seam)
         total = code.add(beyond.high, beyond.low)
         lost = code.sub(beyond.low, code.sub(total, beyond.high))
     else:
-        h = near(code, x, closed, part.seam, part.count)
+        h = near(code, x, closed, part)
         total = code.mul(x, h.high)
         lost = code.fma(x, h.low, code.fma(x, h.high, code.neg(total)))
     return Pair(code.below(x, seam, w.high, total), code.below(x, seam, w.low, lost))
@@ -266,9 +273,9 @@ def fused_part(code: Code, x: int, closed: sp.Expr, part: Pieces, seam: float) -
 
 def plain_part(code: Code, x: int, closed: sp.Expr, part: Pieces, seam: float) -> int:
     """W below the seam, but for its limit, F above it."""
-    w = code.add(code.const(1.0), excess(code, code.mul(x, x), closed, part.seam, part.count))
+    w = code.add(code.const(1.0), excess(code, code.mul(x, x), closed, part))
     if not part.far:
-        return code.below(x, seam, w, near_value(code, x, closed, part.seam, part.count))
+        return code.below(x, seam, w, near_value(code, x, closed, part))
     beyond = far(code, x, closed, part.far, seam)
     return code.below(x, seam, w, code.add(beyond.high, beyond.low))
 

@@ -156,10 +156,14 @@ class Far:
 
 @dataclass(frozen=True)
 class Pieces:
-    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it."""
+    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it.
+
+    Fused, the rounding errors of the ``kept`` leading sums near 0 are kept.
+    """
 
     seam: float
     count: int
+    kept: int = 2
     far: Far | None = None
 
 
@@ -176,7 +180,7 @@ def records() -> dict[tuple[str, ...], Shape]:
     """The shapes that were found before, by definition; what is found in this run joins them."""
     found = {}
     for key, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
-        best = [Pieces(p["seam"], p["count"], Far(**p["far"]) if p["far"] else None) for p in known["best"]]
+        best = [Pieces(p["seam"], p["count"], p["kept"], Far(**p["far"]) if p["far"] else None) for p in known["best"]]
         found[tuple(key.split(" / "))] = Shape(tuple(best), tuple(map(tuple, known["cheap"])))
     return found
 
@@ -200,9 +204,8 @@ def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
 def near_samples(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
-        function = scaled(closed, wanted)
         points = grid(arb(0), exact(seam) ** 2, count)
-        return sample(function, lambda u: 1 / function(u), points).without(exact(wanted))
+        return sample(scaled(closed, wanted), lambda u, f: 1 / f, points).without(exact(wanted))
 
 
 @cache
@@ -216,7 +219,7 @@ def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
     """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
     with ctx.workprec(GUARD):
         points = grid(arb(0), exact(Fraction(1, 25)), degree)
-        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z: z * z.sqrt(), points)
+        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z, _: z * z.sqrt(), points)
         return nearest(arb(2).log()), rounded(samples, degree, careful=1)
 
 
@@ -227,7 +230,7 @@ def cheap_samples(closed: sp.Expr, above: int, below: int) -> Samples:
         largest = (arb.pi() / 2) ** 2
         place: Function = (lambda w: largest - w) if below else (lambda u: u)
         points = grid(arb(0), largest, above + below, 2)
-        return sample(lambda z: function(place(z)), lambda z: 1 / function(place(z)), points)
+        return sample(lambda z: function(place(z)), lambda z, f: 1 / f, points)
 
 
 @cache
@@ -280,9 +283,12 @@ def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float,
             b = w.sqrt()
             return (at(closed, exact(HALF_PI) - b) - horner(known, b)) / b**power
 
+        def weight(w: arb, left: arb) -> arb:
+            b = w.sqrt()
+            return b**power / (left * b**power + horner(known, b))
+
         points = grid(arb(0), exact(HALF_PI - seam) ** 2, (2 if shape.log else 1) * far.degree + 2, 2)
-        samples = sample(rest, lambda w: w.sqrt() ** power / at(closed, exact(HALF_PI) - w.sqrt()), points)
-        return samples, constant, tilt
+        return sample(rest, weight, points), constant, tilt
 
 
 def far_minimax(closed: sp.Expr, far: Far, samples: Samples) -> tuple[list[arb], list[arb], float, list[arb]]:

@@ -48,14 +48,14 @@ QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Parts of [lower, upper], both ends included, no double left out, each with one tape.
 
-    Where to cut first is guessed from the constants, which matters for the time only: what is undecided is halved.
+    Where to cut first is guessed, from the constants that are compared too: what is undecided is halved.
     """
-    constants = [float.fromhex(v) for kind, _, v in record["operations"] if kind == "const"]
-    guesses = {0.5, 1.0, QUARTER, TOP, *constants, *(TOP - c for c in constants)}
-    if any(v == "exponent" for _, _, v in record["operations"]):
-        guesses |= {TOP - 0.75 * 2.0**-k for k in range(54)}
-    inner = sorted(c for c in guesses if lower < c < upper)
-    starts = sorted({lower, upper, *inner, *(math.nextafter(c, 9.0) for c in inner)})
+    operations = record["operations"]
+    compared = [operations[a] for kind, args, _ in operations if kind == "less" for a in args]
+    guesses = {QUARTER, *(k / 16 for k in range(26)), *(float.fromhex(c) for kind, _, c in compared if kind == "const")}
+    if any(value == "exponent" for _, _, value in operations):
+        guesses |= {math.nextafter(TOP - 0.75 * 2.0**-k, 9.0) for k in range(54)}
+    starts = [lower, *sorted(c for c in guesses if lower < c < upper), upper]
     todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise(starts)] + [(upper, upper)]
     found: list[tuple[float, float, Tape]] = []
     todo.reverse()
@@ -353,33 +353,31 @@ class Worst:
 
 def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]:
     """Find bounds that can be proved: the worst box is halved, again and again. With them the patches' worst boxes."""
-    found, worst = halve(record, list(patches(record)), halvings)
+    found, worst = {"bound": 0.0, "bound_to_quarter_pi": 0.0}, []
+    every = list(patches(record))
+    for claim in found:
+        found[claim], boxes = halve(record, [part for part in every if claimed(part) == claim], halvings)
+        worst += boxes
     whole = max(found.values())
     return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
 
 
-def halve(record: Record, every: list[Patch], halvings: int) -> tuple[dict[str, float], list[Worst]]:
-    """What can be proved on these patches, by claim, and their worst boxes."""
-    found = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
-    worst = []
-    for claim in found:
-        heap = [
-            (-error(record, part, part.lower, part.upper), number, part.lower, part.upper)
-            for number, part in enumerate(every)
-            if claimed(part) == claim
-        ]
-        heapq.heapify(heap)
-        for _ in range(halvings if heap else 0):
-            _, number, lower, upper = heap[0]
-            middle = (lower + upper) / 2
-            if not lower < middle < upper:
-                break
-            halves = ((lower, middle), (middle, upper))
-            entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
-            heapq.heapreplace(heap, entries[0])
-            heapq.heappush(heap, entries[1])
-        found[claim] = -heap[0][0] if heap else 0.0
-        of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
-        for _, number, lower, upper in heapq.nsmallest(16, of_patch.values()):
-            worst.append(Worst(lower, upper, every[number].top > 0))
-    return found, worst
+def halve(record: Record, every: list[Patch], halvings: int) -> tuple[float, list[Worst]]:
+    """What can be proved on these patches, and their worst boxes."""
+    heap = [
+        (-error(record, part, part.lower, part.upper), number, part.lower, part.upper)
+        for number, part in enumerate(every)
+    ]
+    heapq.heapify(heap)
+    for _ in range(halvings if heap else 0):
+        _, number, lower, upper = heap[0]
+        middle = (lower + upper) / 2
+        if not lower < middle < upper:
+            break
+        halves = ((lower, middle), (middle, upper))
+        entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
+        heapq.heapreplace(heap, entries[0])
+        heapq.heappush(heap, entries[1])
+    of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
+    worst = heapq.nsmallest(16, of_patch.values())
+    return -heap[0][0] if heap else 0.0, [Worst(a, b, every[number].top > 0) for _, number, a, b in worst]

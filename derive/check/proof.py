@@ -15,5 +15,9 @@ class ProofError(Exception):
     """
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:
-        super().__init__(f"{claim}: found {found}, wanted {wanted}")
+        super().__init__(claim, str(found), str(wanted), check)  # as they are, so that it passes between processes
         self.check = check
+
+    def __str__(self) -> str:
+        claim, found, wanted, _ = self.args
+        return f"{claim}: found {found}, wanted {wanted}"

@@ -49,6 +49,7 @@ class Node(NamedTuple):
 
 
 Tape = tuple[Node, ...]
+Line = tuple[Fraction, Fraction]  # slope and value at 0 of an affine function of alpha
 
 
 # What an operation computes, of balls or of series, and its derivatives by its operands, None for 1, from its value
@@ -84,9 +85,10 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
     largest = float(exact.abs_upper()) * UP + TINY
     if not largest < 2.0**900:
         raise Unbounded(f"{node.kind} is unbounded")
-    if node.kind in ("add", "sub"):  # Sterbenz: a difference no larger than either operand is exact
+    if node.kind in ("add", "sub"):
+        # Doubles not below 2**(k - 1) are multiples of 2**(k - 53), and so is their sum: a double, if at most 2**k.
         smaller = min(float(values[i].abs_lower()) for i in node.args) * DOWN
-        if largest <= smaller:
+        if smaller > 0 and largest <= math.ldexp(1.0, math.frexp(smaller)[1]):
             return 0.0
     half = math.ldexp(1.0, math.frexp(largest)[1] - 54)
     return ((half if node.kind != "log" else 2 * LOG_ULPS * half) + node.floor) * UP
@@ -152,7 +154,7 @@ class _Specialise:
         self.tape: list[Node] = []
         self.values: list[arb] = []
         self.noise: list[float] = []
-        self.affine: list[tuple[Fraction, Fraction] | None] = []
+        self.affine: list[Line | None] = []
         self.grid: list[int] = []
         self.known: dict[Node, int] = {}
         self.done: dict[int, int] = {}
@@ -250,7 +252,7 @@ class _Specialise:
         self.known[node] = len(self.tape) - 1
         return len(self.tape) - 1
 
-    def _shape(self, node: Node) -> tuple[tuple[Fraction, Fraction] | None, int, bool]:
+    def _shape(self, node: Node) -> tuple[Line | None, int, bool]:
         """An affine form, a grid of the exact result, and whether that is always a double (exponents unbounded)."""
         kind, args = node.kind, node.args
         if kind == "x":
@@ -259,38 +261,40 @@ class _Specialise:
         if kind == "const":
             c = Fraction(node.value)
             return (Fraction(0), c), _trailing(c), True
-        lines, grids = [self.affine[a] for a in args], [self.grid[a] for a in args]
-        if kind == "neg":
-            return lines[0] and (-lines[0][0], -lines[0][1]), grids[0], True
-        if kind in ("add", "sub"):
-            sign = 1 if kind == "add" else -1
-            first, second = lines
-            line = (first[0] + sign * second[0], first[1] + sign * second[1]) if first and second else None
-            grid = min(grids)
-            if line is not None:
-                size = max(abs(line[0] * x + line[1]) for x in self.ends)
-                return line, grid, size <= Fraction(2) ** (grid + 53)
-            return None, grid, self._fits(node, grid)
-        if kind == "mul":
-            for a, other in (args, args[::-1]):
-                if self.tape[a].kind == "const" and _power_of_two(self.tape[a].value):
-                    factor, line = Fraction(self.tape[a].value), self.affine[other]
-                    grid = self.grid[other] + _trailing(factor)
-                    if line and grid >= -1074:
-                        return (line[0] * factor, line[1] * factor), grid, True
-                    return None, grid, True
-            return None, sum(grids), self._fits(node, sum(grids))
-        if kind == "fma":
-            grid = min(grids[0] + grids[1], grids[2])
-            return None, grid, self._fits(node, grid)
         if kind == "error":
             return None, -1074, len(args) == 1  # the error of a product is a double, that of an fma is not
-        return None, -1074, False
+        if kind not in ("neg", "add", "sub", "mul", "fma"):
+            return None, -1074, False
+        grids = [self.grid[a] for a in args]
+        grid = min([sum(grids[:2]), *grids[2:]]) if kind in ("mul", "fma") else min(grids)
+        line = self._line(kind, [self.affine[a] for a in args])
+        size: Fraction | float
+        if line is not None:
+            size = max(abs(line[0] * x + line[1]) for x in self.ends)
+        else:
+            size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
+        turned = kind == "neg" or (kind == "mul" and any(map(self._power_of_two, args)))
+        return line if grid >= -1074 else None, grid, turned or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
 
-    def _fits(self, node: Node, grid: int) -> bool:
-        """Multiples of 2**grid up to 2**(grid + 53) are doubles."""
-        size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
-        return grid >= -1074 and size <= 2.0 ** min(grid + 53, 1000)
+    @staticmethod
+    def _line(kind: str, lines: Sequence[Line | None]) -> Line | None:
+        """The affine form of a result, if there is one."""
+        known = [line for line in lines if line]
+        if len(known) < len(lines):
+            return None
+        (a, b), *others = known
+        match kind, others:
+            case "neg", _:
+                return -a, -b
+            case "add" | "sub", [(c, d)]:
+                return (a + c, b + d) if kind == "add" else (a - c, b - d)
+            case _, [(c, d), *rest] if not (a and c):
+                e, f = rest[0] if rest else (Fraction(0), Fraction(0))
+                return a * d + b * c + e, b * d + f
+        return None
+
+    def _power_of_two(self, i: int) -> bool:
+        return self.tape[i].kind == "const" and math.frexp(abs(self.tape[i].value))[0] == 0.5
 
     def compensation(self, node: Node) -> Node | None:
         """The node as the rounding error of another one, if that is what it computes."""
@@ -330,10 +334,6 @@ def _trailing(x: Fraction) -> int:
     if not x:
         return 2000
     return (x.numerator & -x.numerator).bit_length() - x.denominator.bit_length()
-
-
-def _power_of_two(x: float) -> bool:
-    return math.frexp(abs(x))[0] == 0.5
 
 
 def specialise(record: Record, lower: float, upper: float) -> Tape:

@@ -20,7 +20,7 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 from typing import Any
 
 from flint import arb, arb_poly, arb_series, ctx, fmpq, fmpq_series
@@ -135,15 +135,10 @@ class Model:
     last: arb
     power: int
 
-    @cached_property
-    def slope(self) -> arb_poly:
-        return self.main.derivative()
-
     def __call__(self, t: arb) -> arb:
-        """Enclosure over the ball t, in mean-value form."""
-        middle = t.mid()
+        """Enclosure over the ball t, by the Taylor coefficients at its middle."""
         rest = arb(0, 1) * t.abs_upper() ** self.power if self.power else 1
-        return self.main(middle) + self.slope(t) * (t - middle) + self.last * rest
+        return self.main(arb_poly([t.mid(), 1]))(t - t.mid()) + self.last * rest
 
 
 def model(thin: list[arb], fat: list[arb], order: int = 0) -> Model:

@@ -12,7 +12,7 @@ import sympy as sp
 from derive.algebra import dynamics
 from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rho, theta_star
 from derive.declare import symbols
-from derive.declare.quantities import CHORD
+from derive.declare.quantities import CHORD, RESISTANCE
 from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1, theta_2, u
 
 Pair = tuple[sp.Expr, sp.Expr]
@@ -21,8 +21,8 @@ c0, c1, c2 = RATES = sp.symbols("c0 c1 c2", positive=True)
 omega, omega_dot, sigma_n, tau_n, turn = sp.symbols("omega omega_dot sigma_n tau_n phi", real=True)
 sigma, mu_of, a_of, b_of, omega_of = sp.symbols("sigma mu_of a_of b_of omega_of", cls=sp.Function)
 j_r, j_theta = (sp.Function(x.name)(turn) for x in (dynamics.j_r, dynamics.j_theta))
-LEVER = 2 * alpha * (1 - sp.cos(alpha))  # lambda (3.14)
-DEPTH = R * (1 - sp.cos(alpha))  # f (2.12)
+LEVER = RESISTANCE.form  # lambda (3.14)
+DEPTH = sp.simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 
 # --- kinematics and forces -------------------------------------------------------------------------------
