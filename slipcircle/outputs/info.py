@@ -14,7 +14,7 @@ def facts() -> dict[str, str]:
     """Versions of the package, Python and the libraries that it can use, what runs, digests of the generated text."""
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": slipcircle.__version__, "python": platform.python_version(), "kernels": kernels}
-    for library in ("numpy", "scipy", "pydantic", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
+    for library in ("numpy", "scipy", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
         try:
             found[library] = metadata.version(library)
         except metadata.PackageNotFoundError:
