@@ -1,7 +1,7 @@
 """Functions of time: samples joined by straight lines, named pulses, and the shaking that is made of them."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -146,6 +146,10 @@ class Pulse:
         if self.name != "sine" and self.cycles != 1.0:
             found.append(f"cycles = {self.cycles!r}: belongs to a sine only; leave it out")
         raise_all("Pulse", found)
+
+    def scaled(self, factor: float) -> "Pulse":
+        """The same pulse, its values times a factor."""
+        return replace(self, amplitude=self.amplitude * factor)
 
     @property
     def end(self) -> float:

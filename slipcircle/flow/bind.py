@@ -12,6 +12,7 @@ from generated.flow import PIECES
 from slipcircle.base.series import Pulse, Series
 from slipcircle.flow import tables, walk
 from slipcircle.flow.program import Program, join
+from slipcircle.records.given import factor as factor_of
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
 
@@ -92,7 +93,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
             if not p.symbol:
                 continue
             value = called[effect].get(p.name, 0.0)
-            share = weights.cover if (effect, p.name) == ("pore_pressure", "ratio") else 1.0
+            share = weights.cover if p.name == "ratio" else factor_of(effect, called[effect], p.name)
             if callable(value):
                 pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(share, scales | own)
             else:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.checks import EPS
 from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
 from slipcircle.scene.arc import Arc
@@ -239,7 +240,8 @@ class Lanes:
                     none = np.where(driving > resisting, np.inf, -np.inf)
                     found = {
                         "limit_friction": np.where(pressed, bound.cells[walk.LIMIT], none),
-                        "factor_of_safety": np.where(driving > 0.0, held / driving, np.inf), "friction": mu,
+                        "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), held / driving, np.inf),
+                        "friction": mu,
                     }  # fmt: skip
                 free.append(c[roles["cell_driving"]] - c[roles["cell_resisting"]])
                 normals.append(c[roles["cell_normal0"]].copy())

@@ -36,6 +36,7 @@ class Status(IntEnum):
     INVALID = 7  #: its numbers are no scene
 
 
+_SURE = 1e-11  # an estimated error below which only the format limits what is known
 ENERGIES = 21  # times at which the energy balance is looked at
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
@@ -460,7 +461,13 @@ class Motion:
             said = times[:1] if more else times
             found += [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
         if self.error_estimate > self.plan.accuracy:
-            cause = "the friction is next to its limit" if len(self.phases) < 100 else "the mass turns back many times"
+            cause = "its numbers lie far apart"
+            if self.error_estimate < _SURE:
+                cause = "no result in float64 is sure to less"
+            elif len(self.phases) > 100:
+                cause = "the mass turns back many times"
+            elif abs(self.friction - self.limit_friction) < 1e-3 * abs(self.limit_friction):
+                cause = "the friction is next to its limit"
             found.append(
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"

@@ -36,7 +36,8 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     chosen = [q for q in results(motion) if verbose or q.name in KEY or (q in JOURNEY and motion.moves)]
     found = {q.label: q.text(motion) for q in chosen}
     if not motion.arrested:
-        found["comes to rest"] = "no, still moving"
+        ended = motion.plan.scene.end_time is not None
+        found["comes to rest"] = "no, still moving" if ended else "no, nothing holds it; to its first standstill"
     if motion.plan.law != "constant":
         found["friction angle"] += f", {motion.plan.law}"
     found |= {

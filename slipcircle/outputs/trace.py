@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import HISTORY
+from slipcircle.records.given import in_time
 from slipcircle.scene.scene import Scene
 
 Floats = NDArray[np.float64]
@@ -58,7 +59,7 @@ def telling_times(motion: Motion) -> Floats:
 
 def given_in_time(scene: Scene) -> dict[str, Any]:
     """What changes with time in a scene: a `Series` or `Pulse` by ``effect.parameter``."""
-    return {f"{e}.{n}": value for e, own in scene.called.items() for n, value in own.items() if callable(value)}
+    return in_time(scene.called)
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> str:

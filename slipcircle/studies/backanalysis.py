@@ -16,7 +16,7 @@ from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
 from slipcircle.scene.numbers import Number
-from slipcircle.scene.scene import Scene
+from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.varied import number_in, scene_with
 from slipcircle.studies import search
 from slipcircle.studies.asked import Bounds, Observations, Observed, between, check, observations
@@ -207,6 +207,7 @@ def backanalyse(
     >>> round(found.value, 4)
     15.2147
     """
+    checked(scene, "backanalyse")
     observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")

@@ -14,8 +14,8 @@ from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.scene.numbers import Number
-from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import number_in, value_in
+from slipcircle.scene.scene import Scene, checked
+from slipcircle.scene.varied import absent, number_in, value_in
 from slipcircle.studies.design import METHODS, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN
@@ -112,7 +112,7 @@ def ensemble(
     1.0
     """
     said = []
-    if scene.shape:
+    if checked(scene, "ensemble").shape:
         said.append("a scene of arrays is solved as it is: use solve")
     if not scene.uncertain:
         said.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
@@ -156,6 +156,7 @@ def grid(
     executor, accuracy, folder, progress
         As of `ensemble`.
     """
+    checked(scene, "grid")
     inputs: dict[str, Number] = {}
     said: list[str] = []
     for path, values in levels.items():
@@ -165,7 +166,7 @@ def grid(
             said.append(str(error))
             continue
         if value_in(scene, number) is None:
-            said.append(f"{path}: the scene has no {number.name} to vary")
+            said.append(absent(scene, path))
         elif number.name in inputs:
             said.append(f"{path}: {inputs[number.name].key} says the same")
         elif np.ndim(values) != 1 or not np.size(values) or not np.all(np.isfinite(values)):
