@@ -19,7 +19,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.base.series import Pulse, Series, Shaking
+from slipcircle.base.series import Pulse, Series
 
 Floats = NDArray[np.float64]
 GRAVITY = 9.81
@@ -368,17 +368,17 @@ def test_every_term_against_an_integration_by_scipy(seed: int) -> None:
         horizontal = Pulse("sine", strength, 0.3, 2.0, 1.5)
     vertical = series(time, rng.choice([0.2, 0.9]) * rng.normal(size=count)) if seed % 3 else series([0, 1], [0, 0])
     two_way, omega = bool(rng.integers(2)), float(rng.choice([0.0, 0.0, 0.2, -0.2]))
-    shaking, density = Shaking(horizontal, vertical), 20e3 / GRAVITY
+    kinks, density = np.union1d(horizontal.kinks, vertical.kinks), 20e3 / GRAVITY
     unit = math.sqrt(GRAVITY * float(np.asarray(arc.radius)))
     called: dict[str, Any] = effects | {"shaking": {"horizontal": horizontal, "vertical": vertical, "two_way": two_way}}
     if "viscous" in more:
         eta = more["viscous"] * float(d.moment_of_inertia) * density * unit / (2 * float(arc.half_angle))
         called["viscosity"] = {"viscosity": eta, "thickness": 1.0}
-    last = float(shaking.kinks[-1])
+    last = float(kinks[-1])
     motion = solve(Scene(arc, mu, called, omega * unit, last), 1e-12)
     # SciPy's steps must not run over the kinks of starts, stops, lift-off and landing either.
     joints = [t for t, _, _ in golden.changes(motion)] + pressing(motion)
-    knots = np.unique(np.concatenate([[0.0], shaking.kinks, joints]))
+    knots = np.unique(np.concatenate([[0.0], kinks, joints]))
     knots = knots[np.append(True, np.diff(knots) > 1e-9)]
     phi, end, top = Physics(arc, mu, horizontal, vertical, **more).follow(knots, omega, two_way)
     span = float(np.ptp(motion.at(np.linspace(0.0, motion.duration, 2001)).rotation))

@@ -149,9 +149,8 @@ def _values(function: Callable[[Any], Any], asked: Floats, name: str) -> Floats:
             raise ValueError("complex numbers")
         found = found.astype(np.float64)
     except Exception as error:  # whatever it does, what is wrong is the function
-        raise ValueError(
-            f"{name}: must take an array of numbers and return one; it says: {error or type(error).__name__}"
-        ) from error
+        said = f"{type(error).__name__}: {error}"
+        raise ValueError(f"{name}: must take an array of numbers and return one; it says {said}") from error
     if found.ndim == 0:
         found = np.full(asked.shape, float(found))
     if found.shape != asked.shape:
