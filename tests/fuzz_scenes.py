@@ -33,7 +33,16 @@ ODD: tuple[Any, ...] = ("", "x", "1.0", "ñ\u202e\U0001f30b", "\x1b[31m", True, 
                         {}, {"a": 1}, {"distribution": "normal", "mean": 10, "std": 1}, {"distribution": "nope"},
                         {"distribution": "uniform", "low": 1, "high": 0}, "record.csv", "../../etc", "a" * 300,
                         )  # fmt: skip
-LAWS = ("constant", "exponential", "linear", "hyperbolic", "tabulated", "rate_weakening", "rate_tabulated", "prescribed")
+LAWS = (
+    "constant",
+    "exponential",
+    "linear",
+    "hyperbolic",
+    "tabulated",
+    "rate_weakening",
+    "rate_tabulated",
+    "prescribed",
+)
 BASES: list[dict[str, Any]] = [tomllib.loads(find(name).read_text("utf-8")) for name in shipped()]
 
 
@@ -177,7 +186,11 @@ def fault(path: Path, command: str = "run") -> str:
     if status == 0:
         bad = [word for word in (" nan", "NaN", "Infinity") if word in out.getvalue()]
         return f"prints {bad}" if bad else "" if out.getvalue() else "says nothing"
-    wrong = [word for word in ("array", "ambiguous", "math domain", "object", "NoneType", "float()", "'>' not") if word in said]
+    wrong = [
+        word
+        for word in ("array", "ambiguous", "math domain", "object", "NoneType", "float()", "'>' not")
+        if word in said
+    ]
     return f"refuses with {status}: {said[-300:]}" if status != 1 or not said or wrong or out.getvalue() else ""
 
 
@@ -203,5 +216,7 @@ if __name__ == "__main__":
         bad = faults(asked.count, asked.seed, Path(place))
     for number_, text_, said_ in bad:
         print(f"--- {number_}\n{text_}\n{said_}\n")
-    print(f"slipcircle {VERSION}: {asked.count} scene files, {len(bad)} answered badly, {time.monotonic() - begun:.0f} s")
+    print(
+        f"slipcircle {VERSION}: {asked.count} scene files, {len(bad)} answered badly, {time.monotonic() - begun:.0f} s"
+    )
     sys.exit(bool(bad))
