@@ -9,10 +9,13 @@ import os
 import re
 import shlex
 import sys
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
 from textwrap import wrap
+from threading import Event, Thread, active_count
 from typing import Any, TypeVar
 
 import numpy as np
@@ -26,6 +29,7 @@ from slipcircle.outputs import tables
 
 T = TypeVar("T")
 MOST_TIMES = 1_000_000
+INTERRUPTED = 130
 EPILOG = """\
 scenes that ship:
   {}
@@ -41,7 +45,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = _parser(argv).parse_args(argv)
     options.line = shlex.join(["slipcircle", *argv])
     try:
-        options.work(options)
+        with _heard():
+            options.work(options)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
@@ -61,8 +66,36 @@ def main(argv: Sequence[str] | None = None) -> int:
         kept = f"; finished blocks are in {resume}, and the same command continues from them" if resume else ""
         print(file=sys.stderr)
         _say(f"interrupted{kept}")
-        return 130
+        return INTERRUPTED
     return 0
+
+
+def command() -> None:
+    """What the shell calls: interrupted, it waits for no thread that still computes."""
+    status = main()
+    if status == INTERRUPTED and active_count() > 1:
+        os._exit(status)
+    sys.exit(status)
+
+
+@contextmanager
+def _heard(seconds: float = 5.0) -> Iterator[None]:
+    """Tell people at a terminal that the work goes on, every few seconds."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield
+        return
+    done, began = Event(), time.monotonic()
+
+    def tell() -> None:
+        while not done.wait(seconds):
+            said = f"slipcircle: at work for {time.monotonic() - began:.0f} s; Ctrl-C ends it"
+            print(f"\r\x1b[K{said}", end="\r", file=sys.stderr, flush=True)
+
+    Thread(target=tell, daemon=True).start()
+    try:
+        yield
+    finally:
+        done.set()
 
 
 def _say(message: str) -> None:
@@ -351,4 +384,4 @@ def _info(options: argparse.Namespace) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command()

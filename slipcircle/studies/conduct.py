@@ -24,6 +24,7 @@ from slipcircle.studies.study import Study
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
+_MOST = 10**12
 
 
 def _known(given: Any) -> Any:
@@ -116,8 +117,8 @@ def ensemble(
         said.append("a scene of arrays is solved as it is: use solve")
     if not scene.uncertain:
         said.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 1:
-        said.append(f"n = {n!r}: must be a whole number, 1 at least")
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= _MOST:
+        said.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
     elif method == "latin-hypercube" and n > MOST_LATIN:
         said.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
     if method not in METHODS:
