@@ -21,11 +21,12 @@ from typing import Any, TypeVar
 import numpy as np
 
 import slipcircle
-from slipcircle import Scene, load, plan, solve
+from slipcircle import Motion, Scene, load, plan, solve
 from slipcircle.base import files
 from slipcircle.files.scenefile import find, shipped
-from slipcircle.motion.quantities import OUTCOMES, plain, record, words
+from slipcircle.motion.quantities import OUTCOMES, plain, record, shown, words
 from slipcircle.outputs import tables
+from slipcircle.scene.varied import other_way
 
 T = TypeVar("T")
 MOST_TIMES = 1_000_000
@@ -127,6 +128,8 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     run.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
     run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg, and "
                      "the slide itself as .gif")  # fmt: skip
+    run.add_argument("--polarities", action="store_true", help="each shaken scene also with its horizontal shaking "
+                     "turned around, and the mean of both")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
     run.add_argument("--times", type=_times, metavar="FROM:TO:STEP", help="times of --csv in s, by default 401 even "
@@ -185,7 +188,11 @@ def _run(options: argparse.Namespace) -> None:
 
         pictures.check("run", options.plot or "", len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
-    motions = [_speaking_of(load(name), solve) for name in options.scenes]
+    scenes = [load(name) for name in options.scenes]
+    if options.polarities:
+        scenes = [way for scene in scenes for way in (scene, other_way(scene))]
+        sources = [source for source in sources for _ in range(2)]
+    motions = [_speaking_of(scene, solve) for scene in scenes]
     made: dict[str, bytes] = {}  # all before the first is written
     if options.csv:
         from slipcircle.outputs.trace import csv
@@ -199,12 +206,14 @@ def _run(options: argparse.Namespace) -> None:
         made[options.report] = report(motions, sources, options.line).encode()
     for path, content in made.items():
         files.write(path, content)
+    means = _means(motions) if options.polarities else {}
     if options.json:
-        _print([record(m) for m in motions])
+        _print([*(record(m) for m in motions), *({"scene": name} | mean for name, mean in means.items())])
         return
     columns = [tables.motion_column(m, options.verbose) for m in motions]
+    columns += [{q.label: f"{shown(mean[n])} {q.unit}" for n, q in OUTCOMES.items()} for mean in means.values()]
     tables.show(
-        ["", *(m.plan.scene.name for m in motions)],
+        ["", *(m.plan.scene.name for m in motions), *means],
         [[label, *(c.get(label, "") for c in columns)] for label in columns[0]],
         caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
     )
@@ -213,6 +222,16 @@ def _run(options: argparse.Namespace) -> None:
         more = [f"solved at the median of {', '.join(drawn)}; sweep draws them"] if drawn else []
         for warning in (*m.warnings, *more):
             _say(f"{m.plan.scene.name}: {warning}")
+
+
+def _means(motions: Sequence[Motion]) -> dict[str, dict[str, float]]:
+    """Outcomes of both polarities, their sizes' mean, by a name of each pair."""
+    pairs = zip(motions[::2], motions[1::2], strict=True)
+    return {
+        f"{one.plan.scene.name} mean": {
+            n: (abs(float(one.outcomes[n])) + abs(float(other.outcomes[n]))) / 2 for n in OUTCOMES
+        } for one, other in pairs
+    }  # fmt: skip
 
 
 def _speaking_of(scene: Scene, work: Callable[[Scene], T]) -> T:

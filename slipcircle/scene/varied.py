@@ -71,6 +71,16 @@ def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
     return Arc.unchecked(**{**held, **values}) if isinstance(arc, Arc) else replace(arc, **values)
 
 
+def other_way(scene: Scene) -> Scene:
+    """A shaken scene with its horizontal shaking turned around."""
+    if "shaking" not in scene.called:
+        raise ValueError(f"{scene.name}: nothing shakes it, so that it has no other polarity")
+    given = dict(scene.called["shaking"])
+    pushed = given["horizontal"]
+    given["horizontal"] = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
+    return replace(scene, effects={**scene.called, "shaking": given}, name=f"{scene.name} reversed")
+
+
 def scene_with(scene: Scene, values: Mapping[str, float]) -> Scene:
     """A scene with other values of its numbers, which are checked."""
     parts = parts_with(scene, {n: float(v) for n, v in values.items()})

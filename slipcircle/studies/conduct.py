@@ -13,7 +13,7 @@ from slipcircle.base import VERSION
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.scene.numbers import Number
+from slipcircle.scene.numbers import Number, Uncertain
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.varied import absent, number_in, value_in
 from slipcircle.studies.design import METHODS, Design
@@ -63,13 +63,14 @@ def ensemble(
     scene: Scene, n: int, rng: Any = None, executor: Executor | None = None, *, method: str = "monte-carlo",
     sensitivity: int | None = None, keep: bool | None = None, size: int | None = None, confidence: float = 0.95,
     accuracy: float | None = None, folder: str | os.PathLike[str] | None = None, progress: IO[str] | None = None,
+    correlation: Mapping[tuple[str, str], float] | None = None,
 ) -> Study:  # fmt: skip
     """Study a scene: solve it for samples of its uncertain numbers.
 
     Parameters
     ----------
     scene : Scene
-        With ``uncertain`` numbers, of which the others are none; independent of each other.
+        With ``uncertain`` numbers, of which the others are none; independent but for ``correlation``.
     n : int
         How many samples.
     rng : int, SeedSequence or Generator, optional
@@ -97,6 +98,9 @@ def ensemble(
         Where finished blocks are kept, and found by a later call that continues.
     progress : stream, optional
         Where to tell the rate and the time left.
+    correlation : mapping, optional
+        Of the normal scores of two uncertain numbers (a Gaussian copula), by their keys: ``{("friction.angle_deg",
+        "cohesion.cohesion_kPa"): -0.5}``. Sensitivity indices are of independent inputs, and there are none then.
 
     Raises
     ------
@@ -133,9 +137,35 @@ def ensemble(
         raise ValueError("ensemble: " + "; ".join(said))
     seed, n, drawn = _seed(rng, folder), int(n), dict(scene.uncertain)
     base = (min(_BASE, n) if len(drawn) > 1 and n > 1 else 0) if sensitivity is None else sensitivity
+    pairs = _pairs(drawn, correlation or {})
+    if pairs and sensitivity:
+        raise ValueError(
+            "ensemble: sensitivity indices are of independent inputs; leave out correlation or sensitivity"
+        )
+    base = 0 if pairs else base
     design = Design(scene, plan(scene, accuracy).accuracy, {k: u.number for k, u in drawn.items()}, drawn, (), method,
-                    n, base, n <= _KEEP if keep is None else keep)  # fmt: skip
+                    n, base, n <= _KEEP if keep is None else keep, pairs)  # fmt: skip
+    if np.linalg.eigvalsh(design.correlations)[0] <= 1e-12:
+        raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
     return conduct(design, seed, size or _size(n // design.replicates), executor, confidence, folder, progress)
+
+
+def _pairs(
+    drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]
+) -> tuple[tuple[str, str, float], ...]:
+    """Correlated inputs by their names."""
+    names = {u.key: n for n, u in drawn.items()} | {n: n for n in drawn}
+    said, found = [], list[tuple[str, str, float]]()
+    for pair, value in given.items():
+        if unknown := [k for k in pair if k not in names]:
+            said.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(names)}")
+        elif len(pair) != 2 or names[pair[0]] == names[pair[1]] or not -1.0 < value < 1.0:
+            said.append(f"correlation of {' and '.join(pair)} = {value!r}: must be between -1 and 1, of two numbers")
+        else:
+            found.append((names[pair[0]], names[pair[1]], float(value)))
+    if said:
+        raise ValueError("ensemble: " + "; ".join(said))
+    return tuple(found)
 
 
 def _size(n: int) -> int:
@@ -205,5 +235,6 @@ def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
         "friction": _known(scene.friction), "effects": _known(scene.called),
         "inputs": [u.key for u in design.inputs.values()], "drawn": [u.record for u in design.drawn.values()],
         "levels": [x.tolist() for x in design.levels], "method": design.method, "samples": design.n,
-        "sensitivity_base": design.base, "keep": design.keep, "seed": seed, "block": size,
+        "sensitivity_base": design.base, "keep": design.keep, "seed": seed,
+        "block": size, "correlation": [list(x) for x in design.correlation],
     }  # fmt: skip
