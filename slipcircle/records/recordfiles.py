@@ -173,9 +173,10 @@ def _table(quantity: Quantity, name: str, path: Path, text: str, column: int | s
         and (found := _rows(name, body, head, separator))
     ):
         return Found(step * np.arange(float(found[0].size)), found[0], "", head, body)
+    mark = next((c for c in _COMMENTS if c in body), None)
     try:
         numbers: Floats = np.loadtxt(
-            path, delimiter=separator, skiprows=head, comments=_COMMENTS, ndmin=2, encoding="latin-1", quotechar='"',
+            path, delimiter=separator, skiprows=head, comments=mark, ndmin=2, encoding="latin-1", quotechar='"',
             usecols=range(width) if ends else None,
         )  # fmt: skip
     except ValueError:  # says neither line nor field as we would, and knows no exponents but E
@@ -286,12 +287,17 @@ def _is_number(field: str) -> bool:
 
 def _fields(above: list[str], separator: str | None, width: int) -> list[str]:
     """The names in the last line of the header, with their units; none if there are not as many as columns."""
-    line = next((x.strip() for x in reversed(above) if x.strip("#% \t")), "")
-    parts = _split(line.lstrip("#% \t"), separator) if separator else (
-        re.findall(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?", line.lstrip("#% \t")))  # fmt: skip
-    parts = parts[:-1] if separator and parts[-1:] == [""] else parts
-    heading = len(parts) == width and not (_said(line) == "" and any(map(_is_number, parts)))
-    return [p.strip('"') for p in parts] if heading else []
+    for line in filter(None, (x.strip() for x in reversed(above))):
+        said = line.lstrip("#% \t")
+        pattern = r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
+        parts = _split(said, separator) if separator else [p.strip('"') for p in re.findall(pattern, said)]
+        parts = parts[:-1] if separator and parts[-1:] == [""] else parts
+        comment = not _said(line)
+        if len(parts) == width and not (comment and (line[0] == "!" or any(map(_is_number, parts)))):
+            return parts
+        if not comment:
+            break
+    return []
 
 
 _OTHER_CLOCK = r"(?:[(\[,_ ])\s*(ms|min(?:ute)?s?|h|hrs?|hours?|d|days?|weeks?|years?)\s*[)\]]?\s*$"

@@ -91,7 +91,7 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
 
 @contextmanager
 def _stopping(pool: Executor) -> Iterator[Executor]:
-    """A pool that does not wait for its blocks when it is interrupted: processes are ended, threads go with this one."""
+    """A pool that waits for no block when it is interrupted: processes are ended, threads go with this one."""
     try:
         yield pool
     except KeyboardInterrupt:
