@@ -9,6 +9,7 @@ import pytest
 
 import slipcircle
 from slipcircle.base.series import Pulse, Series
+from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, walk
 from slipcircle.flow.bind import Bound, bind
 
@@ -40,7 +41,7 @@ SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
     "heat": (TURNING | {"thermal_pressurisation": {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}},
              MU, 200.0),
 }  # fmt: skip
-RESULTS = slice(0, walk.OMEGA + 1)
+RESULTS = slice(0, its.OMEGA + 1)
 
 
 def lanes(name: str, accuracy: float = 1e-11) -> Bound:
@@ -66,8 +67,8 @@ def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, m
 
 
 def alike(one: Any, other: Any, within: float) -> None:
-    assert np.array_equal(one[[walk.STATUS, walk.PHASES]], other[[walk.STATUS, walk.PHASES]])
-    for cell in (walk.TIME, walk.PEAK_OMEGA, walk.END_ROTATION, walk.REACH_ROTATION, walk.FIRST_STOP, walk.LIFT_TIME):
+    assert np.array_equal(one[[its.STATUS, its.PHASES]], other[[its.STATUS, its.PHASES]])
+    for cell in (its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REACH_ROTATION, its.FIRST_STOP, its.LIFT_TIME):
         a, b = one[cell], other[cell]
         assert np.array_equal(np.isnan(a), np.isnan(b))
         assert np.nanmax(np.abs(a - b), initial=0.0) <= within * np.nanmax(np.abs(a), initial=1e-300), cell
@@ -93,12 +94,10 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
     found: list[Any] = []
     for walker in (compiled.run, walk.walk):
         times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / np.float64(bound.time_scale), (1, LANES))
-        samples = walk.Samples(times, np.full((4, 61, LANES), np.nan))
-        log: walk.Log = []
+        samples = its.Samples(times, np.full((4, 61, LANES), np.nan))
+        log: its.Log = []
         walker(bound.program, bound.tables, bound.cells.copy(), samples, log)
-        found.append(
-            (samples.states, [(kind, round(t, 9)) for kind, t, *_ in log if kind in (walk.BEGINS, walk.STANDS)])
-        )
+        found.append((samples.states, [(kind, round(t, 9)) for kind, t, *_ in log if kind in (its.BEGINS, its.STANDS)]))
     states, other = found[0][0], found[1][0]
     assert np.all(np.isfinite(states))
     # The rate leaps where a sample meets a standstill or a break.

@@ -293,6 +293,7 @@ def test_the_limit_friction_is_used_as_long_as_it_is_that_of_the_start(
     effects: tuple[str, ...], laws: tuple[str, ...], moving: tuple[str, ...], departed: str | None
 ) -> None:
     """Another value of it changes the drive until what it depends on has changed, and never after."""
+    ctx.prec = 200
     program = join(effects, laws, moving, (), ("energy",))
     start = {"DIRECTION": arb(1), "fall": arb(1), "press": arb(1), "level": arb(1)} | {
         x: arb(0.1) for x in program.cells if x.partition(".")[0] in laws

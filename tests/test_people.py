@@ -287,7 +287,7 @@ def test_a_record_scaled_to_a_peak_in_a_file(run: Any, tmp_path: Path) -> None:
     (tmp_path / "r.csv").write_text(
         "".join(f"{t:.2f},{a:.6f}\n" for t, a in zip(RECORD.time, RECORD.values, strict=True))
     )
-    text = ARC + "[friction]\nangle_deg = 20\n[shaking]\nrecord = 'r.csv'\nunits = 'g'\nholds = 'driving'\n"
+    text = ARC + "[friction]\nangle_deg = 30\n[shaking]\nrecord = 'r.csv'\nunits = 'g'\nholds = 'driving'\n"
     peak = json.loads(run(text + "peak_g = 0.4\n", "--json")[1])[0]
     scaled = json.loads(run(text + f"scale = {0.4 / np.max(np.abs(np.round(RECORD.values, 6)))!r}\n", "--json")[1])[0]
     assert peak["run_out"] == pytest.approx(scaled["run_out"], rel=1e-9)

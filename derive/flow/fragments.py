@@ -39,7 +39,7 @@ CELLS = {
     "END_TIME": "t* at which it ends at the latest",
     "ONE_WAY": "1 where shaking may start it down-slope only",
     "FIRST_ONLY": "1 where the first standstill ends it",
-    "LIMIT": "limit friction at the start",
+    "LIMIT": "limit friction of weight alone at the start",
     "LIMIT_LOW": "what rounding took from it",
     "PEAK_TIME": "t* of the greatest speed",
     "PEAK_ROTATION": "rotation then, signed",
@@ -265,11 +265,15 @@ def balance() -> Fragment:
     static, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
     low.put("lin", "net", "drive", (("=1.0", "dnet"),))
-    # As long as nothing that it depends on has departed from the start, the limit friction is the number given there,
-    # in two parts, and what drives is made of what is left of it.
-    low.cells["gap"] = cell("LIMIT") - cell("mu_0")
-    given = cell("normal_0") * (cell("gap") + cell("LIMIT_LOW"))
-    low.cells["limit_0"] = (cell("driving_0") - cell("resisting_0")) / cell("normal_0")  # only for its derivative
+    # As long as nothing that it depends on has departed from the start, what drives is made of what is left of the
+    # limit friction. That of weight alone is given, in two parts, and is known better than a quotient of sums.
+    low.cells["limit_0"] = (cell("driving_0") - cell("resisting_0")) / cell("normal_0")
+    driven, pressed = cell("driving_0") - cell(str(seen(FALL))), cell("normal_0") - cell(str(seen(PRESS)))
+    low.cells["others"] = abs(driven) + abs(pressed) + cell("resisting_0")
+    low.cells["limit"] = Select(0, cell("others"), cell("limit_0"), cell("LIMIT"))
+    low.cells["gap"] = cell("limit") - cell("mu_0")
+    low_part = Select(0, cell("others"), 0, cell("LIMIT_LOW"))
+    given = cell("normal_0") * (cell("gap") + low_part)
     driven = Select(0, cell("driving_0") - cell("resisting_0"), 1, 0)
     low.cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
     low.cells["drive"] = Select(0, cell("first"), given, static)

@@ -257,8 +257,9 @@ def ours(case: Case, accuracy: float, walker: Any, closed: bool | None, mu: Floa
         motion = solve(scene, accuracy)
     else:
         lanes = lanes_of(chosen := plan(scene, accuracy))
-        motion = Motion(chosen, lanes, walked(lanes.bound, lanes.closed and closed is None, walker=walker), [])
-    return np.array([motion.run_out, motion.peak.velocity, motion.duration]).reshape(3, -1)
+        cells = walked(lanes.bound, lanes.closed and closed is None, walker=walker)
+        motion = Motion(chosen, lanes, dict(enumerate(cells)), [])
+    return np.array([motion.outcomes[n] for n in ("run_out", "peak_velocity", "duration")]).reshape(3, -1)
 
 
 def dop853(case: Case, tolerance: float) -> Way:

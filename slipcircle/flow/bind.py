@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,7 +11,8 @@ from numpy.typing import NDArray
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from slipcircle.base.series import Pulse, Series
-from slipcircle.flow import tables, walk
+from slipcircle.flow import cells as its
+from slipcircle.flow import tables
 from slipcircle.flow.program import Program, join
 from slipcircle.records.given import factor as factor_of
 from slipcircle.scene.arc import Arc
@@ -29,6 +31,48 @@ class Bound(NamedTuple):
     cells: Floats
     time_scale: Any
     functions: Mapping[int, "Grown"]  # tables of Python functions, by their place
+    joined: tuple[tuple[str, ...], ...]  # what `join` made the program of
+
+    def asking(self, asked: tuple[str, ...] = (), directions: int = 0) -> "Bound":
+        """The same lanes with further outputs, or with derivatives in so many directions."""
+        return self._of(join(*self.joined, asked, directions))
+
+    def shaken(self) -> "Bound":
+        """The same lanes under a steady horizontal coefficient, nothing at first, in the place of their shaking."""
+        effects, laws, moving, absent = self.joined
+        ours = {p.symbol for p in EFFECTS["shaking"].parameters}
+        effects = tuple(e for e in EFFECTS if e in (*effects, "shaking"))
+        moving, absent = (tuple(s for s in symbols if s not in ours) for symbols in (moving, absent))
+        return self._of(join(effects, laws, moving, (*absent, "k_v")))
+
+    def _of(self, program: Program) -> "Bound":
+        """The same numbers for another program."""
+        cells = blank(program, self.cells.shape[1])
+        to, of = _shared(program, self.program)
+        cells[to] = self.cells[of]
+        data = {slot.name: t for slot, t in zip(self.program.tables, self.tables, strict=True)}
+        return self._replace(program=program, cells=cells, tables=[data[slot.name] for slot in program.tables])
+
+    def start(self) -> Floats:
+        """The cells to walk with."""
+        cells = blank(self.program, self.cells.shape[1])
+        cells[: self.program.given] = self.cells[: self.program.given]
+        return cells
+
+
+@lru_cache(maxsize=256)
+def _shared(program: Program, other: Program) -> tuple[Any, Any]:
+    """Where two programs hold the same numbers."""
+    names = [x for x in program.cells[: program.given] if x in other.places]
+    return [program.places[x] for x in names], [other.places[x] for x in names]
+
+
+def blank(program: Program, lanes: int) -> Floats:
+    """Cells of lanes of which nothing is known but the constants; memory that nobody writes to is not taken."""
+    cells = np.zeros((len(program.cells), lanes))
+    for name, value in program.constants.items():
+        cells[program.places[name]] = value
+    return cells
 
 
 class Grown(NamedTuple):
@@ -54,7 +98,7 @@ def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
 
 
 def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: Any, velocity: Any, end_time: Any,
-         accuracy: float, lanes: int, asked: tuple[str, ...] = (), directions: int = 0) -> Bound:  # fmt: skip
+         accuracy: float, lanes: int) -> Bound:  # fmt: skip
     """Lanes of scenes that share their effects and laws.
 
     Parameters
@@ -75,11 +119,11 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     known = [(p.symbol, called[e].get(p.name)) for e in effects for p in EFFECTS[e].parameters if p.symbol]
     moving = tuple(symbol for symbol, value in known if callable(value))
     absent = tuple(symbol for symbol, value in known if value is None)
-    program = join(effects, tuple(name for name, _ in parts), moving, absent, asked, directions)
+    joined = (effects, tuple(name for name, _ in parts), moving, absent)
+    program = join(*joined)
     time_scale, radius = arc.time_scale, np.asarray(arc.radius, dtype=np.float64)
     weights = arc.weights
-    limit = weights.static_limit
-    given: dict[str, Any] = weights._asdict() | {"limit": limit}
+    given: dict[str, Any] = weights._asdict()
     scales = {
         "half_angle": arc.half_angle, "gravity": arc.gravity, "reference_stress": arc.reference_stress,
         "Theta": arc.dimensionless.moment_of_inertia, "radius": radius,
@@ -100,10 +144,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
                 given[p.symbol] = p.dimensionless(value * share, scales | own)
     for name, parameters in parts:
         _law(name, parameters, radius, time_scale, given, pieces, grown)
-    cells = np.zeros((len(program.cells), lanes))
-    at = {name: k for k, name in enumerate(program.cells)}
-    for name, value in program.constants.items():
-        cells[at[name]] = value
+    cells, at = blank(program, lanes), program.places
     for name, value in given.items():
         if name in at:
             cells[at[name]] = value
@@ -111,36 +152,21 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     for k, slot in enumerate(program.tables):
         piece, scale, factor = pieces[slot.name]
         data.append(piece)
-        cells[slot.cells + walk.SCALE], cells[slot.cells + walk.SCALED_BY] = scale, factor
+        cells[slot.cells + its.SCALE], cells[slot.cells + its.SCALED_BY] = scale, factor
         if slot.name in grown:
             functions[k] = grown[slot.name]
     with np.errstate(over="ignore"):
-        cells[walk.OMEGA] = np.asarray(velocity, dtype=np.float64) / radius * time_scale
-        cells[walk.END_TIME] = np.asarray(end_time, dtype=np.float64) / time_scale
+        cells[its.OMEGA] = np.asarray(velocity, dtype=np.float64) / radius * time_scale
+        cells[its.END_TIME] = np.asarray(end_time, dtype=np.float64) / time_scale
     # The steps of one scene cost next to nothing, whatever their order.
-    cells[walk.ORDER], cells[walk.FACTOR] = order(min(accuracy, FINEST) if lanes == 1 else accuracy), STEP
-    cells[[walk.FIRST_STOP, walk.LIFT_TIME]] = np.nan
-    cells[walk.CLOSE] = np.inf
+    cells[its.ORDER], cells[its.FACTOR] = order(min(accuracy, FINEST) if lanes == 1 else accuracy), STEP
+    cells[[its.FIRST_STOP, its.LIFT_TIME]] = np.nan
+    cells[its.CLOSE] = np.inf
     shaken = called.get("shaking", {})
-    cells[walk.ONE_WAY] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
-    cells[walk.FIRST_ONLY] = np.where(np.isinf(cells[walk.END_TIME]), _first_only(effects, parts, given), 0.0)
-    cells[walk.LIMIT] = _limit(program, data, cells, limit)
-    return Bound(program, data, cells, time_scale, functions)
-
-
-def _limit(program: Program, data: list[tables.Data], cells: Floats, limit: Any) -> Any:
-    """The limit friction at the start, in the direction in which the mass is driven, of which its drive is made."""
-    probe = walk.Lanes(program, data, cells.copy(), None, np.arange(cells.shape[1]))
-    c, roles = probe.c, program.roles
-    c[walk.DIRECTION] = 1.0
-    c[walk.OMEGA] = np.abs(c[walk.OMEGA])
-    with np.errstate(all="ignore"):
-        probe.base()
-        c[walk.DIRECTION] = np.where(c[roles["cell_driving"]] < 0.0, -1.0, 1.0)
-        probe.base()
-        driving, resisting, normal = (c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0"))
-        alone = (driving == c[roles["cell_f0"]]) & (normal == c[roles["cell_p0"]]) & (resisting == 0.0)
-        return np.where(alone, np.abs(limit), (driving - resisting) / normal)
+    cells[its.ONE_WAY] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
+    cells[its.FIRST_ONLY] = np.where(np.isinf(cells[its.END_TIME]), _first_only(effects, parts, given), 0.0)
+    cells[its.LIMIT] = np.abs(weights.static_limit)
+    return Bound(program, data, cells, time_scale, functions, joined)
 
 
 def in_time(function: Any) -> tables.Data:

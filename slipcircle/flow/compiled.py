@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.series import SCALAR, SERIES
-from slipcircle.flow import walk
+from slipcircle.flow import cells as its
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
 
@@ -68,9 +68,8 @@ def flat(program: Program) -> bytes:
             outer.insert(0, coded(op, names))
     series, later = ([i for code in part for i in code] for part in (inner, outer))
     scalar = [i for op, *names in program.scalar for i in (SCALAR[op], *names)]
-    # A lane at its start has no use for the cells from the first that the prologue makes on, but for constants.
-    made_first = min(d for _, d, *_ in program.scalar)
-    sizes = (len(program.cells), made_first, len(program.registers), len(program.states), len(program.tables),
+    # A lane at its start has no use for the cells beyond those given, but for constants.
+    sizes = (len(program.cells), program.given, len(program.registers), len(program.states), len(program.tables),
              len(scalar), len(series), len(later))  # fmt: skip
     roles = [program.roles.get(name, -1) for name in ROLES]
     roles = [role if name.startswith("cell_") else at[role] for name, role in zip(ROLES, roles, strict=True)]
@@ -80,8 +79,8 @@ def flat(program: Program) -> bytes:
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
 
-def run(program: Program, tables: Sequence[Data], cells: Floats, samples: walk.Samples | None = None,
-        log: walk.Log | None = None, level: str | None = None) -> None:  # fmt: skip
+def run(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
+        log: its.Log | None = None, level: str | None = None) -> None:  # fmt: skip
     """Walk every lane until it rests, ends or fails, as `slipcircle.flow.walk.walk` does; other threads run meanwhile.
 
     Parameters
@@ -95,15 +94,30 @@ def run(program: Program, tables: Sequence[Data], cells: Floats, samples: walk.S
     if not count:
         return
     number = binary.LEVELS[level] if level else min(binary.LEVELS.values())
-    pieces = tuple(
-        (t.breaks, t.coefficients, t.jumps, t.coefficients.shape[1], count if t.coefficients.ndim == 3 else 0, t.sine,
-         t.open)
-        for t in tables
-    )  # fmt: skip
+    pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
-    code, order, left = flat(program), int(cells[walk.ORDER].max()), 1
+    code, order, left = flat(program), int(cells[its.ORDER].max()), 1
     while left:
         left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:
             log += [(int(kind), *at) for kind, *at in notes[:noted].tolist()]
+
+
+def begin(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """As `slipcircle.flow.walk.begin`: the phases that begin where lanes are, and their registers there."""
+    binary, count = module(), cells.shape[1]
+    found = np.zeros((len(program.registers), count))
+    if count:
+        binary.walk(flat(program), _pieces(tables, count), cells, 5, 0, count, 0, _NOTHING, found, _NOTHING,
+                    min(binary.LEVELS.values()))  # fmt: skip
+    return found
+
+
+def _pieces(tables: Sequence[Data], count: int) -> tuple[Any, ...]:
+    """Tables as the C walk takes them."""
+    return tuple(
+        (t.breaks, t.coefficients, t.jumps, t.coefficients.shape[1], count if t.coefficients.ndim == 3 else 0, t.sine,
+         t.open)
+        for t in tables
+    )  # fmt: skip

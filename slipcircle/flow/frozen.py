@@ -10,80 +10,82 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import motion as formulas
-from slipcircle.flow import walk as w
+from slipcircle.flow import cells as its
+from slipcircle.flow.columns import Columns
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
+from slipcircle.flow.walk import Walker
 
 Floats = NDArray[np.float64]
 
 
-def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Samples | None = None,
-         log: w.Log | None = None) -> None:  # fmt: skip
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
+         log: its.Log | None = None) -> None:  # fmt: skip
     """As `slipcircle.flow.walk.walk`, for lanes that friction presses on throughout; others it leaves as they are."""
-    lanes = w.Lanes(program, tables, cells.copy(), samples, np.arange(cells.shape[1]), log)
+    lanes = Walker(program, tables, cells.copy(), samples, np.arange(cells.shape[1]), log)
     with np.errstate(all="ignore"):
-        lanes.on(lanes.c[w.STATUS] == w.START, "start")
-        pressed = (lanes.c[program.roles["cell_normal0"]] > 0.0) & np.isfinite(lanes.c[w.OMEGA])
-        while np.any(moving := (lanes.c[w.STATUS] == w.MOVING) & pressed):
+        lanes.on(lanes.c[its.STATUS] == its.START, "start")
+        pressed = (lanes.c[program.roles["cell_normal0"]] > 0.0) & np.isfinite(lanes.c[its.OMEGA])
+        while np.any(moving := (lanes.c[its.STATUS] == its.MOVING) & pressed):
             part = lanes.part(moving)
             _phase(part)
             lanes.c[:, moving] = part.c
     cells[:, pressed] = lanes.c[:, pressed]
 
 
-def _phase(lanes: w.Lanes) -> None:
+def _phase(lanes: Walker) -> None:
     """One phase, up to its standstill or its end."""
     c, p = lanes.c, lanes.program
-    c[w.STEPS] += 1.0
-    a, b, omega = c[p.roles["cell_drive"]].copy(), brake(lanes), c[w.OMEGA].copy()
+    c[its.STEPS] += 1.0
+    a, b, omega = c[p.roles["cell_drive"]].copy(), brake(lanes), c[its.OMEGA].copy()
     braked = bool(np.any(b != 0.0))
     prefix, of = ("frozen_centripetal", (a, b, omega)) if braked else ("frozen", (a, omega))
     stop, gone = (np.asarray(getattr(formulas, f"{prefix}_arrest_{n}")(*of)) for n in ("time", "rotation"))
     stop = np.where(a < 0.0, stop, np.inf)
-    left = c[w.END_TIME] - c[w.TIME]
+    left = c[its.END_TIME] - c[its.TIME]
     stops = stop < left
     until = np.where(stops, stop, left)
     endless = np.isinf(until)
-    c[w.STATUS, endless] = w.TOO_LONG
+    c[its.STATUS, endless] = its.TOO_LONG
     until = np.where(endless, 0.0, until)
 
-    def state(t: Any, k: Any = slice(None)) -> tuple[Any, Any, Any]:
+    def state(t: Any) -> tuple[Any, Any, Any]:
         names = ("rotation", "angular_velocity", "angular_acceleration")
-        return tuple(getattr(formulas, f"{prefix}_{n}")(*(x[k] for x in of), t) for n in names)
+        return tuple(getattr(formulas, f"{prefix}_{n}")(*of, t) for n in names)
 
     x, speed, rate = state(until)
-    fastest = (c[w.PEAK_TIME] == c[w.TIME]) & (np.abs(c[w.PEAK_OMEGA]) == omega)  # at the start, by the same formula
-    c[w.PEAK_RATE] = np.where(fastest, c[w.DIRECTION] * state(np.zeros_like(until))[2], c[w.PEAK_RATE])
+    # At the start, by the same formula.
+    fastest = (c[its.PEAK_TIME] == c[its.TIME]) & (np.abs(c[its.PEAK_OMEGA]) == omega)
+    c[its.PEAK_RATE] = np.where(fastest, c[its.DIRECTION] * state(np.zeros_like(until))[2], c[its.PEAK_RATE])
     if lanes.samples is not None:
         _read(lanes, until, stops, state)
-    c[w.X], c[w.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
-    c[w.TIME] = np.where(stops, c[w.TIME] + until, c[w.END_TIME])
-    lanes._fastest(c[w.OMEGA], c[w.TIME], c[w.ROTATION] + c[w.DIRECTION] * c[w.X], rate, ~stops & ~endless)
+    c[its.X], c[its.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
+    c[its.TIME] = np.where(stops, c[its.TIME] + until, c[its.END_TIME])
+    lanes._fastest(c[its.OMEGA], c[its.TIME], c[its.ROTATION] + c[its.DIRECTION] * c[its.X], rate, ~stops & ~endless)
     lanes.on(stops, "stand")
     ends = ~stops & ~endless
-    for cell, value in ((w.END_ROTATION, c[w.ROTATION] + c[w.DIRECTION] * c[w.X]),
-                        (w.END_OMEGA, c[w.DIRECTION] * c[w.OMEGA]), (w.END_RATE, c[w.DIRECTION] * rate)):  # fmt: skip
+    last = (c[its.ROTATION] + c[its.DIRECTION] * c[its.X], c[its.DIRECTION] * c[its.OMEGA], c[its.DIRECTION] * rate)
+    for cell, value in zip((its.END_ROTATION, its.END_OMEGA, its.END_RATE), last, strict=True):
         c[cell] = np.where(ends, value, c[cell])
     lanes._reach(ends)
-    c[w.STATUS, ends] = w.ENDED
+    c[its.STATUS, ends] = its.ENDED
 
 
-def brake(lanes: w.Lanes) -> Floats:
+def brake(lanes: Columns) -> Floats:
     """b: what a unit of omega^2 takes from the rate, by the program itself."""
-    part = w.Lanes(lanes.program, lanes.tables, lanes.c.copy(), None, lanes.which)
-    part.c[lanes.program.roles["cell_drive"]], part.c[w.OMEGA], part.c[w.X] = 0.0, 1.0, 0.0
+    part = Columns(lanes.program, lanes.tables, lanes.c.copy(), None, lanes.which)
+    part.c[lanes.program.roles["cell_drive"]], part.c[its.OMEGA], part.c[its.X] = 0.0, 1.0, 0.0
     return np.asarray(-part._series(0)[0][lanes.program.roles["net"], 0])
 
 
-def _read(lanes: w.Lanes, until: Floats, stops: Any, state: Any) -> None:
+def _read(lanes: Walker, until: Floats, stops: Any, state: Any) -> None:
     """States at sample times within the phase."""
     c, s = lanes.c, lanes.samples
     assert s is not None
-    for lane, column in enumerate(lanes.which):
-        begin, end = c[w.TIME, lane], c[w.TIME, lane] + until[lane] if stops[lane] else c[w.END_TIME, lane]
-        times = s.times[:, column]
-        first, last = np.searchsorted(times, begin), np.searchsorted(times, end, "left" if stops[lane] else "right")
-        x, omega, rate = state(times[first:last] - begin, lane)
-        side = c[w.DIRECTION, lane]
-        s.states[:4, first:last, column] = (c[w.ROTATION, lane] + side * x, side * omega, side * rate,
-                                            c[w.SLIP, lane] + x)  # fmt: skip
+    begin, times = c[its.TIME], s.times[:, lanes.which]
+    end = np.where(stops, begin + until, c[its.END_TIME])
+    now = (times >= begin) & ((times < end) | (~stops & (times == end)))
+    x, omega, rate = state(np.where(now, times - begin, 0.0))
+    side = c[its.DIRECTION]
+    for row, value in enumerate((c[its.ROTATION] + side * x, side * omega, side * rate, c[its.SLIP] + x)):
+        s.states[row][:, lanes.which] = np.where(now, value, s.states[row][:, lanes.which])

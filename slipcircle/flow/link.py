@@ -68,6 +68,8 @@ class Linker:
                 return ZERO
             case ("select", ("=0.0", _, x)):
                 return x
+            case ("sub", (x, y)) if x == y:
+                return ZERO
             case ("sub", ("=0.0", x)) | ("mul", (x, "=-1.0")) | ("mul", ("=-1.0", x)):
                 return self.compute("neg", x, name=name)
             case ("neg", ("=1.0",)):

@@ -5,7 +5,7 @@ What is nothing (a frozen mass does not turn, a constant does not change) is lef
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 from generated.flow import CELLS, FRAGMENTS, INPUTS, QUANTITIES
@@ -38,11 +38,13 @@ class Tangent(NamedTuple):
 class Program:
     """Cells and registers by name, operations on cells and on series by their indices, and who plays which role.
 
-    The first ``lasting`` cells hold a lane; beyond are ``constants``, by name, and what a prologue needs while it runs.
+    The first ``given`` cells are a lane's own at its start, the first ``lasting`` hold a lane on its way; beyond are
+    ``constants``, by name, and what a prologue needs while it runs.
     ``states`` are (cell, register, register of the rate); the tangents of all states follow, direction by direction.
     """
 
     cells: tuple[str, ...]
+    given: int
     lasting: int
     registers: tuple[str, ...]
     scalar: tuple[tuple[Any, ...], ...]
@@ -53,11 +55,16 @@ class Program:
     constants: Mapping[str, float]
     tangents: tuple[Tangent, ...] = ()
 
+    @cached_property
+    def places(self) -> Mapping[str, int]:
+        """Where the cells are, by name."""
+        return {name: k for k, name in enumerate(self.cells)}
+
 
 # Cells that the walk reads, by role: what drives and the size of its terms, what presses, and the weight's components.
 OUTPUTS = {"cell_drive": "drive", "cell_drive_scale": "drive_scale", "cell_normal0": "normal_0", "cell_f0": "fall_0",
            "cell_p0": "press_0", "cell_ps0": "press_slope_0", "cell_driving": "driving_0",
-           "cell_resisting": "resisting_0", "cell_mu": "mu_0"}  # fmt: skip
+           "cell_resisting": "resisting_0", "cell_mu": "mu_0", "cell_limit": "limit"}  # fmt: skip
 ROLES = ("net", "normal", "upright")  # registers that the walk reads
 
 
@@ -195,6 +202,7 @@ def _linked(
     roles = {x: at[x] for x in ("x", "omega")} | {x: at.get(str(made[x]), -1) for x in (*ROLES, *asked)}
     return Program(
         cells=tuple(cells),
+        given=len(fixed),
         lasting=len(held),
         registers=tuple(registers),
         scalar=tuple((op[0], place[d], *(place[x] for x in op[1:])) for op, (d,) in scalar),

@@ -1,8 +1,7 @@
 """Lanes of scenes that share their effects and laws: bound, walked to their end, and asked for what they passed."""
 
-import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any
 
@@ -10,35 +9,45 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
+from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
+from slipcircle.flow.columns import Columns
+from slipcircle.flow.program import Program
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
+from slipcircle.scene.varied import arc_with
 
 Floats = NDArray[np.float64]
+BLOCK = 16384  # lanes at once, so that what they need stays in the cache
 
 
-def walked(bound: Bound, closed: bool = False, samples: walk.Samples | None = None, log: walk.Log | None = None,
+def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = None, log: its.Log | None = None,
            walker: Any = None) -> Floats:  # fmt: skip
     """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
-    cells, data = bound.cells.copy(), list(bound.tables)
+    cells, data = bound.start(), list(bound.tables)
     if closed:
         frozen.walk(bound.program, data, cells, samples, log)
     while True:
         (walker or (compiled.run if compiled.module() else walk.walk))(bound.program, data, cells, samples, log)
-        asking = cells[walk.STATUS] == walk.NEED
+        asking = cells[its.STATUS] == its.NEED
         if not np.any(asking):
             break
         for k, grown in bound.functions.items():
             data[k] = _longer(data[k], grown)
-        lanes = walk.Lanes(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
+        lanes = Columns(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
         lanes.base()
         cells[:, asking] = lanes.c
-        cells[walk.STATUS, asking] = walk.MOVING
-    long = (cells[walk.STATUS] == walk.TOO_LONG) & (cells[walk.STEPS] > walk.MOST_STEPS)
+        cells[its.STATUS, asking] = its.MOVING
+    long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS)
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells
+
+
+def _begin(program: Program, data: list[tables.Data], cells: Floats) -> Floats:
+    """`walk.begin`, by the binary where there is one."""
+    return (compiled.begin if compiled.module() else walk.begin)(program, data, cells)
 
 
 def _longer(data: tables.Data, grown: Grown) -> tables.Data:
@@ -85,15 +94,24 @@ class Lanes:
     count: int
     invalid: Any = False
 
+    def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
+        """The lanes in blocks."""
+
+        def cut(value: Any, which: slice) -> Any:
+            if isinstance(value, Mapping):
+                return {n: cut(v, which) for n, v in value.items()}
+            return value[which] if isinstance(value, np.ndarray) and value.shape == (self.count,) else value
+
+        for first in range(0, self.count, BLOCK):
+            which = slice(first, min(first + BLOCK, self.count))
+            given = {f.name: cut(getattr(self, f.name), which) for f in fields(Lanes)}
+            arc = arc_with(self.arc, {n: cut(getattr(self.arc, n), which) for n in self.arc.quantities})
+            yield which, Lanes(**given | {"arc": arc, "count": which.stop - which.start})
+
     @cached_property
     def bound(self) -> Bound:
-        return self.bind()
-
-    def bind(self, asked: tuple[str, ...] = (), directions: int = 0) -> Bound:
-        """Bound numbers, with further outputs, or derivatives in so many directions."""
-        found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count,
-                     asked, directions)  # fmt: skip
-        found.cells[walk.STATUS, np.broadcast_to(self.invalid, self.count)] = walk.FAILED
+        found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
+        found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
         return found
 
     @property
@@ -117,7 +135,7 @@ class Lanes:
         weight = np.multiply(arc.width, arc.unit_weight) * np.power(arc.radius, 3.0)
         return weight * arc.dimensionless.moment_of_inertia
 
-    def solve(self, log: walk.Log | None = None) -> Floats:
+    def solve(self, log: its.Log | None = None) -> Floats:
         """The cells of all lanes at their end."""
         return walked(self.bound, self.closed, None, log)
 
@@ -127,7 +145,7 @@ class Lanes:
         at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
         rows = np.zeros((2 + len(bound.program.states), times.size, self.count))
         found = np.full((2 + len(bound.program.states), times.size, self.count), np.nan)
-        cells = walked(bound, closed, walk.Samples(np.ascontiguousarray(at), rows))
+        cells = walked(bound, closed, its.Samples(np.ascontiguousarray(at), rows))
         found[:, order] = rows
         return found, cells
 
@@ -137,6 +155,8 @@ class Lanes:
 
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
+        if self.count > BLOCK:
+            return np.concatenate([part.stress(time[k], rotation[k], omega[k]) for k, part in self.parts()])
         return self._probe(self._asking, time, rotation, omega, None, ("pressing",))["pressing"] * self.stress_unit
 
     def stress_along(self, times: Floats, rows: Floats) -> Any:
@@ -163,51 +183,44 @@ class Lanes:
         bound, found = self._asking, np.full(rows.shape[1:], np.nan)
         time, rotation, _, further, each = self._spread(times, rows)
         for side in (1.0, -1.0):
-            lanes = self._placed(bound, time, rotation, 0.0, further, each, side)
-            driving, resisting, normal = (
-                lanes.c[bound.program.roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0")
-            )
+            c, _ = self._begun(bound, time, rotation, 0.0, further, each, side)
+            roles = bound.program.roles
+            driving, resisting, normal = (c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0"))
+            may = Columns(bound.program, (), c, None, each).may_start(side)
             with np.errstate(all="ignore"):
-                held = np.where((normal > 0.0) & lanes.may_start(side), (driving - resisting) / normal, np.nan)
+                held = np.where((normal > 0.0) & may, (driving - resisting) / normal, np.nan)
             found = np.fmax(found, np.maximum(held, 0.0).reshape(found.shape))
         return found.T
 
     @cached_property
     def _asking(self) -> Bound:
-        return self.bind(("pressing", "normal", "mu"))
+        return self.bound.asking(("pressing", "normal", "mu"))
 
     def _probe(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, names: tuple[str, ...],
                each: Any = slice(None)) -> dict[str, Floats]:  # fmt: skip
         """Registers of the program in given states: what a phase would begin with there."""
-        lanes = self._placed(bound, time, rotation, omega, further, each, np.where(omega < 0.0, -1.0, 1.0))
-        with np.errstate(all="ignore"):
-            r = lanes._series(0)[0]
-        return {n: r[bound.program.roles[n], 0] for n in names}
+        _, r = self._begun(bound, time, rotation, omega, further, each, np.where(omega < 0.0, -1.0, 1.0))
+        return {n: r[bound.program.roles[n]] for n in names}
 
-    def _placed(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, each: Any,
-                side: Any) -> walk.Lanes:  # fmt: skip
-        """Lanes at the start of a phase in given states."""
+    def _begun(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, each: Any,
+               side: Any) -> tuple[Floats, Floats]:  # fmt: skip
+        """Cells and registers at the start of a phase in given states."""
         cells = bound.cells[:, each].copy()
-        cells[walk.TIME], cells[walk.ROTATION], cells[walk.OMEGA] = time, rotation, np.abs(omega)
-        cells[walk.DIRECTION], cells[walk.LIFTED] = side, 0.0
+        cells[its.TIME], cells[its.ROTATION], cells[its.OMEGA] = time, rotation, np.abs(omega)
+        cells[its.DIRECTION], cells[its.LIFTED] = side, 0.0
         if further is not None:
-            cells[walk.SLIP] = further[0]
+            cells[its.SLIP] = further[0]
             for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
                 cells[cell] = value
-        which = np.arange(cells.shape[1])
         parts = [t.lanes(each) if t.coefficients.ndim == 3 else t for t in bound.tables]
-        lanes = walk.Lanes(bound.program, parts, cells, None, which)
-        with np.errstate(all="ignore"):
-            lanes.find_pieces()
-            lanes.base()
-        return lanes
+        return cells, _begin(bound.program, parts, cells)
 
     @property
     def brake(self) -> Floats:
         """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
         bound = self.bound
-        lanes = walk.Lanes(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
-        lanes.c[walk.DIRECTION] = 1.0
+        lanes = Columns(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
+        lanes.c[its.DIRECTION] = 1.0
         with np.errstate(all="ignore"):
             lanes.base()
             return 2 * frozen.brake(lanes)
@@ -218,47 +231,37 @@ class Lanes:
 
         k_y is where the drive, linear in k_h, is zero; both are read off the program itself.
         """
-        kept = {e: given for e, given in self.called.items() if e != "shaking"}
-        free, normals = [], []
-        found: dict[str, Any] = {}
-        for k_h in (0.0, 1.0):
-            bound = bind(self.arc, kept | {"shaking": {"horizontal": k_h}}, self.friction, 0.0, math.inf,
-                         self.accuracy, self.count)  # fmt: skip
-            roles, c = bound.program.roles, bound.cells.copy()
-            down = np.where(c[[*bound.program.cells].index("fall")] < 0.0, -1.0, 1.0)
-            c[walk.DIRECTION] = down
-            c[[*bound.program.cells].index("k_h")] *= down
-            lanes = walk.Lanes(bound.program, bound.tables, c, None, np.arange(self.count))
-            with np.errstate(all="ignore"):
-                lanes.base()
-                if k_h == 0.0:
-                    driving, resisting, normal, mu = (
-                        c[roles[f"cell_{n}"]].copy() for n in ("driving", "resisting", "normal0", "mu")
-                    )
-                    pressed = normal > 0.0
-                    held = resisting + np.where(pressed, mu * normal, 0.0)
-                    none = np.where(driving > resisting, np.inf, -np.inf)
-                    found = {
-                        "limit_friction": np.where(pressed, bound.cells[walk.LIMIT], none),
-                        "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), held / driving, np.inf),
-                        "friction": mu,
-                    }  # fmt: skip
-                free.append(c[roles["cell_driving"]] - c[roles["cell_resisting"]])
-                normals.append(c[roles["cell_normal0"]].copy())
+        bound = self.bound.shaken()
+        roles, at = bound.program.roles, bound.program.places
+        c = bound.cells
+        c[its.OMEGA], c[its.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
+        c[at["k_h"]], shaken = 0.0, c.copy()
+        shaken[at["k_h"]] = c[its.DIRECTION]
+        _begin(bound.program, bound.tables, c)
+        _begin(bound.program, bound.tables, shaken)
+        driving, resisting, normal, mu, limit = (
+            c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0", "mu", "limit")
+        )
+        pressed = normal > 0.0
         with np.errstate(all="ignore"):
-            mu = found["friction"]
-            drive, shaken = (f - mu * n for f, n in zip(free, normals, strict=True))
-            exact = np.where(normals[0] > 0.0, normals[0] * (found["limit_friction"] - mu), drive)
-            yields = -exact / (shaken - drive)
-            lifted = normals[0] + yields * (normals[1] - normals[0]) < 0.0
-            found["yield_coefficient"] = np.where(lifted, -free[0] / (free[1] - free[0]), yields) + 0.0
-        return found
+            free, freed = driving - resisting, shaken[roles["cell_driving"]] - shaken[roles["cell_resisting"]]
+            limit = np.where(pressed, limit, np.where(free > 0.0, np.inf, -np.inf))
+            held = resisting + np.where(pressed, mu * normal, 0.0)
+            drive, driven = free - mu * normal, freed - mu * shaken[roles["cell_normal0"]]
+            exact = np.where(pressed, normal * (limit - mu), drive)
+            yields = -exact / (driven - drive)
+            lifted = normal + yields * (shaken[roles["cell_normal0"]] - normal) < 0.0
+            return {
+                "limit_friction": limit, "friction": mu,
+                "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), held / driving, np.inf),
+                "yield_coefficient": np.where(lifted, -free / (freed - free), yields) + 0.0,
+            }  # fmt: skip
 
     def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
         """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
-        bound = self.bind(("energy",))
+        bound = self.bound.asking(("energy",))
         rows, _ = self._sampled(bound, times, False)
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
         found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}
-        return found, bound.cells[walk.OMEGA] ** 2 / 2
+        return found, bound.cells[its.OMEGA] ** 2 / 2

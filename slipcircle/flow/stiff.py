@@ -11,9 +11,10 @@ from warnings import catch_warnings, simplefilter
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.flow import walk as w
+from slipcircle.flow import cells as its
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
+from slipcircle.flow.walk import Walker
 
 Floats = NDArray[np.float64]
 TOLERANCE = 1e-12
@@ -21,40 +22,40 @@ CREEP = 1e-12  # of its greatest speed, with which a mass without an end is take
 MOST_STEPS = 3_000  # of the stepper, for one step of the walk
 
 
-def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: w.Samples | None = None,
-         log: w.Log | None = None, which: Any = ()) -> None:  # fmt: skip
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
+         log: its.Log | None = None, which: Any = ()) -> None:  # fmt: skip
     """As `slipcircle.flow.walk.walk`, for some lanes, one after the other, from where they are."""
     for lane in which:
         one = _Implicit(program, [t.lanes([lane]) for t in tables], cells[:, [lane]], samples, np.array([lane]), log)
-        one.c[w.STATUS], one.c[w.STEPS] = w.MOVING, 0.0
+        one.c[its.STATUS], one.c[its.STEPS] = its.MOVING, 0.0
         with np.errstate(all="ignore"):
             one.rebase()
-            while one.c[w.STATUS, 0] <= w.RESTING:
+            while one.c[its.STATUS, 0] <= its.RESTING:
                 one.round()
         cells[:, lane] = one.c[:, 0]
 
 
-class _Implicit(w.Lanes):
+class _Implicit(Walker):
     """One lane, a step of which is an implicit integration."""
 
     def _registers(self, t: float, y: Floats) -> Floats:
         """What the program gives at a time, in states."""
         c = self.c
-        c[w.TIME, 0], c[[cell for cell, _, _ in self.program.states], 0] = t, y
+        c[its.TIME, 0], c[[cell for cell, _, _ in self.program.states], 0] = t, y
         for cell, k, first, before in self.course:
             c[cell, 0] = before + self._local(self.program.tables[k], self.tables[k])[0, 0] - first
         return np.asarray(self._series(0)[0][:, 0, 0])
 
     def _watched(self) -> list[tuple[int, Callable[[float, Floats], float]]]:
         """Events by their numbers, with what is above zero before them."""
-        roles, sign = self.program.roles, -1.0 if self.c[w.LIFTED, 0] > 0.0 else 1.0
+        roles, sign = self.program.roles, -1.0 if self.c[its.LIFTED, 0] > 0.0 else 1.0
         found: list[tuple[int, Callable[[float, Floats], float]]] = [(0, lambda t, y: float(y[1]))]
         if roles["normal"] >= 0:
             found.append((1, lambda t, y: sign * float(self._registers(t, y)[roles["normal"]])))
         if roles["upright"] >= 0:
             found.append((99, lambda t, y: float(self._registers(t, y)[roles["upright"]])))
         for k, slot in enumerate(self.program.tables):
-            upper, lower = (float(self.c[slot.cells + x, 0]) for x in (w.UPPER, w.LOWER))
+            upper, lower = (float(self.c[slot.cells + x, 0]) for x in (its.UPPER, its.LOWER))
             at = {"slip": 0, "speed": 1}.get(slot.kind)
             if at is not None and np.isfinite(upper):
                 found.append((2 + 2 * k, partial(_short_of, at, upper, 1.0)))
@@ -69,12 +70,13 @@ class _Implicit(w.Lanes):
             raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
 
         c, p = self.c, self.program
-        begin, limit = float(c[w.TIME, 0]), float(min(self._break()[0], c[w.END_TIME, 0]))
+        begin, limit = float(c[its.TIME, 0]), float(min(self._break()[0], c[its.END_TIME, 0]))
         timed = [(k, p.tables[k]) for k in self.timed]
-        self.course = [(slot.cells + w.INC, k, self._local(slot, self.tables[k])[0, 0], c[slot.cells + w.INC, 0])
+        self.course = [(slot.cells + its.INC, k, self._local(slot, self.tables[k])[0, 0], c[slot.cells + its.INC, 0])
                        for k, slot in timed]  # fmt: skip
         y0, states, net = c[[cell for cell, _, _ in p.states], 0].copy(), p.states, p.roles["net"]
-        size = np.maximum(np.abs(y0), 1e-12 * np.array([1.0, max(abs(c[w.PEAK_OMEGA, 0]), 1e-9), *y0[2:] * 0.0 + 1.0]))
+        fastest = max(abs(c[its.PEAK_OMEGA, 0]), 1e-9)
+        size = np.maximum(np.abs(y0), 1e-12 * np.array([1.0, fastest, *y0[2:] * 0.0 + 1.0]))
 
         def rates(t: float, y: Floats) -> list[float]:
             r = self._registers(t, y)
@@ -103,14 +105,15 @@ class _Implicit(w.Lanes):
             if rate > 0.0 >= falls:
                 top = _root(lambda t, y: float(self._registers(t, y)[net]), dense, t0, end)
                 at = dense(top)
-                self._fastest(np.array([at[1]]), np.array([top]), c[w.ROTATION] + c[w.DIRECTION] * at[0], np.zeros(1))
+                rotation = c[its.ROTATION] + c[its.DIRECTION] * at[0]
+                self._fastest(np.array([at[1]]), np.array([top]), rotation, np.zeros(1))
             self._write(t0, end, dense)
             rate, before = falls, after
-            creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[w.PEAK_OMEGA, 0])
+            creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[its.PEAK_OMEGA, 0])
             if hit >= 0 or creeps:
                 break
         if hit < 0 and (stepper.status != "finished" or np.isinf(limit)):
-            c[w.STATUS, 0] = w.TOO_LONG
+            c[its.STATUS, 0] = its.TOO_LONG
             return
         self._registers(end if hit >= 0 else limit, y)
         self.settle(np.array([hit]), np.array([rate]), np.array([hit < 0]))
@@ -124,9 +127,9 @@ class _Implicit(w.Lanes):
         first, last = np.searchsorted(times, begin), np.searchsorted(times, end, side="right")
         for row in range(first, last):
             y = states(times[row])
-            side = c[w.DIRECTION]
+            side = c[its.DIRECTION]
             rate = self._registers(times[row], y)[self.program.roles["net"]]
-            into[:4, row, column] = c[w.ROTATION] + side * y[0], side * y[1], side * rate, c[w.SLIP] + y[0]
+            into[:4, row, column] = c[its.ROTATION] + side * y[0], side * y[1], side * rate, c[its.SLIP] + y[0]
             into[4:, row, column] = y[2:]
 
 

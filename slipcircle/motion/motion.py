@@ -1,7 +1,7 @@
 """The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
-from slipcircle.flow import walk
+from slipcircle.flow import cells as its
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
@@ -37,6 +37,14 @@ class Status(IntEnum):
 
 
 _SURE = 1e-11  # an estimated error below which only the format limits what is known
+# The cells of which a motion is told.
+TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
+        its.PEAK_RATE, its.REACH_TIME, its.REACH_ROTATION, its.END_ROTATION, its.END_OMEGA, its.END_RATE,
+        its.CLOSE, its.REST_SINCE, its.TURNS)  # fmt: skip
+# What becomes of a lane that the walk leaves so; one that moved.
+_BECOMES = np.full(its.NEED + 1, Status.FAILED, np.int8)
+_BECOMES[[its.ARRESTED, its.ENDED, its.STOPPED, its.UPRIGHT, its.TOO_LONG]] = (
+    Status.RESTS, Status.MOVING, Status.MOVING, Status.UPRIGHT, Status.ENDLESS)  # fmt: skip
 ENERGIES = 21  # times at which the energy balance is looked at
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
@@ -123,7 +131,7 @@ class Motion:
         What a user should know of a single motion; empty where all is well.
     """
 
-    def __init__(self, plan: Plan, lanes: Lanes, cells: Floats, log: Sequence[tuple[int, float, float, float]]) -> None:
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: its.Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
 
@@ -145,28 +153,25 @@ class Motion:
         return values.reshape(self.shape) if self.shape else values[0].item()
 
     def _of(self, cell: int) -> Floats:
-        return np.asarray(self._cells[cell])
+        return self._cells[cell]
 
     # --- what became of it -------------------------------------------------------------------------------------------
 
     @cached_property
     def _states(self) -> NDArray[np.int8]:
         """The status of each lane."""
-        status, moved = self._of(walk.STATUS), self._of(walk.PHASES) > 0.0
-        found = np.full(status.shape, Status.FAILED, np.int8)
-        found[status == walk.ARRESTED] = Status.RESTS
-        found[(status == walk.ARRESTED) & (self._of(walk.TURNS) > 0.0)] = Status.TURNED
-        found[(status == walk.ENDED) | (status == walk.STOPPED)] = Status.MOVING
-        found[((status == walk.ARRESTED) | (status == walk.ENDED)) & ~moved] = Status.STAYS
-        found[status == walk.UPRIGHT] = Status.UPRIGHT
-        found[status == walk.TOO_LONG] = Status.ENDLESS
+        found = _BECOMES[self._of(its.STATUS).astype(np.intp)]
+        found[(found == Status.RESTS) & (self._of(its.TURNS) > 0.0)] = Status.TURNED
+        found[(found <= Status.TURNED) & (self._of(its.STATUS) != its.STOPPED) & (self._of(its.PHASES) == 0.0)] = (
+            Status.STAYS
+        )
         found[self._lanes.invalid] = Status.INVALID
         return found
 
     @property
     def stopped_at(self) -> Any:
         """Time at which the walk stopped, s, with an answer or without."""
-        return self._shaped(self._of(walk.TIME) * self._lanes.time_scale)
+        return self._shaped(self._of(its.TIME) * self._lanes.time_scale)
 
     @property
     def brake(self) -> Any:
@@ -176,7 +181,7 @@ class Motion:
     @property
     def turnings(self) -> Any:
         """How often the mass has turned back."""
-        return self._shaped(self._of(walk.TURNS).astype(int))
+        return self._shaped(self._of(its.TURNS).astype(int))
 
     @property
     def _answered(self) -> Any:
@@ -193,16 +198,16 @@ class Motion:
 
     @property
     def moves(self) -> Any:
-        return self._shaped(self._answered & (self._of(walk.PHASES) > 0.0))
+        return self._shaped(self._answered & (self._of(its.PHASES) > 0.0))
 
     @property
     def arrested(self) -> Any:
-        return self._shaped(self._of(walk.STATUS) == walk.ARRESTED)
+        return self._shaped(self._of(its.STATUS) == its.ARRESTED)
 
     @cached_property
     def _duration(self) -> Floats:
-        status, scale = self._of(walk.STATUS), self._lanes.time_scale
-        ends = np.where(status == walk.ENDED, self._lanes.end_time, self._of(walk.REST_SINCE) * scale)
+        status, scale = self._of(its.STATUS), self._lanes.time_scale
+        ends = np.where(status == its.ENDED, self._lanes.end_time, self._of(its.REST_SINCE) * scale)
         return np.where(self._answered, ends, np.nan)
 
     @property
@@ -217,15 +222,15 @@ class Motion:
     def outcomes(self) -> dict[str, Any]:
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
         scale, radius = self._lanes.time_scale, self._lanes.radius
-        rows = {"reach": walk.REACH_ROTATION, "run_out": walk.END_ROTATION}
+        rows = {"reach": its.REACH_ROTATION, "run_out": its.END_ROTATION}
         found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
-        found["peak_velocity"] = radius * (self._of(walk.PEAK_OMEGA) / scale + 0.0)
+        found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
         answered = {n: np.where(self._answered, v, np.nan) for n, v in found.items()}
         return {n: self._shaped(v) for n, v in (answered | {"duration": self._duration}).items()}
 
     @cached_property
     def end(self) -> State:
-        return self._state(self._duration, *(self._of(k) for k in (walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE)))
+        return self._state(self._duration, *(self._of(k) for k in (its.END_ROTATION, its.END_OMEGA, its.END_RATE)))
 
     @property
     def journey(self) -> Journey:
@@ -237,21 +242,22 @@ class Motion:
 
     @cached_property
     def peak(self) -> State:
-        rows = (walk.PEAK_ROTATION, walk.PEAK_OMEGA, walk.PEAK_RATE)
-        last = (self._of(walk.PEAK_TIME) == self._of(walk.END_TIME)) & (self._of(walk.STATUS) == walk.ENDED)
-        last |= self._of(walk.PHASES) == 0.0
-        time = np.where(last, self._duration, self._of(walk.PEAK_TIME) * self._lanes.time_scale)
-        if not self.shape and 0.0 < time[0] < self._duration[0]:
-            return self.at(float(time[0]))  # of its rounded time; where a force leaps, as it is from then on
+        rows = (its.PEAK_ROTATION, its.PEAK_OMEGA, its.PEAK_RATE)
+        last = (self._of(its.PEAK_TIME) == self._of(its.END_TIME)) & (self._of(its.STATUS) == its.ENDED)
+        last |= self._of(its.PHASES) == 0.0
+        time = np.where(last, self._duration, self._of(its.PEAK_TIME) * self._lanes.time_scale)
+        forced = any(t.kind == "time" for t in self._lanes.bound.program.tables)
+        if forced and not self.shape and 0.0 < time[0] < self._duration[0]:
+            return self.at(float(time[0]))  # of its rounded time: where a force leaps, as it is from then on
         return self._state(time, *map(self._of, rows))
 
     @cached_property
     def reach(self) -> State:
-        still = np.zeros_like(self._of(walk.REACH_TIME))
-        last = self._of(walk.REACH_ROTATION) == self._of(walk.END_ROTATION)
-        speed, rate = (np.where(last, self._of(k), still) for k in (walk.END_OMEGA, walk.END_RATE))
-        time = np.where(last, self._duration, self._of(walk.REACH_TIME) * self._lanes.time_scale)
-        return self._state(time, self._of(walk.REACH_ROTATION), speed, rate)
+        still = np.zeros_like(self._of(its.REACH_TIME))
+        last = self._of(its.REACH_ROTATION) == self._of(its.END_ROTATION)
+        speed, rate = (np.where(last, self._of(k), still) for k in (its.END_OMEGA, its.END_RATE))
+        time = np.where(last, self._duration, self._of(its.REACH_TIME) * self._lanes.time_scale)
+        return self._state(time, self._of(its.REACH_ROTATION), speed, rate)
 
     @property
     def swings_back(self) -> Any:
@@ -264,19 +270,19 @@ class Motion:
         scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[float]()
         lifted, begun = False, -1.0  # as long as it is carried on through standstills it is one lift-off
         for kind, t, _, _ in self._log:
-            if kind == walk.LIFTS and not lifted and begun != t:
+            if kind == its.LIFTS and not lifted and begun != t:
                 found.append(t * scale)
-            begun = t if kind == walk.BEGINS and lifted else -1.0
-            lifted = kind == walk.LIFTS or (lifted and kind == walk.STANDS)
+            begun = t if kind == its.BEGINS and lifted else -1.0
+            lifted = kind == its.LIFTS or (lifted and kind == its.STANDS)
         return tuple(found)
 
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """The stretches of a single motion between its standstills."""
         scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[Phase]()
-        ends = [(t * scale) for kind, t, _, _ in self._log if kind == walk.STANDS]
+        ends = [(t * scale) for kind, t, _, _ in self._log if kind == its.STANDS]
         for kind, t, rotation, direction in self._log:
-            if kind == walk.BEGINS:
+            if kind == its.BEGINS:
                 end = ends[len(found)] if len(found) < len(ends) else float(self._duration[0])
                 found.append(Phase(t * scale, end, rotation, int(direction)))
         return tuple(found)
@@ -285,15 +291,15 @@ class Motion:
 
     def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
         """A state of each lane from its numbers: s, and dimensionless."""
-        lanes = self._lanes
-        good = self._answered
-        rotation, omega, rate = (np.where(good, v + 0.0, np.nan) for v in (rotation, omega, rate))
+        lanes, good = self._lanes, self._answered
+        if not good.all():
+            rotation, omega, rate = (np.where(good, v, np.nan) for v in (rotation, omega, rate))
         scale, radius = lanes.time_scale, lanes.radius
         stress = lanes.stress(time / scale, rotation, omega)
         with np.errstate(over="ignore"):  # what overflows is refused
-            speed = omega / scale + 0.0  # no -0.0
-            columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2 + 0.0, stress)
-        return State(*(self._shaped(np.broadcast_to(v, good.shape)) for v in columns))
+            speed = omega / scale
+            columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+        return State(*(self._shaped(v + 0.0) for v in columns))  # no -0.0
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.
@@ -314,7 +320,7 @@ class Motion:
         lanes = self._lanes
         scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.time_scale, lanes.radius))
         over = np.ravel(time)[:, None] >= self._duration  # the end, whatever rounding makes of its time
-        for row, cell in enumerate((walk.END_ROTATION, walk.END_OMEGA, walk.END_RATE)):
+        for row, cell in enumerate((its.END_ROTATION, its.END_OMEGA, its.END_RATE)):
             rows[row] = np.where(over, self._of(cell), rows[row])
         rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
         stress = lanes.stress_along(np.ravel(time), rows)
@@ -326,7 +332,7 @@ class Motion:
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
-        moving = ~(self._of(walk.STATUS) == walk.ARRESTED) & self._answered
+        moving = ~(self._of(its.STATUS) == its.ARRESTED) & self._answered
         last = float(np.min(self._duration[moving], initial=np.inf))
         late = time[time > last]
         if late.size:
@@ -389,7 +395,7 @@ class Motion:
         rows, first = self._lanes.energies(np.ravel(time))
         unit = self._lanes.energy_unit
         shape = (*self.shape, *time.shape)
-        stands = np.ravel(time)[:, None] >= np.where(self._of(walk.STATUS) == walk.ARRESTED, self._duration, np.inf)
+        stands = np.ravel(time)[:, None] >= np.where(self._of(its.STATUS) == its.ARRESTED, self._duration, np.inf)
         rows["kinetic"] = np.where(stands, 0.0, rows["kinetic"])
         kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
         return Energy(self._shaped(np.broadcast_to(unit * first, self._duration.shape)), kinetic, work, lost)

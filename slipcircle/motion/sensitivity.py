@@ -16,12 +16,13 @@ from numpy.typing import NDArray
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
-from slipcircle.flow import walk as w
+from slipcircle.flow import cells as its
 from slipcircle.flow.bind import law_parts
 from slipcircle.flow.polynomials import shifted, slopes, value
 from slipcircle.flow.program import Program, Table
 from slipcircle.flow.solve import Lanes, walked
 from slipcircle.flow.tables import Data, of_law
+from slipcircle.flow.walk import Walker
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
 
@@ -143,7 +144,7 @@ class _Seeds:
         self.tables: dict[str, tuple[Any, Any, list[Data] | None]] = {}  # growth of scale, of factor; data by parameter
         self._effects(c, at)
         self._laws(c, at)
-        self.omega = c[w.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
+        self.omega = c[its.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
 
     def one(self, name: str) -> Floats:
         return np.array([float(n == name) for n in self.names])
@@ -219,13 +220,13 @@ _COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
 def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     """Rows: peak velocity, run-out, duration; a column for each parameter."""
     seeds = _Seeds(lanes, names)
-    bound = lanes.bind(directions=len(names))
+    bound = lanes.bound.asking(directions=len(names))
     places = {n: k for k, n in enumerate(bound.program.cells)}
     for j, tangent in enumerate(bound.program.tangents):
         for name, dot in seeds.inputs.items():
             if name in places and places[name] in tangent.cells:
                 bound.cells[tangent.cells[places[name]]] = dot[j]
-        bound.cells[tangent.cells[w.OMEGA]] = abs(seeds.omega[j]) * np.sign(seeds.omega[j] * bound.cells[w.OMEGA])
+        bound.cells[tangent.cells[its.OMEGA]] = abs(seeds.omega[j]) * np.sign(seeds.omega[j] * bound.cells[its.OMEGA])
     walks: list[_Walk] = []
 
     def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
@@ -233,23 +234,23 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
             walks.append(_Walk(program, data, cells, seeds))
         walks[0].tables = data
         with np.errstate(all="ignore"):
-            while walks[0].c[w.STATUS, 0] <= w.RESTING:
+            while walks[0].c[its.STATUS, 0] <= its.RESTING:
                 walks[0].round()
 
     walked(bound, walker=follow)
     one, scale, radius = walks[0], float(bound.time_scale), float(np.asarray(lanes.arc.radius))
     c = one.c[:, 0]
-    ended = c[w.STATUS] == w.ENDED
-    rotation = one.dot(w.ROTATION)
-    if ended and c[w.OMEGA] != 0.0:
-        rotation = rotation + c[w.DIRECTION] * (one.dot(w.X) + c[w.OMEGA] * one.end_dot)
-    peak = np.sign(c[w.PEAK_OMEGA]) * one.peak_dot + c[w.PEAK_OMEGA] * seeds.speed_growth
-    run_out = radius * (rotation + c[w.END_ROTATION] * seeds.radius_growth)
-    duration = 0.0 * peak if ended else scale * (one.rest_dot + c[w.REST_SINCE] * seeds.time_growth)
+    ended = c[its.STATUS] == its.ENDED
+    rotation = one.dot(its.ROTATION)
+    if ended and c[its.OMEGA] != 0.0:
+        rotation = rotation + c[its.DIRECTION] * (one.dot(its.X) + c[its.OMEGA] * one.end_dot)
+    peak = np.sign(c[its.PEAK_OMEGA]) * one.peak_dot + c[its.PEAK_OMEGA] * seeds.speed_growth
+    run_out = radius * (rotation + c[its.END_ROTATION] * seeds.radius_growth)
+    duration = 0.0 * peak if ended else scale * (one.rest_dot + c[its.REST_SINCE] * seeds.time_growth)
     return np.array([radius / scale * peak, run_out, duration])
 
 
-class _Walk(w.Lanes):
+class _Walk(Walker):
     """One lane on its way with its derivatives."""
 
     def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, seeds: _Seeds) -> None:
@@ -258,7 +259,7 @@ class _Walk(w.Lanes):
         self.none = np.zeros(len(program.tangents))
         self.event_dot = self.none  # of the time at which the phase in hand begins
         self.peak_dot = self.rest_dot = self.none
-        self.end_dot = -cells[w.END_TIME, 0] * seeds.time_growth if np.isfinite(cells[w.END_TIME, 0]) else self.none
+        self.end_dot = -cells[its.END_TIME, 0] * seeds.time_growth if np.isfinite(cells[its.END_TIME, 0]) else self.none
         self.r: Any = None
         self.total = self.none
 
@@ -283,19 +284,19 @@ class _Walk(w.Lanes):
         super()._piece(slot, data)
         scale_growth, factor_growth, by_parameter = self.seeds.tables[slot.name]
         at, c = slot.cells, self.c
-        scale, factor = c[at + w.SCALE, 0], c[at + w.SCALED_BY, 0]
+        scale, factor = c[at + its.SCALE, 0], c[at + its.SCALED_BY, 0]
         if slot.kind == "time":
             _, dots = self._course(slot, data, 1)
-            self.put(at + w.VALUE, dots[0] + self._local(slot, data)[1:2].sum() * self.event_dot)
+            self.put(at + its.VALUE, dots[0] + self._local(slot, data)[1:2].sum() * self.event_dot)
             return
-        piece = int(c[at + w.PIECE, 0])
+        piece = int(c[at + its.PIECE, 0])
         slips = slot.kind == "slip"
         if slips:
-            local = max(c[w.SLIP, 0] * scale - data.breaks[piece], 0.0)
-            moved = self.dot(w.SLIP) * scale + c[w.SLIP, 0] * scale * scale_growth
+            local = max(c[its.SLIP, 0] * scale - data.breaks[piece], 0.0)
+            moved = self.dot(its.SLIP) * scale + c[its.SLIP, 0] * scale * scale_growth
         elif piece:
-            local = math.log(c[w.OMEGA, 0] * scale / data.breaks[piece])
-            moved = self.dot(w.OMEGA) / c[w.OMEGA, 0] + scale_growth
+            local = math.log(c[its.OMEGA, 0] * scale / data.breaks[piece])
+            moved = self.dot(its.OMEGA) / c[its.OMEGA, 0] + scale_growth
         else:
             local, moved = 0.0, self.none
         terms = shifted(data.polynomial(np.array([piece])), np.array([local]))[:, 0]
@@ -308,7 +309,7 @@ class _Walk(w.Lanes):
             if by_parameter is not None:
                 own = [shifted(d.polynomial(np.array([piece])), np.array([local]))[:, 0] for d in by_parameter]
                 dots = dots + factor * unit * np.array([o[j] if j < len(o) else 0.0 for o in own])
-            self.put(at + w.VALUE if j == 0 else at + w.Q1 + j - 1, dots)
+            self.put(at + its.VALUE if j == 0 else at + its.Q1 + j - 1, dots)
 
     def _course(self, slot: Table, data: Data, order: int) -> tuple[Floats, Floats]:
         """Taylor coefficients about now of a function of time, and their derivatives at fixed time, (terms, ...)."""
@@ -317,7 +318,7 @@ class _Walk(w.Lanes):
         local = self._local(slot, data)[: order + 2, 0]
         terms[: len(local)] = local
         n = np.arange(order + 1)
-        faster = self.c[w.TIME, 0] * (n + 1) * terms[1:] + n * terms[:-1]
+        faster = self.c[its.TIME, 0] * (n + 1) * terms[1:] + n * terms[:-1]
         return terms[:-1], terms[:-1, None] * factor_growth + faster[:, None] * scale_growth
 
     def _ramps(self, r: Floats) -> None:
@@ -325,7 +326,7 @@ class _Walk(w.Lanes):
         for k in self.timed:
             slot = self.program.tables[k]
             _, dots = self._course(slot, self.tables[k], r.shape[1] - 1)
-            dots[0] -= self.dot(slot.cells + w.VALUE)
+            dots[0] -= self.dot(slot.cells + its.VALUE)
             for tangent, dot in zip(self.program.tangents, dots.T, strict=True):
                 if slot.register in tangent.registers:
                     r[tangent.registers[slot.register], :, 0] = dot
@@ -347,34 +348,34 @@ class _Walk(w.Lanes):
     def _depart(self, event_dot: Floats) -> None:
         """Total derivatives where the lane is now, for a phase that begins here."""
         c = self.c
-        omega = c[w.OMEGA, 0]
-        gone = self.dot(w.X) + omega * event_dot
-        self.put(w.ROTATION, self.dot(w.ROTATION) + c[w.DIRECTION, 0] * gone)
-        self.put(w.SLIP, self.dot(w.SLIP) + gone)
-        self.put(w.X, -omega * event_dot)
+        omega = c[its.OMEGA, 0]
+        gone = self.dot(its.X) + omega * event_dot
+        self.put(its.ROTATION, self.dot(its.ROTATION) + c[its.DIRECTION, 0] * gone)
+        self.put(its.SLIP, self.dot(its.SLIP) + gone)
+        self.put(its.X, -omega * event_dot)
         self.totals = {cell: self.dot(cell) + rate * event_dot
                        for (cell, _, _), rate in zip(self._own[1:], self.before[1:], strict=True)}  # fmt: skip
         self.event_dot = event_dot
-        self.total = self.totals[w.OMEGA]
+        self.total = self.totals[its.OMEGA]
 
     def _arrive(self) -> None:
         """At fixed times again, now that the rates of what begins are known."""
         r = self._series(0)[0]
         for cell, _, rate in self._own[1:]:
-            after = r[rate, 0, 0] if rate != self.program.roles["omega"] else self.c[w.OMEGA, 0]
+            after = r[rate, 0, 0] if rate != self.program.roles["omega"] else self.c[its.OMEGA, 0]
             self.put(cell, self.totals[cell] - after * self.event_dot)
         self.event_dot = self.none
 
     def stand(self) -> None:
-        event_dot = -self.dot(w.OMEGA) / self.before[1]
-        self.c[w.OMEGA, 0] = 0.0
+        event_dot = -self.dot(its.OMEGA) / self.before[1]
+        self.c[its.OMEGA, 0] = 0.0
         self._depart(event_dot)
         self.rest_dot = event_dot
         super().stand()
-        if self.c[w.STATUS, 0] == w.MOVING:
+        if self.c[its.STATUS, 0] == its.MOVING:
             self._arrive()
         else:
-            self.put(w.OMEGA, 0.0)
+            self.put(its.OMEGA, 0.0)
             self.event_dot = self.none
 
     def kink(self, event: NDArray[np.intp], rate: Floats) -> None:
@@ -386,21 +387,21 @@ class _Walk(w.Lanes):
         else:
             slot, data = self.program.tables[k // 2 - 1], self.tables[k // 2 - 1]
             scale_growth = self.seeds.tables[slot.name][0]
-            piece = int(c[slot.cells + w.PIECE, 0]) + (k % 2 == 0)
-            edge = data.breaks[piece] / c[slot.cells + w.SCALE, 0]
+            piece = int(c[slot.cells + its.PIECE, 0]) + (k % 2 == 0)
+            edge = data.breaks[piece] / c[slot.cells + its.SCALE, 0]
             if slot.kind == "slip":
-                event_dot = (-edge * scale_growth - self.dot(w.SLIP) - self.dot(w.X)) / c[w.OMEGA, 0]
+                event_dot = (-edge * scale_growth - self.dot(its.SLIP) - self.dot(its.X)) / c[its.OMEGA, 0]
             else:
-                event_dot = (-edge * scale_growth - self.dot(w.OMEGA)) / float(rate[0])
+                event_dot = (-edge * scale_growth - self.dot(its.OMEGA)) / float(rate[0])
         self._depart(event_dot)
         super().kink(event, rate)
         self._arrive()
 
     def _pass_breaks(self, at_break: Any) -> Any:
-        moving = self.c[w.STATUS, 0] == w.MOVING
+        moving = self.c[its.STATUS, 0] == its.MOVING
         found = super()._pass_breaks(at_break)
         if moving and np.any(at_break) and np.any(found):
-            event_dot = -self.c[w.TIME, 0] * self.seeds.time_growth
+            event_dot = -self.c[its.TIME, 0] * self.seeds.time_growth
             after = self._series(0)[0]
             for (cell, _, rate), before in zip(self._own[1:], self.before[1:], strict=True):
                 self.put(cell, self.dot(cell) + (before - after[rate, 0, 0]) * event_dot)
@@ -408,7 +409,7 @@ class _Walk(w.Lanes):
 
     def rebase(self) -> None:
         self.before = [float(self._series(0)[0][rate, 0, 0]) for _, _, rate in self._own]
-        self._depart(-self.c[w.TIME, 0] * self.seeds.time_growth)
+        self._depart(-self.c[its.TIME, 0] * self.seeds.time_growth)
         super().rebase()
         self._arrive()
 
@@ -418,7 +419,7 @@ class _Walk(w.Lanes):
         drive = self.program.roles["cell_drive"]
         rises = self._series(1, frozen=True)[0][self.program.roles["net"], 1, 0]
         leaps = bool(jump[0])
-        event_dot = -self.c[w.TIME, 0] * self.seeds.time_growth if leaps else -self.dot(drive) / rises
+        event_dot = -self.c[its.TIME, 0] * self.seeds.time_growth if leaps else -self.dot(drive) / rises
         self.before = [0.0 for _ in self._own]
         self._depart(event_dot)
         super().start_again(jump)
@@ -426,7 +427,7 @@ class _Walk(w.Lanes):
             self._arrive()
         else:
             self.put(drive, 0.0)
-            self.put(w.OMEGA, 0.0)
+            self.put(its.OMEGA, 0.0)
             self.event_dot = self.none
 
     # --- the greatest speed ------------------------------------------------------------------------------------------
@@ -434,13 +435,13 @@ class _Walk(w.Lanes):
     def _set_peak(self, k: Any, time: Any, gone: Any, speed: Any, rate: Any) -> None:
         super()._set_peak(k, time, gone, speed, rate)
         if len(k):
-            self.peak_dot = self.of(self.program.roles["omega"], float(time[0] - self.c[w.TIME, 0]))
+            self.peak_dot = self.of(self.program.roles["omega"], float(time[0] - self.c[its.TIME, 0]))
 
     def _fastest(self, speed: Floats, time: Floats, rotation: Floats, rate: Floats, mask: Any = True) -> None:
-        before = float(self.c[w.PEAK_OMEGA, 0])
+        before = float(self.c[its.PEAK_OMEGA, 0])
         super()._fastest(speed, time, rotation, rate, mask)
-        if float(self.c[w.PEAK_OMEGA, 0]) != before:
-            late = float(time[0]) >= float(self.c[w.END_TIME, 0])
-            self.peak_dot = self.dot(w.OMEGA) + float(rate[0]) * (self.end_dot if late else self.none)
+        if float(self.c[its.PEAK_OMEGA, 0]) != before:
+            late = float(time[0]) >= float(self.c[its.END_TIME, 0])
+            self.peak_dot = self.dot(its.OMEGA) + float(rate[0]) * (self.end_dot if late else self.none)
             if not late and np.any(self.event_dot):
                 self.peak_dot = self.total

@@ -2,21 +2,19 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import fields
 from typing import Any
 
 import numpy as np
 
 from generated.effects import EFFECTS
-from slipcircle.flow.solve import Lanes
-from slipcircle.flow.walk import MOST_TURNS
-from slipcircle.motion.motion import Motion, Status
+from slipcircle.flow.cells import MOST_TURNS
+from slipcircle.flow.solve import BLOCK, Lanes
+from slipcircle.motion.motion import TOLD, Motion, Status
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.varied import arc_with
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
-BLOCK = 16384  # lanes at once, so that what they need stays in the cache
 
 
 def solve(scene: Scene, accuracy: float | None = None) -> Motion:
@@ -59,14 +57,22 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     log: list[Any] = []
     if lanes.count <= BLOCK:
         cells = lanes.solve(None if chosen.scene.shape else log)
-    else:
-        cells = np.concatenate([part.solve() for part in parts(lanes, BLOCK)], axis=1)
-    return Motion(chosen, lanes, cells, log)
+        return Motion(chosen, lanes, {k: cells[k] for k in TOLD}, log)
+    told = {k: np.empty(lanes.count) for k in TOLD}
+    for which, part in lanes.parts():
+        cells = part.solve()
+        for k in TOLD:
+            told[k][which] = cells[k]
+    return Motion(chosen, lanes, told, log)
 
 
 def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
     """The lanes of a scene, flat."""
-    scene = chosen.scene
+    scene, closed = chosen.scene, chosen.method == CLOSED_IN_TIME
+    if not scene.shape:
+        end = np.inf if scene.end_time is None else scene.end_time
+        return Lanes(scene.arc, scene.called, scene.friction, scene.initial_velocity, end, chosen.accuracy, closed, 1,
+                     invalid)  # fmt: skip
     count = math.prod(scene.shape)
 
     def flat(value: Any) -> Any:
@@ -85,26 +91,8 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
     elif not callable(law):
         law = flat(law)
     end = np.inf if scene.end_time is None else flat(scene.end_time)
-    closed = chosen.method == CLOSED_IN_TIME
     return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, closed, count,
                  invalid)  # fmt: skip
-
-
-def parts(lanes: Lanes, size: int) -> list[Lanes]:
-    """Lanes in blocks."""
-
-    def cut(value: Any, which: slice) -> Any:
-        if isinstance(value, Mapping):
-            return {n: cut(v, which) for n, v in value.items()}
-        return value[which] if isinstance(value, np.ndarray) and value.shape == (lanes.count,) else value
-
-    found = []
-    for first in range(0, lanes.count, size):
-        which = slice(first, min(first + size, lanes.count))
-        given = {f.name: cut(getattr(lanes, f.name), which) for f in fields(Lanes)}
-        arc = arc_with(lanes.arc, {n: cut(getattr(lanes.arc, n), which) for n in lanes.arc.quantities})
-        found.append(Lanes(**given | {"arc": arc, "count": which.stop - which.start}))
-    return found
 
 
 def _refuse(motion: Motion) -> None:
@@ -119,8 +107,8 @@ def _refuse(motion: Motion) -> None:
             "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
         )
     speed = float(np.asarray(scene.initial_velocity))
-    shaken = "shaking" in motion.plan.effects
-    overflows = status == Status.FAILED and not shaken and scene.end_time is None and speed * speed < math.inf
+    stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
+    overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
     if not turns and (status == Status.ENDLESS or overflows):
         raise ValueError(
             "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
@@ -141,6 +129,5 @@ def _refuse(motion: Motion) -> None:
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"
         )
-    numbers = (motion.end.displacement, motion.end.velocity, speed * speed)
-    if status == Status.FAILED or not all(map(math.isfinite, numbers)):
+    if status == Status.FAILED or not math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
         raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")

@@ -42,7 +42,7 @@ typedef struct {
     double *all; /* cells of all lanes, (cells, count); those from `begin` to `end` walk */
     int64_t count, begin, end, budget;
     const double *times; /* where states are read off: (samples, times_across), into (outputs, samples, count) */
-    double *outputs;
+    double *outputs; /* without times for the registers of lanes that are only based: (registers, count) */
     int64_t samples, times_across;
     double *notes; /* events of the first lane: kind, time, rotation, direction */
     int64_t noted, notes_room;
@@ -110,7 +110,9 @@ static const char words[] = "walk(program, tables, cells, order, begin, end, bud
     "`program` are integers (see `slipcircle.flow.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open); `order` is the highest of the lanes'. States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
-    "are written into `notes`, (rows, 4), and what has no room there is left out.";
+    "are written into `notes`, (rows, 4), and what has no room there is left out.\n\n"
+    "With `outputs`, (registers, lanes), and no times nothing walks: the phase is based that would begin where each\n"
+    "lane is, in the direction that is set, and all registers are read off there.";
 
 static PyObject *walk(PyObject *self, PyObject *args)
 {
@@ -142,7 +144,7 @@ static PyObject *walk(PyObject *self, PyObject *args)
         w.times = times.buf, w.outputs = outputs.buf;
         w.samples = outputs.len / 8 / w.count / (2 + w.states);
         w.times_across = times.len / 8 / w.samples;
-    }
+    } else if (outputs.len) w.outputs = outputs.buf;
     w.notes = notes.buf, w.notes_room = notes.len / 32;
     w.order = order;
     void *memory = PyMem_RawCalloc((size_t)(w.cells + w.registers * STRIDE) + 1, WIDEST);
@@ -541,6 +543,22 @@ static void pieces(const Hand *h, unsigned k)
             scaled *= power;
             c[Q1 + j - 1][k] = j < d->terms ? scaled * terms[j] : 0.0;
         }
+    }
+}
+
+/* The pieces in which a lane's slip and speed lie, wherever they came from. */
+static void find_pieces(const Hand *h, unsigned k)
+{
+    const Walk *const w = h->w;
+    V *const c = h->c;
+    for (int i = 0; w->sloped && i < w->tables; i++) {
+        const Table *const t = w->table + i;
+        const Data *const d = w->data + i;
+        if (t->kind == OF_TIME) continue;
+        const double at = c[t->kind == OF_SLIP ? SLIP : OMEGA][k] * c[t->cell + SCALE][k];
+        int64_t piece = 0;
+        while (piece < d->pieces - 1 && d->breaks[piece + 1] <= at) piece++;
+        c[t->cell + PIECE][k] = (double)piece;
     }
 }
 
@@ -1182,15 +1200,7 @@ static void take(Hand *h, unsigned k, int64_t column)
         c[DIRECTION][k] = c[OMEGA][k] < 0.0 ? -1.0 : 1.0;
         c[OMEGA][k] = fabs(c[OMEGA][k]), c[X][k] = 0.0, c[LIFTED][k] = 0.0;
         h->todo[k] = c[OMEGA][k] > 0.0 ? BEGIN : FACE;
-        for (int i = 0; w->sloped && i < w->tables; i++) {
-            const Table *const t = w->table + i;
-            const Data *const d = w->data + i;
-            if (t->kind == OF_TIME) continue;
-            const double at = c[t->kind == OF_SLIP ? SLIP : OMEGA][k] * c[t->cell + SCALE][k];
-            int64_t piece = 0;
-            while (piece < d->pieces - 1 && d->breaks[piece + 1] <= at) piece++;
-            c[t->cell + PIECE][k] = (double)piece;
-        }
+        find_pieces(h, k);
     } else if (c[STATUS][k] == NEED) { /* a table that goes on */
         c[STATUS][k] = c[OMEGA][k] > 0.0 ? MOVING : RESTING;
         base(h, k);
@@ -1222,6 +1232,26 @@ static int goes_on(const Walk *w, int64_t column)
     return found;
 }
 
+/* The phases that would begin where lanes are, and their registers there. */
+static void based(Hand *h)
+{
+    Walk *const w = h->w;
+    for (int64_t first = w->begin; first < w->end; first += LANES) {
+        const int64_t count = w->end - first < LANES ? w->end - first : LANES;
+        for (int64_t k = 0; k < count; k++) {
+            for (int i = 0; i < w->cells; i++) h->c[i][k] = w->all[i * w->count + first + k];
+            h->column[k] = first + k, h->c[X][k] = 0.0;
+            find_pieces(h, k), pieces(h, k);
+        }
+        IN(prologue)(w->scalar, w->scalar_end, h->c, lanes(ALL));
+        begin_series(h), operate(h, 0), operate_later(h, 1);
+        for (int64_t k = 0; k < count; k++) {
+            for (int i = 0; i < w->cells; i++) w->all[i * w->count + first + k] = h->c[i][k];
+            for (int i = 0; i < w->registers; i++) w->outputs[i * w->count + first + k] = REGISTER(i * STRIDE)[0][k];
+        }
+    }
+}
+
 /* Where `least` lanes are free the next of the queue take them. */
 enum { LEAST_FREE = LANES / 2 };
 
@@ -1232,6 +1262,10 @@ int64_t NAMED(flow_walk, LEVEL)(Walk *w)
     V *const c = h->c;
     int64_t next = w->begin;
     for (int n = 1; n < HIGHEST + 2; n++) h->inverse[n] = 1.0 / n;
+    if (w->outputs && !w->times) {
+        based(h);
+        return 0;
+    }
     for (int i = w->made; i < w->cells; i++) c[i] = flat(w->all[i * w->count]);
     for (int64_t round = 0;; round++) {
         if (round < w->budget && __builtin_popcount(h->held) <= LANES - LEAST_FREE)
