@@ -289,7 +289,9 @@ def test_a_record_scaled_to_a_peak_in_a_file(run: Any, tmp_path: Path) -> None:
     )
     text = ARC + "[friction]\nangle_deg = 30\n[shaking]\nrecord = 'r.csv'\nunits = 'g'\nholds = 'driving'\n"
     peak = json.loads(run(text + "peak_g = 0.4\n", "--json")[1])[0]
-    scaled = json.loads(run(text + f"scale = {0.4 / np.max(np.abs(np.round(RECORD.values, 6)))!r}\n", "--json")[1])[0]
+    scaled = json.loads(
+        run(text + f"scale = {0.4 / float(np.max(np.abs(np.round(RECORD.values, 6))))!r}\n", "--json")[1]
+    )[0]
     assert peak["run_out"] == pytest.approx(scaled["run_out"], rel=1e-9)
     assert peak["run_out"] > 0.0
 
@@ -448,7 +450,7 @@ def test_odd_scene_files_end_in_an_answer_or_a_refusal(part: int, tmp_path: Path
 
 
 def test_odd_scene_files_are_planned_or_refused(tmp_path: Path) -> None:
-    bad = fuzz_scenes.faults(range(400), 12, tmp_path, "plan", 60.0)
+    bad = fuzz_scenes.faults(range(200), 12, tmp_path, "plan", 60.0)
     assert not bad, bad[0]
 
 
