@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3d9c4e9cac373cba64a86f5715587aa4e45a2be1b8cd5e9bf098d1b691fd6659
+# sha256 of the text below: fd0bb828012c1b852eb75a16caff7099058af63437e47182c59ff0e90967e8ad
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -57,7 +57,7 @@ class Effect:
     formulas: tuple[str, ...] = ()
 
 
-LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-12, 1e+20), 's': (1e-12, 1e+18), 'm/s': (1e-12, 300000000.0),
+LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-12, 1e+20), 's': (1e-12, 1e+18), 'm/s': (1e-18, 300000000.0),
     'm/s^2': (1e-09, 1000000000000000.0), 'N/m^3': (0.001, 1000000000.0), 'Pa': (1e-09, 1000000000000000.0),
     'Pa s': (1e-12, 1e+20), 'Pa/K': (1e-09, 1000000000000000.0), 'J/m^3 K': (0.001,
     1000000000000000.0)}  # between which what has a unit lies
@@ -102,11 +102,11 @@ LAWS = {
             lambda value, scales: value, False, 'number'),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient at great speed', 'residual_deg', 1.0,
             '', lambda value, scales: value, False, 'number'),
-        Parameter('velocity', 'm/s', 1e-12, 300000000.0, 'speed at which half of the change has happened',
+        Parameter('velocity', 'm/s', 1e-18, 300000000.0, 'speed at which half of the change has happened',
             'velocity_m_s', 1.0, '', lambda value, scales: value, False, 'number'),
     ), ('speed',), 'residual + (peak - residual)/(1 + speed/velocity)', 'velocity', ()),
     'rate_tabulated': Law('rate_tabulated', '1.14', (
-        Parameter('speed', 'm/s', 1e-12, 300000000.0, 'speeds of the table, increasing', 'speed_m_s', 1.0, '',
+        Parameter('speed', 'm/s', 1e-18, 300000000.0, 'speeds of the table, increasing', 'speed_m_s', 1.0, '',
             lambda value, scales: value, False, 'list'),
         Parameter('coefficient', '', -5e-324, 1000000000000.0, 'friction coefficients at these speeds', 'angle_deg',
             1.0, '', lambda value, scales: value, False, 'list'),
