@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
-from pathlib import Path
+from functools import partial
 from textwrap import wrap
 from threading import Event, Thread, active_count
 from typing import Any, TypeVar
@@ -126,8 +126,8 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     run = command("run", _run, "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
     run.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
-    run.add_argument("--plot", metavar="FILE", help="draw section, motion and energy; .png, .svg, .pdf or .jpg, and "
-                     "the slide itself as .gif")  # fmt: skip
+    run.add_argument("--plot", metavar="FILE", action="append", help="draw section, motion and energy; .png, .svg, "
+                     ".pdf or .jpg, and the slide itself as .gif; may be given more than once")  # fmt: skip
     run.add_argument("--polarities", action="store_true", help="each shaken scene also with its horizontal shaking "
                      "turned around, and the mean of both")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
@@ -139,6 +139,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
+    planned.add_argument("--plot", metavar="FILE", help="draw the ladder; .png, .svg, .pdf or .jpg")
     swept = command("sweep", _sweep, "a scene on a grid of values, or for samples of its uncertain numbers")
     swept.add_argument("scene", metavar="SCENE", help=which)
     if "sweep" in argv:  # no other command needs what it loads
@@ -158,8 +159,11 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     back.add_argument("--field", action="append", metavar="KEY[=LOW:HIGH]", help="what is looked for, a scene "
                       "file's key, by default friction.angle_deg, and between which values; several for several "
                       "observations")  # fmt: skip
+    back.add_argument("--plot", metavar="FILE", help="draw what was observed over the fields; .png, .svg, .pdf or .jpg")
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
+    slopes.add_argument("--plot", metavar="FILE", help="draw what a change of each number changes; .png, .svg, .pdf or "
+                        ".jpg")  # fmt: skip
     schema = command("schema", _schema, "what a scene file may say: every effect, law, key and unit")
     schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
     cost = command("cost", _cost, "measure here what each way to compute something costs, and its error")
@@ -174,6 +178,22 @@ def _print(found: Any) -> None:
     print(json.dumps(plain(found), indent=2, allow_nan=False))
 
 
+def _drawn(command: str, path: str | None) -> None:
+    """See that a picture can be drawn and written, before the work."""
+    if path:
+        from slipcircle.outputs import pictures
+
+        files.check(command, {"--plot": path})
+        pictures.check(command, path)
+
+
+def _draw(path: str | None, what: str, found: Any) -> None:
+    if path:
+        from slipcircle.outputs import pictures
+
+        files.write(path, getattr(pictures, what)(found, path))
+
+
 # --- run and plan ----------------------------------------------------------------------------------------------------
 
 
@@ -186,7 +206,8 @@ def _run(options: argparse.Namespace) -> None:
     if options.plot or options.report:
         from slipcircle.outputs import pictures
 
-        pictures.check("run", options.plot or "", len(paths))
+        for path in options.plot or [""]:
+            pictures.check("run", path, len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
     scenes = [load(name) for name in options.scenes]
     if options.polarities:
@@ -197,9 +218,9 @@ def _run(options: argparse.Namespace) -> None:
     if options.csv:
         from slipcircle.outputs.trace import csv
 
-        made[options.csv] = csv(motions, options.times).encode()
-    if options.plot:
-        made[options.plot] = pictures.overview(motions, Path(options.plot).suffix[1:].lower())
+        made[options.csv] = csv(motions, options.times)
+    for path in options.plot or []:
+        made[path] = pictures.overview(motions, path)
     if options.report:
         from slipcircle.outputs.report import report
 
@@ -263,11 +284,15 @@ def _plan(options: argparse.Namespace) -> None:
         else:
             tables.show(tables.COMBINATIONS, rows)
         return
+    if options.plot and not options.ladder:
+        raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
+    _drawn("plan", options.plot)
     chosen = plan(load(options.scene))
     if options.ladder:
         from slipcircle.studies.ladder import ladder
 
         rungs = _speaking_of(chosen.scene, ladder)
+        _draw(options.plot, "ladder", rungs)
     if options.json:
         _print([tables.plan_record(chosen) | ({"ladder": [asdict(r) for r in rungs]} if options.ladder else {})])
     elif options.ladder:
@@ -328,8 +353,10 @@ def _backanalyse(options: argparse.Namespace) -> None:
     if all(value is None for value in seen.values()):
         wanted = ", ".join(_observed_options().values())
         raise ValueError(f"backanalyse: nothing observed: give one of {wanted}")
+    _drawn("backanalyse", options.plot)
     found = slipcircle.backanalyse(load(options.scene), field=fields, bounds=bounds, **seen)
     name = found.motion.plan.scene.name
+    _draw(options.plot, "backanalysis", found)
     if options.json:
         _print([tables.backanalysis_record(found)])
         return
@@ -341,8 +368,10 @@ def _backanalyse(options: argparse.Namespace) -> None:
 
 
 def _sensitivity(options: argparse.Namespace) -> None:
+    _drawn("sensitivity", options.plot)
     motion = solve(load(options.scene))
     found, name = motion.sensitivity(), motion.plan.scene.name
+    _draw(options.plot, "sensitivity", found)
     if options.json:
         _print([{"scene": name} | tables.sensitivity_record(found)])
         return
@@ -370,6 +399,7 @@ def _schema(options: argparse.Namespace) -> None:
 
 def _cost(options: argparse.Namespace) -> None:
     from slipcircle.cost import cost, costtext
+    from slipcircle.outputs.info import machine
 
     if options.plot:
         from slipcircle.outputs import pictures
@@ -377,19 +407,21 @@ def _cost(options: argparse.Namespace) -> None:
         pictures.check("cost", options.plot)
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
-        costtext.write_csv(found, options.csv)
+        files.write(options.csv, costtext.table_csv(found))
     if options.plot:
-        from slipcircle.cost.costplot import plot
+        from slipcircle.cost import costplot
 
-        plot(found, options.plot)
+        files.write(
+            options.plot, pictures.render(partial(costplot.overview, found), costplot.size(found), options.plot)
+        )
     if options.json:
-        _print({"machine": costtext.machine(), "rows": [costtext.record(row) for row in found]})
+        _print({"machine": machine(), "rows": [costtext.record(row) for row in found]})
         return
     for name in dict.fromkeys(row.function for row in found):
         rows = [row for row in found if row.function == name]
         tables.show(*costtext.table(rows), title=name)
         print(costtext.verdict(rows) + "\n")
-    print(costtext.wrapped([*costtext.NOTES, f"{costtext.machine()}."]))
+    print(costtext.wrapped([*costtext.NOTES, f"{machine()}."]))
 
 
 def _info(options: argparse.Namespace) -> None:

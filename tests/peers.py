@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 
 import generated
 from slipcircle.cost.cost import interleaved
-from slipcircle.cost.costtext import machine
+from slipcircle.outputs.info import machine
 
 Floats = NDArray[np.float64]
 SIZES = (10_000, 1_000_000)

@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from dataclasses import replace
 
 from slipcircle import ensemble, load
-from slipcircle.cost.costtext import machine
+from slipcircle.outputs.info import machine
 from slipcircle.studies.engines import engine, forecast
 
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}

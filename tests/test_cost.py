@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import exact_scenes
 import flint
 import mpmath
 import numpy as np
@@ -24,10 +24,11 @@ from generated import kernels
 from slipcircle.cost import cost, costtext, reference, scenes, ways
 from slipcircle.cost.cost import FRONTIER, Row
 from slipcircle.cost.ways import Way
-from slipcircle.outputs import tables
+from slipcircle.outputs import pictures, tables
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
+ANSWERS = json.loads(scenes.ANSWERS.read_text("utf-8"))
 FORMS = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
 
 
@@ -400,15 +401,13 @@ def test_short_numbers(x: float, text: str) -> None:
     assert costtext.short(x) == text
 
 
-def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> None:
+def test_records_and_csv_keep_every_digit(rows: list[Row]) -> None:
     failing = Row("f", "w", float("inf"), (0.1 + 0.2,), 1 / 3)
     text = json.dumps([costtext.record(r) for r in (*rows, failing)], allow_nan=False)
     back = json.loads(text)
     assert back[-1] | {"error": None, "worst_input": [0.1 + 0.2], "ns_1": 1 / 3} == back[-1]
     assert "profile" not in back[0]
-    costtext.write_csv([*rows, failing], str(tmp_path / "c.csv"))
-    with open(tmp_path / "c.csv", encoding="utf-8", newline="") as file:
-        found = list(csv.DictReader(file))
+    found = list(csv.DictReader(costtext.table_csv([*rows, failing]).decode().splitlines()))
     assert [r["way"] for r in found] == [r.way for r in (*rows, failing)]
     for line, row in zip(found, rows, strict=False):
         assert float(line["ns_1"]) == row.ns_1
@@ -417,12 +416,12 @@ def test_records_and_csv_keep_every_digit(tmp_path: Path, rows: list[Row]) -> No
         assert line["error"] == ("" if row.error != row.error else repr(row.error))
 
 
-def test_the_picture(tmp_path: Path, tiered: Callable[..., list[Row]]) -> None:
+def test_the_picture(tiered: Callable[..., list[Row]]) -> None:
     pytest.importorskip("matplotlib")
-    from slipcircle.cost.costplot import plot
+    from slipcircle.cost import costplot
 
-    plot([*tiered(), *judged(*RACE[:3])], str(tmp_path / "cost.svg"))
-    drawn = (tmp_path / "cost.svg").read_text("utf-8")
+    rows = [*tiered(), *judged(*RACE[:3])]
+    drawn = pictures.render(lambda figure: costplot.overview(rows, figure), costplot.size(rows), "svg").decode()
     for text in (MEASURED, "best, fused", "printed, float64", "ours, worst seen; a bar up to what is proved",
                  "time of an element at N = 1e4, ns", "alpha, rad", "our good"):  # fmt: skip
         assert f"<!-- {text} -->" in drawn, text
@@ -456,10 +455,18 @@ def test_the_axis_of_alpha_shows_both_ends() -> None:
 # --- scenes --------------------------------------------------------------------------------------------------------
 
 
+def test_the_answers_are_made_again() -> None:
+    """To their last digit; frictions are those of the ensemble's lanes."""
+    assert scenes.ANSWERS.read_text("utf-8") == exact_scenes.written()
+    for one, *lanes in (map(float, of) for of in ANSWERS.values()):
+        assert one == pytest.approx(float(scenes.frictions(1)[0]), rel=1e-15)
+        assert lanes == pytest.approx(scenes.frictions(len(scenes.ANGLES)).tolist(), rel=1e-15)
+
+
 @pytest.mark.parametrize("name", [n for n in scenes.CASES if n != "closed form"])
 def test_the_references_of_scenes_are_the_motion(name: str) -> None:
     """By extrapolation, against Taylor series of the equation of motion from quadratures of the definitions."""
-    case, mu = scenes.CASES[name], float(scenes.frictions(1)[0])
+    case, mu = scenes.CASES[name], float(next(iter(ANSWERS[name])))
     arc = {n: float(getattr(case.scene(mu).arc, n)) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")}
     law: Any = mu
     if case.softens:
@@ -469,40 +476,42 @@ def test_the_references_of_scenes_are_the_motion(name: str) -> None:
     effects: dict[str, Any] = {"rotation": {}, "centripetal": {}}
     if case.heats:
         effects["thermal_pressurisation"] = scenes.LAYER
+    if case.shears:
+        effects["viscosity"] = scenes.SHEARED
+    made = ANSWERS[name][repr(mu)]
     if case.shakes:
         with pytest.MonkeyPatch.context() as patch:  # few samples: series through all of them take minutes
             patch.setattr(scenes, "SAMPLES", 40)
             scenes.record.cache_clear()
             time, k_h = scenes.record()
-            near, rest = scenes.exactly(case, scenes.frictions(1))
+            made = exact_scenes.texts(case, mu)
         scenes.record.cache_clear()
         effects["shaking"] = {"time": time.tolist(), "horizontal": k_h.tolist()}
-    else:
-        near, rest = scenes.exactly(case, scenes.frictions(1))
     scene = {"arc": arc, "friction": law, "effects": effects, "initial_velocity": 0.0, "end_time": None}
     with flint.ctx.workprec(200):
-        if case.weakens or case.heats or case.shakes:
+        if case.weakens or case.heats or case.shears or case.shakes:
             found = time_references.solve(scene)
             texts = [found[n] for n in ("run_out", "peak", "duration")]
         else:
             found = references.solve(scene, [])
             texts = [found[n] for n in ("run_out", "peak_velocity", "duration")]
-        for text, high, low in zip(texts, near[:, 0].tolist(), rest[:, 0].tolist(), strict=True):
-            assert abs(float(flint.arb(text) / (flint.arb(high) + low) - 1)) < 1e-20
+        for text, kept in zip(texts, made, strict=True):
+            assert abs(float(flint.arb(text) / flint.arb(kept) - 1)) < 1e-20
 
 
 def test_the_reference_of_the_closed_form_is_the_papers() -> None:
     """(4.3), (4.5) corrected, at 40 digits."""
-    case, mu = scenes.CASES["closed form"], float(scenes.frictions(1)[0])
-    near, rest = scenes.exactly(case, scenes.frictions(1))
+    mu, known = next(iter(ANSWERS["closed form"].items()))
     with flint.ctx.workprec(200), mpmath.workdps(40):
-        of = scenes.Equation(case, lambda x: flint.arb(x), SimpleNamespace(sin=flint.arb.sin, cos=flint.arb.cos))
-        a, b, t = (digits(x) for x in (of.rate(flint.arb(mu), of.start())[1], of.polar * flint.arb(mu), of.end))
+        of = exact_scenes.Exactly(scenes.CASES["closed form"])
+        a, b, t = (
+            digits(x) for x in (of.rate(flint.arb(float(mu)), of.start())[1], of.polar * flint.arb(float(mu)), of.end)
+        )
         root, radius, scale = mpmath.sqrt(a * b), digits(of.radius), digits(of.scale)
         exact = (radius * mpmath.log(mpmath.cosh(root * t)) / b,
                  radius * mpmath.sqrt(a / b) * mpmath.tanh(root * t) / scale, t * scale)  # fmt: skip
-        for value, high, low in zip(exact, near[:, 0].tolist(), rest[:, 0].tolist(), strict=True):
-            assert abs(value / (mpf(high) + mpf(low)) - 1) < 1e-22
+        for value, text in zip(exact, known, strict=True):
+            assert abs(value / mpf(text) - 1) < 1e-22
 
 
 @pytest.mark.parametrize("name", ["closed form", "constant friction", "heat"])

@@ -18,7 +18,7 @@ import pytest
 from slipcircle import Scene, ensemble, load, solve
 from slipcircle.base.files import replacing, write
 from slipcircle.base.series import Series
-from slipcircle.outputs import written
+from slipcircle.studies import written
 from slipcircle.studies.conduct import grid
 from slipcircle.studies.design import Design, Result
 from slipcircle.studies.engines import Progress, computed, engine, forecast, stored

@@ -19,7 +19,7 @@ from slipcircle.files.scenefile import read
 from slipcircle.files.scenekeys import schema
 from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.outputs import written
+from slipcircle.studies import written
 from slipcircle.studies.conduct import grid
 from slipcircle.studies.sampling import latin, monte_carlo, sobol
 from slipcircle.studies.statistics import (
@@ -436,7 +436,7 @@ def test_what_is_no_scene_is_counted_and_left_out() -> None:
     found = ensemble(scene, 4000, 1)
     assert found.counts[Status.INVALID] == np.sum(found.samples["arc.radius_m"] < 0.0) > 300
     assert found.n == 4000 - found.counts[Status.INVALID]
-    assert "are no scenes" in found.warnings[0]
+    assert Status.INVALID.reason in found.warnings[0]
     nothing = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(-50, 1)}), 10, 1)
     assert nothing.n == 0
     assert math.isnan(nothing.moving.value)
@@ -508,7 +508,7 @@ def test_sweep(file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         json.loads(capsys.readouterr().out)[0]["moving"]
         == json.loads(json.dumps(written.record(ensemble(ONE, 100, 4))))["moving"]
     )
-    assert f"{found.quantile('run_out', 0.5).value:.5g}" in out
+    assert f"{found.quantile('run_out', 0.5).value:.4g} [" in out
     assert "Which unknown matters" in out
 
 
@@ -518,7 +518,9 @@ def test_sweep_of_a_grid(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
     assert main([*argv, "--csv", str(table)]) == 0
     assert "82 scenes: 82 rests" in capsys.readouterr().out
     head, *rows = table.read_text("utf-8").splitlines()
-    assert head == "friction.angle_deg,arc.radius_m,reach (m),run_out (m),peak_velocity (m/s),duration (s),status"
+    assert (
+        head == "friction.angle_deg,arc.radius_m,reach (m),run_out (m),peak_velocity (m/s),duration (s),status,reason"
+    )
     assert len(rows) == 82
     assert main([*argv, "--json"]) == 0
     assert len(json.loads(capsys.readouterr().out)[0]["rows"]) == 82

@@ -22,9 +22,12 @@ import pytest
 from nbclient import NotebookClient
 
 import generated
+from derive.flow.operations import OPERATIONS as SERIES
 from derive.judge.paper import CLAIMS
 from generated import stable, tiers
-from slipcircle import Arc, Motion, load, solve
+from generated.effects import EFFECTS, LAWS
+from slipcircle import Arc, Motion, Status, load, solve
+from slipcircle.outputs.report import ASSUMED
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -109,6 +112,33 @@ def test_source_diffs_well(path: Path) -> None:
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             assert len(output.get("data", {}).get("image/png", "")) < 80_000, "60 kB, in base 64"
+
+
+def test_key_numbers_of_the_method() -> None:
+    """Every declared effect, law and operation is rendered, and what the page computes by hand is the motion's."""
+    notebook, numbers = run(ROOT / "notebooks" / "0_the_method.ipynb"), key_numbers("0_the_method.ipynb")
+    scene, shown = load("vaiont"), "".join(str(texts(cell)) for cell in notebook.cells)
+    for name in (*EFFECTS, *LAWS, *SERIES, *Status.__members__):
+        assert f"| `{name}` |" in shown, name
+    for claim in CLAIMS:  # what the method stands on is cited
+        if claim.id in ("(1.1)", "(2.20)", "(3.11)", "(3.13)", "(3.20)", "(3.21)"):
+            assert claim.id in shown or any(claim.id in cell.source for cell in notebook.cells), claim.id
+    for said in ASSUMED:
+        assert said in shown
+    alpha, dip = float(scene.arc.half_angle), float(scene.arc.dip)
+    ratio = oracle.kernel("weight_moment_amplitude", alpha) / oracle.kernel("radial_weight_amplitude", alpha)
+    limit, mu = float(ratio) * math.tan(dip), math.tan(math.radians(10.0))
+    assert numbers["limit_friction"] == pytest.approx(limit, rel=1e-11)
+    # k_y: (J_theta + k J_theta') = mu (J_r + k J_r'), all over J_r.
+    assert numbers["yield_coefficient"] == pytest.approx((mu - limit) / (float(ratio) + mu * math.tan(dip)), rel=1e-10)
+    pendulum = solve(replace(scene, effects=["rotation"]))
+    assert numbers["pendulum"] == pytest.approx([pendulum.run_out, pendulum.duration], rel=1e-10)
+    assert numbers["frozen_30_s"] == pytest.approx(solve(load("vaiont-frozen")).run_out, abs=1e-6)
+    assert numbers["acceleration_off"] is True
+    assert numbers["swings"] == len(solve(replace(scene, friction=0.05)).phases)
+    assert numbers["errors_kept"] == [True] * 4
+    assert printed(notebook, "frozen").count("True") == 2
+    assert "as printed it does: False" in printed(notebook, "frozen")
 
 
 def test_key_numbers_of_the_derivation() -> None:

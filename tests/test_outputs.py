@@ -244,11 +244,11 @@ def test_csv(name: str, files: dict[str, Path], tmp_path: Path, capsys: pytest.C
     """Every column at every tenth time, and the times at which it starts and stands; by default at even times."""
     motion = solve(load(files[name]))
     said(capsys, "run", files[name], "--csv", tmp_path / "motion.csv")
-    assert (tmp_path / "motion.csv").read_text("utf-8") == csv([motion])
+    assert (tmp_path / "motion.csv").read_bytes() == csv([motion])
     even, rows_of = exact(name).duration, 401 if exact(name).motion.steps else 1
-    found = [float(line.split(",")[0]) for line in csv([motion]).splitlines()[1:]]
+    found = [float(line.split(",")[0]) for line in csv([motion]).decode().splitlines()[1:]]
     assert found == pytest.approx(np.linspace(0.0, even, rows_of), rel=1e-9)
-    head, *lines = csv([motion], telling_times(motion)).splitlines()
+    head, *lines = csv([motion], telling_times(motion)).decode().splitlines()
     rows = [dict(zip(head.split(","), map(float, line.split(",")), strict=True)) for line in lines]
     e, path, before = exact(name), 0.0, 0.0
     times = [r["time_s"] for r in rows]
@@ -438,9 +438,9 @@ def test_backanalysis_finds_what_was_there(files: dict[str, Path], capsys: pytes
     assert float(one) == pytest.approx(0.14, abs=error / 10)
     assert float(other) == pytest.approx(error, rel=0.06)
     side = math.copysign(1.0, e.run_out)
-    assert cells["run-out (m)"].startswith(f"{e.run_out:.6g} (observed {e.run_out:.6g} +- 0.25)")
-    assert float(cells["peak velocity (m/s)"]) == pytest.approx(side * e.peak, rel=1e-5)
-    assert float(cells["duration (s)"]) == pytest.approx(e.duration, rel=1e-5)
+    assert cells["run-out (m)"] == f"{e.run_out:.4g} (observed {e.run_out:.6g} +- 0.25)"
+    assert cells["peak velocity (m/s)"] == f"{side * e.peak:.4g}"
+    assert cells["duration (s)"] == f"{e.duration:.4g}"
     assert cells["swings"] == "0"
 
 

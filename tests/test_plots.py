@@ -328,6 +328,34 @@ def test_phase_plane_stacks_the_energy() -> None:
     assert "path travelled" in plots.phase_plane(motion("damped"), drawn()).get_xlabel()
 
 
+def larger_than_life(m: Motion) -> float:
+    """The greatest 1, 2 or 5 times a power of ten that makes less than a fiftieth of the chord a tenth at most."""
+    arc = m.plan.scene.arc
+    assert isinstance(arc, Arc)
+    share = abs(m.reach.displacement) / (2 * float(np.asarray(arc.radius)) * np.sin(float(arc.half_angle)))
+    return 1.0 if not 0.0 < share < 0.02 else max(x for x in STEPS if x * share <= 0.1)
+
+
+STEPS = [n * 10.0**k for k in range(12) for n in (1.0, 2.0, 5.0)]
+
+
+def test_small_displacements_are_magnified() -> None:
+    assert larger_than_life(motion("newmark-pulse")) == 10.0  # 0.43 m of 69 m
+    assert larger_than_life(motion("vaiont")) == larger_than_life(motion("still")) == 1.0
+
+
+def test_words_stand_once_beside_each_other() -> None:
+    """Of the histories the first says what the marks are, the lowest what runs to the right."""
+    figure = Figure(figsize=plots.size(motion("vaiont")), layout="constrained")
+    FigureCanvasAgg(figure)
+    plots.overview(motion("vaiont"), figure)
+    stacked = [ax for ax in figure.axes if ax.get_xlim() == (0.0, motion("vaiont").duration)]
+    assert [ax.get_xlabel() for ax in stacked] == ["", "", "", "time $t$ (s)"]
+    said = [" ".join(t.get_text() for t in ax.get_legend().get_texts()) for ax in stacked]  # type: ignore[union-attr]
+    assert ["peak velocity" in s for s in said] == [True, False, False, False]
+    assert "677.3 m" in said[1]
+
+
 @each_scene
 def test_section_draws_the_mass_where_it_is(name: str) -> None:
     m, ax = motion(name), drawn()
@@ -341,7 +369,8 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     if name == "tiny":  # marks take the place of what cannot be seen
         assert not outlines
         return
-    turns = {"start": 0.0} | ({plotstyle.ending(m): float(m.end.rotation)} if m.moves else {})
+    larger = larger_than_life(m)
+    turns = {"start": 0.0} | ({plotstyle.ending(m): larger * float(m.end.rotation)} if m.moves else {})
     for words, turn in turns.items():
         (outline,) = (xy for label, xy in outlines.items() if label.startswith(words))
         assert np.allclose(np.hypot(*outline.T), radius)
@@ -355,6 +384,8 @@ def test_section_draws_the_mass_where_it_is(name: str) -> None:
     assert f"depth {plotstyle.number(float(arc.depth))} m" in said
     assert f"$R$ = {plotstyle.number(radius)} m" in said
     assert ("frozen geometry" in said) == (m.moves and "rotation" not in m.plan.effects)
+    assert ("times as large" in said) == (larger > 1.0)
+    assert f"drawn {plotstyle.number(larger)} times as large" in said or larger == 1.0
     assert ("tangential" in said) == (name not in ("swings", "first stop", "lifted"))
 
 
@@ -453,7 +484,7 @@ def test_scaled() -> None:
 def test_csv_holds_every_digit() -> None:
     m = motion("wet-slope")
     even = np.linspace(0.0, m.duration, 401)
-    head, *rows = csv([m]).splitlines()
+    head, *rows = csv([m]).decode().splitlines()
     assert head.split(",")[:4] == ["time_s", "rotation_rad", "angular_velocity_rad_s", "velocity_m_s"]
     assert {"acceleration_m_s2", "normal_stress_Pa", "friction", "dissipation_J"} <= set(head.split(","))
     table = np.array([[float(x) for x in row.split(",")] for row in rows]).T
@@ -465,10 +496,15 @@ def test_csv_holds_every_digit() -> None:
 
 
 def test_csv_of_several_names_them() -> None:
-    head, *rows = csv([motion("still"), motion("wet-slope")]).splitlines()
+    head, *rows = csv([motion("still"), motion("wet-slope")]).decode().splitlines()
     assert head.startswith("scene,time_s,")
     assert [row.split(",")[0] for row in (rows[0], rows[1], rows[-1])] == ["still", "wet-slope", "wet-slope"]
-    assert csv([motion("swings"), motion("still")]).splitlines()[1].startswith('"swings, a name with $ and <",0.0,')
+    assert (
+        csv([motion("swings"), motion("still")])
+        .decode()
+        .splitlines()[1]
+        .startswith('"swings, a name with $ and <",0.0,')
+    )
 
 
 # --- nothing before it is needed -----------------------------------------------------------------------------------

@@ -94,7 +94,7 @@ def test_it_says_what_is_assumed_and_left_out() -> None:
     assert any("rigid" in s for s in said)
     assert "Left out: drag, viscosity, shaking, thermal_pressurisation." in said
     assert not any("frozen" in s for s in said)
-    assert any("Dynamic Slip Circle Method" in s for s in said)
+    assert any("Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method" in s for s in said)
 
 
 def test_it_needs_nothing_else() -> None:
@@ -206,6 +206,21 @@ def test_a_motion_of_uncertain_numbers_says_where_they_are() -> None:
     said = "at the median of friction.angle_deg;"
     assert said in report([solve(replace(load("vaiont"), uncertain=drawn))])
     assert said not in report([motion("wet-slope")])
+
+
+@pytest.mark.usefixtures("quick")
+def test_uncertain_inputs_are_marked() -> None:
+    drawn = {"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1},
+             "arc.radius_m": {"distribution": "uniform", "low": 1400, "high": 1500}}  # fmt: skip
+    scene = replace(load("vaiont"), uncertain=drawn)
+    shown = {i.path: i.value for i in inputs(scene)}
+    assert shown["friction"] == f"uncertain, normal: mean 10, std 1; here {scene.friction!r}"
+    assert shown["arc.radius"] == "uncertain, uniform: low 1400, high 1500; here 1492.6"
+    text = "[arc]\nradius_m = { distribution = 'uniform', low = 1400, high = 1500 }\n[friction]\nangle_deg = 10\n"
+    by_file = {i.path: i.value for i in inputs(scene, text)}
+    assert by_file["arc.radius_m"] == "uncertain, uniform: low 1400, high 1500"
+    assert not any(v.startswith("uncertain") for p, v in by_file.items() if p.startswith("arc") and "radius" not in p)
+    assert "uncertain, normal" in report([solve(scene)])
 
 
 @pytest.mark.usefixtures("quick")

@@ -1,16 +1,18 @@
 """Files that a command writes: checked before the work begins, and never seen half written."""
 
+import csv
+import io
 import os
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 from slipcircle.base.checks import raise_all
 
 
-def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) -> None:
+def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
     """See that files can be written.
 
     Parameters
@@ -18,7 +20,7 @@ def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) 
     command : str
         Whose options they are.
     outputs : mapping
-        Paths by the option that names them.
+        Paths by the option that names them, one or several.
     inputs : sequence of str
         Paths that are read and must not be written over.
 
@@ -28,7 +30,8 @@ def check(command: str, outputs: Mapping[str, str], inputs: Sequence[str] = ()) 
         Lists every path that cannot be written, and why.
     """
     found, taken = [], {os.path.realpath(path): "the scene file" for path in inputs}
-    for option, name in outputs.items():
+    named = [(o, name) for o, given in outputs.items() for name in ([given] if isinstance(given, str) else given)]
+    for option, name in named:
         path = Path(os.path.realpath(name))
         if _is_device(name):
             continue
@@ -83,6 +86,15 @@ def write(name: str | os.PathLike[str], content: bytes) -> None:
             file.write(content)
     except OSError as error:
         raise ValueError(f"{name}: cannot be written: {error.strerror}") from error
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[Any]]) -> bytes:
+    """A table as CSV, in full precision; an empty cell for None."""
+    text = io.StringIO()
+    out = csv.writer(text, lineterminator="\n")
+    out.writerow(head)
+    out.writerows(rows)
+    return text.getvalue().encode()
 
 
 def _is_device(name: str | os.PathLike[str]) -> bool:

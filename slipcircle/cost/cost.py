@@ -126,8 +126,7 @@ def _functions(name: str, subject: Subject) -> list[Row]:
 def _scenes(name: str, many: bool, progress: TextIO | None) -> list[Row]:
     """Rows of one scene, or of ten thousand."""
     count = SIZES[1] if many else 1
-    some = scenes.frictions(len(scenes.ANGLES) if many else 1)
-    near, rest = scenes.exactly(scenes.CASES[name], some)
+    some, near, rest = scenes.exactly(name, many)
     found = scenes.ways(name, many, progress)
     counts = [count if way.startswith("slipcircle") else _enough(call, count) for way, call in found.items()]
     works = [partial(way, scenes.frictions(n)) for way, n in zip(found.values(), counts, strict=True)]

@@ -7,51 +7,31 @@ import numpy as np
 
 from slipcircle.cost.cost import FRONTIER, Row
 from slipcircle.cost.reference import HALF_PI, Floats
-from slipcircle.outputs.plotstyle import axis
+from slipcircle.outputs.plotstyle import LINES, axis
 
 _BEST, _NONE = 1e-19, 10.0  # the axis of errors ends here; what lies beyond is drawn at its ends
 _DECADES, _BINS = 16.5, 90  # of alpha, towards each end
-_OURS, _OTHERS = "#0072B2", "#D55E00"  # Okabe and Ito's, which the colour-blind tell apart
+_OURS, _OTHERS = LINES["main"]["color"], LINES["other"]["color"]
 
 
-def plot(rows: Sequence[Row], path: str) -> None:
-    """Draw rows of any functions; the file's type follows from its name.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    """
-    try:
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise ImportError("pictures need matplotlib: pip install 'slipcircle[plot]'") from error
+def overview(rows: Sequence[Row], figure: Any) -> None:
+    """Rows of any functions on an empty figure of `size`."""
     functions = [[r for r in rows if r.function == name] for name in dict.fromkeys(row.function for row in rows)]
-    figure = Figure(figsize=(19, 6.0 * len(functions)), dpi=100, layout="constrained")
-    FigureCanvasAgg(figure)
     for line, of in zip(figure.subplots(len(functions), 2, squeeze=False), functions, strict=True):
         frontier(of, line[0])
         if _sampled(of):
             over_alpha(of, line[1])
         else:
             line[1].set_axis_off()
-    figure.savefig(path)
+
+
+def size(rows: Sequence[Row]) -> tuple[float, float]:
+    """Inches of the overview."""
+    return 19.0, 6.0 * len({row.function for row in rows})
 
 
 def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
-    """Error against time, with the frontier drawn; ways bear their number in the table, those on the frontier names.
-
-    Parameters
-    ----------
-    rows : sequence of Row
-        Of one function or scene, from `cost.measure`.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
+    """Error against time, with the frontier drawn; ways bear their number in the table, those on it names."""
     axes = axis(ax, (9.0, 5.5))
     front = sorted((r for r in rows if r.verdict == FRONTIER), key=lambda r: r.price)
     axes.step([r.price for r in front], [_height(r) for r in front], where="post", color="0.75", lw=5, zorder=1,
@@ -96,18 +76,7 @@ def both_ends(alpha: Floats) -> Floats:
 
 
 def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
-    """Relative error over alpha, logarithmic towards both ends, with what is proved as a thin line.
-
-    Parameters
-    ----------
-    rows : sequence of Row
-        Of one kernel, from `cost.measure`.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
-    """
+    """Relative error over alpha, logarithmic towards both ends, with what is proved as a thin line."""
     axes = axis(ax, (9.0, 5.5))
     edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
     for k, row in enumerate(_sampled(rows)):

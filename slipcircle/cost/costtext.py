@@ -1,17 +1,15 @@
 """The price list in words: a table and a verdict for people, records and CSV for machines."""
 
-import csv
-import platform
 import textwrap
 from collections.abc import Sequence
 from dataclasses import fields
-from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
 
-from generated import _compiled
+from slipcircle.base import files
 from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, Row
+from slipcircle.motion.quantities import shown, spent
 
 WIDTH = 100  # of tables and text, columns
 NOTES = (
@@ -42,14 +40,14 @@ def verdict(rows: Sequence[Row]) -> str:
     by = {r.way: r for r in rows}
     broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
     lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
-    lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {duration(r.price)})" for r in front) + ".")
+    lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {spent(r.price)})" for r in front) + ".")
     if few := sorted({r.elements for r in rows if r.ns_1e4 and r.ns_1e6 is None and r.elements < SIZES[1]}):
         counts = " or ".join(map(str, few))
         lines.append(f"~: {counts} scenes were measured, as these ways solve scenes one by one.")
     if not ours or not others:
         return wrapped(lines)
     lost = [
-        f"{r.way} to {winner.way} ({_times_as(r.price / winner.price)} slower)"
+        f"{r.way} to {winner.way} ({shown(r.price / winner.price, 2)} times slower)"
         for r in ours
         if (winner := by.get(r.verdict.removeprefix(LOST)))
     ]
@@ -59,7 +57,9 @@ def verdict(rows: Sequence[Row]) -> str:
         times = {r.way: float(getattr(r, key) or "nan") for r in rows}
         mine, theirs = (min(some, key=lambda r: times[r.way]) for some in (ours, others))
         if times[theirs.way] * BEATEN < times[mine.way]:
-            faster.setdefault(theirs.way, []).append(f"{_times_as(times[mine.way] / times[theirs.way])} at {label}")
+            faster.setdefault(theirs.way, []).append(
+                f"{shown(times[mine.way] / times[theirs.way], 2)} times at {label}"
+            )
     lines += [
         f"Faster than anything of ours: {way}, {', '.join(gains)}, with an error of {short(by[way].error)}."
         for way, gains in faster.items()
@@ -78,23 +78,9 @@ def short(x: float, digits: int = 2) -> str:
     return f"{mantissa}e{int(exponent)}" if int(exponent or 0) else mantissa
 
 
-def duration(nanoseconds: float) -> str:
-    """A time with its unit."""
-    scale, unit = next((s, u) for s, u in ((1e6, "ms"), (1e3, "us"), (1.0, "ns")) if nanoseconds >= s or s == 1.0)
-    return f"{nanoseconds / scale:.3g} {unit}"
-
-
 def _number(x: float) -> str:
     """Three digits; whole numbers as far as five characters hold them."""
     return f"{x:.3g}" if x < 999.5 else f"{x:.0f}" if x < 99999.5 else short(x)
-
-
-def _ratio(x: float) -> str:
-    return f"{x:.2g}" if 0.01 <= x < 99.5 else f"{x:.0f}" if 99.5 <= x < 1e4 else short(x, 1)
-
-
-def _times_as(x: float) -> str:
-    return f"{_ratio(x)} times"
 
 
 def _at(values: Sequence[float]) -> str:
@@ -116,7 +102,7 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
     found = []
     for row in rows:
         solver, winner = row.ns_1e6 is None, place.get(row.verdict.removeprefix(LOST))
-        time, few = duration if solver else _number, "~" if row.elements < SIZES[1 if solver else -1] else ""
+        time, few = spent if solver else _number, "~" if row.elements < SIZES[1 if solver else -1] else ""
         ulp = "" if row.ulp is None else "0" if row.ulp < 5e-4 else f"{row.ulp:.3f}" if row.ulp < 10 else None
         found.append([
             place[row.way], row.way, _proved(row), short(row.error) if row.error == row.error else "",
@@ -138,32 +124,8 @@ def record(row: Row) -> dict[str, Any]:
     return {k: None if isinstance(v, float) and not np.isfinite(v) else v for k, v in found.items()}
 
 
-def write_csv(rows: Sequence[Row], path: str) -> None:
+def table_csv(rows: Sequence[Row]) -> bytes:
     """All rows as a table for machines."""
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, [f.name for f in fields(Row) if f.name != "profile"])
-        writer.writeheader()
-        for row in rows:
-            writer.writerow({k: " ".join(map(repr, v)) if isinstance(v, tuple) else v for k, v in record(row).items()})
-
-
-def machine() -> str:
-    """Processor and versions, to stand beside the times."""
-    processor, flags = platform.processor() or platform.machine(), ""
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            facts = {k.strip(): v.strip() for k, _, v in (line.partition(":") for line in file)}
-        processor = facts.get("model name", processor)
-        flags = ", ".join(f for f in ("avx512f", "avx2", "fma") if f in facts.get("flags", "").split())
-    except OSError:
-        pass
-    versions = [f"Python {platform.python_version()}"]
-    for name in ("numpy", "scipy", "mpmath"):
-        try:
-            versions.append(f"{name} {version(name)}")
-        except PackageNotFoundError:
-            versions.append(f"no {name}")
-    kernels = ", ".join(_compiled.LEVELS)
-    return (
-        f"{processor}{f' ({flags})' if flags else ''}, {platform.system()}, {', '.join(versions)}, kernels: {kernels}"
-    )
+    records = [record(row) for row in rows]
+    cells = ([" ".join(map(repr, v)) if isinstance(v, tuple) else v for v in r.values()] for r in records)
+    return files.table([f.name for f in fields(Row) if f.name != "profile"], cells)

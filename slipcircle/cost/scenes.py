@@ -1,28 +1,31 @@
-"""What solving scenes costs: this package beside DOP853 and heyoka, each judged against an extrapolation to 20 digits.
+"""What solving scenes costs: this package beside DOP853 and heyoka, each judged by answers to 24 digits.
 
 One equation of motion, (3.11) with (2.20), written out once by hand over any arithmetic, serves every other way: over
-floats SciPy's, over heyoka's expressions heyoka's, over balls the reference's. Nothing here asks the flow but its rows.
+floats SciPy's, over heyoka's expressions heyoka's, over balls the tests', from which the answers come.
 """
 
+import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
+from decimal import Decimal
 from functools import cache, partial
 from importlib.util import find_spec
-from itertools import pairwise
-from types import SimpleNamespace
+from pathlib import Path
 from typing import Any, NamedTuple, TextIO
 
 import numpy as np
 
+from generated import kernels
 from slipcircle.base.series import Series
-from slipcircle.cost.reference import Floats, moments
+from slipcircle.cost.reference import Floats
 from slipcircle.files.scenefile import load
 from slipcircle.flow import compiled, walk
 from slipcircle.flow.solve import walked
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import lanes_of, solve
+from slipcircle.scene.arc import Arc
 from slipcircle.scene.scene import Scene
 
 ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-15)
@@ -30,10 +33,13 @@ LEAST_RTOL = 1e-13  # that SciPy grants
 ANGLES = (10.0, 14.0, 19.5)  # of friction, deg: the first and last of an ensemble, and between them that of one scene
 RESIDUAL, LENGTH, SPEED = float(np.tan(np.radians(8.0))), 1.0, 5.0  # of the laws: "", m, m/s
 LAYER = {"pressurisation": 4e3, "heat_capacity": 2.7e6, "thickness": 0.5}  # Pa/K, J/m^3 K, m: it stays pressed
+SHEARED = {"viscosity": 2e3, "thickness": 0.5}  # Pa s, m: it takes a sixth of the speed in the unit of time
 SAMPLES, SAMPLED = 4000, 20.0  # of the record: how many, and until when, s
 BATCH = 32  # lanes of heyoka at once: as many as still gain
-_BITS, _ENOUGH, _LEVELS = 140, 1e-26, 14  # of the reference: working precision, what two orders may differ by, orders
-_STEP, _LATEST = 0.25, 1e3  # its first step, and the latest standstill, dimensionless
+# Run-out, peak velocity and duration by friction, of one scene and then of an ensemble's lanes, to 24 digits;
+# ``python tests/exact_scenes.py`` writes them.
+ANSWERS = Path(__file__).with_name("answers.json")
+_LATEST = 1e3  # standstill, dimensionless
 Way = Callable[[Floats], Floats]  # friction coefficients to run-out, peak velocity and duration, (3, n)
 
 
@@ -52,6 +58,7 @@ class Case(NamedTuple):
     softens: bool = False
     weakens: bool = False
     heats: bool = False
+    shears: bool = False
     shakes: bool = False
 
     def scene(self, mu: Any) -> Scene:
@@ -62,6 +69,8 @@ class Case(NamedTuple):
             friction = {"law": "rate_weakening", "peak": mu, "residual": RESIDUAL, "velocity": SPEED}
         if self.heats:
             more["thermal_pressurisation"] = LAYER
+        if self.shears:
+            more["viscosity"] = SHEARED
         if self.shakes:
             time, k_h = record()
             more["shaking"] = {"horizontal": Series(time, k_h)}
@@ -82,6 +91,7 @@ CASES = {
     "softening": Case(softens=True),
     "rate weakening": Case(weakens=True),
     "heat": Case(heats=True),
+    "viscosity": Case(shears=True),
     "record": Case(shakes=True),
 }
 
@@ -90,29 +100,25 @@ CASES = {
 
 
 class Equation:
-    """The numbers of a scene's equation of motion, in an arithmetic: ``number`` makes its numbers of doubles."""
+    """The numbers of a scene's equation of motion, and its rates over the arithmetic of a module m."""
 
-    def __init__(self, case: Case, number: Callable[[Any], Any], m: Any) -> None:
-        from flint import arb, ctx
-
+    def __init__(self, case: Case, m: Any = math) -> None:
         scene = case.scene(0.1)
-        self.case, self.m, self.number = case, m, number
-        with ctx.workprec(_BITS + 40):
-            given: Any = (getattr(scene.arc, n) for n in ("theta_1", "theta_2", "radius", "gravity"))
-            low, high, radius, gravity = (arb(float(x)) for x in given)
-            of, scale = moments((high - low) / 2), (radius / gravity).sqrt()
-            names = ("weight_moment_amplitude", "radial_weight_amplitude", "polar_moment")
-            self.weight, self.radial, self.polar = (number(of[n] / of["moment_of_inertia"]) for n in names)
-            self.dip, self.radius, self.scale = number((3 * arb.pi() - low - high) / 2), number(radius), number(scale)
-            self.decay, self.pace = number(radius / LENGTH), number(radius / scale / SPEED)
-            self.kappa = number(radius * LAYER["pressurisation"] / arb(LAYER["heat_capacity"]) / LAYER["thickness"])
-            end: Any = scene.end_time
-            self.end = None if end is None else number(arb(end) / scale)
+        arc, end = scene.arc, scene.end_time
+        assert isinstance(arc, Arc)
+        self.case, self.m, self.end = case, m, None if end is None else float(end / arc.time_scale)
+        names = ("weight_moment_per_inertia", "radial_weight_per_inertia", "polar_moment_per_inertia")
+        self.weight, self.radial, self.polar = (float(getattr(kernels, n)(arc.half_angle)) for n in names)
+        self.dip, self.radius, self.scale = float(arc.dip), float(np.asarray(arc.radius)), float(arc.time_scale)
+        self.decay, self.pace = self.radius / LENGTH, self.radius / self.scale / SPEED
+        self.kappa = self.radius * LAYER["pressurisation"] / LAYER["heat_capacity"] / LAYER["thickness"]
+        sheared = 2.0 * float(arc.half_angle) / float(kernels.moment_of_inertia(arc.half_angle)) if case.shears else 0.0
+        weight, pace = float(np.asarray(arc.unit_weight)), self.scale * SHEARED["thickness"]
+        self.viscous = sheared * SHEARED["viscosity"] / (weight * pace)
 
-    def start(self, time: Any = 0.0) -> list[Any]:
+    def start(self) -> list[Any]:
         """Rotation, angular velocity, and under heat the effective normal force."""
-        zero = self.number(time)
-        return [zero, zero, *([self.radial * self.m.cos(self.dip)] if self.case.heats else [])]
+        return [0.0, 0.0, *([self.radial * math.cos(self.dip)] if self.case.heats else [])]
 
     def rate(self, mu: Any, y: Any, k_h: Any = None) -> list[Any]:
         """The states' derivatives by dimensionless time."""
@@ -127,7 +133,7 @@ class Equation:
         if k_h is not None:
             drive, press = drive + self.weight * k_h * cos, press - self.radial * k_h * sin
         if not self.case.heats:
-            return [omega, drive - mu * (press + self.polar * omega * omega)]
+            return [omega, drive - mu * (press + self.polar * omega * omega) - self.viscous * omega]
         rate = drive - mu * y[2]
         return [omega, rate, (self.radial * sin + 2.0 * self.polar * rate - self.kappa * mu * y[2]) * omega]
 
@@ -137,114 +143,14 @@ def answer(of: Equation, phi: Any, omega: Any, time: Any) -> tuple[Any, Any, Any
     return of.radius * phi, of.radius * omega / of.scale, time * of.scale
 
 
-# --- the reference ---------------------------------------------------------------------------------------------------
-
-
-def extrapolated(f: Callable[[Any, list[Any]], list[Any]], t: Any, y: list[Any], h: Any) -> list[Any] | None:
-    """One step by the modified midpoint rule, extrapolated in its even powers (Gragg 1965); None where it is too long.
-
-    Of balls the middles only: that two orders agree to `_ENOUGH` says how good they are.
-    """
-    before: list[list[Any]] = []
-    for level in range(1, _LEVELS + 1):
-        n = 2 * level
-        d = h / n
-        a, b = y, [(u + d * v).mid() for u, v in zip(y, f(t, y), strict=True)]
-        for i in range(1, n):
-            a, b = b, [(u + 2 * d * v).mid() for u, v in zip(a, f(t + i * d, b), strict=True)]
-        row = [b]
-        for j, earlier in enumerate(before):
-            past = 2 * (level - 1 - j)
-            by = past * past / type(h)(n * n - past * past)
-            row.append([(u + (u - v) * by).mid() for u, v in zip(row[-1], earlier, strict=True)])
-        if before and all(abs(u - v) < _ENOUGH for u, v in zip(row[-1], row[-2], strict=True)):
-            return row[-1]
-        before = row
-    return None
-
-
-def exact(of: Equation, friction: float) -> tuple[Any, Any, Any]:
-    """Run-out, peak velocity and duration to more than 20 digits, in balls.
-
-    Raises
-    ------
-    ArithmeticError
-        Where the mass never comes to rest.
-    """
-    arb, mu, t, y = of.number, of.number(friction), of.number(0.0), of.start()
-    best, h, pieces = of.number(0.0), of.number(_STEP), _pieces(of)
-    until, k_h = next(pieces)
-    ending = False
-
-    def f(s: Any, y: list[Any]) -> list[Any]:
-        return of.rate(mu, y, k_h and k_h(s))
-
-    def by_speed(_: Any, z: list[Any]) -> list[Any]:  # as long as it loses speed, that serves as time (Henon 1982)
-        rates = f(z[0], z[1:])
-        return [1 / rates[1], *(r / rates[1] for r in rates)]
-
-    while t < _LATEST:
-        rate = f(t, y)[1]
-        ending = ending or (of.end is None and until is None and rate < 0 and y[1] + 2 * h * rate < 0)
-        if ending:
-            step = -min(y[1], -h * rate, key=float)
-            after = extrapolated(by_speed, y[1], [t, *y], step)
-            if after is not None and step + y[1] == 0:
-                return answer(of, after[1], best, after[0])
-            if after is not None:
-                t, *y = after
-            else:
-                h = h / 2
-            continue
-        lands = until is not None and not t + h < until
-        step = until - t if lands else h
-        found = extrapolated(f, t, y, step)
-        if found is None:
-            h = step / 2
-            continue
-        if rate > 0 and f(t + step, found)[1] <= 0:
-            best = max(best, _fastest(f, t, y, step), key=float)
-        best = max(best, found[1], key=float)
-        if min(y[2:], default=1) <= 0:
-            raise ArithmeticError(f"with mu = {friction!r} nothing presses on the slip surface")
-        t, y, h = (t + step).mid(), found, arb(min(1.5 * float(h), 2 * _STEP))
-        if lands:
-            t = until
-            if of.end is not None:
-                return answer(of, y[0], best, t)
-            until, k_h = next(pieces)
-    raise ArithmeticError(f"with mu = {friction!r} it never rests")
-
-
-def _pieces(of: Equation) -> Iterator[tuple[Any, Any]]:
-    """Until when the equation is smooth, and k_h there."""
-    if of.case.shakes:
-        knots = [(of.number(of.number(t) / of.scale), of.number(k)) for t, k in np.transpose(record()).tolist()]
-        for (a, low), (b, high) in pairwise(knots):
-            yield b, lambda s, a=a, low=low, slope=(high - low) / (b - a): low + slope * (s - a)
-    yield of.end, None
-
-
-def _fastest(f: Any, t: Any, y: list[Any], h: Any) -> Any:
-    """The greatest speed within a step, by bisection: half the digits of its time are enough."""
-    low, high, state = 0 * h, h, y
-    for _ in range(48):
-        middle = (low + high) / 2
-        state = extrapolated(f, t, y, middle) or y
-        low, high = (middle, high) if f(t + middle, state)[1] > 0 else (low, middle)
-    return state[1]
-
-
-def exactly(case: Case, mu: Floats) -> tuple[Floats, Floats]:
-    """Answers to twice a double's digits: the nearest doubles and what is left of them, (3, n) each."""
-    from flint import arb, ctx
-
-    with ctx.workprec(_BITS):
-        of = Equation(case, lambda x: arb(x).mid(), SimpleNamespace(sin=arb.sin, cos=arb.cos, exp=arb.exp))
-        found = [exact(of, x) for x in mu.tolist()]
-        near = [[float(v) for v in column] for column in found]
-        rest = [[float(v - n) for v, n in zip(*pair, strict=True)] for pair in zip(found, near, strict=True)]
-    return np.array(near).T, np.array(rest).T
+def exactly(name: str, many: bool) -> tuple[Floats, Floats, Floats]:
+    """Frictions, answers as the nearest doubles, and what is left of these to 22 digits, (3, n) each of them."""
+    known = json.loads(ANSWERS.read_text("utf-8"))[name]
+    mu, *answers = zip(*((float(mu), *map(Decimal, texts)) for mu, texts in known.items()), strict=True)
+    near = np.array(answers, dtype=np.float64)
+    rest = np.array([[float(x - Decimal(float(x))) for x in row] for row in answers])
+    which = slice(1, None) if many else slice(1)
+    return np.array(mu)[which], near[:, which], rest[:, which]
 
 
 # --- ways ------------------------------------------------------------------------------------------------------------
@@ -266,7 +172,7 @@ def dop853(case: Case, tolerance: float) -> Way:
     """By SciPy's DOP853, scene after scene, with events for the peak and the standstill."""
     from scipy.integrate import solve_ivp
 
-    of = Equation(case, float, math)
+    of = Equation(case)
     end, (times, k_h) = of.end or _LATEST, record()
 
     def one(mu: float) -> tuple[Any, Any, Any]:
@@ -296,10 +202,10 @@ def heyoka(case: Case, tolerance: float, lanes: int) -> Way:
     """
     import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-    of = Equation(case, float, hy)
-    of.dip = hy.expression(of.dip)
+    of = Equation(case, hy)
     states = hy.make_vars("phi", "omega", "stress")[: 3 if case.heats else 2]
-    begin = [[float(x)] * lanes for x in Equation(case, float, math).start()]
+    begin = [[float(x)] * lanes for x in of.start()]
+    of.dip = hy.expression(of.dip)
     falls = hy.event_direction.negative
     events = [hy.t_event_batch(states[1], direction=falls)] if of.end is None else []
     rates = of.rate(hy.par[0], list(states))

@@ -213,7 +213,8 @@ class Columns:
                 n = np.minimum(n, len(size) - 1)
                 here = size[n, lanes]
                 reach = np.max([(size[k] - here) / (n - k) for k in range(5) if k < len(size)], axis=0)
-                radius = np.minimum(radius, np.where(np.isneginf(here) | (n <= 4), np.inf, reach))
+                tells = ~np.isneginf(here) & ~np.isneginf(reach) & (n > 4)  # zeros, there or at first, tell nothing
+                radius = np.minimum(radius, np.where(tells, reach, np.inf))
         return np.asarray(c[its.FACTOR] * np.exp2(radius))
 
     # --- what is remembered -------------------------------------------------------------------------------------------

@@ -94,19 +94,23 @@ class Lanes:
     count: int
     invalid: Any = False
 
-    def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
-        """The lanes in blocks."""
+    def taken(self, which: Any) -> "Lanes":
+        """Some of the lanes, by an index of them in their order."""
 
-        def cut(value: Any, which: slice) -> Any:
+        def cut(value: Any) -> Any:
             if isinstance(value, Mapping):
-                return {n: cut(v, which) for n, v in value.items()}
+                return {n: cut(v) for n, v in value.items()}
             return value[which] if isinstance(value, np.ndarray) and value.shape == (self.count,) else value
 
+        given = {f.name: cut(getattr(self, f.name)) for f in fields(Lanes)}
+        arc = arc_with(self.arc, {n: cut(getattr(self.arc, n)) for n in self.arc.quantities})
+        return Lanes(**given | {"arc": arc, "count": np.arange(self.count)[which].size})
+
+    def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
+        """The lanes in blocks."""
         for first in range(0, self.count, BLOCK):
-            which = slice(first, min(first + BLOCK, self.count))
-            given = {f.name: cut(getattr(self, f.name), which) for f in fields(Lanes)}
-            arc = arc_with(self.arc, {n: cut(getattr(self.arc, n), which) for n in self.arc.quantities})
-            yield which, Lanes(**given | {"arc": arc, "count": which.stop - which.start})
+            which = slice(first, first + BLOCK)
+            yield which, self.taken(which)
 
     @cached_property
     def bound(self) -> Bound:

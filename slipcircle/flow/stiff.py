@@ -139,10 +139,12 @@ def _short_of(at: int, bound: float, sign: float, t: float, y: Floats) -> float:
 
 
 def _root(f: Callable[[float, Floats], float], states: Callable[[float], Floats], low: float, high: float) -> float:
-    """Where a function of states that is above zero at first passes it, by halving."""
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            break
-        low, high = (middle, high) if f(middle, states(middle)) > 0.0 else (low, middle)
-    return high
+    """Where a function of states that is above zero at first passes it."""
+    from scipy.optimize import brentq  # only here
+
+    def at(time: float) -> float:
+        return f(time, states(time))
+
+    if at(low) <= 0.0 or at(high) > 0.0:  # as rounding has it
+        return low if at(low) <= 0.0 else high
+    return float(brentq(at, low, high, xtol=1e-300, rtol=4 * its.EPS))

@@ -1,6 +1,8 @@
-"""The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time."""
+"""The motion of a scene, or of each lane of an ensemble: what became of it, read off at its end and at any time.
 
-import math
+Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
+"""
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
@@ -15,6 +17,7 @@ from slipcircle.flow import cells as its
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
+from slipcircle.motion.results import Results
 from slipcircle.scene.section import Journey, Section
 
 if TYPE_CHECKING:
@@ -35,6 +38,18 @@ class Status(IntEnum):
     FAILED = 6  #: no answer: its numbers overflow
     INVALID = 7  #: its numbers are no scene
 
+    @property
+    def reason(self) -> str:
+        """Why there is no answer; empty where there is one."""
+        return _REASONS.get(self.name, "")
+
+
+_REASONS = {
+    "UPRIGHT": "the chord stands upright, and the mass would hang over",
+    "ENDLESS": "it never rests, or turns back too often",
+    "FAILED": "its numbers overflow",
+    "INVALID": "its numbers are no scene, such as an angle below its bound",
+}
 
 _SURE = 1e-11  # an estimated error below which only the format limits what is known
 # The cells of which a motion is told.
@@ -98,7 +113,7 @@ class Phase(NamedTuple):
     direction: int
 
 
-class Motion:
+class Motion(Results):
     """A solved scene; of a scene of arrays, every attribute is an array of its shape, NaN where the status says why.
 
     Attributes
@@ -129,19 +144,15 @@ class Motion:
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
         What a user should know of a single motion; empty where all is well.
+
+    A motion of many lanes has a length and is indexed; `to_dict`, `to_pandas` and `to_xarray` turn it into tables.
     """
+
+    STATUSES = tuple(Status)
 
     def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: its.Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
-
-    def __repr__(self) -> str:
-        if self.shape:
-            return f"<{math.prod(self.shape)} motions: {self.count()}>"
-        name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
-        ends = f"rests after {self.duration:.4g} s" if self.arrested else f"still moves after {self.duration:.4g} s"
-        how = f"{self.peak.velocity:.4g} m/s at most, {self.run_out:.4g} m, {ends}" if self.moves else "does not move"
-        return f"<Motion {name}{how}>"
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -223,7 +234,8 @@ class Motion:
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
         scale, radius = self._lanes.time_scale, self._lanes.radius
         rows = {"reach": its.REACH_ROTATION, "run_out": its.END_ROTATION}
-        found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
+        with np.errstate(over="ignore"):  # what overflows is refused
+            found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
         found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
         answered = {n: np.where(self._answered, v, np.nan) for n, v in found.items()}
         return {n: self._shaped(v) for n, v in (answered | {"duration": self._duration}).items()}

@@ -35,6 +35,8 @@ class Quantity:
         Whether people read it as an angle in degrees: of radians, or of a friction coefficient.
     solved : bool
         Whether it is a result of the solution, which `Motion.error_estimate` is about.
+    key : bool
+        Whether it stands in every table; the others are asked for.
     """
 
     name: str
@@ -43,6 +45,7 @@ class Quantity:
     path: str
     degrees: bool = False
     solved: bool = False
+    key: bool = False
 
     def read(self, motion: Any) -> Any:
         """The value, in SI units; an array where the motion is an ensemble's."""
@@ -76,18 +79,18 @@ class Quantity:
 
 
 RESULTS: tuple[Quantity, ...] = (
-    Quantity("moves", "", "moves", "moves"),
-    Quantity("arrested", "", "comes to rest", "arrested"),
-    Quantity("reach", "m", "greatest displacement", "reach.displacement", solved=True),
+    Quantity("moves", "", "moves", "moves", key=True),
+    Quantity("arrested", "", "comes to rest", "arrested", key=True),
+    Quantity("reach", "m", "greatest displacement", "reach.displacement", solved=True, key=True),
     Quantity("reach_time", "s", "time of the greatest displacement", "reach.time", solved=True),
-    Quantity("run_out", "m", "run-out along the arc", "run_out", solved=True),
-    Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True),
+    Quantity("run_out", "m", "run-out along the arc", "run_out", solved=True, key=True),
+    Quantity("peak_velocity", "m/s", "peak velocity", "peak.velocity", solved=True, key=True),
     Quantity("peak_time", "s", "time of the peak velocity", "peak.time", solved=True),
-    Quantity("duration", "s", "duration", "duration", solved=True),
-    Quantity("factor_of_safety", "", "factor of safety", "factor_of_safety"),
-    Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient"),
-    Quantity("friction", "", "friction angle", "friction", degrees=True),
-    Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True),
+    Quantity("duration", "s", "duration", "duration", solved=True, key=True),
+    Quantity("factor_of_safety", "", "factor of safety", "factor_of_safety", key=True),
+    Quantity("yield_coefficient", "", "yield coefficient k_y", "yield_coefficient", key=True),
+    Quantity("friction", "", "friction angle", "friction", degrees=True, key=True),
+    Quantity("limit_friction", "", "limit friction angle", "limit_friction", degrees=True, key=True),
     Quantity("end_rotation", "rad", "rotation at the end", "end.rotation", degrees=True, solved=True),
     Quantity("end_velocity", "m/s", "velocity at the end", "end.velocity", solved=True),
     Quantity("peak_displacement", "m", "displacement at the peak velocity", "peak.displacement", solved=True),
@@ -182,6 +185,12 @@ def shown(value: float, digits: int = DIGITS) -> str:
     if not math.isfinite(value):
         return "infinite" if value > 0.0 else "-infinite" if value < 0.0 else "-"
     return f"{float(f'{value:.{digits - 1}e}') + 0.0:.{max(digits, 6)}g}"
+
+
+def spent(nanoseconds: float) -> str:
+    """A measured time, to three digits."""
+    per, unit = next(((p, u) for p, u in ((1e6, "ms"), (1e3, "us")) if nanoseconds >= p), (1.0, "ns"))
+    return f"{shown(nanoseconds / per, 3)} {unit}"
 
 
 def digits_left(error: float) -> int:

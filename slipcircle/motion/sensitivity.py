@@ -220,13 +220,13 @@ _COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
 def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     """Rows: peak velocity, run-out, duration; a column for each parameter."""
     seeds = _Seeds(lanes, names)
-    bound = lanes.bound.asking(directions=len(names))
-    places = {n: k for k, n in enumerate(bound.program.cells)}
-    for j, tangent in enumerate(bound.program.tangents):
-        for name, dot in seeds.inputs.items():
-            if name in places and places[name] in tangent.cells:
-                bound.cells[tangent.cells[places[name]]] = dot[j]
-        bound.cells[tangent.cells[its.OMEGA]] = abs(seeds.omega[j]) * np.sign(seeds.omega[j] * bound.cells[its.OMEGA])
+    bound = lanes.bound.asking(directions=1)
+    bound = bound._replace(cells=np.repeat(bound.cells, len(names), axis=1))
+    places, (tangent,) = bound.program.places, bound.program.tangents
+    for name, dot in seeds.inputs.items():
+        if name in places and places[name] in tangent.cells:
+            bound.cells[tangent.cells[places[name]]] = dot
+    bound.cells[tangent.cells[its.OMEGA]] = np.abs(seeds.omega) * np.sign(seeds.omega * bound.cells[its.OMEGA])
     walks: list[_Walk] = []
 
     def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
@@ -251,12 +251,12 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
 
 
 class _Walk(Walker):
-    """One lane on its way with its derivatives."""
+    """One motion on its way with its derivatives: lanes that are alike but for the direction of theirs."""
 
     def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, seeds: _Seeds) -> None:
-        super().__init__(program, tables, cells, None, np.arange(1))
-        self.seeds = seeds
-        self.none = np.zeros(len(program.tangents))
+        super().__init__(program, tables, cells, None, np.arange(cells.shape[1]))
+        self.seeds, (self.tangent,) = seeds, program.tangents
+        self.none = np.zeros(cells.shape[1])
         self.event_dot = self.none  # of the time at which the phase in hand begins
         self.peak_dot = self.rest_dot = self.none
         self.end_dot = -cells[its.END_TIME, 0] * seeds.time_growth if np.isfinite(cells[its.END_TIME, 0]) else self.none
@@ -265,18 +265,20 @@ class _Walk(Walker):
 
     def dot(self, cell: int) -> Floats:
         """Derivatives of a cell."""
-        places = [t.cells.get(cell, -1) for t in self.program.tangents]
-        return np.array([self.c[k, 0] if k >= 0 else 0.0 for k in places])
+        return self.c[self.tangent.cells[cell]].copy() if cell in self.tangent.cells else self.none
 
     def put(self, cell: int, dots: Any) -> None:
-        for tangent, dot in zip(self.program.tangents, np.broadcast_to(dots, self.none.shape), strict=True):
-            if cell in tangent.cells:
-                self.c[tangent.cells[cell], 0] = dot
+        if cell in self.tangent.cells:
+            self.c[self.tangent.cells[cell]] = dots
 
     def of(self, register: int, at: float) -> Floats:
         """Derivatives of a register at a time since the step began."""
-        found = [t.registers.get(register, -1) for t in self.program.tangents]
-        return np.array([float(value(self.r[k][:, 0], at)) if k >= 0 else 0.0 for k in found])
+        k = self.tangent.registers.get(register)
+        return self.none if k is None else np.asarray(value(self.r[k], at + self.none))
+
+    def _length(self, r: Floats, last: Floats, registers: Sequence[int]) -> Floats:
+        """The step that suits all directions: they go together."""
+        return np.full_like(self.none, super()._length(r, last, registers).min())
 
     # --- tables ------------------------------------------------------------------------------------------------------
 
@@ -287,7 +289,7 @@ class _Walk(Walker):
         scale, factor = c[at + its.SCALE, 0], c[at + its.SCALED_BY, 0]
         if slot.kind == "time":
             _, dots = self._course(slot, data, 1)
-            self.put(at + its.VALUE, dots[0] + self._local(slot, data)[1:2].sum() * self.event_dot)
+            self.put(at + its.VALUE, dots[0] + self._local(slot, data)[1:2, 0].sum() * self.event_dot)
             return
         piece = int(c[at + its.PIECE, 0])
         slips = slot.kind == "slip"
@@ -327,9 +329,8 @@ class _Walk(Walker):
             slot = self.program.tables[k]
             _, dots = self._course(slot, self.tables[k], r.shape[1] - 1)
             dots[0] -= self.dot(slot.cells + its.VALUE)
-            for tangent, dot in zip(self.program.tangents, dots.T, strict=True):
-                if slot.register in tangent.registers:
-                    r[tangent.registers[slot.register], :, 0] = dot
+            if slot.register in self.tangent.registers:
+                r[self.tangent.registers[slot.register]] = dots
 
     # --- events ------------------------------------------------------------------------------------------------------
 
@@ -342,8 +343,7 @@ class _Walk(Walker):
     @property
     def _own(self) -> Any:
         """The states that are no derivatives."""
-        count = len(self.program.states) // (1 + len(self.program.tangents))
-        return self.program.states[:count]
+        return self.program.states[: len(self.program.states) // 2]
 
     def _depart(self, event_dot: Floats) -> None:
         """Total derivatives where the lane is now, for a phase that begins here."""
@@ -368,7 +368,7 @@ class _Walk(Walker):
 
     def stand(self) -> None:
         event_dot = -self.dot(its.OMEGA) / self.before[1]
-        self.c[its.OMEGA, 0] = 0.0
+        self.c[its.OMEGA] = 0.0
         self._depart(event_dot)
         self.rest_dot = event_dot
         super().stand()

@@ -42,7 +42,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     Friction opposes the motion and never drives it. At a standstill the mass stays if the drive is at most the
     resistance, and turns back if not, or starts again when shaking, water or friction has changed enough. A mass that
     nothing brings to rest (no friction, or none that presses on the slip surface, and no cohesion) is followed to its
-    first standstill.
+    first standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
     """
     chosen = plan(scene, accuracy)
     motion = motion_of(chosen)

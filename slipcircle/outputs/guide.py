@@ -21,7 +21,8 @@ unit weight R (1 - cos alpha); numbers in brackets are the paper's equations and
   sigma' = max(0, sigma - u); without effects sigma = J_r/lambda, u = resistance = 0
 
 alpha is half the opening angle, psi the dip of the chord, Theta the moment of inertia, J_r what the
-weight presses and J_theta its moment, A and lambda are (2.24) and (3.14). An effect adds to these.
+weight presses and J_theta its moment, A and lambda are (2.24) and (3.14). An effect adds to these;
+notebooks/0_the_method.ipynb derives them.
 """
 
 

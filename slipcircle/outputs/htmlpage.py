@@ -2,12 +2,11 @@
 
 import base64
 import hashlib
-import html
 import math
-import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any
 
+from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.quantities import shown
 from slipcircle.outputs.info import facts
 
@@ -24,12 +23,6 @@ figure { margin: 1rem 0; break-inside: avoid; } img { max-width: 100%; height: a
 """
 # Nothing is fetched, whatever a scene's texts may hold.
 _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-
-
-class Raw(str):
-    """Text that is HTML already."""
-
-    __slots__ = ()
 
 
 def page(title: str, parts: Iterable[str]) -> str:
@@ -76,16 +69,6 @@ def data(value: float, seen: float | None = None, unit: str = "") -> Raw:
     return Raw(f'<data value="{value!r}">{text}</data>' if math.isfinite(value) else text)
 
 
-def escaped(text: str) -> str:
-    """Text in which nothing is HTML, and which XML may hold."""
-    return html.escape(re.sub(r"[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text))
-
-
-def tag(name: str, text: str) -> Raw:
-    """Text in an element."""
-    return Raw(f"<{name}>{escaped(text)}</{name}>")
-
-
 def pre(text: str) -> Raw:
     """Text as it is."""
     return Raw(f"<pre>{escaped(text)}</pre>")
@@ -94,16 +77,3 @@ def pre(text: str) -> Raw:
 def folded(summary: str, text: str) -> Raw:
     """Text that opens when asked for."""
     return Raw(f"<details><summary>{escaped(summary)}</summary>{pre(text)}</details>")
-
-
-def table(rows: Iterable[Sequence[str]], head: Sequence[str] = ()) -> Raw:
-    """A table of texts."""
-    top = (
-        "<thead><tr>" + "".join(f"<th>{c if isinstance(c, Raw) else escaped(c)}</th>" for c in head) + "</tr></thead>"
-        if head
-        else ""
-    )
-    body = (
-        "<tr>" + "".join(f"<td>{c if isinstance(c, Raw) else escaped(c)}</td>" for c in row) + "</tr>" for row in rows
-    )
-    return Raw(f"<table>{top}<tbody>\n" + "\n".join(body) + "\n</tbody></table>")

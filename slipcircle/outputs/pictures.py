@@ -11,8 +11,11 @@ from typing import TYPE_CHECKING, Any
 from slipcircle.motion.motion import Motion
 from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.plotstyle import missing, work
+from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
+    from slipcircle.motion.sensitivity import Sensitivity
+    from slipcircle.studies.backanalysis import BackAnalysis
     from slipcircle.studies.study import Study
 
 _Picture = tuple[str, str, Callable[[Any], Any], tuple[float, float]]  # name, caption, what draws it, inches
@@ -43,11 +46,12 @@ def check(command: str, path: str = "", scenes: int = 1) -> None:
         raise ValueError(f"{command}: --plot {path}: {most}; --report has room for all {scenes}")
 
 
-def render(draw: Callable[[Any], Any], size: tuple[float, float], kind: str) -> bytes:
-    """What a function draws on an empty figure of a size in inches, as a file of a kind such as png."""
+def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
+    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ..."""
     from matplotlib import rc_context, style
     from matplotlib.figure import Figure
 
+    kind = path.rpartition(".")[2].lower()
     # Also the names within an SVG, and its metadata, are to be the same every time.
     with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
         figure = Figure(figsize=size, dpi=70 if kind == "gif" else 120, layout="constrained")
@@ -74,10 +78,10 @@ def _played(animation: Any) -> bytes:
         return path.read_bytes()
 
 
-def overview(motions: Sequence[Motion], kind: str) -> bytes:
-    """The overviews of motions, one above the other, as a file of a kind such as png; of a gif, the slide itself."""
-    if kind == "gif":
-        return render(lambda figure: plots.animate(motions[0], figure, _FRAMES), (7.0, 5.5), kind)
+def overview(motions: Sequence[Motion], path: str) -> bytes:
+    """The overviews of motions, one above the other, as a file by its name; of a gif, the slide itself."""
+    if path.lower().endswith("gif"):
+        return render(lambda figure: plots.animate(motions[0], figure, _FRAMES), (7.0, 5.5), path)
 
     sizes = [plots.size(m) for m in motions]
     heights = [height for _, height in sizes]
@@ -87,16 +91,11 @@ def overview(motions: Sequence[Motion], kind: str) -> bytes:
         for motion, part in zip(motions, parts, strict=True):
             plots.overview(motion, part)
 
-    return render(draw, (sizes[0][0], sum(heights)), kind)
+    return render(draw, (sizes[0][0], sum(heights)), path)
 
 
 def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     """The pictures of a report: name, caption, and a function from a kind of file to its bytes."""
-
-    def histories(figure: Any) -> None:
-        axes = figure.subplots(2, 2)
-        for what, ax in zip(plots.OVERVIEW, axes.flat, strict=True):
-            plots.history(motion, what, ax)
 
     found: list[_Picture] = [
         ("Section", "The section: forces at the start; the mass at the start, at its peak velocity and at the end.",
@@ -105,7 +104,8 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     if motion.moves:
         found += [
             ("Histories", "The motion over time. Where the mobilised friction is below the friction needed to stand "
-             "still the mass tends to speed up, elsewhere to slow down.", histories, (11.0, 6.5)),
+             "still the mass tends to speed up, elsewhere to slow down.",
+             lambda figure: plots.histories(motion, figure.add_gridspec(2, 2), figure, 2, 2), (11.0, 6.5)),
             ("Phase plane", "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
              f"up the {work(motion)}.", lambda figure: plots.phase_plane(motion, figure.add_subplot()), (8.0, 5.0)),
         ]  # fmt: skip
@@ -117,6 +117,23 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     return [(name, caption, partial(render, draw, size)) for name, caption, draw, size in found]
 
 
-def study(found: "Study", kind: str) -> bytes:
-    """Exceedance curves of uncertain scenes, and which unknown matters, as a file of a kind such as png."""
-    return render(partial(studyplots.overview, found), studyplots.size(found), kind)
+def study(found: "Study", path: str) -> bytes:
+    """Exceedance curves of uncertain scenes, and which unknown matters, as a file by its name."""
+    return render(partial(studyplots.overview, found), studyplots.size(found), path)
+
+
+def ladder(rungs: Sequence[Rung], path: str) -> bytes:
+    """What each effect changes, as a file by its name."""
+    return render(lambda figure: plots.ladder(rungs, figure.add_subplot()), (9.0, 1.5 + 0.5 * len(rungs)), path)
+
+
+def sensitivity(found: "Sensitivity", path: str) -> bytes:
+    """What a change of each number changes, as a file by its name."""
+    size = 8.0, len(found.outputs) * (1.6 + 0.3 * len(found.parameters))
+    return render(partial(studyplots.tornados, found), size, path)
+
+
+def backanalysis(found: "BackAnalysis", path: str) -> bytes:
+    """What was observed, over the fields that explain it, as a file by its name."""
+    size = 2.0 + 4.5 * len(found.units), 0.6 + 3.4 * len(found.observed)
+    return render(partial(studyplots.explained, found), size, path)

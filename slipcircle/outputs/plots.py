@@ -50,10 +50,11 @@ _TALL = 3.0  # the friction needed to stand still is seen up to so many times th
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
 
-def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
+def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool = False) -> Any:
     """One of `HISTORIES` over time, with the peak velocity, the reach of a mass that swings back, and the end marked.
 
-    Besides the friction stands the one at which the mass would stand still where it is.
+    Besides the friction stands the one at which the mass would stand still where it is. A brief one stands beside
+    another, which says what the marks are and when.
     """
     if what not in HISTORIES:
         raise ValueError(f"what = {what!r}: must be one of {', '.join(HISTORIES)}")
@@ -74,7 +75,8 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
         ax.plot(columns["time"], factor * columns[column], **label, **LINES[line])
     for mark, time, words in _marks(motion, what == "displacement"):
         value = factor * _read(time, columns["time"], first)
-        seen = f"{words}: {number(value)} {unit}".rstrip() + f" at {number(time)} s"
+        seen = f"{number(value)} {unit}".rstrip()
+        seen = seen if brief and mark != "reach" else f"{words}: {seen} at {number(time)} s"
         ax.axvline(time, **LINES["help"])
         ax.plot(time, value, ls="", clip_on=False, zorder=4, label=seen, **MARKS[mark])
     ax.grid(alpha=0.3)
@@ -94,6 +96,16 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None) -> Any:
         )
         side.set_ylabel("rotation $\\phi$ (deg)")
     return ax
+
+
+def histories(motion: Motion, grid: Any, figure: Any, rows: int, columns: int) -> None:
+    """All of `OVERVIEW`, of which the first says what the marks are, and the lowest that time runs to the right."""
+    for k, what in enumerate(OVERVIEW):
+        row, column = k % rows, k // rows
+        ax = history(motion, what, figure.add_subplot(grid[row, column]), brief=k > 0)
+        if row < rows - 1 and motion.moves:
+            ax.set_xlabel("")
+            ax.tick_params(labelbottom=False)
 
 
 def _marks(motion: Motion, places: bool = False) -> list[tuple[str, float, str]]:
@@ -227,8 +239,7 @@ def overview(motion: Motion, figure: Any = None) -> Any:
     left, right = left.subgridspec(2, 1), right.subgridspec(len(OVERVIEW) + shaken, 1)
     section(motion, figure.add_subplot(left[0]))
     phase_plane(motion, figure.add_subplot(left[1]))
-    for row, what in enumerate(OVERVIEW):
-        history(motion, what, figure.add_subplot(right[row]))
+    histories(motion, right, figure, len(OVERVIEW), 1)
     if shaken:
         shaking(motion, figure.add_subplot(right[len(OVERVIEW)]))
     figure.suptitle(name, parse_math=False, fontweight="bold")

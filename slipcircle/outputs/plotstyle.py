@@ -12,6 +12,7 @@ LINES: Mapping[str, Mapping[str, Any]] = {
     "main": {"color": "#0072B2", "ls": "-", "lw": 2.0},
     "other": {"color": "#D55E00", "ls": (0, (5, 2)), "lw": 1.6},
     "total": {"color": "black", "ls": (0, (1, 1.2)), "lw": 1.8},
+    "radius": {"color": "0.45", "ls": (0, (6, 1.5, 1, 1.5)), "lw": 0.8},
     "help": {"color": "0.45", "ls": (0, (1, 2)), "lw": 1.0},
 }
 MARKS: Mapping[str, Mapping[str, Any]] = {
@@ -79,6 +80,12 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
         loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, frameon=False, fontsize="small",
         borderaxespad=0.2, handlelength=2.6, columnspacing=1.4, labelspacing=0.3, **more,
     )  # fmt: skip
+
+
+def without_legend(ax: Any) -> None:
+    """Take the legend away that another axis beside this one has."""
+    if ax.get_legend():
+        ax.get_legend().remove()
 
 
 def ending(motion: Motion) -> str:

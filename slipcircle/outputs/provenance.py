@@ -30,13 +30,23 @@ class Input(NamedTuple):
 def inputs(scene: Scene, file: str | None = None) -> list[Input]:
     """The inputs of a scene: as its file has them, with the comments in it; without a file, in SI units.
 
+    What is uncertain says so.
+
     Parameters
     ----------
     scene : Scene
     file : str, optional
         The text of its file.
     """
-    return list(_of_scene(scene) if file is None else _of_file(file))
+    drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name, f"arc.{u.number.name}")}
+
+    def marked(found: Input) -> Input:
+        if found.path not in drawn:
+            return found
+        said = _shown({k: v for k, v in drawn[found.path].record.items() if k != "key"})
+        return found._replace(value=f"uncertain, {said}" + (f"; here {found.value}" if file is None else ""))
+
+    return [marked(i) for i in (_of_scene(scene) if file is None else _of_file(file))]
 
 
 def _of_file(file: str) -> Iterator[Input]:

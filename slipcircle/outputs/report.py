@@ -8,11 +8,12 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.quantities import RESULTS, Quantity, record, results
 from slipcircle.outputs import pictures
-from slipcircle.outputs.htmlpage import Raw, data, escaped, figure, folded, number, page, repeat, table, tag
+from slipcircle.outputs.htmlpage import data, figure, folded, number, page, repeat
 from slipcircle.outputs.plotstyle import ending, work
 from slipcircle.outputs.provenance import inputs
 from slipcircle.scene.friction import law_names
@@ -22,7 +23,8 @@ ASSUMED = (
     "Friction takes the mean of the normal stress over the arc, which sums radial components as scalars: (2.1), (2.9).",
     "Nothing holds it at its sides.",
 )
-PAPER = "Numbers in brackets are equations of the paper “Dynamic Slip Circle Method”."
+TITLE = "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method"
+PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
 
 
 def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:

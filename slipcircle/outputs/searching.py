@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> list[Critical]:
         def draw(figure: Any) -> None:
             slopeplot.searched(read[0].slope, results[0], figure)
 
-        files.write(options.plot, pictures.render(draw, (9.0, 6.0), options.plot.rpartition(".")[2].lower()))
+        files.write(options.plot, pictures.render(draw, (9.0, 6.0), options.plot))
     for file, result in zip(read, results, strict=True):
         if result.warning:
             say(f"{file.name}: {result.warning}")

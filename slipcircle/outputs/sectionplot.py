@@ -13,13 +13,14 @@ from slipcircle.scene.section import Section
 
 _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over alpha
 _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
+_SEEN, _WIDE = 0.02, 0.1  # displacements over the chord: which is drawn as it is, and what a smaller one is drawn as
 
 
 def section(motion: Motion, ax: Any = None) -> Any:
     """The section: the mass at the start, at the peak velocity and at the end, with the forces at the start.
 
-    It is drawn turned by s/R (1.2), also where the geometry is frozen: there the forces stay those of the start;
-    the legend says so. Axes are metres from the centre K, x to the right and y up.
+    It is drawn turned by s/R (1.2), also where the geometry is frozen: there the forces stay those of the start; and
+    by more where that could not be seen. The legend says so. Axes are metres from the centre K, x to the right, y up.
     """
     from matplotlib.patches import Polygon
 
@@ -28,12 +29,12 @@ def section(motion: Motion, ax: Any = None) -> Any:
         return slopeplot.slide(motion, arc, ax)
     ax = axis(ax, (7.0, 5.5))
     radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
-    places = [("start", 0.0, "start")]
+    places, times = [("start", 0.0, "start")], magnified(motion)
     if motion.moves:
         peak, end = motion.peak, motion.end
-        places.append(("end", float(end.rotation), f"{ending(motion)}: {number(end.displacement)} m"))
+        places.append(("end", times * float(end.rotation), f"{ending(motion)}: {number(end.displacement)} m"))
         if peak.rotation not in (0.0, end.rotation):
-            places.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
+            places.append(("peak", times * float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
     turned = [rotation for _, rotation, _ in places]
     swept = np.linspace(first + min(turned), second + max(turned), 400)
     ax.plot(*_points(radius, swept), label="slip surface", color="0.45", lw=1.2)
@@ -50,6 +51,8 @@ def section(motion: Motion, ax: Any = None) -> Any:
     if motion.moves and "rotation" not in motion.plan.effects:
         # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
         ax.plot([], [], ls="", label="frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start")
+    if times > 1.0:
+        ax.plot([], [], ls="", label=f"displacements drawn {number(times)} times as large")
     if not small:
         _forces(ax, motion, radius, first, second, shown)
     ax.set_aspect("equal")
@@ -57,6 +60,18 @@ def section(motion: Motion, ax: Any = None) -> Any:
     ax.grid(alpha=0.3)
     legend(ax)
     return ax
+
+
+def magnified(motion: Motion) -> float:
+    """How many times as large displacements are drawn so that they are seen: 1, 2 or 5 times a power of ten."""
+    arc = motion.plan.scene.arc
+    if isinstance(arc, Section) or not motion.moves:
+        return 1.0
+    moved = abs(float(motion.reach.rotation)) / (2 * math.sin(float(arc.half_angle)))
+    if moved >= _SEEN or not moved > 0.0:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(_WIDE / moved))
+    return max(n * power for n in (1.0, 2.0, 5.0) if n * power <= _WIDE / moved)
 
 
 def _points(radius: float, angles: Floats) -> Floats:
@@ -101,8 +116,8 @@ def _dimensions(ax: Any, radius: float, first: float, second: float, small: bool
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
     if x0 < 0.0 < x1 and y0 < 0.0 < y1:
         ax.plot(0.0, 0.0, "k+", ms=9, mew=1.5, zorder=5)
-        for end in ends:
-            ax.plot([0.0, end[0]], [0.0, end[1]], zorder=1, **LINES["help"])
+        (x1, y1), (x2, y2) = ends
+        ax.plot([x1, 0.0, x2], [y1, 0.0, y2], zorder=1, label="radii $KP_1$, $KP_2$", **LINES["radius"])
         _write(ax, "K", np.zeros(2), inward, fontweight="bold")
     words += f"\n$R$ = {number(radius)} m, dip of the chord {number(math.degrees(1.5 * math.pi - middle))} deg"
     ax.plot([], [], color="black", lw=1.4, label=words)
@@ -170,11 +185,11 @@ def animate(motion: Motion, figure: Any = None, frames: int = 60) -> Any:
         radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
         outline = _points(radius, np.linspace(first, second, 200)).T
     moving = ax.add_patch(Polygon(centre + outline, closed=True, zorder=4, **AREAS["moving"]))
-    times = np.linspace(0.0, motion.duration, frames if motion.moves else 1)
+    times, larger = np.linspace(0.0, motion.duration, frames if motion.moves else 1), magnified(motion)
     states = motion.at(times)
 
     def draw(k: int) -> tuple[Any]:
-        turn = float(states.rotation[k]) * facing
+        turn = float(states.rotation[k]) * facing * larger
         way = np.array([[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]])
         moving.set_xy(centre + outline @ way)
         ax.figure.suptitle(f"{times[k]:.2f} s, {abs(float(states.velocity[k])):.2f} m/s", fontsize="medium")

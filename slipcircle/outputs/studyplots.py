@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number, sheet
+from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number, sheet, without_legend
+from slipcircle.scene.varied import number_in
+from slipcircle.studies.motions import motions
 
 if TYPE_CHECKING:
     from slipcircle.motion.sensitivity import Sensitivity
+    from slipcircle.studies.backanalysis import BackAnalysis
     from slipcircle.studies.study import Study
 
 DRAWN = ("reach", "peak_velocity")  # a hazard is how far and how fast it comes, not where it ends
@@ -29,8 +32,11 @@ _STYLES: tuple[Mapping[str, Any], ...] = tuple(
 _DEGREES, _SHARE = 1.0, 0.01  # changes in a tornado, by default
 
 
-def exceedance(found: "Study", output: str = "reach", ax: Any = None) -> Any:
-    """The probability that an output is at least so large, in its confidence band, with two quantiles marked."""
+def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool = False) -> Any:
+    """The probability that an output is at least so large, in its confidence band, with two quantiles marked.
+
+    On a logarithmic axis, where what is rare shows, it stands beside the linear one, which has the legend.
+    """
     _drawn(found, output, tuple(OUTCOMES))
     ax, unit = axis(ax), OUTCOMES[output].unit
     ax.set(
@@ -54,7 +60,10 @@ def exceedance(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     top = float(at[-1])
     least = float(at[np.flatnonzero(value == 1.0)[-1]]) if moving.value == 1.0 else 0.0
     ax.set_xlim(max(0.0, least - 0.05 * (top - least)) if least > 0.4 * top else 0.0, top + 0.02 * (top - least))
-    legend(ax)
+    if rare:
+        ax.set(yscale="log", ylim=(0.5 / found.n, 1.5))
+    else:
+        legend(ax)
     return ax
 
 
@@ -141,6 +150,16 @@ def tornado(
     return ax
 
 
+def tornados(found: "Sensitivity", figure: Any = None) -> Any:
+    """A tornado of each output, one above the other."""
+    figure = sheet(figure, (8.0, len(found.outputs) * (1.6 + 0.3 * len(found.parameters))))
+    for k, (output, ax) in enumerate(zip(found.outputs, figure.subplots(len(found.outputs), 1), strict=True)):
+        tornado(found, output, ax=ax)
+        if k:
+            without_legend(ax)
+    return figure
+
+
 def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     """An output over the first number of a grid; of a second one, a curve for each of its values."""
     _known("response", "output", output, OUTCOMES)
@@ -157,6 +176,38 @@ def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     ax.set_xlabel(f"{keys[0]}", parse_math=False)
     ax.grid(alpha=0.3)
     return ax
+
+
+def explained(found: "BackAnalysis", figure: Any = None) -> Any:
+    """What was observed over each field, about the solutions, with the other fields as the first solution has them."""
+    scene, best = found.motion.plan.scene, found.solutions[0]
+    figure = sheet(figure, (2.0 + 4.5 * len(found.units), 0.6 + 3.4 * len(found.observed)))
+    every = figure.subplots(len(found.observed), len(found.units), squeeze=False, sharex="col", sharey="row")
+    for column, key in enumerate(found.units):
+        number_of = number_in(scene, key)
+        solved = [s.values[key] for s in found.solutions]
+        error = (best.standard_errors or {}).get(key, 0.0)
+        wide = max(4 * error if np.isfinite(error) else 0.0, 0.3 * max(map(abs, solved)), np.ptp(solved))
+        low, high = max(min(solved) - wide, number_of.low), min(max(solved) + wide, number_of.high)
+        at = np.linspace(low, high, _POINTS // 2)[1:-1]
+        curves = motions(scene, {number_of.name: number_of.to_si(at)}).outcomes
+        for ax, (name, (seen, sigma)) in zip(every[:, column], found.observed.items(), strict=True):
+            ax.plot(at, curves[name], label="computed", **LINES["main"])
+            ax.axhline(seen, label="observed", **LINES["total"])
+            if sigma:
+                ax.axhspan(seen - sigma, seen + sigma, label="its standard error", **AREAS["band"])
+            for k, s in enumerate(found.solutions):
+                value, label = s.values[key], {"label": "solution"} if k == 0 else {}
+                ax.plot(value, OUTCOMES[name].read(s.motion), ls="", zorder=4, **label, **MARKS["end"])
+            if error and np.isfinite(error):
+                ax.errorbar(best.values[key], OUTCOMES[name].read(best.motion), xerr=error, fmt="none", ecolor="black")
+            ax.set_xlim(low, high)
+            ax.grid(alpha=0.3)
+            if column == 0:
+                ax.set_ylabel(f"{_label(name)} ({OUTCOMES[name].unit})")
+        every[-1, column].set_xlabel(key, parse_math=False)
+    legend(every[0, 0], columns=4)
+    return figure
 
 
 def check_grid(counts: Sequence[int]) -> None:
@@ -177,14 +228,22 @@ def check_grid(counts: Sequence[int]) -> None:
 def overview(found: "Study", figure: Any = None) -> Any:
     """Exceedance of reach and of peak velocity, and below what each unknown adds to them, in one figure.
 
+    Exceedance stands on a linear axis, and beside it on a logarithmic one.
+
     Of a grid, reach and peak velocity over its numbers.
     """
-    figure = sheet(figure, size(found))
-    grid = figure.add_gridspec(1 + bool(found.sensitivity), 2, height_ratios=_heights(found))
+    figure, heights = sheet(figure, size(found)), _heights(found)
+    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
     for k, output in enumerate(DRAWN):
-        (response if found.design.method == "grid" else exceedance)(found, output, figure.add_subplot(grid[0, k]))
+        if found.design.method == "grid":
+            response(found, output, figure.add_subplot(grid[0, k]))
+            continue
+        for column in (0, 1):
+            exceedance(found, output, figure.add_subplot(grid[k, column]), rare=column == 1)
         if found.sensitivity:
-            indices(found, output, figure.add_subplot(grid[1, k]))
+            ax = indices(found, output, figure.add_subplot(grid[2, k]))
+            if k:
+                without_legend(ax)
     figure.suptitle(shorten(found.scene.name, 80), parse_math=False, fontweight="bold")
     return figure
 
@@ -195,7 +254,9 @@ def size(found: "Study") -> tuple[float, float]:
 
 
 def _heights(found: "Study") -> list[float]:
-    return [5.2, 1.6 + 0.55 * len(found.design.inputs)] if found.sensitivity else [5.2]
+    if found.design.method == "grid":
+        return [5.2]
+    return [4.0, 4.0, *([1.6 + 0.55 * len(found.design.inputs)] if found.sensitivity else [])]
 
 
 def _label(output: str) -> str:

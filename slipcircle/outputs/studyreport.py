@@ -1,25 +1,68 @@
 """A report on uncertain scenes for a reviewer, like that on motions: one HTML file, which says how to repeat it."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.motion import Status
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES, plain, shown, words
-from slipcircle.outputs import pictures, written
-from slipcircle.outputs.htmlpage import Raw, escaped, figure, folded, number, page, repeat, table, tag
+from slipcircle.outputs import pictures
+from slipcircle.outputs.htmlpage import figure, folded, number, page, repeat
 from slipcircle.outputs.report import given
-from slipcircle.outputs.studyplots import DRAWN
+from slipcircle.outputs.tables import decimals
+from slipcircle.studies import written
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
 if TYPE_CHECKING:
     from slipcircle.studies.study import Study
 
-QUANTILES = (0.05, 0.5, 0.95, 0.99)
+PICTURED = 2  # parts before the picture
+
+
+class Part(NamedTuple):
+    """A table of a study, with its heads and a note; estimates are shown with their intervals."""
+
+    title: str
+    head: list[str]
+    rows: list[list[str | Estimate]]
+    note: str
+
+
+def parts(found: "Study") -> Iterator[Part]:
+    """What is said of a study of samples, on the screen and in its report, in this order."""
+    study, heads = found.design, [words(n, q.unit) for n, q in OUTCOMES.items()]
+    percent = (
+        f"{found.n} samples; in brackets the interval of {100 * found.confidence:g} % confidence from their number"
+    )
+    yield Part("Whether it moves", [], [["probability of moving", found.moving]], percent)
+    yield Part(
+        "How far and how fast", ["exceeded with probability", *heads],
+        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)]
+         for p in written.QUANTILES],
+        "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
+    )  # fmt: skip
+    rows: list[list[str | Estimate]] = [["mean", *map(found.mean, OUTCOMES)], ["std", *map(found.std, OUTCOMES)]]
+    for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
+        rows.insert(2 * k + 1, [what, *(shown(found.linear[n][k]) for n in OUTCOMES)])
+    linear = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
+    yield Part("Mean and standard deviation", ["", *heads], rows, linear)
+    if found.sensitivity:
+        keys = [u.key for u in study.inputs.values()]
+        shares: list[list[str | Estimate]] = [
+            [words(output), key, first, total]
+            for output, of in found.sensitivity.items()
+            for key, first, total in zip(keys, *of, strict=True)
+        ]
+        yield Part("Which unknown matters", ["output", "input", "first-order index", "total index"], shares,
+                   "shares of the variance: what each explains on its own, and with all that it does together with "
+                   f"others; from {study.base} base points")  # fmt: skip
+    yield Part("Convergence", ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
+               [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence], "")  # fmt: skip
 
 
 def study_report(found: "Study", file: bytes | None = None, command: str = "") -> str:
@@ -48,29 +91,20 @@ def study_report(found: "Study", file: bytes | None = None, command: str = "") -
 
 
 def _study(found: "Study", file: bytes | None) -> Iterable[Raw]:
-    study, inputs = found.design, [u.key for u in found.design.inputs.values()]
+    study = found.design
     if found.scene.note:
         yield tag("p", found.scene.note)
     for warning in found.warnings:
         yield Raw(f'<p class="warning">Warning: {escaped(warning)}</p>')
-    yield tag("h3", "Key results")
-    percent = f"{100 * found.confidence:g} %"
-    yield tag("p", f"{found.n} samples; in brackets the interval of {percent} confidence that comes from their number.")
-    heads = [f"{q.label} ({q.unit})" for q in OUTCOMES.values()]
-    yield table([["probability of moving", _shown(found.moving)]])
-    yield table([[f"exceeded with probability {1 - p:.2g}", *(_shown(found.quantile(n, p)) for n in OUTCOMES)]
-                 for p in QUANTILES], ["", *heads])  # fmt: skip
-    yield tag("h3", "Pictures")
-    caption = "The probability that greatest displacement and peak velocity are at least so large"
-    caption += "; below, which unknown matters." if found.sensitivity else "."
-    yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.study, found))
-    if found.sensitivity:
-        yield tag("h3", "Which unknown matters")
-        yield tag("p", "Shares of the variance: what each explains on its own, and with all that it does together with "
-                       f"others; from {study.base} base points.")  # fmt: skip
-        for output in DRAWN:
-            rows = [[key, *map(_shown, both)] for key, *both in zip(inputs, *found.sensitivity[output], strict=True)]
-            yield table(rows, [OUTCOMES[output].label, "first-order index", "total index"])
+    for k, part in enumerate(parts(found)):
+        if k == PICTURED:
+            yield tag("h3", "Pictures")
+            caption = "The probability that greatest displacement and peak velocity are at least so large"
+            caption += "; below, which unknown matters." if found.sensitivity else "."
+            yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.study, found))
+        yield tag("h3", part.title)
+        yield table([[_shown(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows], part.head)
+        yield tag("p", part.note)
     text = None if file is None else file.decode("utf-8-sig")
     yield from given(plan(found.scene, study.accuracy), text)
     yield tag("h3", "What is uncertain")
@@ -91,12 +125,19 @@ def _study(found: "Study", file: bytes | None) -> Iterable[Raw]:
         yield folded("The scene's file", text)
 
 
-def _shown(e: Estimate) -> Raw:
-    """A value in full in the attribute, rounded in the text, with its interval."""
+def interval(e: Estimate) -> str:
+    """A value and its interval, to two digits of the interval's width."""
     if np.isnan(e.value):
-        return Raw("-")
-    low, high = ("?" if np.isnan(x) else shown(x) for x in (e.low, e.high))
-    return Raw(f'<data value="{float(e.value)!r}">{shown(e.value)}</data> [{low}, {high}]')
+        return "-"
+    wide = e.high - e.low
+    value, *ends = ("?" if np.isnan(x) else f"{x:{decimals(wide)}}" if wide > 0.0 else shown(x) for x in e)
+    return f"{value} [{', '.join(ends)}]"
+
+
+def _shown(e: Estimate) -> Raw:
+    """The same, with the value in full in the attribute."""
+    value, _, ends = interval(e).partition(" ")
+    return Raw(f'<data value="{float(e.value)!r}">{value}</data> {ends}' if ends else value)
 
 
 def _said(record: Mapping[str, object]) -> str:

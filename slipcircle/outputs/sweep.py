@@ -1,12 +1,9 @@
 """`slipcircle sweep`: a scene on a grid of values, or for samples of its uncertain numbers."""
 
 import argparse
-import csv
-import io
 import sys
 from concurrent.futures import BrokenExecutor
 from dataclasses import replace
-from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
@@ -16,13 +13,15 @@ from slipcircle.base import files
 from slipcircle.base.distributions import DISTRIBUTIONS
 from slipcircle.files.scenefile import find, load
 from slipcircle.motion.motion import Status
-from slipcircle.motion.quantities import OUTCOMES, words
-from slipcircle.outputs import pictures, studyplots, tables, written
+from slipcircle.motion.quantities import OUTCOMES, shown, words
+from slipcircle.outputs import pictures, studyplots, tables
+from slipcircle.outputs.studyreport import interval, parts, study_report
 from slipcircle.scene.scene import Scene
+from slipcircle.studies import written
 from slipcircle.studies.conduct import ensemble, grid
 from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine
-from slipcircle.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.studies.statistics import Estimate
 from slipcircle.studies.study import Study
 
 UNITS = {n: q.unit for n, q in OUTCOMES.items()}
@@ -48,8 +47,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    parser.add_argument("--plot", metavar="FILE", help="draw exceedance curves and which unknown matters, or a grid of "
-                        "one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
+    parser.add_argument("--plot", metavar="FILE", action="append", help="draw exceedance curves and which unknown "
+                        "matters, or a grid of one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
     parser.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     parser.add_argument("--csv", metavar="FILE", help="write one table of all results")
     parser.add_argument("--npz", metavar="FILE", help="write all results as NumPy arrays, the samples where kept")
@@ -77,7 +76,8 @@ def run(options: argparse.Namespace) -> Study:
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
     if drawn:
-        pictures.check("sweep", options.plot or "")
+        for path in options.plot or [""]:
+            pictures.check("sweep", path)
         if options.grid:
             studyplots.check_grid([len(x) for x in _levels(options.grid).values()])
     content = source.read_bytes()
@@ -86,14 +86,12 @@ def run(options: argparse.Namespace) -> Study:
     except BrokenExecutor as error:
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
-    if options.plot:
-        files.write(options.plot, pictures.study(found, Path(options.plot).suffix[1:].lower()))
+    for path in options.plot or []:
+        files.write(path, pictures.study(found, path))
     if options.report:
-        from slipcircle.outputs.studyreport import study_report
-
         files.write(options.report, study_report(found, content, options.line).encode())
     if options.csv:
-        files.write(options.csv, _csv(found).encode())
+        files.write(options.csv, _csv(found))
     if options.npz:
         with files.replacing(options.npz) as file:
             _savez(file, written.arrays(found))
@@ -170,25 +168,20 @@ def _levels(given: list[str]) -> dict[str, NDArray[np.float64]]:
     return found
 
 
-def _csv(found: Study) -> str:
-    text = io.StringIO()
-    out = csv.writer(text, lineterminator="\n")
+def _csv(found: Study) -> bytes:
     if found.design.method == "grid":
-        head, rows = grid_rows(found)
-        out.writerow(head)
-        out.writerows(rows)
-        return text.getvalue()
-    out.writerow(["table", "output", "input", "at", "value", "low", "high"])
-    out.writerows(["" if isinstance(x, float) and np.isnan(x) else x for x in row] for row in written.rows(found))
-    return text.getvalue()
+        return files.table(*grid_rows(found))
+    rows = ([None if x != x else x for x in row] for row in written.rows(found))
+    return files.table(("table", "output", "input", "at", "value", "low", "high"), rows)
 
 
 def grid_rows(found: Study) -> tuple[list[str], list[list[Any]]]:
-    """One row a scene: inputs in their keys' units, outputs, status."""
-    head = [*(u.key for u in found.design.inputs.values()), *(f"{n} ({unit})" for n, unit in UNITS.items()), "status"]
+    """One row a scene: inputs in their keys' units, outputs, status, and why there is no answer."""
+    units = (f"{n} ({unit})" for n, unit in UNITS.items())
+    head = [*(u.key for u in found.design.inputs.values()), *units, "status", "reason"]
     columns = [values.tolist() for name, values in found.samples.items() if name != "status"]
-    names = [Status(s).name for s in found.samples["status"].tolist()]
-    return head, [list(row) for row in zip(*columns, names, strict=True)]
+    kinds = [Status(s) for s in found.samples["status"].tolist()]
+    return head, [[*row, s.name, s.reason] for *row, s in zip(*columns, kinds, strict=True)]
 
 
 def record(found: Study) -> Any:
@@ -200,16 +193,6 @@ def record(found: Study) -> Any:
     return {"scene": found.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in cells]}
 
 
-def _pm(e: Estimate) -> str:
-    """A value and its interval, to two digits of the interval's width."""
-    if np.isnan(e.value):
-        return "-"
-    wide = e.high - e.low
-    form = tables.decimals(wide) if wide > 0.0 else ".6g"
-    value, *ends = ("?" if np.isnan(x) else f"{x:{form}}" for x in e)
-    return f"{value} [{', '.join(ends)}]"
-
-
 def show(found: Study) -> None:
     """Print tables."""
     study, head = found.design, [words(n, unit) for n, unit in UNITS.items()]
@@ -219,38 +202,10 @@ def show(found: Study) -> None:
             said = ", ".join(f"{count} {words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
             print(f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json")
             return
-        cells = [[*(f"{x:.6g}" for x in numbers), words(status)] for *numbers, status in rows]
+        cells = [[*map(shown, numbers), words(status) + (f": {why}" if why else "")] for *numbers, status, why in rows]
         tables.show([*(u.key for u in study.inputs.values()), *head, "status"], cells, found.scene.name)
         return
-    percent = f"{100 * found.confidence:g} %"
-    tables.show(
-        ["quantile", *head],
-        [[f"{p:g}", *(_pm(found.quantile(n, p)) for n in OUTCOMES)] for p in written.QUANTILES],
-        f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}",
-        f"probability of moving {_pm(found.moving)}; {percent} intervals"
-        + ("" if found.samples else f"; from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"),
-    )
-    rows = [["mean", *(_pm(found.mean(n)) for n in OUTCOMES)], ["std", *(_pm(found.std(n)) for n in OUTCOMES)]]
-    for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
-        rows.insert(2 * k + 1, [what, *(f"{found.linear[n][k]:.6g}" for n in OUTCOMES)])
-    said = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
-    tables.show(["", *head], rows, "Mean and standard deviation", said)
-    chosen = (0.5, 0.1, 0.01)
-    curve = {n: found.exceedance(n) for n in ("reach", "peak_velocity")}
-    tables.show(
-        ["exceeded with probability", *(words(n, UNITS[n]) for n in curve)],
-        [[f"{p:g}", *(f"{found.quantile(n, 1 - p).value:.5g}" for n in curve)] for p in chosen],
-        "Exceedance", "the curves are in --csv, --npz and --json",
-    )  # fmt: skip
-    if found.sensitivity:
-        rows = []
-        for output, of in found.sensitivity.items():
-            for u, first, total in zip(study.inputs.values(), *of, strict=True):
-                rows.append([words(output), u.key, _pm(first), _pm(total)])
-        tables.show(["output", "input", "first-order index", "total index"], rows, "Which unknown matters",
-                    f"from {study.base} base points")  # fmt: skip
-    tables.show(
-        ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
-        [[str(c.n), _pm(c.moving), _pm(c.median), _pm(c.upper)] for c in found.convergence],
-        "Convergence",
-    )
+    print(f"{found.scene.name}: {study.n} samples, {study.method}, seed {found.seed}\n")
+    for part in parts(found):
+        cells = [[interval(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows]
+        tables.show(part.head or [""] * len(cells[0]), cells, part.title, part.note)

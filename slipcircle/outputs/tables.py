@@ -13,7 +13,7 @@ from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import JOURNEY, OUTCOMES, plain, record, results, shown, words
+from slipcircle.motion.quantities import JOURNEY, OUTCOMES, digits_left, plain, record, results, shown, spent, words
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
@@ -25,15 +25,13 @@ Rows = Iterable[Sequence[str]]
 
 # --- motions ---------------------------------------------------------------------------------------------------------
 
-KEY = ("moves", "arrested", "reach", "run_out", "peak_velocity", "duration", "factor_of_safety", "yield_coefficient",
-       "friction", "limit_friction")  # fmt: skip
 COEFFICIENTS = {"Theta*": "moment_of_inertia", "J_r": "radial_weight", "J_theta": "weight_moment",
                 "lambda": "resistance_factor", "A": "dynamic_coefficient"}  # fmt: skip
 
 
 def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
-    chosen = [q for q in results(motion) if verbose or q.name in KEY or (q in JOURNEY and motion.moves)]
+    chosen = [q for q in results(motion) if verbose or q.key or (q in JOURNEY and motion.moves)]
     found = {q.label: q.text(motion) for q in chosen}
     if not motion.arrested:
         ended = motion.plan.scene.end_time is not None
@@ -92,16 +90,12 @@ LADDER = ("effect added", "time", "operations", *map(words, _OF_RUNG), "rests", 
 def ladder_rows(rungs: Iterable[Rung]) -> list[list[str]]:
     """A ladder as rows of a table; how far each differs from the fullest."""
     return [
-        [f"+ {r.added}" if r.added else "none", _seconds(r.seconds), f"{r.cost}",
+        [f"+ {r.added}" if r.added else "none", spent(1e9 * r.seconds), f"{r.cost}",
          *(f"{shown(getattr(r, n))} {q.unit}" for n, q in _OF_RUNG.items()),
          "no" if not r.arrested else "yes" if r.peak_velocity else "stays",
          f"{100 * r.difference:.3g} %"]
         for r in rungs
     ]  # fmt: skip
-
-
-def _seconds(x: float) -> str:
-    return f"{x * 1e6:.0f} us" if x < 1e-3 else f"{x * 1e3:.1f} ms" if x < 1e-2 else f"{x * 1e3:.0f} ms"
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------
@@ -116,7 +110,7 @@ def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
     """Derivatives as rows of a table, per unit of the key that a scene file has for each parameter."""
     from slipcircle.scene.numbers import keyed
 
-    rows, keys = [["", "", *(shown(found.at[n], 6) for n in found.outputs)]], keyed()
+    rows, keys = [["", "", *(shown(found.at[n]) for n in found.outputs)]], keyed()
     for k, name in enumerate(found.parameters):
         of = keys[name]
         value = of.from_si(found.at[name])
@@ -147,15 +141,16 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     for s in found.solutions:
         rows, errors = {}, s.standard_errors or {}
         for name, value in s.values.items():
-            rows[name] = _with_error(value, errors.get(name, 0.0), ".8g")
+            rows[name] = _with_error(value, errors.get(name, 0.0), s.error_estimate)
         if s.correlation is not None:
             names = list(s.values)
             for i, j in combinations(range(len(names)), 2):
                 rows[f"correlation of {names[i]} and {names[j]}"] = f"{s.correlation[i, j]:+.3f}"
         for name in OUTCOMES:
             seen, sigma = found.observed.get(name, (None, None))
-            of = "" if seen is None else f" (observed {seen:.6g}" + (f" +- {sigma:.2g})" if sigma else ")")
-            rows[words(name, OUTCOMES[name].unit)] = f"{OUTCOMES[name].read(s.motion):.6g}{of}"
+            of = "" if seen is None else f" (observed {shown(seen, 6)}" + (f" +- {sigma:.2g})" if sigma else ")")
+            value = float(OUTCOMES[name].read(s.motion))
+            rows[words(name, OUTCOMES[name].unit)] = shown(value, digits_left(s.motion.error_estimate)) + of
         if found.method == FITTED:
             known = all(sigma for _, sigma in found.observed.values())
             free = found.degrees_of_freedom
@@ -164,10 +159,10 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
     return [[label, *(c.get(label, "") for c in columns)] for label in columns[0]]
 
 
-def _with_error(value: float, error: float, form: str) -> str:
-    """A number with its standard error, to two digits of that; in its own form where there is none."""
+def _with_error(value: float, error: float, numerical: float) -> str:
+    """A number with its standard error, to two digits of that; to those that its numerical error leaves without."""
     if not error > 0.0:
-        return f"{value:{form}}"
+        return shown(value, digits_left(numerical))
     form = decimals(error)
     return f"{value:{form}} +- {error:{form}}"
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base import files
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import HISTORY
 from slipcircle.records.given import in_time
@@ -62,7 +63,7 @@ def given_in_time(scene: Scene) -> dict[str, Any]:
     return in_time(scene.called)
 
 
-def csv(motions: Sequence[Motion], times: Floats | None = None) -> str:
+def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
     """Motions over time as CSV, in full precision, by default at even times; of several the first column is the name.
 
     Parameters
@@ -71,18 +72,12 @@ def csv(motions: Sequence[Motion], times: Floats | None = None) -> str:
     times : ndarray, optional
         s.
     """
+    named = len(motions) > 1
 
-    def rows() -> Iterator[list[str]]:
-        named = len(motions) > 1
-        yield [*(["scene"] if named else []), *(q.head for q in HISTORY.values())]
+    def rows() -> Iterator[list[Any]]:
         for motion in motions:
-            first = [_quoted(motion.plan.scene.name)] if named else []
             columns = trace(motion, even_times(motion) if times is None else times)
             for row in zip(*(c.tolist() for c in columns.values()), strict=True):
-                yield [*first, *map(repr, row)]
+                yield [*([motion.plan.scene.name] if named else []), *row]
 
-    return "".join(",".join(row) + "\n" for row in rows())
-
-
-def _quoted(text: str) -> str:
-    return '"' + text.replace('"', '""') + '"' if any(c in text for c in ',"\r\n') else text
+    return files.table([*(["scene"] if named else []), *(q.head for q in HISTORY.values())], rows())

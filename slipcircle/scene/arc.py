@@ -1,5 +1,7 @@
 """The failed section: a circular arc, its chord, and the mass between them."""
 
+from __future__ import annotations  # so that a signature says ArrayLike
+
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -87,7 +89,7 @@ class Arc:
         raise_all("Arc", found)
 
     @staticmethod
-    def unchecked(**values: Any) -> "Arc":
+    def unchecked(**values: Any) -> Arc:
         """An arc of values that were checked elsewhere, or will be."""
         arc = object.__new__(Arc)
         for f in fields(Arc):

@@ -1,5 +1,7 @@
 """A scene: the arc, its friction, the effects that it calls for, how it starts and when it ends."""
 
+from __future__ import annotations  # so that a signature says ArrayLike
+
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property

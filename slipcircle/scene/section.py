@@ -1,5 +1,7 @@
 """The failed section of a real slope: a ground, a circle, a water level, and the mass between ground and arc."""
 
+from __future__ import annotations  # so that a signature says ArrayLike
+
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import cached_property

@@ -4,6 +4,8 @@ They are integrals along the arc of the integrands in `generated.slopes`, by Gau
 water, so they are converged values and not those of a number of slices.
 """
 
+from __future__ import annotations  # so that a signature says ArrayLike
+
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 

@@ -81,9 +81,9 @@ def other_way(scene: Scene) -> Scene:
     return replace(scene, effects={**scene.called, "shaking": given}, name=f"{scene.name} reversed")
 
 
-def scene_with(scene: Scene, values: Mapping[str, float]) -> Scene:
-    """A scene with other values of its numbers, which are checked."""
-    parts = parts_with(scene, {n: float(v) for n, v in values.items()})
+def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
+    """A scene with other values of its numbers, or arrays of them, which are checked."""
+    parts = parts_with(scene, {n: v if np.ndim(v) else float(v) for n, v in values.items()})
     return replace(scene, **parts | {"arc": type(scene.arc)(**parts["arc"])})
 
 

@@ -9,10 +9,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.motion.motion import ANSWERED, Status
-from slipcircle.motion.quantities import OUTCOMES
+from slipcircle.base.markup import Raw, table, tag
+from slipcircle.motion.motion import ANSWERED, Motion, Status
+from slipcircle.motion.quantities import OUTCOMES, shown, words
+from slipcircle.motion.results import library
 from slipcircle.scene.scene import Scene
+from slipcircle.studies import written
 from slipcircle.studies.design import Design, Result
+from slipcircle.studies.motions import motions
 from slipcircle.studies.propagation import Linear, Sampled, disagreement, propagated
 from slipcircle.studies.statistics import (
     BINS,
@@ -84,9 +88,66 @@ class Study:
         """Whose numbers vary."""
         return self.design.scene
 
+    # -- what people take from it
+
     def __repr__(self) -> str:
-        counted = ", ".join(f"{int(c)} {s.name.lower()}" for s, c in zip(Status, self.counts, strict=True) if c)
-        return f"<Study {self.scene.name}: {self.design.n} scenes, {self.design.method}; {counted}>"
+        counted = ", ".join(f"{int(c)} {words(s.name)}" for s, c in zip(Status, self.counts, strict=True) if c)
+        name, of = self.scene.name, [" ".join(row) for row in self._summary()]
+        return f"<Study {name}: {'; '.join([f'{self.design.n} scenes, {self.design.method}', counted, *of])}>"
+
+    def _repr_html_(self) -> str:
+        counted = [[words(s.name), str(int(c))] for s, c in zip(Status, self.counts, strict=True) if c]
+        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*counted, *self._summary()]))
+
+    def _summary(self) -> list[list[str]]:
+        ends = {n: [shown(self.quantile(n, p).value) for p in (0.05, 0.5, 0.95)] for n in OUTCOMES}
+        return [[words(n), f"{mid} ({low} to {high}) {OUTCOMES[n].unit}"] for n, (low, mid, high) in ends.items()]
+
+    def __len__(self) -> int:
+        return self.design.n
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, index: int) -> Motion:
+        """The motion of one sample, solved again; a ValueError says why where it is no scene."""
+        keys = {n: self._kept[number.key][[index]] for n, number in self.design.inputs.items()}
+        return motions(self.scene, {n: self.design.inputs[n].to_si(x) for n, x in keys.items()}, self.design.accuracy)[
+            0
+        ]
+
+    @property
+    def _kept(self) -> Mapping[str, NDArray[Any]]:
+        if not self.samples:
+            raise ValueError("Study: its samples were only counted; draw at most 2**20 of them, or ask for keep=True")
+        return self.samples
+
+    def to_dict(self) -> dict[str, Any]:
+        """What JSON holds of it: statistics, curves, indices; SI units but for inputs, None for what cannot be said."""
+        return written.record(self)
+
+    def to_pandas(self) -> Any:
+        """The samples as a pandas.DataFrame: inputs by key, outcomes in SI units, the name of the status, the reason.
+
+        Raises
+        ------
+        ValueError
+            If they were not kept.
+        """
+        kinds = [Status(s) for s in self._kept["status"].tolist()]
+        more = {"status": [s.name for s in kinds], "reason": [s.reason for s in kinds]}
+        frame = library("pandas").DataFrame({**self.samples, **more})
+        frame.attrs["units"] = {n: q.unit for n, q in OUTCOMES.items()} | {
+            u.key: u.unit for u in self.design.inputs.values()
+        }
+        return frame
+
+    def to_xarray(self) -> Any:
+        """The same as an xarray.Dataset: over the keys of a grid, or over samples with inputs as coordinates."""
+        frame, keys = self.to_pandas(), [u.key for u in self.design.inputs.values()]
+        if self.design.method == "grid":
+            return frame.set_index(keys).to_xarray()
+        return frame.rename_axis("sample").to_xarray().set_coords(keys)
 
     def __post_init__(self) -> None:
         replicates = self.design.replicates
@@ -256,10 +317,7 @@ class Study:
         found = []
         total = int(self.counts.sum())
         for status, text in (
-            (Status.INVALID, "are no scenes, such as an angle below its bound, and are left out"),
-            (Status.UPRIGHT, "have no answer, as the mass would hang over, and are left out"),
-            (Status.ENDLESS, "have no answer, as they never rest, and are left out"),
-            (Status.FAILED, "have no answer, as their numbers overflow, and are left out"),
+            *((s, f"have no answer and are left out: {s.reason}") for s in Status if s.reason),
             (Status.MOVING, "still move at their end: run-out and duration are those until then"),
         ):
             if count := int(self.counts[status]):

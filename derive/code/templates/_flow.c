@@ -705,14 +705,15 @@ INLINE V power_of_two(V y)
 INLINE V radius(const Hand *h, const V *p, int top, V order)
 {
     V first[5], least = flat(1000 * FIXED);
-    for (int k = 0; k < 5 && k <= top; k++) first[k] = logarithm(p[k]);
+    M told = {0}; /* where the first are nothing there is nothing to compare with */
+    for (int k = 0; k < 5 && k <= top; k++) first[k] = logarithm(p[k]), told |= p[k] != 0.0;
     double low = order[0];
     for (int k = 1; k < LANES; k++) low = order[k] < low ? order[k] : low;
     for (int n = low > 8.0 ? (int)low - 3 : 5; n <= top; n++) {
         const V here = logarithm(p[n]);
         V most = flat(-1000 * FIXED);
         for (int k = 0; k < 5; k++) most = greater((first[k] - here) * h->inverse[n - k], most);
-        const M counts = (order >= (double)n) & (order <= n + 3.0) & (p[n] != 0.0); /* what is zero tells nothing */
+        const M counts = told & (order >= (double)n) & (order <= n + 3.0) & (p[n] != 0.0); /* what is zero tells nothing */
         least = pick(counts & (most < least), most, least);
     }
     return power_of_two(least);

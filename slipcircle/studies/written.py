@@ -9,13 +9,12 @@ from numpy.typing import NDArray
 from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
-from slipcircle.studies.study import Curve, Study
 
 UNITS = {n: q.unit for n, q in OUTCOMES.items()}
-QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
+QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
 
 
-def record(found: Study) -> dict[str, Any]:
+def record(found: Any) -> dict[str, Any]:
     """As JSON holds it: SI units but for inputs, null for what cannot be said."""
     outputs = {}
     for name, unit in UNITS.items():
@@ -26,7 +25,7 @@ def record(found: Study) -> dict[str, Any]:
             "std": _estimate(found.std(name)),
             "linear": found.linear[name]._asdict() if name in found.linear else None,
             "quantiles": [{"p": p} | _estimate(found.quantile(name, p)) for p in QUANTILES],
-            "exceedance": [dict(zip(Curve._fields, map(float, row), strict=True)) for row in curve],
+            "exceedance": [dict(zip(found.exceedance(name)._fields, map(float, row), strict=True)) for row in curve],
         }
     return {
         "scene": found.scene.name,
@@ -52,7 +51,7 @@ def record(found: Study) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def rows(found: Study) -> list[tuple[str, str, str, float, float, float, float]]:
+def rows(found: Any) -> list[tuple[str, str, str, float, float, float, float]]:
     """One table of everything: what, output, input, at which value, and the estimate with its interval."""
     table: list[tuple[str, str, str, float, float, float, float]] = []
     table.append(("probability of moving", "moves", "", math.nan, *found.moving))
@@ -73,7 +72,7 @@ def rows(found: Study) -> list[tuple[str, str, str, float, float, float, float]]
     return table
 
 
-def arrays(found: Study) -> dict[str, NDArray[Any]]:
+def arrays(found: Any) -> dict[str, NDArray[Any]]:
     """Everything as arrays by name: quantiles and curves as rows of (at, value, low, high), bins, samples.
 
     Means and standard deviations as (value, low, high), the linear ones as (mean, standard deviation).

@@ -1,0 +1,184 @@
+"""What a motion gives to people and to their tools: a line, a table, a dictionary, pandas, xarray, lane by lane."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from importlib import import_module
+from math import prod
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from slipcircle.base.markup import Raw, table, tag
+from slipcircle.flow.solve import Lanes
+from slipcircle.motion.plan import Plan
+from slipcircle.motion.quantities import HISTORY, OUTCOMES, results, shown, words
+from slipcircle.scene.varied import scene_with
+
+
+def library(name: str) -> Any:
+    """A library that only what gives its objects needs.
+
+    Raises
+    ------
+    ImportError
+        With what to type, where it is missing.
+    """
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise ImportError(f"to_{name} needs {name}: pip install {name}") from error
+
+
+class Results:
+    """What `Motion` and its lanes are shown as and turned into; columns are named and in units as `quantities` say."""
+
+    STATUSES: ClassVar[tuple[Any, ...]]
+    plan: Plan
+    _lanes: Lanes
+    _cells: Mapping[int, NDArray[np.float64]]
+    shape: Any
+    status: Any
+    outcomes: Any
+    count: Any
+
+    def __repr__(self) -> str:
+        name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
+        if not self.shape:
+            return f"<Motion {name}{'; '.join(' '.join(row) for row in self._summary())}>"
+        counted = ", ".join(f"{n} {words(status)}" for status, n in self.count().items())
+        return f"<{prod(self.shape)} motions {name}{counted}; {'; '.join(' '.join(row) for row in self._summary())}>"
+
+    def _repr_html_(self) -> str:
+        name = self.plan.scene.name or "motion"
+        rows = [[q.label, q.text(self)] for q in results(self) if q.key] if not self.shape else self._summary()
+        counted = [[words(status), str(n)] for status, n in self.count().items()]
+        return Raw(tag("b", name) + table([*(counted if self.shape else []), *rows]))
+
+    def _summary(self) -> list[list[str]]:
+        """What repr says: of many lanes each outcome's least and greatest value."""
+        if not self.shape:
+            key = {q.name: q.text(self) for q in results(self) if q.key}
+            if key["moves"] == "no":
+                return [["does not move,", f"factor of safety {key['factor_of_safety']}"]]
+            end = "rests after" if key["arrested"] == "yes" else "still moves after"
+            return [[key["peak_velocity"], "at most"], ["run-out", key["run_out"]], [end, key["duration"]]]
+        found = []
+        for name, q in OUTCOMES.items():
+            values = np.asarray(self.outcomes[name])[~np.isnan(self.outcomes[name])]
+            ends = [shown(float(x)) for x in (np.min(values), np.max(values))] if values.size else ["-", "-"]
+            found.append([words(name), f"{ends[0]} to {ends[1]} {q.unit}"])
+        return found
+
+    @property
+    def reason(self) -> Any:
+        """Why there is no answer, of each lane; empty where there is one."""
+        if not self.shape:
+            return self.status.reason
+        return self._named("reason")
+
+    def _named(self, what: str) -> Any:
+        kinds = np.array([getattr(s, what) for s in type(self).STATUSES])
+        return kinds[np.asarray(self.status)]
+
+    def __len__(self) -> int:
+        if not self.shape:
+            raise TypeError("a single motion has no len(): it is not of a scene of arrays")
+        return int(self.shape[0])
+
+    def __bool__(self) -> bool:
+        return True
+
+    def __getitem__(self, index: Any) -> Self:
+        """The motion of one lane, or of some, by NumPy's indices of the scene's shape."""
+        if not self.shape:
+            raise TypeError("a single motion has no lanes: it is not of a scene of arrays")
+        scene = self.plan.scene
+        which = np.arange(prod(self.shape)).reshape(self.shape)[index]
+        varied = {n: np.broadcast_to(v, self.shape)[index] for n, v in scene.numbers.items() if np.ndim(v)}
+        plan = replace(self.plan, scene=scene_with(scene, varied))
+        lanes = self._lanes.taken(np.ravel(which))
+        made: Any = type(self)
+        if np.ndim(which):
+            return made(plan, lanes, {k: v[np.ravel(which)] for k, v in self._cells.items()}, [])
+        log: list[Any] = []  # which many lanes do not keep
+        return made(plan, lanes, dict(zip(self._cells, lanes.solve(log)[[*self._cells]], strict=True)), log)
+
+    # --- tables ------------------------------------------------------------------------------------------------------
+
+    def to_dict(self, times: ArrayLike | None = None) -> dict[str, Any]:
+        """Results by name in SI units; of many lanes arrays, with the numbers that vary before them.
+
+        Parameters
+        ----------
+        times : array_like, optional
+            s; then the histories, ``shape + times.shape``, in place of the results.
+        """
+        if times is not None:
+            at = np.asarray(times, dtype=np.float64)
+            return {name: q.at(self, at) for name, q in HISTORY.items()}
+        found = {n: self._full(v) for n, v in self.plan.scene.numbers.items() if np.ndim(v)}
+        found |= {q.name: self._full(q.read(self)) for q in results(self)}
+        if not self.shape:
+            return found | {"status": self.status.name, "reason": self.reason}
+        return found | {"status": self._named("name"), "reason": self.reason}
+
+    def _full(self, value: Any) -> Any:
+        return np.broadcast_to(value, self.shape) if self.shape else value
+
+    def to_pandas(self, times: ArrayLike | None = None) -> Any:
+        """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
+        pandas = library("pandas")
+        at = None if times is None else np.ravel(np.asarray(times, dtype=np.float64))
+        axes = {name: np.arange(n) for name, n in zip(self._dims, self.shape, strict=True)}
+        columns = self.to_dict(at)
+        if at is not None:
+            axes |= {"time": at}
+            columns.pop("time")
+        frame = pandas.DataFrame({n: np.ravel(v) for n, v in columns.items()})
+        if len(axes) > 1:
+            frame.index = pandas.MultiIndex.from_product(axes.values(), names=[*axes])
+        elif axes:
+            frame.index = pandas.Index(*axes.values(), name=next(iter(axes)))
+        frame.attrs["units"] = self._units
+        return frame
+
+    def to_xarray(self, times: ArrayLike | None = None) -> Any:
+        """`to_dict` as an xarray.Dataset, with the dimensions that inputs had; numbers that vary are its coordinates.
+
+        Raises
+        ------
+        ValueError
+            If inputs name one dimension in two ways: NumPy has paired them element by element.
+        """
+        xarray = library("xarray")
+        at = None if times is None else np.ravel(np.asarray(times, dtype=np.float64))
+        dims, columns, units = self._dims, self.to_dict(at), self._units
+        wide = (*dims, *(["time"] if at is not None else []))
+        coords: dict[str, Any] = {} if at is None else {"time": ("time", at, {"units": "s"})}
+        for name, value in self.plan.scene.numbers.items():
+            sizes = np.shape(value)
+            own = [(d, n) for d, n in zip(dims[len(dims) - len(sizes) :], sizes, strict=True) if n > 1]
+            if sizes:
+                columns.pop(name, None)
+                coords[name] = ([d for d, _ in own], np.reshape(np.asarray(value), [n for _, n in own]))
+        variables = {n: (wide, np.asarray(v), {"units": units.get(n, "")}) for n, v in columns.items() if n != "time"}
+        return xarray.Dataset(variables, coords, {"scene": self.plan.scene.name})
+
+    @property
+    def _units(self) -> dict[str, str]:
+        return {q.name: q.unit for q in (*results(self), *HISTORY.values())}
+
+    @property
+    def _dims(self) -> list[str]:
+        """Names of the shape's axes: those of inputs that have some, else lane, or lane_0, lane_1, ..."""
+        count, found = len(self.shape), dict[int, str]()
+        for name, value in self.plan.scene.numbers.items():
+            own = tuple(getattr(value, "dims", ()))
+            for axis, dim in enumerate(own, count - len(own)):
+                if found.setdefault(axis, str(dim)) != str(dim):
+                    raise ValueError(
+                        f"{name}: its dimension {dim!r} stands where {found[axis]!r} does, and NumPy pairs them "
+                        "element by element; use xarray.broadcast before"
+                    )
+        return [found.get(k, "lane" if count == 1 else f"lane_{k}") for k in range(count)]

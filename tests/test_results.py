@@ -1,0 +1,250 @@
+"""What motions, ensembles and studies give to people and their tools: lines, tables, dictionaries, pandas, xarray."""
+
+import inspect
+import math
+import pickle
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+import slipcircle
+from slipcircle import Motion, Status, Study, ensemble, load, solve
+from slipcircle.__main__ import main
+from slipcircle.files import scenefile as files
+from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, shown
+from slipcircle.studies.conduct import grid
+
+ANGLES = np.array([8.0, 10.0, 40.0])
+TIMES = np.array([0.0, 1.0, 5.0])
+
+
+def many(**more: Any) -> Motion:
+    friction, velocity = np.tan(np.deg2rad(ANGLES)), np.array([[0.0], [1.0]])
+    return solve(replace(load("vaiont"), **{"friction": friction, "initial_velocity": velocity} | more))
+
+
+def single(angle: float, velocity: float) -> Motion:
+    return solve(replace(load("vaiont"), friction=math.tan(math.radians(angle)), initial_velocity=velocity))
+
+
+def overturned() -> Motion:
+    """Two lanes, of which the pushed one carries its chord past the upright."""
+    return solve(replace(load("vaiont"), friction=0.0, initial_velocity=np.array([0.0, -400.0])))
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    uncertain = {"friction.angle_deg": {"distribution": "normal", "mean": 24, "std": 2}}
+    return ensemble(replace(load("wet-slope"), uncertain=uncertain), 200, 1)
+
+
+# --- shown -----------------------------------------------------------------------------------------------------------
+
+
+def test_repr_has_the_key_results() -> None:
+    assert repr(solve(load("vaiont"))) == "<Motion vaiont: 27.97 m/s at most; run-out 677.3 m; rests after 38.08 s>"
+    still = solve(replace(load("vaiont"), friction=0.9))
+    assert repr(still) == f"<Motion vaiont: does not move, factor of safety {still.factor_of_safety:.3f}>"
+    moving = solve(replace(load("vaiont"), end_time=10.0))
+    assert repr(moving).endswith("still moves after 10 s>")
+    said = repr(many(initial_velocity=0.0))
+    assert said.startswith("<3 motions vaiont: 2 rests, 1 stays; ")
+    assert "run-out 0 to 786 m" in said
+
+
+def test_repr_of_a_study_has_its_medians(study: Study) -> None:
+    said = repr(study)
+    assert "200 scenes" in said
+    assert f"run-out {study.quantile('run_out', 0.5).value:.4g} (" in said
+
+
+def test_html_is_a_table_and_no_more(study: Study) -> None:
+    hostile = solve(replace(load("vaiont"), name="<script>&"))
+    for found in (hostile, many(), study, overturned()):
+        root = ElementTree.fromstring(f"<div>{found._repr_html_()}</div>")
+        assert not list(root.iter("script"))
+        assert len(list(root.iter("tr"))) > 4
+    cells = {r[0].text: r[1].text for r in ElementTree.fromstring(f"<d>{hostile._repr_html_()}</d>").iter("tr")}
+    assert cells["run-out along the arc"] == "677.3 m"
+    assert list(cells)[:6] == [q.label for q in RESULTS if q.key][:6]
+
+
+def test_a_signature_fits_a_screen() -> None:
+    for name in slipcircle.__all__:
+        found = getattr(slipcircle, name)
+        if name != "Status":
+            assert len(str(inspect.signature(found))) < 640, name
+
+
+def test_dir_has_every_name_and_what_it_says_exists() -> None:
+    assert set(slipcircle.__all__) <= set(dir(slipcircle))
+    assert all(hasattr(slipcircle, name) for name in dir(slipcircle))
+
+
+def test_a_table_has_no_more_digits_than_the_error_leaves_and_no_fewer_than_wanted() -> None:
+    """Four significant digits, 0.4328 m and not 0.4 m; of a coarse solution only those that it has."""
+    (run_out,) = (q for q in RESULTS if q.name == "run_out")
+    assert run_out.text(solve(load("newmark-pulse"))) == "0.4328 m"
+    assert [digits_left(e) for e in (0.0, 1e-12, 4.9e-5, 6e-4, 6e-3, 0.3, 1.0)] == [4, 4, 4, 2, 1, 1, 1]
+    assert shown(677.3078, digits_left(2e-3)) == "680"
+
+
+def test_six_names_stand_whole_in_one_table(capsys: pytest.CaptureFixture[str]) -> None:
+    names = ["vaiont", "vaiont-frozen", "vaiont-as-printed", "vaiont-softening", "wet-slope", "newmark-pulse"]
+    assert main(["run", *names]) == 0
+    out = capsys.readouterr().out
+    assert all(name in out for name in names)
+    assert max(map(len, out.splitlines())) <= 100
+    assert "\N{HORIZONTAL ELLIPSIS}" not in out
+
+
+def test_a_name_commands_no_terminal(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = files.find("vaiont").read_text("utf-8")
+    (tmp_path / "a.toml").write_text(re.sub("^name = .*$", r'name = "a\\u001b[31mb"', text, flags=re.MULTILINE))
+    assert main(["run", str(tmp_path / "a.toml")]) == 0
+    out = capsys.readouterr().out
+    assert "\x1b" not in out
+    assert "\N{REPLACEMENT CHARACTER}[31mb" in out
+
+
+# --- lanes -----------------------------------------------------------------------------------------------------------
+
+
+def test_a_lane_is_the_scene_solved_by_itself() -> None:
+    motion = many()
+    assert (motion.shape, len(motion), bool(motion)) == ((2, 3), 2, True)
+    for i, velocity in enumerate((0.0, 1.0)):
+        for k, angle in enumerate(ANGLES):
+            lane, alone = motion[i, k], single(angle, velocity)
+            assert lane.shape == ()
+            assert lane.run_out == alone.run_out == pytest.approx(motion.run_out[i, k], rel=1e-12)
+            assert lane.phases == alone.phases
+            assert lane.plan.scene.numbers == alone.plan.scene.numbers
+            assert lane.status is alone.status
+    part = motion[1, 1:]
+    assert part.shape == (2,)
+    np.testing.assert_array_equal(part.run_out, motion.run_out[1, 1:])
+    np.testing.assert_allclose(part.at(TIMES).velocity, motion.at(TIMES).velocity[1, 1:], rtol=1e-12)
+    assert [motion[k].shape for k in range(len(motion))] == [(3,), (3,)]
+    with pytest.raises(IndexError):
+        motion[2]
+
+
+def test_a_single_motion_has_no_lanes() -> None:
+    motion = solve(load("vaiont"))
+    assert motion
+    with pytest.raises(TypeError, match="not of a scene of arrays"):
+        len(motion)
+    with pytest.raises(TypeError, match="no lanes"):
+        motion[0]
+
+
+def test_a_sample_of_a_study_is_its_motion(study: Study) -> None:
+    assert len(study) == 200
+    for k in (0, 7, -1):
+        assert study[k].run_out == pytest.approx(study.samples["run_out"][k], rel=1e-12)
+    counted = ensemble(study.scene, 200, 1, keep=False)
+    for ask in (lambda: counted[0], counted.to_pandas, counted.to_xarray):
+        with pytest.raises(ValueError, match="were only counted"):
+            ask()
+
+
+def test_a_failure_has_a_name_and_a_reason() -> None:
+    motion = overturned()
+    assert motion.to_dict()["status"].tolist() == ["MOVING", "UPRIGHT"]
+    assert motion.reason.tolist() == ["", "the chord stands upright, and the mass would hang over"]
+    assert np.isnan(motion.run_out[1])
+    answered = [s for s in Status if not s.reason]
+    assert answered == [Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED]
+
+
+def test_pickled_it_is_the_same(study: Study) -> None:
+    for motion in (solve(load("vaiont")), many()):
+        again = pickle.loads(pickle.dumps(motion))
+        np.testing.assert_array_equal(again.run_out, motion.run_out)
+        np.testing.assert_array_equal(again.at(TIMES).velocity, motion.at(TIMES).velocity)
+    assert repr(pickle.loads(pickle.dumps(study))) == repr(study)
+
+
+# --- tables ----------------------------------------------------------------------------------------------------------
+
+
+def test_a_dictionary_has_every_result() -> None:
+    motion = solve(load("vaiont"))
+    found = motion.to_dict()
+    assert [*found] == [*(q.name for q in RESULTS), "status", "reason"]
+    assert found["run_out"] == motion.run_out
+    assert found["peak_velocity"] == motion.peak.velocity
+    assert (found["status"], found["reason"]) == ("RESTS", "")
+    lanes = many().to_dict()
+    assert {np.shape(v) for v in lanes.values()} == {(2, 3)}
+    np.testing.assert_array_equal(lanes["initial_velocity"][:, 2], [0.0, 1.0])
+    history = many().to_dict(TIMES)
+    assert [*history] == [*HISTORY]
+    np.testing.assert_array_equal(history["velocity"], many().at(TIMES).velocity)
+
+
+def test_a_study_as_a_dictionary_is_its_json(study: Study) -> None:
+    found = study.to_dict()
+    assert found["samples"] == 200
+    assert found["outputs"]["run_out"]["mean"]["value"] == study.mean("run_out").value
+
+
+@pytest.mark.parametrize("name", ["pandas", "xarray"])
+def test_a_missing_library_is_one_sentence(name: str, study: Study, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, name, None)
+    for found in (solve(load("vaiont")), many(), study) if name == "pandas" else (many(),):
+        with pytest.raises(ImportError, match=f"^to_{name} needs {name}: pip install {name}$"):
+            getattr(found, f"to_{name}")()
+
+
+def test_pandas(study: Study) -> None:
+    pytest.importorskip("pandas")
+    motion = many()
+    frame = motion.to_pandas()
+    assert frame.index.names == ["lane_0", "lane_1"]
+    assert frame.loc[(1, 2), "status"] == motion[1, 2].status.name
+    assert frame.loc[(1, 1), "run_out"] == motion.run_out[1, 1]
+    assert frame.attrs["units"]["peak_velocity"] == "m/s"
+    assert len(solve(load("vaiont")).to_pandas()) == 1
+    history = motion.to_pandas(TIMES)
+    assert history.index.names == ["lane_0", "lane_1", "time"]
+    assert history.loc[(0, 1, 5.0), "velocity"] == motion.at(5.0).velocity[0, 1]
+    alone = solve(load("vaiont")).to_pandas(TIMES)
+    assert (alone.index.name, alone.index.tolist()) == ("time", TIMES.tolist())
+    samples = study.to_pandas()
+    np.testing.assert_array_equal(samples["run_out"], study.samples["run_out"])
+    assert set(samples["status"]) == {"RESTS"}
+    assert samples.attrs["units"] == {**{n: q.unit for n, q in OUTCOMES.items()}, "friction.angle_deg": "deg"}
+
+
+def test_xarray_keeps_dimensions(study: Study) -> None:
+    xarray = pytest.importorskip("xarray")
+    friction = xarray.DataArray(np.tan(np.deg2rad(ANGLES)), dims=("angle",))
+    motion = many(friction=friction, initial_velocity=0.0)
+    found = motion.to_xarray(TIMES)
+    assert found["velocity"].dims == ("angle", "time")
+    np.testing.assert_array_equal(found["friction"].coords["angle"].size, 3)
+    assert found["displacement"].attrs["units"] == "m"
+    results = many().to_xarray()
+    assert results["run_out"].dims == ("lane_0", "lane_1")
+    assert results.coords["friction"].dims == ("lane_1",)
+    assert results.coords["initial_velocity"].dims == ("lane_0",)
+    other = xarray.DataArray(np.array([0.0, 1.0, 2.0]), dims=("push",))
+    with pytest.raises(ValueError, match="initial_velocity: its dimension 'push' stands where 'angle' does"):
+        many(friction=friction, initial_velocity=other).to_xarray()
+    assert solve(load("vaiont")).to_xarray(TIMES)["velocity"].dims == ("time",)
+    assert study.to_xarray()["run_out"].dims == ("sample",)
+    levels = {"friction.angle_deg": [8.0, 10.0], "arc.radius_m": [1000.0, 1200.0, 1400.0]}
+    table = grid(load("vaiont"), levels).to_xarray()
+    assert table["run_out"].shape == (2, 3)
+    alone = single(10.0, 0.0)
+    slide = solve(replace(alone.plan.scene, arc=replace(alone.plan.scene.arc, radius=1200.0)))
+    at = table.sel({"friction.angle_deg": 10.0, "arc.radius_m": 1200.0})
+    assert float(at["run_out"]) == pytest.approx(slide.run_out, rel=1e-12)
