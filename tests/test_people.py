@@ -205,7 +205,7 @@ def test_rows_without_an_answer_say_why(capsys: pytest.CaptureFixture[str]) -> N
     assert main(["sweep", "vaiont", "--grid", "friction.angle_deg=1e-9,10"]) == 0
     out, err = capsys.readouterr()
     assert "endless" in out
-    assert "1 of 2 samples have no answer, as they never rest" in err
+    assert "1 of 2 samples have no answer and are left out: it never rests" in err
 
 
 @pytest.mark.parametrize("engine", ["serial", "threads", "processes"])
