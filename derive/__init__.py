@@ -1,6 +1,8 @@
 """From a definition to source text: SymPy derives, simplifies, stabilises and writes the package `generated`.
 
-Nothing here is imported at run time. The stages, in the order in which `python -m derive` walks them:
+Nothing here is imported at run time. What does not hold raises a `ProofError` with the claim, what was found and what
+was wanted, and stops the run: the docstrings do not repeat it. The stages, in the order in which `python -m derive`
+walks them:
 
 ``quantities``, ``symbols``   what is derived, declared once as data
 ``integrate``                 definition -> closed form, each step proved
@@ -50,5 +52,5 @@ It is then a function of `generated` in every tier, each with its certificate, a
 approximants (a minute) and records them. A weight with sin(theta) or cos(theta) names its amplitude too. Other weights
 than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused, or with ``certified=False`` sampled only.
 
-Of an effect the tests ask for the same again in words of their own, its term in ``tests/test_physics.py``.
+Of an effect the tests ask for the same again in words of their own, its term in ``tests/time_references.py``.
 """

@@ -4,6 +4,7 @@ import argparse
 import sys
 import time
 from collections.abc import Callable
+from importlib.util import find_spec
 from typing import TypeVar
 
 from derive.check.proof import ProofError
@@ -36,14 +37,9 @@ def derive_all(anew: bool = False) -> dict[str, str]:
     -------
     dict
         Text by file name.
-
-    Raises
-    ------
-    ProofError
-        If a step of the derivation does not hold.
     """
     from derive.algebra import dynamics, growth, integrate, rules, slopes
-    from derive.algebra.appendices import APPENDICES, reduction
+    from derive.algebra.appendices import APPENDICES, simplify
     from derive.approximate import search, shapes
     from derive.declare.quantities import MOMENTS
     from derive.flow import operations
@@ -62,9 +58,8 @@ def derive_all(anew: bool = False) -> dict[str, str]:
             counts = " -> ".join(map(str, step.operations))
             say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
     for appendix in APPENDICES:
-        for reduced in reduction(appendix):
-            took = f"{reduced.seconds:6.2f} s  {reduced.operations:3d} operations"
-            say(f"{'appendix ' + appendix.name:<32} {'reduce':<11} {took}: {reduced.text} ({reduced.proof})")
+        for reduced in timed(f"appendix {appendix.name}", "reduce", "", simplify, appendix).steps:
+            say(f"{'':<52}{reduced.operations:4d} operations: {reduced.text} ({reduced.proof})")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
@@ -85,11 +80,11 @@ def binary() -> str:
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call."""
+    """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     parser = argparse.ArgumentParser(
         "python -m derive",
         description="Derive and prove everything, and write generated/; or judge the paper.",
-        epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call",
+        epilog="exit status: 0 done, 1 generated/ is stale or a check failed, 2 a wrong call or a missing package",
     )
     parser.add_argument("--check", action="store_true", help="write nothing; show a diff and exit 1 if stale")
     parser.add_argument("--search", action="store_true", help="search for all shapes of approximants anew (minutes)")
@@ -106,6 +101,10 @@ def main(argv: list[str] | None = None) -> int:
     hard.add_argument("--json", action="store_true", help="a list of objects on stdout")
     command("prove", "prove the error bounds of the kernels again, from their certificates alone")
     options = parser.parse_args(argv)
+    needed = ("flint",) if options.command == "prove" else ("sympy", "mpmath", "flint")
+    if missing := [name for name in needed if find_spec(name) is None]:
+        say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
+        return 2
     if options.command == "prove":
         from derive.check.table import prove_all
 
@@ -118,22 +117,28 @@ def main(argv: list[str] | None = None) -> int:
     if options.command == "hard":
         from derive.judge.hard import report as hard_report
 
-        print(hard_report("json" if options.json else "table"))
+        print(hard_report("json" if options.json else "text"))
         return 0
+    return regenerate(options.check, options.search)
+
+
+def regenerate(check: bool, search: bool) -> int:
+    """Derive everything, then write what has changed, or show it."""
     from derive.approximate import shapes
     from derive.generate import write
 
     start = time.perf_counter()
     try:
-        texts = derive_all(options.search)
+        texts = derive_all(search)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
-    if options.check:
-        diff = write.difference(texts) + write.difference({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
+    records = {shapes.RECORDS.name: shapes.text()}
+    if check:
+        diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
-    changed = write.write(texts) + write.write({shapes.RECORDS.name: shapes.text()}, shapes.RECORDS.parent)
+    changed = write.write(texts) + write.write(records, shapes.RECORDS.parent)
     timed("kernels", "compile", "{0}", binary)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")

@@ -307,12 +307,12 @@ def differences(name: str, motion: Motion, kept: Data) -> list[str]:
     return faults
 
 
-def misses(motion: Motion, given: Data, at: list[float]) -> dict[str, float]:
+def misses(motion: Motion, given: Data, at: list[float], terms: int = 26, digits: int = 22) -> dict[str, float]:
     """By how much more than the estimated error a motion is off, 1 at most where all is well."""
     if given["friction"] == 0.0 and "cohesion" not in given["effects"]:  # `solve` gives the first standstill
         given = given | {"end_time": motion.duration}
     ctx.prec = 160
-    follow = time_references.Solution(given, 26, 22)
+    follow = time_references.Solution(given, terms, digits)
     exact, p = follow.record(), follow.p
     run_out, peak = abs(motion.run_out) or 1.0, abs(float(motion.peak.velocity)) or 1.0
     unit, error = p.radius / p.scale, motion.error_estimate
@@ -327,6 +327,11 @@ def misses(motion: Motion, given: Data, at: list[float]) -> dict[str, float]:
         x, v = follow.state(time_references.number(t) / p.scale)
         found[f"displacement after {t:.3g} s"] = abs(float(x * p.radius - arb(float(s[0])))) / run_out
         found[f"velocity after {t:.3g} s"] = abs(float(v * unit - arb(float(s[1])))) / peak
+    lifts = [float(t * p.scale) for t in follow.lifts]  # those at rest are not among them
+    near = 30 * math.sqrt(error) * motion.duration
+    known = all(any(abs(t - x) <= near for x in motion.lift_off) for t in lifts)
+    other = [t for t in motion.lift_off if all(abs(t - x) > near for x in lifts)]
+    found["lift-off"] = 0.0 if known and not any(motion.at(t).velocity for t in other) else math.inf
     return {k: v / error if error else v * 1e16 for k, v in found.items()}
 
 

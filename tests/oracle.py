@@ -7,7 +7,7 @@ are floats, taken as the exact numbers that they are.
 from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import mpmath
 import numpy as np
@@ -112,6 +112,50 @@ def ulps(value: float, reference: arb, size: arb | None = None, kind: type[np.fl
         return abs(float((exact(float(value)) - reference) / exact(float(unit))))
 
 
+class Coefficients(NamedTuple):
+    """Of the equation of motion, from the definitions: to 50 digits, as mpmath numbers."""
+
+    inertia: mpf
+    pressing: mpf  # C_r
+    turning: mpf  # C_theta
+    factor: mpf
+    polar: mpf
+    dip: mpf
+    time_scale: mpf
+    radius: mpf
+    gravity: mpf
+    half: mpf
+
+    @property
+    def radial(self) -> mpf:
+        """J_r."""
+        return self.pressing * mpmath.cos(self.dip)
+
+    @property
+    def limit(self) -> mpf:
+        """Dry limit friction, without cohesion."""
+        return self.turning / self.pressing * mpmath.tan(self.dip)
+
+
+@cache
+def coefficients(arc: Any) -> Coefficients:
+    """Of what has a radius, two angles and a gravity."""
+    first, second = Fraction(float(np.asarray(arc.theta_1))), Fraction(float(np.asarray(arc.theta_2)))
+    half, middle = (second - first) / 2, (first + second) / 2
+    with mpmath.workdps(50):
+
+        def moment(name: str) -> mpf:
+            return mpf(kernel(name, half).str(50, radius=False))
+
+        radius, gravity = mpf(float(np.asarray(arc.radius))), mpf(float(np.asarray(arc.gravity)))
+        dip = 3 * mpmath.pi / 2 - mpf(middle.numerator) / middle.denominator
+        alpha = min(mpf(half.numerator) / half.denominator, mpmath.pi / 2)
+        return Coefficients(
+            moment("moment_of_inertia"), moment("radial_weight_amplitude"), moment("weight_moment_amplitude"),
+            moment(RESISTANCE.name), moment("polar_moment"), dip, mpmath.sqrt(radius / gravity), radius, gravity, alpha,
+        )  # fmt: skip
+
+
 # --- the motion ----------------------------------------------------------------------------------------------------
 
 
@@ -178,7 +222,6 @@ CENTRIPETAL: dict[str, Callable[..., mpf]] = {
     "frozen_centripetal_arrest_time": arrest_time,
     "frozen_centripetal_arrest_rotation": arrest_rotation,
 }
-_ZERO = mpf(0)
 # Without the centripetal term b is zero.
 MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
     "frozen_angular_velocity": lambda a, w, t: angular_velocity(a, mpf(0), w, t),

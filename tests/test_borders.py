@@ -14,8 +14,6 @@ import test_accuracy
 from slipcircle import Motion, solve
 from slipcircle.__main__ import main
 
-KEPT = {r["name"]: r["numbers"] for r in json.loads(golden.FILE.read_text("utf-8"))}
-
 
 def motion(given: golden.Data) -> Motion:
     found = solve(golden.built("", given))
@@ -61,7 +59,10 @@ def test_a_law_that_does_not_change_is_constant_friction() -> None:
     laws: tuple[dict[str, Any], ...] = ({"law": "exponential", "peak": 0.16, "residual": 0.16, "length": 1.0},
                 {"law": "tabulated", "slip": [0.0, 3.0], "coefficient": [0.16, 0.16]},
                 {"law": "prescribed", "time": [0.0, 3.0], "coefficient": [0.16, 0.16]},
-                {"law": "rate_weakening", "peak": 0.16, "residual": 0.16, "velocity": 1.0})  # fmt: skip
+                {"law": "rate_weakening", "peak": 0.16, "residual": 0.16, "velocity": 1.0},
+                {"law": "rate_tabulated", "speed": [1e-3, 1.0, 9.0], "coefficient": [0.16, 0.16, 0.16]},
+                {"law": "constant", "coefficient": 0.16,
+                 "rate": {"law": "rate_weakening", "peak": 1.0, "residual": 1.0, "velocity": 1.0}})  # fmt: skip
     for law in laws:
         for velocity in (0.0, 2.0, -3.0):
             plain = motion(golden.scene(0.16, golden.TURNING, velocity))

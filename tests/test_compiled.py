@@ -318,9 +318,6 @@ def loops_in(binary: Path) -> Iterator[tuple[str, list[str]]]:
             yield head[1], [line.split("\t", 1)[1] for line in block.splitlines()[1:] if "\t" in line]
 
 
-WIDE = {"avx512": r"vfn?m(add|sub)\w*pd .*zmm", "avx2": r"vfn?m(add|sub)\w*pd .*ymm", "baseline": "mulpd"}
-
-
 @needs_binary
 @pytest.mark.skipif(not shutil.which("objdump"), reason="objdump is missing")
 def test_loops_are_wide_and_call_nothing() -> None:

@@ -2,6 +2,8 @@
 
 import math
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -122,3 +124,17 @@ def test_the_run_stops_and_writes_nothing(
 
 def test_the_files_stay_as_they_are() -> None:
     assert Path(shapes.RECORDS).read_text("utf-8") == shapes.text()
+
+
+@pytest.mark.parametrize("asked", ["", "--check", "verify", "hard", "prove"])
+def test_without_packages_one_sentence_says_what_to_install(asked: str) -> None:
+    """All that are missing, and no others; the proofs of the bounds need flint alone."""
+    for missing in (("sympy",), ("mpmath",), ("flint",), ("sympy", "flint")):
+        needed = [x for x in missing if asked != "prove" or x == "flint"]
+        if not needed:
+            continue
+        hide = f"import sys; sys.modules.update(dict.fromkeys({missing})); from derive.__main__ import main; "
+        ask = [sys.executable, "-c", f"{hide}sys.exit(main({asked.split()}))"]
+        done = subprocess.run(ask, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr == f"python -m derive needs {' and '.join(needed)}: pip install 'slipcircle[derive]'\n"

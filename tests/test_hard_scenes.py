@@ -18,7 +18,8 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 from mpmath import mpf
-from test_physics import Coefficients, coefficients, residual, size
+from oracle import Coefficients, coefficients
+from test_physics import residual, size
 
 from slipcircle import Arc, Motion, Scene, solve
 

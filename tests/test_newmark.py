@@ -6,22 +6,16 @@ the yield N = k_y: so what is published for the block tests the rotational solve
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 import golden
 import mpmath as mp
 import numpy as np
 import pytest
-from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
-from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Pulse, Series
 
-Floats = NDArray[np.float64]
 GRAVITY = 9.81
 ARC = Arc(60.0, math.radians(220.0), math.radians(290.0), 19e3)
 MU = math.tan(math.radians(20.0))
@@ -247,166 +241,6 @@ def test_accuracy_of_random_shaken_scenes(seed: int) -> None:
 # --- with brakes, water, lift-off, both ways: against solve_ivp ----------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Physics:
-    """The balance of design section 4 for a frozen arc, term by term, signed; dimensionless but for the time in s."""
-
-    arc: Arc
-    mu: float
-    horizontal: Any
-    vertical: Any
-    cohesion: float = 0.0
-    ratio: float = 0.0
-    pressure: float = 0.0
-    polar: float = 0.0
-    drag: float = 0.0
-    viscous: float = 0.0
-
-    def fall(self, t: float) -> float:
-        psi = float(self.arc.dip)
-        return float(
-            self.arc.amplitudes_per_inertia[0]
-            * ((1 - self.vertical(t)) * math.sin(psi) + self.horizontal(t) * math.cos(psi))
-        )
-
-    def normal(self, t: float) -> float:
-        psi, radial = float(self.arc.dip), float(self.arc.amplitudes_per_inertia[1])
-        level = float(self.arc.dimensionless.resistance_factor / self.arc.dimensionless.moment_of_inertia)
-        press = radial * ((1 - self.vertical(t)) * math.cos(psi) - self.horizontal(t) * math.sin(psi))
-        stress = float(self.arc.reference_stress)
-        return press - self.ratio * radial * math.cos(psi) - self.pressure / stress * level
-
-    def resistance(self, t: float, omega: float) -> float:
-        level = float(self.arc.dimensionless.resistance_factor / self.arc.dimensionless.moment_of_inertia)
-        friction = self.mu * max(0.0, self.normal(t) + self.polar * omega**2)
-        return self.cohesion / float(self.arc.reference_stress) * level + friction + self.drag * omega**2
-
-    def follow(self, knots: Floats, omega: float, two_way: bool) -> tuple[float, float, float]:
-        """Rotation and speed at the last knot, and the greatest speed, by SciPy from event to event."""
-        scale, down = float(self.arc.time_scale), -1 if self.arc.dip < 0 else 1
-        ways = (1, -1) if two_way else (down,)
-        phi, side, top = 0.0, int(np.sign(omega)), abs(omega)
-        for first, last in pairwise(knots.tolist()):
-            t, tiny = first, 1e-9 * (last - first)
-
-            def at(x: float, first: float = first, last: float = last) -> float:  # never across a jump
-                return min(max(x, first + 1e-13 * (last - first)), last - 1e-13 * (last - first))
-
-            def push(x: float, s: int, at: Callable[[float], float] = at) -> float:
-                return s * self.fall(at(x)) - self.resistance(at(x), 0.0)
-
-            while t < last:
-                if side == 0:
-                    grid = np.linspace(t, last, 200)
-                    found = []
-                    for s in ways:
-                        values = np.array([push(x, s) for x in grid])
-                        up = np.flatnonzero((values[:-1] <= 0.0) & (values[1:] > 0.0))
-                        if push(t + tiny, s) > 0.0:
-                            found.append((t, s))
-                        elif up.size:
-                            k = int(up[0])
-                            found.append((brentq(lambda x, s=s: push(x, s), grid[k], grid[k + 1], xtol=1e-15), s))
-                    if not found:
-                        break
-                    t, side = min(found)
-                    h = tiny / scale
-                    omega = side * h * (push(t, side) + push(t + tiny, side)) / 2
-                    t += tiny
-
-                def rates(x: float, y: Floats, side: int = side, at: Callable[[float], float] = at) -> list[float]:
-                    speed = max(side * y[1], 0.0)
-                    now = at(x * scale)
-                    return [y[1], self.fall(now) - side * self.resistance(now, speed) - self.viscous * y[1]]
-
-                def stands(x: float, y: Floats, side: int = side) -> float:
-                    return float(side * y[1])
-
-                stands.terminal, stands.direction = True, -1  # type: ignore[attr-defined]
-                done = solve_ivp(rates, (t / scale, last / scale), [phi, omega], "DOP853", rtol=2.5e-14, atol=1e-17,
-                                 events=stands, max_step=(last - first) / scale / 3)  # fmt: skip
-                t, phi, omega = float(done.t[-1]) * scale, float(done.y[0, -1]), float(done.y[1, -1])
-                top = max(top, float(np.abs(done.y[1]).max()))
-                if done.status == 1:
-                    side, omega = 0, 0.0
-                else:
-                    t = last
-        return phi, omega if side else 0.0, top
-
-
-@pytest.mark.parametrize("seed", range(36))
-def test_every_term_against_an_integration_by_scipy(seed: int) -> None:
-    rng = np.random.default_rng(1000 + seed)
-    alpha = rng.uniform(10, 60)
-    dip = rng.uniform(5, 35) * rng.choice([1, 1, -1])
-    arc = Arc(10 ** rng.uniform(1, 3), math.radians(270 - dip - alpha), math.radians(270 - dip + alpha), 20e3)
-    d = arc.dimensionless
-    mu = abs(float(d.limit_friction)) * rng.choice([0.95, 1.2, 1.5])
-    effects: dict[str, dict[str, float]] = {}
-    more: dict[str, float] = {}
-    if seed % 2:
-        effects["centripetal"], more["polar"] = {}, float(d.polar_moment_per_inertia)
-    if seed % 3 == 0:
-        xi = 10 ** rng.uniform(1, 3)
-        effects["drag"], more["drag"] = (
-            {"xi": xi},
-            2 * float(arc.half_angle) * GRAVITY / xi / float(d.moment_of_inertia),
-        )
-    if seed % 4 == 0:
-        more["cohesion"] = 0.05 * float(arc.static_normal_stress)
-        effects["cohesion"] = {"cohesion": more["cohesion"]}
-    if seed % 5 == 0:
-        more["ratio"], more["pressure"] = 0.3, 0.2 * float(arc.static_normal_stress)
-        effects["pore_pressure"] = {"ratio": 0.3, "pressure": more["pressure"]}
-    if seed % 7 == 0:
-        more["viscous"] = 0.4
-    count = int(rng.integers(4, 12))
-    time = np.cumsum(rng.uniform(0.1, 1.0, count))
-    strength = rng.choice([0.3, 1.0, 4.0])  # 4 throws the mass off its bed
-    horizontal: Series | Pulse = series(time, strength * rng.normal(size=count))
-    if seed % 6 == 5:
-        horizontal = Pulse("sine", strength, 0.3, 2.0, 1.5)
-    vertical = series(time, rng.choice([0.2, 0.9]) * rng.normal(size=count)) if seed % 3 else series([0, 1], [0, 0])
-    two_way, omega = bool(rng.integers(2)), float(rng.choice([0.0, 0.0, 0.2, -0.2]))
-    kinks, density = np.union1d(horizontal.kinks, vertical.kinks), 20e3 / GRAVITY
-    unit = math.sqrt(GRAVITY * float(np.asarray(arc.radius)))
-    called: dict[str, Any] = effects | {"shaking": {"horizontal": horizontal, "vertical": vertical, "two_way": two_way}}
-    if "viscous" in more:
-        eta = more["viscous"] * float(d.moment_of_inertia) * density * unit / (2 * float(arc.half_angle))
-        called["viscosity"] = {"viscosity": eta, "thickness": 1.0}
-    last = float(kinks[-1])
-    motion = solve(Scene(arc, mu, called, omega * unit, last), 1e-12)
-    # SciPy's steps must not run over the kinks of starts, stops, lift-off and landing either.
-    joints = [t for t, _, _ in golden.changes(motion)] + pressing(motion)
-    knots = np.unique(np.concatenate([[0.0], kinks, joints]))
-    knots = knots[np.append(True, np.diff(knots) > 1e-9)]
-    phi, end, top = Physics(arc, mu, horizontal, vertical, **more).follow(knots, omega, two_way)
-    span = float(np.ptp(motion.at(np.linspace(0.0, motion.duration, 2001)).rotation))
-    bound = 2e-12 + motion.error_estimate
-    assert motion.error_estimate < 1e-10
-    assert abs(float(motion.end.rotation) - phi) <= bound * max(span, abs(phi))
-    assert abs(float(motion.end.angular_velocity) * float(arc.time_scale) - end) <= bound * top
-    energy = motion.energy_at(np.linspace(0.0, motion.duration, 101))
-    most = max(float(energy.dissipation[-1]), float(np.max(energy.kinetic_end)), 1e-300)
-    assert np.abs(energy.residual).max() < (1e-13 + motion.energy_error_estimate) * most
-
-
-def pressing(motion: Motion) -> list[float]:
-    """When the mass lifts off or lands."""
-
-    def pressed(t: Any) -> Any:
-        return motion.at(t).normal_stress > motion.pore_pressure_at(t)
-
-    times = np.linspace(0.0, motion.duration, 4001)
-    found, here = [], pressed(times)
-    for k in np.flatnonzero(here[1:] != here[:-1]).tolist():
-        low, high = float(times[k]), float(times[k + 1])
-        while low < (middle := (low + high) / 2) < high:
-            low, high = (middle, high) if pressed(middle) == here[k] else (low, middle)
-        found.append(high)
-    return found
-
-
 def test_viscosity_in_closed_form() -> None:
     """omega = (a/e) (1 - exp(-e t)) while it is pushed."""
     push = {"pulse": "rectangular", "amplitude": 0.4, "duration": 30.0}
@@ -446,12 +280,6 @@ def test_two_way_is_leans_where_nothing_yields_up_slope() -> None:
     assert one.duration == both.duration
     strong = record.scaled(4.0)
     assert shaken(strong, two_way=True).run_out < shaken(strong).run_out
-
-
-def test_a_mirrored_slope_slides_the_other_way_under_the_mirrored_record() -> None:
-    record = earthquake(600)
-    mirror = Arc(60.0, math.radians(250.0), math.radians(320.0), 19e3)
-    assert shaken(record).run_out == pytest.approx(-shaken(record.scaled(-1.0), arc=mirror).run_out, rel=1e-12)
 
 
 # --- hard cases ----------------------------------------------------------------------------------------------------

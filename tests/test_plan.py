@@ -134,14 +134,14 @@ def test_each_step_of_the_ladder_leaves_out_what_matters_least() -> None:
 
 LADDERS = {
     "vaiont": ["rotation", "centripetal"],
-    "vaiont-shaken": ["rotation", "shaking", "centripetal"],
+    "newmark-pulse": ["shaking"],
     "vaiont-rate": ["rotation", "centripetal"],
     "vaiont-heated": ["rotation", "thermal_pressurisation", "centripetal"],
 }
 
 
 @pytest.mark.parametrize("name", LADDERS)
-def test_the_ladders_of_vaiont_on_the_command_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_ladders_on_the_command_line(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     """What decides comes first, what adds a few percent last; no line is broken, whatever its effects are called."""
     assert main(["plan", "--ladder", name]) == 0
     lines = capsys.readouterr().out.splitlines()
@@ -152,11 +152,12 @@ def test_the_ladders_of_vaiont_on_the_command_line(name: str, capsys: pytest.Cap
     assert all(re.fullmatch(r"[\d.]+ (us|ms)", " ".join(x[2:4] if x[0] == "+" else x[1:3])) for x in shown)
     assert [x[-3] for x in shown] == {
         "vaiont": ["no", "yes", "yes"], "vaiont-rate": ["no", "yes", "yes"],
-        "vaiont-shaken": ["stays", "stays", "yes", "yes"], "vaiont-heated": ["no", "yes", "no", "no"],
+        "newmark-pulse": ["stays", "yes"], "vaiont-heated": ["no", "yes", "no", "no"],
     }[name]  # fmt: skip
     differs = [float(x[-2]) for x in shown]
     assert differs[-1] == 0.0
-    assert differs[-2] < 5.0 < differs[0]
+    assert differs[0] > 5.0
+    assert differs[-2] < 5.0 or len(differs) == 2
 
 
 def test_on_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:

@@ -4,10 +4,9 @@ import json
 import math
 import subprocess
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
-from itertools import combinations, cycle
 from typing import Any
 
 import golden
@@ -16,9 +15,7 @@ import numpy as np
 import pytest
 import time_references
 from mpmath import mpf
-from scipy.integrate import solve_ivp
 
-from generated.effects import EFFECTS
 from slipcircle import Arc, Motion, Scene, load, plan, solve
 from slipcircle.base.series import Pulse, Series
 from slipcircle.records.records import read_pore_pressure
@@ -33,15 +30,8 @@ RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
 # --- 100 random scenes -----------------------------------------------------------------------------------------------
 
 
-def scene(given: Mapping[str, Any]) -> Scene:
-    effects = {name: dict(parameters) for name, parameters in given["effects"].items()}
-    shaking = effects.get("shaking", {})
-    if "time" in shaking:
-        time = np.array(shaking.pop("time"))
-        for name in ("horizontal", "vertical"):
-            if name in shaking:
-                shaking[name] = Series(time, np.array(shaking[name]), held=False)
-    return Scene(Arc(**given["arc"]), given["friction"], effects, given["initial_velocity"], given["end_time"])
+def scene(given: golden.Data) -> Scene:
+    return golden.built("", given)
 
 
 def off(value: float, reference: str, scale: str) -> float:
@@ -124,109 +114,6 @@ def test_references_are_derived_again() -> None:
 
 # --- every combination, integrated independently ---------------------------------------------------------------------
 
-PARAMETERS: dict[str, dict[str, Any]] = {
-    "pore_pressure": {"time": [0.0, 3.0, 9.0], "pressure": [0.0, 3e5, 1e5]}, "cohesion": {"cohesion": 2e4},
-    "drag": {"xi": 800.0}, "viscosity": {"viscosity": 2e3, "thickness": 0.5},
-    "shaking": {"pulse": "half-sine", "amplitude": 0.2, "vertical_amplitude": 0.1, "duration": 6.0, "start": 1.0},
-    "thermal_pressurisation": HEAT,
-}  # fmt: skip
-LAWS: dict[str, Any] = {
-    "constant": 0.3,
-    "exponential": {"law": "exponential", "peak": 0.38, "residual": 0.25, "length": 5.0},
-    "rate": RATE,
-    "product": {"law": "hyperbolic", "peak": 0.38, "residual": 0.25, "length": 5.0, "rate": RATE | {"peak": 1.0}},
-    "prescribed": {"law": "prescribed", "time": [0.0, 4.0, 8.0], "coefficient": [0.4, 0.2, 0.3]},
-}
-
-
-def friction_of(law: Any, slip: float, speed: float, time: float) -> float:
-    """Friction written anew."""
-    if not isinstance(law, Mapping):
-        return float(law)
-    if law["law"] == "prescribed":
-        return float(np.interp(time, law["time"], law["coefficient"]))
-    peak, rest = law["peak"], law["residual"]
-    if law["law"] == "rate_weakening":
-        return float(rest + (peak - rest) * law["velocity"] / (law["velocity"] + speed))
-    shape = math.exp(-slip / law["length"]) if law["law"] == "exponential" else 1 / (1 + slip / law["length"])
-    factor = friction_of(law["rate"], slip, speed, time) if "rate" in law else 1.0
-    return float((rest + (peak - rest) * shape) * factor)
-
-
-def by_hand(s: Scene, called: Mapping[str, Any], end: float) -> tuple[float, float]:
-    """Displacement and velocity of a mass that slides all the time, in SI units, from the moments of (3.2)."""
-    arc: Any = s.arc
-    d = arc.dimensionless
-    radius, gravity, gamma = (float(x) for x in (arc.radius, arc.gravity, arc.unit_weight))
-    inertia, length = float(d.moment_of_inertia), 2 * float(arc.half_angle) * radius  # of the arc
-    dip = float(arc.dip)
-    weigh, press = float(d.weight_moment) / math.sin(dip), float(d.radial_weight) / math.cos(dip)
-    polar = float(d.resistance_factor * d.dynamic_coefficient) if "centripetal" in called else 0.0
-    water, pulse = called.get("pore_pressure"), called.get("shaking")
-    layer, heat = called.get("viscosity"), called.get("thermal_pressurisation")
-
-    def rates(t: float, y: Any) -> list[float]:
-        phi, omega, risen = y
-        psi = dip - phi if "rotation" in called else dip
-        wave = math.sin(math.pi * (t - 1.0) / 6.0) if pulse and 1.0 < t < 7.0 else 0.0
-        k_h, k_v = (wave * pulse["amplitude"], wave * pulse["vertical_amplitude"]) if pulse else (0.0, 0.0)
-        moment = gamma * radius**3 * weigh * ((1 - k_v) * math.sin(psi) + k_h * math.cos(psi))
-        weight = gamma * radius**2 * press * ((1 - k_v) * math.cos(psi) - k_h * math.sin(psi))
-        normal = (weight + gamma / gravity * omega**2 * radius**3 * polar) / length  # mean stress
-        u = (
-            float(np.interp(t, water["time"], water.get("pressure", np.zeros(99)[: len(water["time"])])))
-            if water
-            else 0.0
-        )
-        if water and "ratio" in water:  # of the weight alone, where it lies now
-            u += float(np.interp(t, water["time"], water["ratio"])) * gamma * radius**2 * press * math.cos(psi) / length
-        effective = max(normal - u - risen, 0.0)
-        mu = friction_of(s.friction, radius * phi, radius * omega, t)
-        shear = mu * effective + called.get("cohesion", {}).get("cohesion", 0.0)
-        shear += gamma * (radius * omega) ** 2 / called["drag"]["xi"] if "drag" in called else 0.0
-        shear += layer["viscosity"] * radius * omega / layer["thickness"] if layer else 0.0
-        mass = gamma / gravity * radius**4 * inertia
-        rise = heat["pressurisation"] / (heat["heat_capacity"] * heat["thickness"]) if heat else 0.0
-        return [omega, (moment - shear * length * radius) / mass, rise * mu * effective * radius * omega]
-
-    y, first = np.zeros(3), 0.0
-    for last in sorted({1.0, 3.0, 4.0, 7.0, 8.0, 9.0, end}):
-        if last <= end:
-            y = solve_ivp(rates, (first, last), y, "DOP853", rtol=1e-12, atol=1e-16).y[:, -1]
-            first = last
-    return radius * float(y[0]), radius * float(y[1])
-
-
-LATER = ("viscosity", "shaking", "thermal_pressurisation")
-NEW = [c for n in range(len(EFFECTS) + 1) for c in combinations(EFFECTS, n) if {*LATER, "pore_pressure"} & set(c)]
-
-
-def test_every_new_combination_of_effects_against_numerical_integration() -> None:
-    assert len(NEW) == 240
-    for chosen, name in zip(NEW, cycle(LAWS), strict=False):
-        if name == "prescribed" and chosen[0] == "pore_pressure":
-            name = "constant"
-        called = {e: PARAMETERS.get(e, {}) for e in chosen}
-        motion = solve(Scene(ARC, LAWS[name], called, end_time=11.0), 1e-10)
-        assert not golden.changes(motion, 300)
-        displacement, velocity = by_hand(motion.plan.scene, called, 11.0)
-        assert motion.run_out == pytest.approx(displacement, rel=1e-9), (chosen, name)
-        assert motion.end.velocity == pytest.approx(velocity, rel=1e-9), (chosen, name)
-
-
-@pytest.mark.parametrize("chosen", [(), ("rotation", "centripetal"), ("rotation", "shaking")], ids=str)
-def test_water_by_its_ratio_against_numerical_integration(chosen: tuple[str, ...]) -> None:
-    for more in ({}, {"pressure": [3e4, 0.0, 6e4]}):
-        water = {"time": [0.0, 4.0, 9.0], "ratio": [0.1, 0.5, 0.2], **more}
-        called = {e: PARAMETERS.get(e, {}) for e in chosen} | {"pore_pressure": water}
-        motion = solve(Scene(ARC, 0.2, called, end_time=11.0), 1e-10)
-        assert "pore_pressure depends on time" in motion.plan.why
-        displacement, velocity = by_hand(motion.plan.scene, called, 11.0)
-        assert motion.run_out == pytest.approx(displacement, rel=1e-9)
-        assert motion.end.velocity == pytest.approx(velocity, rel=1e-9)
-        assert abs(motion.energy.residual) < 1e-9 * motion.energy.work
-
-
 # --- answers from textbooks ------------------------------------------------------------------------------------------
 
 
@@ -277,35 +164,6 @@ def test_a_viscous_pendulum() -> None:
 
 # --- limits ----------------------------------------------------------------------------------------------------------
 
-LIMITS: dict[str, Callable[[], Scene]] = {
-    "no viscosity": lambda: Scene(ARC, 0.3, TURNING | {"viscosity": {"viscosity": 0.0, "thickness": 1.0}}),
-    "no shaking": lambda: Scene(ARC, 0.3, TURNING | {"shaking": {"pulse": "sine", "amplitude": 0.0, "duration": 5.0}}),
-    "no heat": lambda: Scene(ARC, 0.3, TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 0.0}}),
-    "no rate": lambda: Scene(ARC, RATE | {"peak": 0.3, "residual": 0.3}, TURNING),
-    "level table": lambda: Scene(
-        ARC, {"law": "rate_tabulated", "speed": [1e-3, 1.0, 9.0], "coefficient": [0.3, 0.3, 0.3]}, TURNING
-    ),
-    "constant in time": lambda: Scene(ARC, {"law": "prescribed", "time": [0, 9], "coefficient": [0.3, 0.3]}, TURNING),
-    "product with one": lambda: Scene(
-        ARC, {"law": "constant", "coefficient": 0.3, "rate": RATE | {"peak": 1.0, "residual": 1.0}}, TURNING
-    ),
-    "no water": lambda: Scene(ARC, 0.3, TURNING | {"pore_pressure": {"time": [0, 9], "pressure": [0, 0]}}),
-}
-
-
-@pytest.mark.parametrize("name", LIMITS)
-def test_limits_equal_the_closed_form(name: str) -> None:
-    given, plain = solve(LIMITS[name]()), solve(Scene(ARC, 0.3, TURNING))
-    for one, other in (
-        (given.run_out, plain.run_out),
-        (given.peak.velocity, plain.peak.velocity),
-        (given.peak.time, plain.peak.time),
-        (given.duration, plain.duration),
-    ):
-        assert one == pytest.approx(other, rel=1e-9 if other is not plain.peak.time else 1e-5)
-    times = np.linspace(0.0, plain.duration, 50)
-    np.testing.assert_allclose(given.at(times).velocity, plain.at(times).velocity, atol=1e-9 * plain.peak.velocity)
-
 
 def test_constant_shaking_tilts_gravity() -> None:
     """k_h and k_v that never change: an arc of another dip under another gravity."""
@@ -320,19 +178,6 @@ def test_constant_shaking_tilts_gravity() -> None:
     assert shaken.run_out == pytest.approx(tilted.run_out, rel=1e-9)
     assert shaken.duration == pytest.approx(tilted.duration, rel=1e-9)
     assert shaken.peak.velocity == pytest.approx(tilted.peak.velocity, rel=1e-9)
-
-
-def test_a_mirrored_slide_does_the_same_in_the_mirror() -> None:
-    mirrored = replace(ARC, theta_1=3 * np.pi - ARC.theta_2, theta_2=3 * np.pi - ARC.theta_1)
-    pulse = {"pulse": "sine", "amplitude": 0.4, "vertical_amplitude": 0.2, "duration": 20.0, "cycles": 6.0}
-    called = TURNING | {"viscosity": PARAMETERS["viscosity"], "thermal_pressurisation": HEAT}
-    for two_way in (False, True):
-        one = solve(Scene(ARC, 0.5, called | {"shaking": pulse | {"two_way": two_way}}))
-        other = solve(Scene(mirrored, 0.5, called | {"shaking": pulse | {"amplitude": -0.4, "two_way": two_way}}))
-        assert [c[1:] for c in golden.changes(one)] == [(-a, -b) for _, a, b in golden.changes(other)]
-        assert len(golden.changes(one)) > 1
-        assert one.run_out == pytest.approx(-other.run_out, rel=1e-10)
-        assert one.duration == pytest.approx(other.duration, rel=1e-10)
 
 
 # --- starts, stops and restarts --------------------------------------------------------------------------------------

@@ -281,7 +281,7 @@ def test_without_its_postulate_a_form_is_wrong(monkeypatch: pytest.MonkeyPatch) 
 def test_vector_balance_by_adding_up_forces() -> None:
     # Horizontal and vertical components of a uniform pressure and of the weight, over R and rho g R^2 ell.
     with mp.workdps(30):
-        start, half = s.first_end(), s.half()
+        start, half = s.FIRST_END, s.HALF
         middle, end = start + half, start + 2 * half
         push = [mp.quad(lambda x, f=f: -f(x), [start, middle, end]) for f in (mp.cos, mp.sin)]
         area = mp.quad(lambda x: (1 - (mp.cos(half) / mp.cos(x - middle)) ** 2) / 2, [start, middle, end])

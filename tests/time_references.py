@@ -26,8 +26,7 @@ MOST_STEPS, MOST_EPISODES = 4000, 60
 number = oracle.exact
 
 
-class Unfit(Exception):
-    """The scene turns over, never ends, or is no scene: it is drawn anew."""
+Unfit = references.Unfit  # the scene turns over, never ends, or is no scene: it is drawn anew
 
 
 # --- functions of time -----------------------------------------------------------------------------------------------
@@ -148,12 +147,12 @@ class Problem:
         per = 1 / m["reference_stress"]
         self.ratio = Course((), (still(number(water.get("ratio", 0.0)) if "time" not in water else 0),))
         self.water = Course((), (still(),))
+        if "time" not in water:
+            self.water = Course((), (still(number(water.get("pressure", 0.0)) * per),))
+        elif "pressure" in water:
+            self.water = lines(water["time"], water["pressure"], "held", per, self.scale)
         if "time" in water and "ratio" in water:
             self.ratio = lines(water["time"], water["ratio"], "held", arb(1), self.scale)
-        elif "time" in water:
-            self.water = lines(water["time"], water["pressure"], "held", per, self.scale)
-        else:
-            self.water = Course((), (still(number(water.get("pressure", 0.0)) * per),))
         self.cohesion = self.level * number(effects.get("cohesion", {}).get("cohesion", 0.0)) * per
         layer = 2 * m["half_angle"] / m["inertia"]
         self.drag = layer * gravity / number(effects["drag"]["xi"]) if "drag" in effects else arb(0)
@@ -282,7 +281,8 @@ class Solution:
         self.terms, self.digits = terms, digits
         self.p = Problem(scene)
         self.steps: list[Step] = []
-        self.lifted_once = False
+        self.lifts: list[arb] = []  # when it lifts off while it moves
+        self.carried = False
         self._solve()
 
     def _solve(self) -> None:
@@ -364,7 +364,8 @@ class Solution:
                 ctx.cap = 1
                 press = p.moments(arb_series([phi + side * x]), later, side)[1][0]
                 lifted = bool(press + p.polar * omega**2 - p.level * excess < 0)
-            self.lifted_once |= lifted
+            self.lifts += [time] if lifted and not self.carried else []
+            self.carried = lifted
             y = self._series(time, phi, slip, (x, omega, excess), side, piece, band, lifted)
             h = self._length(y)
             if limit is not None and time + h >= limit:
@@ -487,7 +488,7 @@ class Solution:
         return {
             "moves": bool(self.steps),
             "arrested": self.arrested,
-            "lifted": self.lifted_once,
+            "lifted": bool(self.lifts),
             "peak": text(self.peak() * speed),
             "run_out": text(self.run_out * length),
             "duration": text(self.duration * p.scale),

@@ -11,7 +11,6 @@ as soon as this place alone is left as printed.
 """
 
 import re
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -63,6 +62,11 @@ class Appendix:
     name: str
     printed: str = field(repr=False)
 
+    @property
+    def line(self) -> str:
+        """The print on one line."""
+        return " ".join(self.printed.split())
+
 
 APPENDIX_I, APPENDIX_II = APPENDICES = (Appendix("I", PRINTED_I), Appendix("II", PRINTED_II))
 
@@ -86,17 +90,16 @@ class Repair:
 
 def repairs(appendix: Appendix) -> tuple[Repair, ...]:
     """Every place where the print is not what it must read, in its order."""
-    text = " ".join(appendix.printed.split())
     return tuple(sorted(
         (Repair(*found.span(), mended, len(mended) - len(found.group()))
-         for pattern, mended in MENDING for found in re.finditer(pattern, text) if found.group() != mended),
+         for pattern, mended in MENDING for found in re.finditer(pattern, appendix.line) if found.group() != mended),
         key=lambda x: x.start,
     ))  # fmt: skip
 
 
 def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
     """The print on one line, mended everywhere but at the places that are to be left."""
-    text = " ".join(appendix.printed.split())
+    text = appendix.line
     for repair in reversed(repairs(appendix)):
         if repair not in leave:
             text = text[: repair.start] + repair.mended + text[repair.end :]
@@ -183,13 +186,16 @@ def _require(holds: bool, claim: str) -> None:
 
 @dataclass(frozen=True)
 class Step:
-    """One step: what was done, what proves it, what the expression is then, its operations, and the seconds taken."""
+    """One step: what was done, what proves it, and what the expression is then."""
 
     text: str
     proof: str
     expression: sp.Expr
-    operations: int
-    seconds: float = field(compare=False, repr=False)
+
+    @property
+    def operations(self) -> int:
+        """Of the expression."""
+        return int(sp.count_ops(self.expression))
 
 
 @dataclass(frozen=True)
@@ -215,11 +221,6 @@ def integrand(expression: sp.Expr) -> sp.Expr:
     Differentiated once more, K = J'/sin(alpha) obeys K' + n K tan(alpha) = [w(theta_m + alpha) + w(theta_m - alpha)]
     / cos(alpha), which is 2 w(theta_m) for a w = p sin + q cos. So n = -K''/(K tan(alpha))', found at one point and
     proved for all, and half the left side is w. Together with J = K = 0 at alpha = 0 this determines J.
-
-    Raises
-    ------
-    ProofError
-        If there is no such n, or no such w.
     """
 
     def plain(form: sp.Expr) -> sp.Expr:
@@ -244,37 +245,25 @@ def reduction(appendix: Appendix) -> Iterator[Step]:
 
     Up to the logarithm's branch the steps are identities: the sum of the two arctanh is artanh of what the sum of
     their arguments gives, plus k i pi with an integer k. k = 0 is the real integral.
-
-    Raises
-    ------
-    ProofError
-        If a step does not hold.
     """
-    start = time.perf_counter()
-
-    def step(text: str, proof: str, form: sp.Expr) -> Step:
-        nonlocal start
-        begun, start = start, time.perf_counter()
-        return Step(text, proof, form, int(sp.count_ops(form)), start - begun)
-
     form = parse(appendix)
-    yield step("read the mended print", "every bracket has its partner", form)
+    yield Step("read the mended print", "every bracket has its partner", form)
     found = sorted(form.atoms(sp.atanh), key=sp.default_sort_key)
     _require(len(found) == 2, f"two different arctanh occur, not {len(found)}")
     form = form.xreplace(dict(zip(found, (_A1, _A2), strict=True)))
     first, second = (x.args[0] for x in found)
     total = sp.atanh(angular(rational((first + second) / (1 + first * second))))
-    yield step(f"the two arctanh together are {total}", f"(X_1 + X_2)/(1 + X_1 X_2) cancels to {total.args[0]}", total)
+    yield Step(f"the two arctanh together are {total}", f"(X_1 + X_2)/(1 + X_1 X_2) cancels to {total.args[0]}", total)
     factors = [rational(form.diff(x)) for x in (_A1, _A2)]
     _require(factors[0] == factors[1] and not factors[0].has(_A1, _A2), "both arctanh have the same factor")
     factor = angular(factors[0])
-    yield step(f"both have the factor {factor}", "the derivatives by both cancel to one form, free of both", factor)
+    yield Step(f"both have the factor {factor}", "the derivatives by both cancel to one form, free of both", factor)
     rest = angular(rational(form.xreplace({_A1: 0, _A2: 0})))
-    yield step(f"without them {rest} is left", "cancels to it", rest)
+    yield Step(f"without them {rest} is left", "cancels to it", rest)
     line = sp.factor(factor * total + rest)
-    yield step("together, factored", "the form is linear in the two arctanh", line)
+    yield Step("together, factored", "the form is linear in the two arctanh", line)
     of = integrand(line)
-    yield step(f"it is the double integral of {of}", "found by differentiating it twice by alpha", line)
+    yield Step(f"it is the double integral of {of}", "found by differentiating it twice by alpha", line)
 
 
 @lru_cache
@@ -290,11 +279,6 @@ def real_arithmetic_fails(appendix: Appendix) -> sp.Rel:
     1 - X^2 over cos(alpha) cos(theta_m) cancels to squares, 1 + tan(alpha/2)^2 and 1 + tan(theta_m/2)^2, for both
     arguments X: with 0 < alpha < pi/2 both fail together, and exactly where cos(theta_m) <= 0, that is for every dip
     psi = 3 pi/2 - theta_m from 0 to pi. (At equality the arguments are -1 and 1, and the sum is inf - inf.)
-
-    Raises
-    ------
-    ProofError
-        If this is not so.
     """
     for arctanh in parse(appendix).atoms(sp.atanh):
         quotient = rational((1 - arctanh.args[0] ** 2) / (sp.cos(alpha) * sp.cos(theta_m)))

@@ -12,74 +12,58 @@ import sympy as sp
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import Log1p, Remainder, Select, unfold
 from derive.algebra.rules import heads
-from derive.declare.symbols import a, b, omega_0, t
+from derive.declare.symbols import a, alpha, b, omega_0, t
 
 # Symbols of the balance laws. Integrals over the mass enter by their dimensionless values (2.17)-(3.13).
 R, g, rho, ell = sp.symbols("R g rho ell", positive=True)
-mu, alpha_, lam, theta_star, j_r, j_theta, polar = sp.symbols("mu alpha lambda Theta J_r J_theta I_p", real=True)
+mu, lam, theta_star, j_r, j_theta, polar = sp.symbols("mu lambda Theta J_r J_theta I_p", real=True)
 omega_star, rate_star, sigma_mean = sp.symbols("omega_star rate_star sigma_mean", real=True)
 
 
-@dataclass(frozen=True)
-class Step:
-    """One derived equation: its number in the paper, and both sides."""
-
-    equation: str
-    left: sp.Expr
-    right: sp.Expr
-    how: str
-
-
-def balance() -> dict[str, Step]:
-    """Derive (2.20) and (3.8)-(3.18) from the balance laws; every step proved.
+def balance() -> dict[str, sp.Eq]:
+    """Derive (2.20) and (3.8)-(3.21) from the balance laws, by their numbers; every step proved.
 
     Nothing is assumed beyond what the paper assumes: the radial balance as a scalar sum (2.1), the uniform normal
     stress (2.9), (3.5), and Coulomb friction (1.14).
     """
-    gamma, f = rho * g, R * (1 - sp.cos(alpha_))  # (2.12)
+    gamma, f = rho * g, R * (1 - sp.cos(alpha))  # (2.12)
     sigma_ref = gamma * f  # (2.13)
     omega = omega_star * sp.sqrt(g / R)  # (2.21)
-    steps: dict[str, Step] = {}
-
-    def step(equation: str, left: sp.Expr, right: sp.Expr, how: str) -> None:
-        steps[equation] = Step(equation, left, right, how)
-
+    stress_star, lever = sp.Symbol("sigma_star"), 2 * alpha * (1 - sp.cos(alpha))  # (3.14)
     # Radial balance (2.5) with the mean stress (2.9); r = R r* scales the integrals by R**2 and R**3 (2.16).
-    radial = sp.Eq(R * 2 * alpha_ * sigma_mean, rho * g * R**2 * j_r + rho * omega**2 * R**3 * polar)
+    radial = sp.Eq(R * 2 * alpha * sigma_mean, rho * g * R**2 * j_r + rho * omega**2 * R**3 * polar)
     mean = sp.solve(radial, sigma_mean)[0]
-    mean_star = sp.simplify(mean / sigma_ref)
-    closed_lambda = 2 * alpha_ * (1 - sp.cos(alpha_))
-    dynamic = polar / closed_lambda  # (2.24)
-    prove_zero(mean_star - (j_r / closed_lambda + dynamic * omega_star**2), "(2.20)")
-    step("2.20", sp.Symbol("sigma_star"), j_r / lam + sp.Symbol("A") * omega_star**2, "(2.10) over sigma_ref")
+    mean_star = sp.simplify(mean / sigma_ref)  # (2.10) over sigma_ref
+    dynamic = polar / lever  # (2.24)
+    prove_zero(mean_star - (j_r / lever + dynamic * omega_star**2), "(2.20)")
 
     # Angular momentum (3.2) with the moments (3.3)-(3.5), (3.7); Theta from (3.1).
     inertia = ell * rho * R**4 * theta_star
     rate = rate_star * g / R  # (3.10): d(omega)/dt = (g/R) d(omega*)/dt*, from t = t* sqrt(R/g)
     weight = ell * rho * g * R**3 * j_theta
-    friction = R * mu * sigma_mean * ell * R * 2 * alpha_
+    friction = R * mu * sigma_mean * ell * R * 2 * alpha
     momentum = inertia * rate - (weight - friction)
-    printed_38 = R**4 * theta_star * rate - (g * R**3 * j_theta - R**2 * g / gamma * 2 * alpha_ * mu * sigma_mean)
+    printed_38 = R**4 * theta_star * rate - (g * R**3 * j_theta - R**2 * g / gamma * 2 * alpha * mu * sigma_mean)
     prove_zero(momentum / (ell * rho) - printed_38, "(3.8)")
-    step("3.8", inertia * rate, weight - friction, "(3.2) with (3.1), (3.3)-(3.5), (3.7), over ell rho")
-
     scaled = sp.expand(momentum.subs(sigma_mean, mean) / (ell * rho * g * R**3))
-    prove_zero(2 * alpha_ * sigma_ref / (gamma * R) - closed_lambda, "(3.14)")
-    stress_star = sp.Symbol("sigma_star")
-    prove_zero(scaled - (theta_star * rate_star - j_theta + closed_lambda * mu * mean_star), "(3.11)")
-    step("3.11", theta_star * rate_star, j_theta - lam * stress_star * mu, "(3.8) with (3.6), (3.10), (3.14)")
+    prove_zero(2 * alpha * sigma_ref / (gamma * R) - lever, "(3.14)")
+    prove_zero(scaled - (theta_star * rate_star - j_theta + lever * mu * mean_star), "(3.11)")
 
     # (3.16): collect in omega*. lambda A = I_p* and lambda sigma*_st = J_r by (2.22), (2.24).
     right = sp.expand(sp.solve(scaled, rate_star)[0])
-    a_derived, b_derived = right.coeff(omega_star, 0), -right.coeff(omega_star, 2)
-    prove_zero(right - (a_derived - b_derived * omega_star**2), "(3.16)")
-    prove_zero(a_derived - (j_theta - j_r * mu) / theta_star, "(3.17)")
-    prove_zero(b_derived - closed_lambda * dynamic * mu / theta_star, "(3.18)")
-    step("3.16", rate_star, a - b * omega_star**2, "(3.11), a quadratic in omega*")
-    step("3.17", a, sp.factor(a_derived), "its constant term")
-    step("3.18", b, sp.factor(b_derived), "its quadratic term; lambda A = I_p*")
-    step("3.21", mu, sp.solve(a_derived, mu)[0], "a = 0")
-    return steps
+    drive, brake = right.coeff(omega_star, 0), -right.coeff(omega_star, 2)
+    prove_zero(right - (drive - brake * omega_star**2), "(3.16)")
+    prove_zero(drive - (j_theta - j_r * mu) / theta_star, "(3.17)")
+    prove_zero(brake - lever * dynamic * mu / theta_star, "(3.18)")
+    return {
+        "2.20": sp.Eq(stress_star, j_r / lam + sp.Symbol("A") * omega_star**2),
+        "3.8": sp.Eq(inertia * rate, weight - friction),
+        "3.11": sp.Eq(theta_star * rate_star, j_theta - lam * stress_star * mu),
+        "3.16": sp.Eq(rate_star, a - b * omega_star**2),
+        "3.17": sp.Eq(a, sp.factor(drive)),
+        "3.18": sp.Eq(b, sp.factor(brake)),
+        "3.21": sp.Eq(mu, sp.solve(drive, mu)[0]),  # a = 0
+    }
 
 
 def solution() -> dict[str, sp.Expr]:
@@ -89,11 +73,6 @@ def solution() -> dict[str, sp.Expr]:
     -------
     dict
         ``y`` with omega = y'/(b y), then ``angular_velocity``, ``rotation`` and ``angular_acceleration``.
-
-    Raises
-    ------
-    ProofError
-        If a solution does not satisfy its equation.
     """
     y = sp.Function("y")
     k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
@@ -119,26 +98,11 @@ def solution() -> dict[str, sp.Expr]:
     return ways
 
 
-@dataclass(frozen=True)
-class Argument:
-    """What an input of the motion means, its domain in Python, and a point inside."""
-
-    words: str
-    inside: str
-    safe: float
-
-
-ARGUMENTS = {
-    a: Argument("Drive, (J_theta - mu J_r)/Theta* (3.17).", "np.isfinite(a)", 1.0),
-    b: Argument("Brake, mu I_p*/Theta* (3.18).", "np.isfinite(b)", 1.0),
-    omega_0: Argument("Initial angular velocity over sqrt(g/R).", "np.isfinite(omega_0)", 0.0),
-    t: Argument("Time over sqrt(R/g), not negative.", "(t >= 0.0) & np.isfinite(t)", 0.0),
-}
-# Of what comes to rest.
-BRAKED = {
-    a: Argument(ARGUMENTS[a].words, "(a < 0.0) & np.isfinite(a)", -1.0),
-    b: Argument(ARGUMENTS[b].words, "(b >= 0.0) & np.isfinite(b)", 1.0),
-    omega_0: Argument(ARGUMENTS[omega_0].words, "(omega_0 >= 0.0) & np.isfinite(omega_0)", 0.0),
+INPUTS = {
+    a: "Drive, (J_theta - mu J_r)/Theta* (3.17).",
+    b: "Brake, mu I_p*/Theta* (3.18).",
+    omega_0: "Initial angular velocity over sqrt(g/R).",
+    t: "Time over sqrt(R/g), not negative.",
 }
 ACCURACY = "at most 8 ulp times (1 + condition number) (sampled only: no certificate)."
 
@@ -158,15 +122,29 @@ class MotionForm:
     equation: str
     summary: str
 
-    def arguments(self) -> list[Argument]:
-        """What is said of its inputs."""
-        return [(ARGUMENTS if t in self.inputs else BRAKED)[x] for x in self.inputs]
+    @property
+    def limits(self) -> dict[sp.Symbol, str]:
+        """Of its inputs; none is infinite."""
+        limits = {t: ">= 0"} if t in self.inputs else {a: "< 0", b: ">= 0", omega_0: ">= 0"}
+        return {x: limit for x, limit in limits.items() if x in self.inputs}
 
+    @property
     def domain(self) -> str:
-        """In words."""
-        if t in self.inputs:
-            return "t >= 0" + (", until the solution runs to infinity" if b in self.inputs else "")
-        return "a < 0, b >= 0, omega_0 >= 0" if b in self.inputs else "a < 0, omega_0 >= 0"
+        """The limits, in words."""
+        words = ", ".join(f"{x} {limit}" for x, limit in self.limits.items())
+        return words + (", until the solution runs to infinity" if {b, t} <= {*self.inputs} else "")
+
+    @property
+    def inside(self) -> str:
+        """The same in Python."""
+        finite = {x: f"np.isfinite({x})" for x in self.inputs}
+        return " & ".join(f"(({x} {self.limits[x]}.0) & {y})" if x in self.limits else y for x, y in finite.items())
+
+    @property
+    def safe(self) -> tuple[float, ...]:
+        """A point inside."""
+        point = {a: 1.0 if t in self.inputs else -1.0, b: 1.0, omega_0: 0.0, t: 0.0}
+        return tuple(point[x] for x in self.inputs)
 
 
 _X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)

@@ -48,8 +48,6 @@ class Derivation:
     """A moment's way from its definition to its closed form."""
 
     moment: Moment
-    inner: sp.Expr  # integrated over r, between the chord and the arc
-    even: sp.Expr  # in u = theta - theta_m, odd part dropped
     amplitude: sp.Expr  # closed form in alpha, positive
     direction: sp.Expr  # 1, or cos(psi) or sin(psi) with a sign
     operations: tuple[int, int]  # of the definition's integrand between its limits, and of the closed form
@@ -62,13 +60,7 @@ class Derivation:
 
 @cache
 def derive(moment: Moment) -> Derivation:
-    """Integrate one definition, proving each step.
-
-    Raises
-    ------
-    ProofError
-        If a step does not hold.
-    """
+    """Integrate one definition, proving each step."""
     inner = antiderivative(moment.weight, r)
     inner = inner.subs(r, 1) - inner.subs(r, CHORD)
     # Centre the angle: theta = theta_1 + alpha + u, theta_1 + alpha = theta_m, so the limits become -alpha and alpha.
@@ -85,9 +77,7 @@ def derive(moment: Moment) -> Derivation:
     if moment.amplitude and amplitude.subs(alpha, 1).evalf() < 0:  # as in the integral of +r**n cos(u)
         amplitude, direction = -amplitude, -direction
     prove_zero(amplitude * direction - closed, f"{moment.name}: simplification")
-    return Derivation(
-        moment, inner, even, amplitude, direction, (int(sp.count_ops(outer)), int(sp.count_ops(amplitude)))
-    )
+    return Derivation(moment, amplitude, direction, (int(sp.count_ops(outer)), int(sp.count_ops(amplitude))))
 
 
 def shortest(expression: sp.Expr) -> sp.Expr:
@@ -135,13 +125,7 @@ def quadrature(weight: sp.Expr, theta_1_value: object, alpha_value: object, digi
 
 
 def compare(derivation: Derivation, digits: int) -> str:
-    """Compare a closed form with quadrature of its raw definition at two arcs; the worst relative difference.
-
-    Raises
-    ------
-    ProofError
-        If they differ in the digits asked for.
-    """
+    """Compare a closed form with quadrature of its raw definition at two arcs; the worst relative difference."""
     closed = derivation.closed.subs(PSI, 3 * sp.pi / 2 - theta_1 - alpha)
     function = sp.lambdify((theta_1, alpha), closed, "mpmath")
     worst = mpmath.mpf(0)

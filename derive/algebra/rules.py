@@ -89,11 +89,6 @@ def stable(closed: sp.Expr) -> StableForm:
 
     The heads of angle and artanh are split off where they cancel, that is where the terms vanish more slowly at 0 than
     their sum.
-
-    Raises
-    ------
-    ProofError
-        If a step does not hold, or if the heads do not cancel.
     """
     expression = sp.expand(sp.expand_trig(closed))
     power = _order_of_sum(expression)
@@ -183,13 +178,7 @@ def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
 
 
 def heads(expression: sp.Expr, orders: Mapping[sp.Expr, int]) -> sp.Expr:
-    """R4: each function f(x) that is named is its Taylor terms below x**n plus x**n times a remainder; heads cancel.
-
-    Raises
-    ------
-    ProofError
-        If the definitions of the remainders do not give the expression back.
-    """
+    """R4: each function f(x) that is named is its Taylor terms below x**n plus x**n times a remainder; heads cancel."""
     parts = {f: sum(c * f.args[0] ** k for k, c in enumerate(taylor(type(f)(X))[:n])) for f, n in orders.items()}
     rests = {f: f.args[0] ** n * Remainder(type(f), n, f.args[0]) for f, n in orders.items()}
     result = sp.expand(expression.subs({f: parts[f] + rests[f] for f in orders}))

@@ -16,6 +16,8 @@ rings
     Gauss' rule of ``NODES`` nodes leaves about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the greatest value.
 """
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from derive.algebra.integrate import antiderivative
@@ -41,7 +43,6 @@ _P, _T, _T1, _T2, _PHI = sp.symbols("p t t1 t2 phi", real=True)
 _LOG = sp.Symbol("L", real=True)  # artanh(t2/r2) - artanh(t1/r1)
 _TAU = sp.symbols("tau_x tau_y", real=True)
 _NORMAL = (_TAU[1], -_TAU[0])  # from the centre to the line, where p > 0
-_UNIT = {_TAU[0] ** 2: 1 - _TAU[1] ** 2}
 
 
 def _rho(t: sp.Expr) -> sp.Expr:
@@ -149,19 +150,10 @@ _CIRCLE = {SINE**2: 1 - COSINE**2}
 
 
 def slices() -> dict[str, sp.Expr]:
-    """Integrands over beta, from the balance of one slice by its name in `generated.slopes`.
+    """Integrands over beta, from the balance of one slice, by name: `generated.slopes` says what each is.
 
-    drive
-        Moment of weight and of k_h times it, at the slice's middle, about the centre.
-    ordinary_normal
-        Effective normal stress where the forces between slices have no component along the radius (Fellenius).
-    bishop_strength, bishop_lever
-        Of (c + N' mu) = strength/lever, where they have none along the vertical; m_alpha is the lever.
-    bishop_normal
-        The effective normal stress that goes with it.
-    radial_weight, radial_tilt
-        J_r (2.23) by strips, and what a unit of k_h adds to it: of the paper's mean normal stress. ``distance`` is that
-        of the ground's point above the arc's from the centre.
+    Of the ordinary method the forces between slices have no component along the radius, of Bishop's none along the
+    vertical: (c + N' mu) = strength/lever. ``distance`` is that of the ground's point above the arc's from the centre.
     """
     weight = HEIGHT * COSINE
     force = sp.Matrix([K_H * weight, -weight])
@@ -227,9 +219,8 @@ def prove() -> list[str]:
     return claims
 
 
-def _prove_slices(claim: object) -> None:
+def _prove_slices(claim: Callable[[sp.Expr, str], None]) -> None:
     """The slices of the mass under one straight chord give the paper's closed forms."""
-    assert callable(claim)
     forms, middle = slices(), sp.Symbol("beta_m", real=True)
     height = (sp.cos(BETA - middle) - sp.cos(alpha)) / sp.cos(middle)
     chord = {SINE: sp.sin(BETA), COSINE: sp.cos(BETA), HEIGHT: height, K_H: 0, PRESSURE: 0}

@@ -7,14 +7,11 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from types import SimpleNamespace
+
+import numpy as np
 
 from derive.code.program import Program, operations
 from derive.code.text import WIDTH, Language, Part, Reader, statements
-
-_ACCURACY = """    accuracy : float, optional
-        Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the best tier.
-"""
 
 
 @dataclass(frozen=True)
@@ -45,9 +42,7 @@ class PythonText:
     """The private functions of a module, as they are written; each is read back, and may call those before it."""
 
     def __init__(self) -> None:
-        self.reader = Reader("python")
-        functions = SimpleNamespace(**self.reader.functions(), nan=float("nan"))
-        self.reader.scope |= {"Array": None, "Any": None, "np": functions, "horner": HELPERS["horner"]}
+        self.reader = Reader({"Array": None, "Any": None, "np": np, "horner": HELPERS["horner"]})
         self.parts: list[Part] = []
 
     def body(self, program: Program, name: str = "", space: str = "np") -> str:
@@ -72,34 +67,43 @@ TEMPLATES = Path(__file__).resolve().parent / "templates"
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
+_OUT = ("out", "ndarray, optional", "Where the result goes.")
+_WHERE = ("where", "array_like of bool, optional",
+          "Lanes to compute; others keep what `out` holds (NaN without `out`).")  # fmt: skip
+_ACCURACY = ("accuracy", "float, optional", "Relative error to meet: the cheapest tier that is proved to meet it, or "
+             "a ValueError. By default the best tier.")  # fmt: skip
+
+
+def numpydoc(
+    summary: str,
+    formula: str,
+    parameters: Iterable[tuple[str, str, str]],
+    returns: tuple[str, str],
+    *notes: str,
+    width: int = 112,
+) -> str:
+    """The docstring of a function; parameters are named, typed and described."""
+    lines = [f'"""{summary}', "", formula, "", "Parameters", "----------"]
+    for name, kind, words in parameters:
+        lines += [f"{name} : {kind}", f"    {words}"]
+    lines += ["", "Returns", "-------", returns[0], f"    {returns[1]}", "", "Notes", "-----", *notes, '"""']
+    return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
+
+
 def function(f: Function, text: PythonText) -> str:
     """A public function: signature, numpydoc docstring, and the call of its body."""
     p = f.program
-    parameters = "".join(f"    {n} : array_like\n        {words}\n" for n, words in f.parameters)
-    doc = f'''    """{f.summary}
-
-    {f.formula}
-
-    Parameters
-    ----------
-{parameters}    out : ndarray, optional
-        Where the result goes.
-    where : array_like of bool, optional
-        Lanes to compute; others keep what `out` holds (NaN without `out`).
-{_ACCURACY if f.tiers else ""}
-    Returns
-    -------
-    ndarray or scalar
-        {f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.
-
-    Notes
-    -----
-    Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag.
-    Accuracy: {f.accuracy}
-    Source: {f.equation}. Operations: {operations(p.operations())}.
-    """
-'''
-    doc = "\n".join(_fill(line) for line in doc.splitlines()) + "\n"
+    parameters = [*((n, "array_like", words) for n, words in f.parameters), _OUT, _WHERE]
+    doc = numpydoc(
+        f.summary,
+        f.formula,
+        [*parameters, _ACCURACY] if f.tiers else parameters,
+        ("ndarray or scalar", f"{f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays "
+         "float32."),
+        f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag.",
+        f"Accuracy: {f.accuracy}",
+        f"Source: {f.equation}. Operations: {operations(p.operations())}.",
+    )  # fmt: skip
     if f.tiers:
         return _kernel(f, doc, text)
     names = ", ".join(p.inputs)
@@ -134,12 +138,12 @@ def identifier(kernel: str, tier: str) -> str:
     return f"{kernel}_{tier}".replace("-", "_").rstrip("_")
 
 
-def _fill(line: str) -> str:
-    """Wrap a docstring line at the width of the page, keeping its indent."""
-    if len(line) <= 112:
+def _fill(line: str, width: int = 112) -> str:
+    """Wrap a docstring line, keeping its indent."""
+    if len(line) <= width:
         return line
     indent = line[: len(line) - len(line.lstrip())]
-    return textwrap.fill(line, 112, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def module(docstring: str, functions: Iterable[Function]) -> str:
@@ -164,14 +168,22 @@ def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
     return _module(docstring, [p.name for p, _ in programs], code)
 
 
-def plain_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
-    """A module of functions for callers that know the domain: arrays or floats in, no checks."""
-    programs, code = sorted(programs, key=lambda p: p[0].name), ""
-    for p, words in programs:
-        head, rest = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
-        doc = _fill(f'    """{sentence(words)} Operations: {operations(p.operations()) or "none"}."""')
-        code += f"\n\n{head}\n{doc}\n{rest}"
+def plain_module(docstring: str, programs: Iterable[tuple[Program, str]], head: str = "") -> str:
+    """A module of functions for callers that know the domain: arrays or floats in, no checks; each with its docstring.
+
+    ``head`` is what stands before them.
+    """
+    programs, code = list(programs), head
+    for p, doc in programs:
+        signature, body = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
+        code += f"\n\n{signature}\n{doc}{body}"
     return _module(docstring, [p.name for p, _ in programs], code)
+
+
+def described(programs: Iterable[tuple[Program, str]]) -> list[tuple[Program, str]]:
+    """Programs by name, each with a docstring of one sentence and what it costs."""
+    sentences = ((p, f"{sentence(words)} Operations: {operations(p.operations()) or 'none'}.") for p, words in programs)
+    return [(p, _fill(f'    """{words}"""') + "\n") for p, words in sorted(sentences, key=lambda x: x[0].name)]
 
 
 # What a generated module may need, in this order.

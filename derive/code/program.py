@@ -5,8 +5,9 @@ The order of operations follows from the expression alone, never from a hash.
 """
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial, reduce
 from typing import Literal, get_args
 
 import mpmath
@@ -115,11 +116,7 @@ class _Builder:
             smaller, larger, if_less, otherwise = (self.add(x) for x in e.args)
             return self.put("select", self.put("less", smaller, larger), if_less, otherwise)
         if isinstance(e, (sp.Min, sp.Max)):
-            kind: Kind = "min" if isinstance(e, sp.Min) else "max"
-            result, *rest = [self.add(x) for x in sorted(e.args, key=_order)]
-            for other in rest:
-                result = self.put(kind, result, other)
-            return result
+            return self._joined("min" if isinstance(e, sp.Min) else "max", sorted(e.args, key=_order))
         if type(e) in CALLS:
             return self.put_call(CALLS[type(e)], self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
@@ -149,17 +146,15 @@ class _Builder:
                 over.append(x)
         # Powers of an input come last, one factor at a time, so that a result underflows once or not at all.
         factors = over + powers if over else powers or [sp.Integer(1)]
-        head = self._multiply(factors[: len(over)] or factors[:1])
-        result = self.put("div", head, self._multiply(under)) if under else head
+        head = self._joined("mul", factors[: len(over)] or factors[:1])
+        result = self.put("div", head, self._joined("mul", under)) if under else head
         for x in factors[len(over) or 1 :]:
             result = self.put("mul", result, self.add(x))
         return result
 
-    def _multiply(self, factors: list[sp.Expr]) -> int:
-        result, *rest = [self.add(x) for x in factors]
-        for other in rest:
-            result = self.put("mul", result, other)
-        return result
+    def _joined(self, kind: Kind, parts: Sequence[sp.Expr]) -> int:
+        """All of them by one operation, from the left."""
+        return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
     def _rounding_error(self, x: int, y: int) -> int:
         total = self.put("add", x, y)

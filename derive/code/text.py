@@ -8,7 +8,10 @@ import textwrap
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, cast
+
+import numpy as np
+from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
@@ -214,6 +217,10 @@ class Recorder:
         key = Op(kind, places, value.hex() if isinstance(value, float) else value)
         return Recorded(self, self.ops.setdefault(key, len(self.ops)))
 
+    def operate(self, name: str, *operands: Any) -> "Recorded":
+        """One of `OPERATIONS`."""
+        return self.put(cast(Kind, name), *operands) if name in KINDS else self.put("call", *operands, value=name)
+
     def number(self, x: Any) -> "Recorded":
         """A number becomes a constant."""
         return x if isinstance(x, Recorded) else self.put("const", value=float(x))
@@ -226,54 +233,32 @@ class Recorder:
         return [done[i].place for i in program.outputs]
 
 
+# What NumPy calls each operation; the logarithm and the like have no exact meaning, and their own name.
+_NAMES = {operation.meaning or getattr(np, name): name for name, operation in OPERATIONS.items()}
+
+
 @dataclass(frozen=True, eq=False)
-class Recorded:
-    """An operand that records."""
+class Recorded(NDArrayOperatorsMixin):
+    """An operand that records what Python's operators and NumPy's functions are asked to do with it."""
 
     recorder: Recorder
     place: int
 
-    def __add__(self, x: Any) -> "Recorded":
-        return self.recorder.put("add", self, x)
+    def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Recorded":
+        if function is np.greater:  # Python turns 1.0 < x around
+            function, operands = np.less, operands[::-1]
+        return self.recorder.operate(_NAMES[function], *operands)
 
-    def __radd__(self, x: Any) -> "Recorded":
-        return self.recorder.put("add", x, self)
-
-    def __sub__(self, x: Any) -> "Recorded":
-        return self.recorder.put("sub", self, x)
-
-    def __rsub__(self, x: Any) -> "Recorded":
-        return self.recorder.put("sub", x, self)
-
-    def __mul__(self, x: Any) -> "Recorded":
-        return self.recorder.put("mul", self, x)
-
-    def __rmul__(self, x: Any) -> "Recorded":
-        return self.recorder.put("mul", x, self)
-
-    def __truediv__(self, x: Any) -> "Recorded":
-        return self.recorder.put("div", self, x)
-
-    def __rtruediv__(self, x: Any) -> "Recorded":
-        return self.recorder.put("div", x, self)
-
-    def __neg__(self) -> "Recorded":
-        return self.recorder.put("neg", self)
-
-    def __lt__(self, x: Any) -> "Recorded":
-        return self.recorder.put("less", self, x)
-
-    def __gt__(self, x: Any) -> "Recorded":  # Python turns 1.0 < x around
-        return self.recorder.put("less", x, self)
+    def __array_function__(self, function: Any, _: Any, operands: Any, named: Any) -> "Recorded":
+        return self.recorder.operate(_NAMES[function], *operands)
 
 
 @dataclass
 class Reader:
     """Text that was written, run on operands that record; what is read once is there to be called."""
 
-    templates: str
+    scope: dict[str, Any]
     recorder: Recorder = field(default_factory=Recorder)
-    scope: dict[str, Any] = field(default_factory=dict)
 
     def check(self, program: Program, name: str, text: str) -> None:
         """Raise `ProofError` unless the text, a function of Python, does the program's operations and no others."""
@@ -283,15 +268,3 @@ class Reader:
         done = [self.recorder.number(x).place for x in given]
         if done != (wanted := self.recorder.replay(program)):
             raise ProofError(f"{name}: text that was written", f"operations {done}", f"{wanted}, those of its program")
-
-    def functions(self) -> dict[str, Callable[..., Recorded]]:
-        """What the text calls, by name, as functions that record."""
-
-        def recording(name: str) -> Callable[..., Recorded]:
-            if name in KINDS:
-                return lambda *args: self.recorder.put(name, *args)  # type: ignore[arg-type]
-            return lambda *args: self.recorder.put("call", *args, value=name)
-
-        calls = {name: getattr(x, self.templates).partition("(")[0] for name, x in OPERATIONS.items()}
-        calls = {name: text.removeprefix("{space}.") for name, text in calls.items()}
-        return {text: recording(name) for name, text in calls.items() if text.isidentifier()}

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from derive.declare.symbols import in_words
+
 # The balance (3.11), any effect included: Theta* d(omega*)/dt* = J_theta - resistance - lambda mu (sigma* - u*).
 THETA, J_R, J_THETA, LAMBDA, A, MU, OMEGA, OMEGA_2 = sp.symbols(
     "Theta J_r J_theta lambda A mu omega omega_2", real=True
@@ -256,8 +258,7 @@ def formulas(effect: Effect) -> tuple[str, ...]:
     slopes = {THETA * FALL_SLOPE: sp.Symbol("dJ_theta/dpsi"), THETA * PRESS_SLOPE: sp.Symbol("dJ_r/dpsi")}
 
     def shown(e: sp.Expr) -> str:
-        text = sp.sstr(e.subs(slopes | {OMEGA_2: OMEGA**2} | {s: sp.Symbol(n) for s, n in names.items()}))
-        return text.replace("**", "^").replace("*", " ").replace("_star", "*")
+        return in_words(e.subs(slopes | {OMEGA_2: OMEGA**2} | {s: sp.Symbol(n) for s, n in names.items()}))
 
     adds = {"sigma": effect.stress, "u": effect.pressure, "resistance": effect.resistance, "J_theta": effect.fall,
             "J_r": effect.press}  # fmt: skip

@@ -39,13 +39,7 @@ class Moment:
 
     @property
     def definition(self) -> tuple[str, ...]:
-        """What a certificate says that the function of alpha is.
-
-        Raises
-        ------
-        ProofError
-            If the weight is none of those that can be certified.
-        """
+        """What a certificate says that the function of alpha is."""
         power = sp.degree(self.weight, r) if self.weight.is_polynomial(r) else sp.Integer(0)
         turn = self.weight / r**power
         turned = turn in (sp.sin(theta), -sp.sin(theta), sp.cos(theta), -sp.cos(theta))
@@ -59,15 +53,12 @@ class Moment:
 
 
 @dataclass(frozen=True)
-class Elementary:
-    """A quantity that is no integral: its form in alpha, and its definition in the checker's words."""
+class _OfAlpha:
+    """A function of alpha that is no integral."""
 
     name: str
     symbol: str
     equation: str
-    form: sp.Expr
-    help: str
-    definition: tuple[str, ...]
 
     @property
     def kernel(self) -> tuple[str, str]:
@@ -76,12 +67,18 @@ class Elementary:
 
 
 @dataclass(frozen=True)
-class Quotient:
+class Elementary(_OfAlpha):
+    """A quantity by its form in alpha, and its definition in the checker's words."""
+
+    form: sp.Expr
+    help: str
+    definition: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Quotient(_OfAlpha):
     """A ratio of two base quantities, O(1) as alpha -> 0 although both fall like alpha**3."""
 
-    name: str
-    symbol: str
-    equation: str
     numerator: str
     denominator: str
     help: str

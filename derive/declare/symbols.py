@@ -22,3 +22,8 @@ a = sp.Symbol("a", real=True)
 b = sp.Symbol("b", real=True)
 omega_0 = sp.Symbol("omega_0", real=True)
 t = sp.Symbol("t", real=True)
+
+
+def in_words(form: sp.Expr) -> str:
+    """A form as one reads it: powers raised, products by a blank, ``x_star`` as x*."""
+    return str(sp.sstr(form)).replace("**", "^").replace("*", " ").replace("_star", "*")

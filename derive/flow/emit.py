@@ -1,5 +1,6 @@
 """The text of `generated/flow.py`: fragments as data."""
 
+import inspect
 from collections.abc import Sequence
 
 import sympy as sp
@@ -20,24 +21,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 
-class Fragment(NamedTuple):
-    """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
-
-    ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
-    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
-    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
-    argument (of time, its own) and the degree of its pieces.
-    """
-
-    words: tuple[str, ...]
-    inputs: tuple[str, ...]
-    optional: tuple[str, ...]
-    scalar: tuple[tuple[str, ...], ...]
-    series: tuple[tuple[object, ...], ...]
-    adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
-    states: tuple[tuple[str, str], ...] = ()
-    table: tuple[str, str, int] | None = None
-
+{fragment}
 
 # The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime
 # marks a tangent, other names are for what is made on the way.
@@ -51,7 +35,7 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
     own = {o.name: (*map(str, (*o.results, *o.arguments, *o.numbers)),) for o in OPERATIONS.values()}
     of_cell = {name: repr((("d", "a", "b", "e"), template)) for name, template in of_cells().items()}
     of_register = {name: repr((own[name], template)) for name, template in of_series().items()}
-    parts = {f.name: _fragment(f) for f in fragments(effects, laws)}
+    parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
     kinked = {law.name: _pieces(law) for law in laws if law.kinks}
     blocks = (
         ("cells that every program has, first and in this order", "MEANINGS", {x: repr(y) for x, y in CELLS.items()}),
@@ -62,7 +46,7 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
         ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", of_register),
         ("parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
     )  # fmt: skip
-    text = [_HEAD]
+    text = [_HEAD.format(fragment=inspect.getsource(Fragment))]
     for comment, name, rows in blocks:
         lines = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
         text.append(f"# {comment[0].upper()}{comment[1:]}.\n{name} = {{\n{lines}}}\n\n")
@@ -78,8 +62,7 @@ def _pieces(law: Law) -> str:
 
 def _fragment(f: Fragment) -> str:
     lines = []
-    for name in ("words", "inputs", "optional", "scalar", "series", "adds", "states", "table"):
-        value = getattr(f, name)
+    for name, value in f._asdict().items():
         if name in ("words", "scalar", "series") and value:
             rows = "".join(f"            {x!r},\n" for x in value)
             lines.append(f"        {name}=(\n{rows}        ),\n")

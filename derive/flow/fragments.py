@@ -1,6 +1,6 @@
 """The declared effects and laws, and the balance itself, lowered to the fragments that programs are joined of."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import chain, combinations
 
 import sympy as sp
@@ -298,11 +298,8 @@ def energy() -> Fragment:
     return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
 
 
-def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> Iterator[Fragment]:
-    """All fragments, of these effects and laws."""
-    yield gravity()
-    yield from (of_effect(e) for e in effects)
-    yield from (of_law(law) for law in (*laws, CALLABLE))
-    yield product()
-    yield balance()
-    yield energy()
+def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
+    """All fragments by name, of these effects and laws."""
+    declared = {e.name: of_effect(e) for e in effects} | {law.name: of_law(law) for law in (*laws, CALLABLE)}
+    joints = {"product": product(), "balance": balance(), "energy": energy()}
+    return {"gravity": gravity()} | declared | joints

@@ -8,12 +8,13 @@ series. Increments are built from increments, so that near a limit nothing cance
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import sympy as sp
 
-from derive.algebra.remainders import Select
+from derive.algebra.remainders import Primitive, Select
 from derive.code.program import program
-from derive.flow.operations import first
+from derive.flow.operations import OPERATIONS, Q, first
 
 # An increment: the coefficient, a number, of each product of registers, which are named in order.
 Increment = Mapping[tuple[str, ...], sp.Expr]
@@ -47,30 +48,30 @@ def times(a: Increment, b: Increment) -> Increment:
 SLIP = cell("slip")
 
 
-class Exp(sp.Function):
+class Exp(Primitive):
     """exp, which SymPy does not turn into a power."""
 
-    nargs = 1
     call = "exp"
 
+    def definition(self) -> sp.Expr:
+        return sp.exp(self.args[0])
 
-@dataclass(frozen=True)
-class Fragment:
-    """A part of a program: what an effect, a law or the balance itself adds; all names are of cells and registers.
 
-    ``scalar`` computes cells from cells where a phase begins, ``series`` coefficients from coefficients. ``adds`` gives
-    for each quantity of the balance its base, the size of the base's terms, and its increment, a sum of (cell,
-    register). ``states`` are further states, each with the register of its rate. A ``table`` is of slip,
-    speed or time, with the register of its argument (or, of time, its own) and the degree of its pieces.
+class Fragment(NamedTuple):
+    """Formulas in words; operations on numbers where a phase begins, operations on series, and what they add.
+
+    ``adds`` gives for each quantity of the balance its base, the size of the base's terms, and its increment as a sum
+    of (number, series). ``inputs`` are what a scene gives, over the scales of the arc; ``optional`` ones may be left
+    out. ``states`` are series with those of their rates. A ``table`` is of slip, speed or time, with the series of its
+    argument (of time, its own) and the degree of its pieces.
     """
 
-    name: str
     words: tuple[str, ...]
     inputs: tuple[str, ...]
     optional: tuple[str, ...]
     scalar: tuple[tuple[str, ...], ...]
     series: tuple[tuple[object, ...], ...]
-    adds: Mapping[str, tuple[str, str, tuple[tuple[str, str], ...]]]
+    adds: dict[str, tuple[str, str, tuple[tuple[str, str], ...]]]
     states: tuple[tuple[str, str], ...] = ()
     table: tuple[str, str, int] | None = None
 
@@ -118,34 +119,31 @@ class Lowering:
         if isinstance(e, sp.Pow) and not e.exp.free_symbols & self.moving.keys() and relative:
             if e.exp == -1:
                 return 1 / b, self.apply("rec", relative, 1 / b)
-            power = b**e.exp if (2 * e.exp).is_Integer else Exp(e.exp * sp.log(b))
+            power = b**e.exp if b == 1 or (2 * e.exp).is_Integer else Exp(e.exp * sp.log(b))
             return power, self.apply("pow", relative, power, e.exp)
         raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
 
-    def apply(
-        self, operation: str, increment: Increment, factor: sp.Expr, exponent: sp.Expr | None = None
-    ) -> Increment:
-        """A factor times the register that an operation on an increment gives."""
+    def apply(self, operation: str, increment: Increment, factor: sp.Expr, *numbers: sp.Expr) -> Increment:
+        """A factor times the last result of an operation on an increment, which is 0 where the increment is."""
         z = self.register(increment)
         self.count += 1
-        first, second = (f"{self.name}.{operation}{self.count}{x}" for x in ("", "_less_1"))
-        if operation == "exp":
-            self.put("tim", f"{z}.times", z)
-            self.put("exp", first, second, f"{z}.times", z)
-        elif operation == "pow":
-            self.put("pow", first, second, z, self.cell(exponent))
-        elif operation == "rec":
-            self.put("rec", first, second, z)
-        else:
-            self.put("log", second := first, z)
-        return series(second, factor)
+        names = (f"{self.name}.{operation}{self.count}{x}" for x in ("", "_less_1"))
+        results = [name for _, name in zip(OPERATIONS[operation].results, names, strict=False)]
+        self.operate(operation, results, z, *map(self.cell, numbers))
+        return series(results[-1], factor)
 
     def turn(self, increment: Increment, sine: sp.Expr, versine: sp.Expr) -> Increment:
         """Factors times sin and versine, 1 - cos, of an increment."""
         x = self.register(increment)
-        self.put("tim", f"{x}.times", x)
-        self.put("turn", s := f"sin({x})", v := f"vers({x})", f"{x}.times", x)
-        return total((sine, series(s)), (versine, series(v)))
+        self.operate("turn", (f"sin({x})", f"vers({x})"), x)
+        return total((sine, series(f"sin({x})")), (versine, series(f"vers({x})")))
+
+    def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
+        """Append an operation on the register z, and before it what is made of z alone, if it takes that too."""
+        own = Q in OPERATIONS[operation].arguments
+        if own:
+            self.put("tim", f"{z}.times", z)
+        self.put(operation, *results, *([f"{z}.times"] if own else []), z, *numbers)
 
     def put(self, *operation: object) -> None:
         """Append an operation on series, once."""
@@ -215,15 +213,7 @@ class Lowering:
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())
         return Fragment(
-            self.name,
-            tuple(words),
-            tuple(inputs),
-            tuple(optional),
-            self.scalar(),
-            tuple(self.series),
-            added,
-            rates,
-            table,
+            tuple(words), tuple(inputs), tuple(optional), self.scalar(), tuple(self.series), added, rates, table
         )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:

@@ -5,11 +5,13 @@ import struct
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from derive.approximate.programs import Code, Variant, logarithm
 from derive.code import emit
 from derive.code.emit import identifier
+from derive.code.operations import OPERATIONS
 from derive.code.program import Program, without_dead
 from derive.code.text import Language, Part, Reader, seam, statements
 
@@ -34,12 +36,12 @@ class CText:
     """The inline functions of one form, as they are written; each is read back, and may call those before it."""
 
     def __init__(self, form: str) -> None:
-        self.reader = Reader("c")
-        self.reader.scope |= self.reader.functions() | {"hexadecimal": float.fromhex}
+        self.reader = Reader({"hexadecimal": float.fromhex})
+        calls = {name: x.c.partition("(")[0] for name, x in OPERATIONS.items()}
+        self.reader.scope |= {c: partial(self.reader.recorder.operate, x) for x, c in calls.items() if c.isidentifier()}
+        self.reader.scope |= {f"POLY{degree}": self._polynomial for degree in range(1, MOST)}
         if form == "plain":
             self.reader.scope["FMA"] = lambda a, b, c: a * b + c
-        for degree in range(1, MOST):
-            self.reader.scope[f"POLY{degree}"] = self._polynomial
         code = Code(form)
         b = code.put("input", value="b")
         part = Part(f"logarithm_{form}", replace(code.program("logarithm", logarithm(code, b)), inputs=("b",)))

@@ -28,7 +28,7 @@ from derive.declare.effects import (
     Parameter,
     formulas,
 )
-from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
+from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
 HALF_PI = repr(float(sp.N(sp.pi / 2, 40)))
@@ -47,32 +47,26 @@ def kernels(proved: Iterable[Record] = ()) -> list[Function]:
     bounds: dict[str, dict[tuple[str, str], float]] = {}
     for r in proved:
         bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
-    closed, found = closed_forms(), []
-    forms = stable_forms(closed)
-    for x in (*MOMENTS, RESISTANCE):
-        name, symbol = x.kernel
-        formula = f"{symbol} = {closed[name]}"
-        found.append(_of_alpha(name, f"{symbol}: {x.help}", formula, x.equation, bounds.get(name), forms[name]))
+    closed = closed_forms()
+    formulas = {name: str(form) for name, form in closed.items()}
     for q in QUOTIENTS:
-        formula = f"{q.symbol} = {q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
-        found.append(_of_alpha(q.name, f"{q.symbol}: {q.help}", formula, q.equation, bounds.get(q.name), forms[q.name]))
+        formulas[q.name] = f"{q.numerator}(alpha)/{q.denominator}(alpha), finite at alpha = 0 where both vanish."
+    quantities: tuple[Moment | Elementary | Quotient, ...] = (*MOMENTS, RESISTANCE, *QUOTIENTS)
+    found = []
+    for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
+        # In its fitted tiers, or in its stable form where nothing is fitted (yet).
+        symbol, tiers = x.kernel[1], _tiers(name)
+        found.append(Function(
+            tiers.get("best") or program(name, ("alpha",), form, let=_CLIP), f"{symbol}: {x.help}, dimensionless.",
+            f"{symbol} = {formulas[name]}", f"eq. ({x.equation}) of {PAPER}", (_ALPHA,), f"{symbol}.", _ALPHA_DOMAIN,
+            _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds.get(name)), tiers,
+        ))  # fmt: skip
     return found + [_weight(derive(m)) for m in MOMENTS if m.amplitude] + [_limit_friction()]
 
 
 def _tiers(name: str) -> dict[str, Program]:
     """What NumPy runs at each tier of a fitted kernel."""
     return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
-
-
-def _of_alpha(
-    name: str, words: str, formula: str, equation: str, bounds: Mapping[tuple[str, str], float] | None, form: sp.Expr
-) -> Function:
-    """A kernel of alpha: in its fitted tiers, or in its stable form where nothing is fitted (yet)."""
-    tiers = _tiers(name)
-    whole = tiers.get("best") or program(name, ("alpha",), form, let=_CLIP)
-    return Function(whole, f"{words}, dimensionless.", formula, f"eq. ({equation}) of {PAPER}", (_ALPHA,),
-                    f"{words.partition(':')[0]}.", _ALPHA_DOMAIN, _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds),
-                    tiers)  # fmt: skip
 
 
 def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
@@ -174,13 +168,11 @@ def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
     found = []
     for form in dynamics.FORMS:
-        names, arguments = tuple(x.name for x in form.inputs), form.arguments()
-        inside = " & ".join(f"({x.inside})" if "&" in x.inside else x.inside for x in arguments)
-        words = tuple((n, x.words) for n, x in zip(names, arguments, strict=True))
+        words = tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs)
         found.append(Function(
-            program(form.name, names, form.result, let=form.let), form.summary, form.formula,
-            f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain(), inside,
-            tuple(x.safe for x in arguments), dynamics.ACCURACY,
+            program(form.name, tuple(x.name for x in form.inputs), form.result, let=form.let), form.summary,
+            form.formula, f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain, form.inside,
+            form.safe, dynamics.ACCURACY,
         ))  # fmt: skip
     return found
 

@@ -1,6 +1,5 @@
 """The text of `generated/slopes.py`: programs for real slopes, each with its docstring."""
 
-import textwrap
 from typing import NamedTuple
 
 import sympy as sp
@@ -111,32 +110,16 @@ def programs() -> list[Program]:
 
 def module() -> str:
     """The text of the module."""
-    made = programs()
-    names = ",\n    ".join(f'"{p.name}"' for p in made)
     constants = (
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
         f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"
     )
-    text = (
-        f'"""{TITLE}"""\n\nfrom typing import Any\n\nimport numpy as np\n\n__all__ = [\n    {names},\n]\n\n{constants}'
-    )
-    return text + "".join(f"\n\n{_function(p, _TEXTS[p.name])}" for p in made)
+    return emit.plain_module(TITLE, [(p, _doc(p, _TEXTS[p.name])) for p in programs()], constants)
 
 
-def _function(p: Program, words: Words) -> str:
-    code = emit.PythonText().body(p).replace("Array", "Any").replace(f"def _{p.name}", f"def {p.name}", 1)
-    head, body = code.split("\n", 1)
-    count = len(p.outputs)
-    lines = [f'"""{words.summary}', "", words.formula, "", "Parameters", "----------"]
-    for n in p.inputs:
-        lines += [f"{n} : float or ndarray", *_wrapped(_WORDS[n], "    ")]
-    kind = "tuple of ndarray" if count > 1 else "float or ndarray"
-    lines += ["", "Returns", "-------", kind, *_wrapped(words.returns, "    "), "", "Notes", "-----"]
-    lines += [*_wrapped(words.note, "")] if words.note else []
-    lines += [*_wrapped(f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast.", "")]
-    lines += ['"""']
-    return f"{head}\n{textwrap.indent(chr(10).join(lines), '    ')}\n{body}"
-
-
-def _wrapped(words: str, indent: str) -> list[str]:
-    return textwrap.wrap(words, 110, initial_indent=indent, subsequent_indent=indent, break_on_hyphens=False)
+def _doc(p: Program, words: Words) -> str:
+    inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
+    returns = "tuple of ndarray" if len(p.outputs) > 1 else "float or ndarray", words.returns
+    cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
+    notes = (words.note, cost) if words.note else (cost,)
+    return emit.numpydoc(words.summary, words.formula, inputs, returns, *notes, width=114)

@@ -41,9 +41,7 @@ def rate(order: int) -> Pair:
     return basis(*((r * f(moving)).diff(t, order).subs(known) for f in (sp.cos, sp.sin)))
 
 
-def gravity() -> Pair:
-    """Components of (0, -g)."""
-    return basis(sp.Integer(0), -g)
+GRAVITY: Pair = basis(sp.Integer(0), -g)
 
 
 def reaction() -> Pair:
@@ -73,14 +71,9 @@ def end(start: sp.Symbol) -> sp.Expr:
 # --- geometry and integrals ------------------------------------------------------------------------------
 
 
-def area() -> sp.Expr:
-    """Area over dr dtheta: the Jacobian of the polar coordinates."""
-    return sp.simplify(sp.Matrix([r * sp.cos(theta), r * sp.sin(theta)]).jacobian([r, theta]).det())
-
-
-def arc() -> sp.Expr:
-    """Length over dtheta on the circle."""
-    return sp.sqrt(sp.simplify(sum((R * f(theta)).diff(theta) ** 2 for f in (sp.cos, sp.sin))))
+AREA = sp.simplify(sp.Matrix([r * sp.cos(theta), r * sp.sin(theta)]).jacobian([r, theta]).det())  # over dr dtheta
+ARC = sp.sqrt(sp.simplify(sum((R * f(theta)).diff(theta) ** 2 for f in (sp.cos, sp.sin))))  # over dtheta, on the circle
+STRESS_SUM = sp.Integral(sigma(u), (u, 0, 2 * alpha))  # along the arc, over the angle from its first end
 
 
 @cache
@@ -98,11 +91,6 @@ def deepest() -> sp.Expr:
     places = sp.solve(sp.numer(sp.together(depth.diff(u))), u)
     (place,) = (x for x in places if (depth.diff(u, 2).subs(u, x) / sp.cos(alpha)).is_negative)
     return depth.subs(u, place)
-
-
-def stress_sum() -> sp.Expr:
-    """The stress added up along the arc, over the angle from its first end."""
-    return sp.Integral(sigma(u), (u, 0, 2 * alpha))
 
 
 def _integral(f: sp.Expr, low: sp.Expr, high: sp.Expr) -> sp.Expr:
@@ -131,8 +119,8 @@ def scaled(f: sp.Expr) -> sp.Expr:
 @cache
 def radial() -> sp.Expr:
     """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
-    weight, inertia = rho * gravity()[0], rho * rate(2)[0]
-    return sp.expand((body(inertia * area()) - body(weight * area())) / reaction()[0].coeff(sigma_n))
+    weight, inertia = rho * GRAVITY[0], rho * rate(2)[0]
+    return sp.expand((body(inertia * AREA) - body(weight * AREA)) / reaction()[0].coeff(sigma_n))
 
 
 _balance = cache(dynamics.balance)
@@ -140,15 +128,14 @@ _balance = cache(dynamics.balance)
 
 def step(equation: str) -> sp.Expr:
     """Right-hand side of a derived equation of motion, with (2.20) and (2.24) put in, for a mass that turns."""
-    form = _balance()[equation].right.subs(sp.Symbol("sigma_star"), _balance()["2.20"].right)
+    form = _balance()[equation].rhs.subs(sp.Symbol("sigma_star"), _balance()["2.20"].rhs)
     known = {sp.Symbol("A"): polar / LEVER, dynamics.lam: LEVER, dynamics.j_r: j_r, dynamics.j_theta: j_theta}
     return form.subs(known)
 
 
 def momentum() -> Pair:
     """Both sides of (3.8), over ell rho."""
-    found = _balance()["3.8"]
-    left, right = (sp.expand(x / (ell * rho)).subs(dynamics.j_theta, j_theta) for x in (found.left, found.right))
+    left, right = (sp.expand(x / (ell * rho)).subs(dynamics.j_theta, j_theta) for x in _balance()["3.8"].args)
     return left, right
 
 

@@ -83,7 +83,7 @@ class Claim:
 
 
 _FULL = "evaluated at the full angle 2 alpha, not at alpha"
-_FULL_A = Cause(f"(2.24) {_FULL}", "wrong", lambda: s.dynamic(2 * s.half()))
+_FULL_A = Cause(f"(2.24) {_FULL}", "wrong", lambda: s.dynamic(2 * s.HALF))
 _LIMIT_ANGLE = Cause("follows: with Appendix II it is the dip of the chord", "wrong",
                      lambda: s.degrees(s.limit_friction(as_printed=True)))  # fmt: skip
 _RANGE_10 = "changes by {} of it over the paper's rotation in 30 s"
@@ -111,7 +111,7 @@ def _figure(id: str, claim: str, shows: str, values: Callable[[], list[mp.mpf]],
 
 
 def _over_angle(name: str) -> Callable[[], list[mp.mpf]]:
-    return lambda: [s.moment(name), s.moment(name, 2 * s.half())]
+    return lambda: [s.moment(name), s.moment(name, 2 * s.HALF)]
 
 
 def _notation(words: str, old: str, new: str) -> tuple[Cause, ...]:
@@ -143,7 +143,7 @@ CLAIMS = (
     Claim("(1.10)", "weight of a point", "dW = dm g = rho dV g", "rho*dV*g", lambda: m.read("gamma*dV")[0],
           "definition", dimension="M*L/T**2", given=("dry mass, gravity alone",)),
     Claim("(1.11)", "gravity in polar components", "-g sin(theta) e_r - g cos(theta) e_theta",
-          "-g*sin(theta); -g*cos(theta)", m.gravity, dimension="L/T**2"),
+          "-g*sin(theta); -g*cos(theta)", lambda: m.GRAVITY, dimension="L/T**2"),
     Claim("(1.12)", "normal reaction", "dN = -sigma_n dS e_r", "-sigma_n", lambda: m.reaction()[0], "definition",
           shows="over dS: {}", dimension="M/(L*T**2)"),
     Claim("(1.13)", "tangential reaction", "dT = -tau_n dS e_theta", "-tau_n", lambda: m.reaction()[1], "definition",
@@ -155,24 +155,24 @@ CLAIMS = (
           - sp.Symbol("dm") * m.along_bisector(sp.symbols("a_r a_theta")), shows="along the bisector: {}"),
     Claim("(2.2)", "its terms", "int rho g(-sin theta) dV + int(-sigma_n) dS = int rho(-r omega^2) dV",
           "-rho*g*sin(theta); -sigma_n; -rho*r*omega**2",
-          lambda: (rho * m.gravity()[0], m.reaction()[0], rho * m.rate(2)[0]), note="its domain (m) is the volume (V)",
+          lambda: (rho * m.GRAVITY[0], m.reaction()[0], rho * m.rate(2)[0]), note="its domain (m) is the volume (V)",
           given=_SUM),
-    Claim("(2.3)", "volume element", "dV = ell r dr dtheta", "ell*r", lambda: ell * m.area(),
+    Claim("(2.3)", "volume element", "dV = ell r dr dtheta", "ell*r", lambda: ell * m.AREA,
           shows="over dr dtheta: {}"),
-    Claim("(2.4)", "surface element", "dS = ell R dtheta", "ell*R", lambda: ell * m.arc(), shows="over dtheta: {}"),
+    Claim("(2.4)", "surface element", "dS = ell R dtheta", "ell*R", lambda: ell * m.ARC, shows="over dtheta: {}"),
     Claim("(2.5)", "radial balance, integrated", "R int sigma_n = rho g int int(-sin theta) r dr dtheta"
           " + rho omega^2 int int r^2 dr dtheta", f"rho*g*{_W} + rho*omega**2*body(r**2)", m.radial, given=_SUM),
     Claim("(2.6)", "chord in polar coordinates", "R_1 = R cos(alpha)/cos(theta - theta_1 - alpha)",
           "R*cos(alpha)/cos(theta - theta_1 - alpha)", m.chord, dimension="L"),
     Claim("(2.7)", "(2.5) over rho g", "R/(rho g) int_0^{2 alpha} sigma_n dalpha = W + omega^2/g I_p",
           f"R/(rho*g)*{_STRESS}; {_W} + omega**2/g*body(r**2)",
-          lambda: (R / (rho * g) * m.stress_sum(), sp.expand(m.radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
+          lambda: (R / (rho * g) * m.STRESS_SUM, sp.expand(m.radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
           given=_SUM),
     Claim("(2.8)", "polar surface moment", "I_p = int int r^2 dr dtheta", "body(r**2)",
           lambda: sp.expand(m.radial() / rho).coeff(m.omega, 2), note="a first moment of area, despite its name",
           dimension="L**3"),
     Claim("(2.9)", "uniform stress, and its mean", "sigma_n = 1/(2 alpha) int_0^{2 alpha} sigma_n dalpha",
-          f"sigma_mean; {_STRESS}/(2*alpha)", lambda: (m.sigma(theta), m.stress_sum() / (2 * alpha)),
+          f"sigma_mean; {_STRESS}/(2*alpha)", lambda: (m.sigma(theta), m.STRESS_SUM / (2 * alpha)),
           causes=_notation(_SLIP, *_ONCE)),
     Claim("(2.10)", "(2.7) with the mean", "R/(rho g) 2 alpha sigma_n = W + omega^2/g I_p",
           f"{_W} + omega**2/g*body(r**2)", lambda: sp.expand(m.radial() / (rho * g)), given=_MEAN),
@@ -209,7 +209,7 @@ CLAIMS = (
     Claim("(2.24)", "dynamic coefficient", "A = I_p*/(2 alpha (1 - cos(alpha)))", "I_p/(2*alpha*(1 - cos(alpha)))",
           lambda: m.step("3.18") * theta_star / (mu * m.LEVER)),
     Claim("Fig. 2-2", "A is of order one", "A(alpha) = O(1)", "1/10; 10",
-          lambda: [s.dynamic(x) for x in (mp.mpf("1e-5"), s.half(), mp.pi / 2 - mp.mpf("1e-9"))], "range",
+          lambda: [s.dynamic(x) for x in (mp.mpf("1e-5"), s.HALF, mp.pi / 2 - mp.mpf("1e-9"))], "range",
           shows="{} at alpha -> 0, {} here, {} at pi/2"),
     Claim("(2.25)", "static equilibrium", "sigma* = sigma_st*", "J_r/lam", lambda: m.step("2.20"), given=_MEAN),
     Claim("(2.26)", "stress, of the start", "sigma* = sigma_0* + A omega*^2", "J_r0/lam + A*omega_star**2",
@@ -235,28 +235,28 @@ CLAIMS = (
     Claim("Fig. 2-3", "J_r within 10 %", "practically constant", "-1/10; 1/10", lambda: [s.turned("radial_weight")],
           "range", shows=_RANGE_10),
     Claim("(3.1)", "moment of inertia", "Theta = ell rho int int r^3 dr dtheta", "ell*rho*body(r**3)",
-          lambda: ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.area() / m.omega_dot), "definition",
+          lambda: ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.AREA / m.omega_dot), "definition",
           shows="what (3.2) needs: {}", dimension="M*L**2"),
     Claim("(3.2)", "angular momentum", "Theta domega/dt = M", "ell*rho*body(r**3)*omega_dot",
-          lambda: sp.expand(ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.area())), shows="its rate: {}"),
+          lambda: sp.expand(ell * rho * m.body(m.moment_of(r, m.rate(2)) * m.AREA)), shows="its rate: {}"),
     Claim("(3.3)", "moments about K", "int r dW_theta - int R dT", "r*dW_theta; -R*dT",
           lambda: (m.moment_of(r, sp.symbols("dW_r dW_theta")), m.moment_of(R, (-sp.Symbol("dN"), -sp.Symbol("dT")))),
           note="dT is the magnitude; dN has no moment"),
     Claim("(3.4)", "moments, written out", "int r rho g(-cos theta) dV - R int mu sigma_n dS",
           "-r*rho*g*cos(theta); -R*mu*sigma_n",
-          lambda: (m.moment_of(r, m.gravity()) * rho, m.moment_of(R, m.reaction()).subs(m.tau_n, mu * m.sigma_n)),
+          lambda: (m.moment_of(r, m.GRAVITY) * rho, m.moment_of(R, m.reaction()).subs(m.tau_n, mu * m.sigma_n)),
           given=_MOTION[-1:]),
     Claim("Sect. 3 only", "uniform stress is needed", "the only one compatible with a 1 d.o.f. model", "0; 0",
           lambda: [postulates.same_force()], "range", shows="{} above the mean in the middle, and the same force",
           causes=(Cause("any distribution has one mean (2.9), and one coefficient of friction then gives one force, "
                         "such as that of radial columns", "wrong", postulates.same_force),)),
     Claim("(3.5)", "friction force", "mu(t) sigma_n ell R 2 alpha", "mu*sigma_mean*ell*R*2*alpha",
-          lambda: (mu * ell * m.arc() * m.stress_sum()).subs(m.stress_sum(), 2 * alpha * sigma_mean),
+          lambda: (mu * ell * m.ARC * m.STRESS_SUM).subs(m.STRESS_SUM, 2 * alpha * sigma_mean),
           note="for any distribution of the stress", given=_MOTION),
     Claim("(3.6)", "mean stress", "sigma_ref (sigma_st* + A omega*^2)", "sigma_ref*(J_r/lam + A*omega_star**2)",
           m.mean, dimension="M/(L*T**2)", given=_MEAN),
     Claim("(3.7)", "moment of the weight", "ell rho g int int r^2(-cos theta) dr dtheta",
-          "ell*rho*g*body(-r**2*cos(theta))", lambda: ell * rho * m.body(m.moment_of(r, m.gravity()) * m.area()),
+          "ell*rho*g*body(-r**2*cos(theta))", lambda: ell * rho * m.body(m.moment_of(r, m.GRAVITY) * m.AREA),
           dimension="M*L**2/T**2"),
     Claim("(3.8)", "angular momentum, written out", "int int r^3 domega/dt = g int int r^2(-cos theta)"
           " - R^2 g/gamma 2 alpha mu sigma_n",
@@ -270,7 +270,7 @@ CLAIMS = (
     Claim("(3.12)", "moment of inertia, dimensionless", "int int_{R_1*}^1 r*^3 dr* dtheta", "body_star(r**3)",
           lambda: m.scaled(r**3) / R**4),
     Claim("(3.13)", "moment of the weight, dimensionless", "int int_{R_1*}^1 r*^2(-cos theta) dr* dtheta",
-          "body_star(-r**2*cos(theta))", lambda: m.scaled(m.moment_of(r, m.gravity()) * m.area()) / (g * R**3)),
+          "body_star(-r**2*cos(theta))", lambda: m.scaled(m.moment_of(r, m.GRAVITY) * m.AREA) / (g * R**3)),
     Claim("(3.14)", "lever of the resistance",
           "lam = 2 alpha sigma_ref/(gamma R) = 2 alpha f/R = 2 alpha (1 - cos(alpha))",
           "2*alpha*sigma_ref/(gamma*R); 2*alpha*f/R; 2*alpha*(1 - cos(alpha))", lambda: (m.lever(),) * 3,
@@ -283,7 +283,7 @@ CLAIMS = (
     Claim("Fig. 3-2", "J_theta within 10 %", "practically constant", "-1/10; 1/10",
           lambda: [s.turned("weight_moment")], "range", shows=_RANGE_10,
           causes=(Cause("J_theta falls like sin(psi), and psi by the rotation", "wrong",
-                        lambda: mp.sin(s.dip() - s.reached("phi", as_printed=True)) / mp.sin(s.dip()) - 1),)),
+                        lambda: mp.sin(s.DIP - s.reached("phi", as_printed=True)) / mp.sin(s.DIP) - 1),)),
     Claim("(3.16)", "equation of motion, short", "domega*/dt* = a - b omega*^2", "a - b*omega_star**2",
           lambda: m.step("3.16"), given=_MOTION),
     Claim("(3.17)", "drive", "a = (J_theta - J_r0 mu)/Theta*", "(J_theta0 - J_r0*mu)/Theta",
@@ -314,7 +314,7 @@ CLAIMS = (
     _number("Sect. 4 g", "gravity, nowhere stated, m/s^2", s.GRAVITY, shows="c0 implies {}", given=_SOLVED,
             value=lambda: s.implied("c0", lambda x: (x / s.reached("c0", as_printed=True, gravity="1")) ** 2)),
     _number("Table 4-1 Theta*", "moment of inertia", "0.4376", lambda: s.moment("moment_of_inertia"),
-            Cause(f"(3.15) {_FULL}", "wrong", lambda: s.moment("moment_of_inertia", 2 * s.half()))),
+            Cause(f"(3.15) {_FULL}", "wrong", lambda: s.moment("moment_of_inertia", 2 * s.HALF))),
     _number("Table 4-1 J_r", "radial weight", s.IMPLYING["J_r"], lambda: s.moment("radial_weight")),
     _number("Table 4-1 J_theta", "moment of the weight", "0.0387", lambda: s.moment("weight_moment"),
             Cause("J_theta from Appendix II, which integrates r(-cos theta)", "wrong", s.second_appendix)),

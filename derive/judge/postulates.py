@@ -30,8 +30,8 @@ class State:
     """
 
     stress: Along | None = None
-    friction: Along = lambda u: s.residual()
-    psi: mp.mpf | None = None
+    friction: Along = lambda u: s.RESIDUAL
+    psi: mp.mpf = s.DIP
     omega: mp.mpf | int = 0
 
     def total(self) -> mp.mpf:
@@ -40,17 +40,17 @@ class State:
 
     def normal(self, u: Any) -> mp.mpf:
         """The stress at u."""
-        return self.stress(u) if self.stress else self.total() / (2 * s.half())
+        return self.stress(u) if self.stress else self.total() / (2 * s.HALF)
 
 
 def sum_of(f: Along) -> mp.mpf:
     """The integral along the arc."""
-    return mp.quad(f, [-s.half(), 0, s.half()])
+    return mp.quad(f, [-s.HALF, 0, s.HALF])
 
 
 def columns(u: mp.mpf) -> mp.mpf:
     """The stress at rest if each radial column stood alone."""
-    return mp.cos(s.dip() - u) * (1 - (mp.cos(s.half()) / mp.cos(u)) ** 2) / 2
+    return mp.cos(s.DIP - u) * (1 - (mp.cos(s.HALF) / mp.cos(u)) ** 2) / 2
 
 
 def along_bisector(u: mp.mpf) -> mp.mpf:
@@ -58,13 +58,13 @@ def along_bisector(u: mp.mpf) -> mp.mpf:
 
     It pushes with 2 R sin(alpha) sigma; the shear is odd in u, and the weight is that of the segment.
     """
-    area = s.half() - mp.sin(2 * s.half()) / 2
-    return area * mp.cos(s.dip()) / (2 * mp.sin(s.half()))
+    area = s.HALF - mp.sin(2 * s.HALF) / 2
+    return area * mp.cos(s.DIP) / (2 * mp.sin(s.HALF))
 
 
 def uneven(u: mp.mpf) -> mp.mpf:
     """Friction 10 % larger at one end of the arc than in its middle, and 10 % smaller at the other."""
-    return s.residual() * (1 - u / (10 * s.half()))
+    return s.RESIDUAL * (1 - u / (10 * s.HALF))
 
 
 @dataclass(frozen=True)
@@ -95,16 +95,16 @@ def _changes(name: str) -> Callable[[State], mp.mpf]:
 # In the order in which the paper first needs them.
 POSTULATES = (
     Postulate("Coulomb friction, one coefficient", ((m.tau_n, mu * m.sigma_n),),
-              lambda x: x.friction(s.half()) / x.friction(-s.half()) - 1,
+              lambda x: x.friction(s.HALF) / x.friction(-s.HALF) - 1,
               "friction that varies along the arc", lambda: State(friction=uneven),
               "20 % from end to end change the friction force by {} if columns stand alone",
-              lambda: sum_of(lambda u: uneven(u) * columns(u)) / sum_of(lambda u: s.residual() * columns(u)) - 1),
+              lambda: sum_of(lambda u: uneven(u) * columns(u)) / sum_of(lambda u: s.RESIDUAL * columns(u)) - 1),
     Postulate("radial components of different directions are added as scalars", ((u, sp.Integer(0)),),
               lambda x: sum_of(x.normal) / x.total() - 1,
               "vector balance along the bisector", lambda: State(along_bisector),
               "stress at rest larger by {}", lambda: _of_uniform(along_bisector)),
     Postulate("uniform stress, where the distribution is undetermined", ((m.sigma(theta), sigma_mean),),
-              lambda x: x.normal(0) * 2 * s.half() / sum_of(x.normal) - 1,
+              lambda x: x.normal(0) * 2 * s.HALF / sum_of(x.normal) - 1,
               "radial columns that stand alone", lambda: State(columns),
               "0 at the ends, {} above the mean in the middle", lambda: _of_uniform(columns)),
     Postulate("centripetal stress neglected, for slow rotation", ((omega_star, sp.Integer(0)),),
@@ -113,26 +113,20 @@ POSTULATES = (
               "{} of the static stress after 30 s of (3.20)",
               lambda: State(omega=s.reached("omega*")).total() / State().total() - 1),
     Postulate("J_r frozen", ((m.j_r, m.j_r.subs(m.turn, 0)),), _changes("radial_weight"),
-              "the mass turns", lambda: State(psi=s.dip() - s.reached("phi", as_printed=True)),
+              "the mass turns", lambda: State(psi=s.DIP - s.reached("phi", as_printed=True)),
               "{} over the paper's rotation in 30 s", lambda: s.turned("radial_weight")),
     Postulate("J_theta frozen", ((m.j_theta, m.j_theta.subs(m.turn, 0)),), _changes("weight_moment"),
-              "the mass turns by twice its dip, which reverses J_theta and leaves J_r", lambda: State(psi=-s.dip()),
+              "the mass turns by twice its dip, which reverses J_theta and leaves J_r", lambda: State(psi=-s.DIP),
               "{} over the paper's rotation in 30 s", lambda: s.turned("weight_moment")),
     Postulate("friction at its residual value from the start, and constant",
-              ((m.mu_of(t), mu), (m.a_of(t), a), (m.b_of(t), b)), lambda x: x.friction(0) / s.residual() - 1,
+              ((m.mu_of(t), mu), (m.a_of(t), a), (m.b_of(t), b)), lambda x: x.friction(0) / s.RESIDUAL - 1,
               "friction that softens from its limit", lambda: State(friction=lambda u: s.limit_friction()),
-              "drops by {} of the limit friction at once", lambda: 1 - s.residual() / s.limit_friction()),
+              "drops by {} of the limit friction at once", lambda: 1 - s.RESIDUAL / s.limit_friction()),
 )  # fmt: skip
 
 
 def same_force() -> mp.mpf:
-    """How far from uniform a stress is whose friction force (3.5), for one coefficient, is that of the uniform one.
-
-    Raises
-    ------
-    ProofError
-        If the force is another one.
-    """
+    """How far from uniform a stress is whose friction force (3.5), for one coefficient, is that of the uniform one."""
     force = sum_of(columns) / sum_of(State().normal)
     if abs(force - 1) > mp.mpf(10) ** -20:
         raise ProofError("friction force of columns that stand alone, over that of the uniform stress", force, 1)
@@ -141,13 +135,7 @@ def same_force() -> mp.mpf:
 
 @cache
 def exhibit(postulate: Postulate) -> mp.mpf:
-    """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one.
-
-    Raises
-    ------
-    ProofError
-        If it does not: then nothing shows that this is a postulate.
-    """
+    """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one."""
     earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
     with mp.workdps(30):
         state, tiny = postulate.state(), mp.mpf(10) ** -20

@@ -49,34 +49,24 @@ def given(name: str) -> mp.mpf:
     return mp.mpf(GIVEN[name])
 
 
-def first_end() -> mp.mpf:
-    """theta_1, radians."""
-    return mp.radians(given("theta_10"))
-
-
-def half() -> mp.mpf:
-    """Half the opening angle."""
-    return mp.radians(given("theta_20") - given("theta_10")) / 2
-
-
-def dip() -> mp.mpf:
-    """psi, the dip of the chord."""
-    return 3 * mp.pi / 2 - first_end() - half()
+with mp.workdps(50):  # radians: theta_1, half the opening angle, psi, the dip of the chord
+    FIRST_END, HALF = mp.radians(given("theta_10")), mp.radians(given("theta_20") - given("theta_10")) / 2
+    DIP = 3 * mp.pi / 2 - FIRST_END - HALF
+    RESIDUAL = mp.tan(mp.radians(given("phi_res")))  # friction coefficient of section 4
 
 
 @cache
 def derivation(name: str) -> Derivation:
     """A moment's derivation; at the section its closed form equals quadrature of the raw definition."""
     found = derive(next(m for m in MOMENTS if m.name == name))
-    raw, closed = quadrature(found.moment.weight, first_end(), half(), 20), value(found.closed)
+    raw, closed = quadrature(found.moment.weight, FIRST_END, HALF, 20), value(found.closed)
     if abs(raw - closed) > 1e-18:
         raise ProofError(f"{name}: closed form at the section", closed, raw)
     return found
 
 
-def value(form: sp.Expr, angle: Any = None, psi: Any = None) -> mp.mpf:
+def value(form: sp.Expr, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:
     """A closed form at the section, or at another half angle or dip."""
-    angle, psi = (half() if angle is None else angle), (dip() if psi is None else psi)
     return _function(form)(angle, psi, 3 * mp.pi / 2 - psi)
 
 
@@ -85,24 +75,24 @@ def _function(form: sp.Expr) -> Callable[..., mp.mpf]:
     return sp.lambdify((alpha, PSI, theta_m), form, "mpmath")
 
 
-def moment(name: str, angle: Any = None, psi: Any = None) -> mp.mpf:
+def moment(name: str, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:
     """One of `quantities.MOMENTS`."""
     return value(derivation(name).closed, angle, psi)
 
 
-def factor(angle: Any = None) -> mp.mpf:
+def factor(angle: Any = HALF) -> mp.mpf:
     """lambda (3.14)."""
     return value(2 * alpha * mechanics.deepest() / R, angle)
 
 
-def dynamic(angle: Any = None) -> mp.mpf:
+def dynamic(angle: Any = HALF) -> mp.mpf:
     """A (2.24)."""
     return moment("polar_moment", angle) / factor(angle)
 
 
 def depth() -> mp.mpf:
     """f (2.12), m."""
-    return given("R") * factor() / (2 * half())
+    return given("R") * factor() / (2 * HALF)
 
 
 def reference() -> mp.mpf:
@@ -112,7 +102,7 @@ def reference() -> mp.mpf:
 
 def second_end(radial_weight: mp.mpf) -> mp.mpf:
     """theta_20 in degrees of an arc of this opening and this J_r."""
-    return 270 - mp.degrees(mp.acos(radial_weight / moment("radial_weight", psi=mp.mpf(0))) - half())
+    return 270 - mp.degrees(mp.acos(radial_weight / moment("radial_weight", psi=mp.mpf(0))) - HALF)
 
 
 # --- friction and motion ---------------------------------------------------------------------------------
@@ -133,22 +123,15 @@ def degrees(friction: mp.mpf) -> mp.mpf:
     return mp.degrees(mp.atan(friction))
 
 
-def residual() -> mp.mpf:
-    """The residual friction coefficient of section 4."""
-    return mp.tan(mp.radians(given("phi_res")))
-
-
 def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mp.mpf:
     """c0, c1, c2 of (4.2), (4.4), or what the mass reaches after 30 s: phi, omega*, v, s.
 
     `as_printed` takes Theta* and A at the full angle 2 alpha and J_theta from Appendix II, unrounded.
     """
-    angle, inertia = (
-        (2 * half() if as_printed else half()),
-        moment("moment_of_inertia", 2 * half() if as_printed else None),
-    )
-    a = moment("radial_weight") * (limit_friction(as_printed) - residual()) / inertia
-    b = factor() * dynamic(angle) * residual() / inertia
+    angle = 2 * HALF if as_printed else HALF
+    inertia = moment("moment_of_inertia", angle)
+    a = moment("radial_weight") * (limit_friction(as_printed) - RESIDUAL) / inertia
+    b = factor() * dynamic(angle) * RESIDUAL / inertia
     clock = mp.sqrt(mp.mpf(gravity) / given("R"))
     c0, c2 = mp.sqrt(a / b) * clock, mp.sqrt(a * b) * clock
     omega, phi = c0 * mp.tanh(c2 * given("span")), c0 / c2 * mp.log(mp.cosh(c2 * given("span")))
@@ -163,4 +146,4 @@ def both(name: str) -> list[mp.mpf]:
 
 def turned(name: str) -> mp.mpf:
     """Change of a moment over the rotation that the paper's own numbers reach in its time span."""
-    return moment(name, psi=dip() - reached("phi", as_printed=True)) / moment(name) - 1
+    return moment(name, psi=DIP - reached("phi", as_printed=True)) / moment(name) - 1

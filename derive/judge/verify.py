@@ -26,7 +26,7 @@ from derive.algebra.integrate import quadrature
 from derive.algebra.prove import prove_zero
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD
-from derive.declare.symbols import theta, theta_m
+from derive.declare.symbols import in_words, theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
 from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Claim
@@ -83,13 +83,7 @@ def _inside(reach: tuple[sp.Expr, ...], share: sp.Rational) -> sp.Expr:
 
 @cache
 def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
-    """Decide whether a form is zero on a domain: refuted at a point with many digits, or else proved.
-
-    Raises
-    ------
-    ProofError
-        If neither succeeds.
-    """
+    """Decide whether a form is zero on a domain: refuted at a point with many digits, or else proved."""
     form = sp.sympify(form).as_dummy()
     for kind in (sp.Integral, sp.Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
         atoms = sorted(form.atoms(kind), key=sp.default_sort_key)
@@ -262,7 +256,7 @@ def _appendix(claim: Claim) -> Judgement:
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
     brackets, (claimed,) = _brackets(claim.subject), m.read(claim.expression)
     said = [brackets] if brackets else []
-    if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.first_end() + s.half())):
+    if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.FIRST_END + s.HALF)):
         said.append("NaN in real arithmetic here")
     if not _equal(proof.integrand, claimed, ()):
         number = _digits(s.value(proof.expression))
@@ -296,8 +290,8 @@ def _instead(postulate: Postulate) -> str:
 
 def words(form: sp.Expr) -> str:
     """A form as one reads it."""
-    text = str(sp.sstr(form.replace(sp.Integral, _integral))).replace("~", "").replace("**", "^").replace("*", " ")
-    return text.replace("rate_star", "domega*/dt*").replace("_star", "*").replace("_of(", "(")
+    text = in_words(form.replace(sp.Integral, _integral)).replace("~", "")
+    return text.replace("rate*", "domega*/dt*").replace("_of(", "(")
 
 
 def _integral(f: sp.Expr, *limits: sp.Tuple) -> sp.Symbol:

@@ -28,13 +28,16 @@ def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = Non
     cells, data = bound.start(), list(bound.tables)
     if closed:
         frozen.walk(bound.program, data, cells, samples, log)
+    walker = walker or (compiled.run if compiled.module() else walk.walk)
     while True:
-        (walker or (compiled.run if compiled.module() else walk.walk))(bound.program, data, cells, samples, log)
+        walker(bound.program, data, cells, samples, log)
         asking = cells[its.STATUS] == its.NEED
         if not np.any(asking):
             break
         for k, grown in bound.functions.items():
             data[k] = _longer(data[k], grown)
+        if walker is compiled.run:
+            continue  # it bases such lanes anew itself, with what it alone keeps of a table of time
         lanes = Columns(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
         lanes.base()
         cells[:, asking] = lanes.c

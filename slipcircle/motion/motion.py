@@ -60,6 +60,7 @@ TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_
 _BECOMES = np.full(its.NEED + 1, Status.FAILED, np.int8)
 _BECOMES[[its.ARRESTED, its.ENDED, its.STOPPED, its.UPRIGHT, its.TOO_LONG]] = (
     Status.RESTS, Status.MOVING, Status.MOVING, Status.UPRIGHT, Status.ENDLESS)  # fmt: skip
+BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
 ENERGIES = 21  # times at which the energy balance is looked at
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 
@@ -234,9 +235,9 @@ class Motion(Results):
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
         scale, radius = self._lanes.time_scale, self._lanes.radius
         rows = {"reach": its.REACH_ROTATION, "run_out": its.END_ROTATION}
-        with np.errstate(over="ignore"):  # what overflows is refused
+        with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
             found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
-        found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
+            found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
         answered = {n: np.where(self._answered, v, np.nan) for n, v in found.items()}
         return {n: self._shaped(v) for n, v in (answered | {"duration": self._duration}).items()}
 
@@ -489,6 +490,11 @@ class Motion(Results):
             found.append(
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"
+            )
+        elif self.moves and self.energy_error_estimate > BALANCED:
+            found.append(
+                f"ill-conditioned: the energy is balanced to {self.energy_error_estimate:.1e} only, as what drives and "
+                "what resists are all but equal"
             )
         if self.swings_back:
             found.append(

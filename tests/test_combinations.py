@@ -1,0 +1,223 @@
+"""Every combination of effects with every kind of law, and random scenes, against Taylor series in ball arithmetic.
+
+Scenes are plain data; `time_references` solves them from quadrature of the definitions and the equation of motion as it
+stands, with its sign of omega, its clamp, and a rest test at every standstill.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import chain, combinations
+from typing import Any
+
+import golden
+import numpy as np
+import pytest
+import references
+import time_references
+
+from generated.effects import EFFECTS
+from slipcircle import Motion, Scene, solve
+
+ARCS: dict[str, tuple[float, float, float, float]] = {  # radius, angles in degrees, gravity
+    "vaiont": (1492.6, 215.2, 276.9, 9.81),
+    "leans back": (1492.6, 263.1, 324.8, 9.81),
+    "steep, wide": (80.0, 194.3, 306.1, 3.7),
+    "thin": (5000.0, 240.64, 240.646, 9.81),
+    "half disc": (12.0, 190.0, 370.0, 9.81),
+    "nearly level": (40.0, 229.0, 309.0, 9.81),
+}
+ALL = list(chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1)))
+SLIP_LAWS = ("constant", "exponential", "linear", "hyperbolic", "tabulated", "callable")
+STEADY = [c for c in ALL if {"viscosity", "shaking", "thermal_pressurisation"}.isdisjoint(c)]  # of position and speed
+LAWS = (*SLIP_LAWS, "rate", "rate table", "prescribed", "product")
+
+
+def arc(name: str) -> dict[str, float]:
+    radius, first, second, gravity = ARCS[name]
+    return {"radius": radius, "theta_1": math.radians(first), "theta_2": math.radians(second), "unit_weight": 2e4,
+            "gravity": gravity}  # fmt: skip
+
+
+def friction(law: str, low: float, high: float, length: float, speed: float, pace: float) -> Any:
+    """A law of that name which falls from high to low over a length, a speed, or a time."""
+    falls = {"law": "exponential" if law == "callable" else law, "peak": high, "residual": low}
+    match law:
+        case "constant":
+            return low
+        case "tabulated":
+            return {"law": law, "slip": [0.0, 0.3 * length, length, 2.5 * length],
+                    "coefficient": [high, low + 0.8 * (high - low), low + 0.3 * (high - low), low]}  # fmt: skip
+        case "rate":
+            return falls | {"law": "rate_weakening", "velocity": 0.1 * speed}
+        case "rate table":
+            return {"law": "rate_tabulated", "speed": [0.001 * speed, 0.02 * speed, 0.3 * speed],
+                    "coefficient": [high, 0.7 * high + 0.3 * low, low]}  # fmt: skip
+        case "prescribed":
+            return {"law": law, "time": [0.0, 0.7 * pace, 2 * pace], "coefficient": [high, low, (low + high) / 2]}
+        case "product":
+            rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.7, "velocity": 0.1 * speed}
+            return falls | {"law": "hyperbolic", "length": length, "rate": rate}
+    return falls | {"length": length}
+
+
+def drawn(effects: tuple[str, ...], law: str, seed: int) -> golden.Data:
+    """A scene of an arc, a start and parameters drawn so that every effect matters."""
+    rng = np.random.default_rng([seed, LAWS.index(law), ALL.index(effects)])
+    given = arc(str(rng.choice(list(ARCS))))
+    m = {k: float(v) for k, v in references.moments(given).items()}
+    limit = m["fall"] / m["press"] * abs(math.tan(m["dip"]))
+    stress = m["press"] * math.cos(m["dip"]) / m["level"] * m["reference_stress"]
+    speed, pace = math.sqrt(given["radius"] * given["gravity"]), math.sqrt(given["radius"] / given["gravity"])
+    layer = 2 * m["half_angle"] / m["inertia"]
+    called: dict[str, Any] = {e: {} for e in effects}
+    carried = float(rng.choice([0.2, 0.6, 1.1]))  # of what presses at rest; above 1 water carries the mass
+    if "pore_pressure" in called:
+        ratio = float(rng.choice([0.0, 0.15]))
+        called["pore_pressure"] = {"ratio": ratio, "pressure": (carried - ratio) * stress}
+        if rng.random() < 0.4:
+            called["pore_pressure"] = {"time": [0.0, pace, 3 * pace], "ratio": [0.0, ratio, 0.1],
+                                       "pressure": [0.0, (carried - ratio) * stress, 0.1 * stress]}  # fmt: skip
+    if "cohesion" in called:
+        called["cohesion"] = {"cohesion": float(rng.uniform(0.05, 0.3)) * limit * stress}
+    if "drag" in called:
+        called["drag"] = {"xi": layer * given["gravity"] / float(rng.uniform(0.1, 3.0))}
+    if "viscosity" in called:
+        size = float(10 ** rng.uniform(-2, -0.3)) * 2e4 / given["gravity"] * speed
+        called["viscosity"] = {"viscosity": size * 0.5 / layer, "thickness": 0.5}
+    if "shaking" in called:
+        called["shaking"] = {"pulse": str(rng.choice(golden.KINDS)), "amplitude": limit * float(rng.uniform(0.2, 1.5)),
+                             "vertical_amplitude": float(rng.choice([0.0, 0.3, -0.4])), "duration": 2.2 * pace,
+                             "start": float(rng.choice([0.0, 0.4])) * pace}  # fmt: skip
+        called["shaking"] |= {"two_way": True} if rng.random() < 0.3 else {}
+    if "thermal_pressurisation" in called:
+        kappa = float(10 ** rng.uniform(-1.5, 0.5))
+        called["thermal_pressurisation"] = {"pressurisation": kappa * 2.7e5 / given["radius"], "heat_capacity": 2.7e6,
+                                            "thickness": 0.1}  # fmt: skip
+    low, high = limit * float(rng.uniform(0.15, 0.5)), limit * float(rng.uniform(0.6, 0.9))
+    length = given["radius"] * float(10 ** rng.uniform(-2.5, -0.5))
+    return {"arc": given, "friction": friction(law, low, high, length, speed, pace), "effects": called,
+            "initial_velocity": float(rng.choice([0.0, 0.4, -0.4])) * speed,
+            "end_time": float(rng.uniform(2.0, 6.0)) * pace}  # fmt: skip
+
+
+def built(given: golden.Data, law: str = "") -> Scene:
+    """The scene; its law as a Python function where that is asked for."""
+    scene = golden.built(law, given)
+    if law != "callable":
+        return scene
+    peak, residual, length = (given["friction"][k] for k in ("peak", "residual", "length"))
+    return replace(scene, friction=lambda slip: residual + (peak - residual) * np.exp(-slip / length))
+
+
+def check(scene: Scene, given: golden.Data, bound: float = 1e-11, rounding: float = 0.0) -> Motion:
+    """That each of a motion's numbers is within its estimate of the exact one, and that its energy balances.
+
+    What several episodes round may be a few times the estimate where that is of the size of rounding itself.
+    """
+    motion = solve(scene)
+    assert isinstance(motion, Motion)
+    missed = golden.misses(motion, given, golden.times(motion), 21, 18)
+    most = max(1.0, rounding / motion.error_estimate) if rounding else 1.0
+    assert all(share <= most for share in missed.values()), (given, missed)
+    assert motion.error_estimate <= bound, given
+    energy = motion.energy_at(np.linspace(0.0, motion.duration, 21))
+    total = np.maximum.accumulate(energy.kinetic_start + np.abs(energy.work) + energy.dissipation)
+    assert np.all(np.abs(energy.residual) <= (1e-12 + motion.energy_error_estimate) * total), given
+    assert np.all(energy.dissipation >= 0.0)
+    return motion
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_every_combination_of_effects(law: str) -> None:
+    """Each law with a tenth of all; laws of slip with every second of what depends on position and speed as well."""
+    part = [c for k, c in enumerate(ALL) if k % len(LAWS) == LAWS.index(law)]
+    solved = 0
+    for effects in dict.fromkeys([*(STEADY[LAWS.index(law) % 2 :: 2] if law in SLIP_LAWS[:-1] else []), *part]):
+        given = drawn(effects, law, 31)
+        try:
+            motion = check(built(given, law), given)
+        except ValueError as refused:
+            if "upright" not in str(refused) and "hang over" not in str(refused):
+                raise
+            with pytest.raises(references.Unfit):
+                time_references.Solution(given, 26, 22)
+            continue
+        solved += 1
+        assert all(any(f"{t:.6g} s" in w for w in motion.warnings) for t in motion.lift_off[:1])
+    assert solved > 0.8 * len(part)
+
+
+@pytest.mark.parametrize("centripetal", [False, True])
+@pytest.mark.parametrize("name", ARCS)
+def test_frozen_slides_from_any_start(name: str, centripetal: bool) -> None:
+    """Constant friction below and above the limit, starts in either direction, arrest and turning back."""
+    given = arc(name)
+    effects: dict[str, Any] = {"centripetal": {}} if centripetal else {}
+    speed, pace = math.sqrt(given["radius"] * given["gravity"]), math.sqrt(given["radius"] / given["gravity"])
+    m = {k: float(v) for k, v in references.moments(given).items()}
+    limit = m["fall"] / m["press"] * abs(math.tan(m["dip"]))
+    for share in (0.0, 0.4, 1.5, 5.0):
+        for start in (0.0, 0.3, -0.3, -1e-7, 5.0):
+            ends = golden.scene(share * limit, effects, start * speed, 4 * pace, **given)
+            motion = check(built(ends), ends)
+            assert motion.moves == (start != 0 or share < 1.0)
+
+
+@pytest.mark.parametrize("group", ["pulse", "series"])
+def test_shaken_frozen_slides(group: str) -> None:
+    """Random ones, with brakes, water, cohesion and lift-off, one way and both ways."""
+    rng, solved, kinds = np.random.default_rng([20261122, len(group)]), 0, set()
+    while solved < 18:
+        try:
+            given = time_references.drawn(group, rng)
+            pace = math.sqrt(given["arc"]["radius"] / given["arc"]["gravity"])
+            frozen = {e: p for e, p in given["effects"].items() if e != "rotation"}
+            given |= {"effects": frozen, "end_time": float(rng.uniform(1.0, 4.0)) * pace}
+            motion = check(built(given), given, 1e-9, rounding=2e-14)
+        except references.Unfit:
+            continue
+        solved += 1
+        kinds |= {*frozen, "two ways" if frozen["shaking"].get("two_way") else "", "lifts" if motion.lift_off else ""}
+    assert kinds >= {"centripetal", "drag", "cohesion", "pore_pressure", "two ways", "lifts"}
+
+
+# --- symmetries ------------------------------------------------------------------------------------------------------
+
+
+def scaled(given: Any, factors: Mapping[str, float], name: str = "") -> Any:
+    """The same scene in other units: every number times what its name says."""
+    if isinstance(given, Mapping):
+        return {k: scaled(v, factors, k) for k, v in given.items()}
+    if isinstance(given, list):
+        return [scaled(x, factors, name) for x in given]
+    return given * factors.get(name, 1.0) if isinstance(given, float) else given
+
+
+@pytest.mark.parametrize("law", [law for law in LAWS if law != "callable"])
+def test_density_gravity_and_size_only_scale(law: str) -> None:
+    """Of the dimensionless equation of motion: every fifteenth combination of effects."""
+    for effects in ALL[LAWS.index(law) :: 15]:
+        given = drawn(effects, law, 7)
+        try:
+            one = solve(built(given))
+        except ValueError:
+            continue  # turns over
+        times = np.linspace(0.05, 0.95, 7) * one.duration
+        for density, gravity, length in ((1.5, 1.0, 1.0), (1.0, 0.25, 1.0), (1.0, 1.0, 16.0), (0.7, 0.3, 3.0)):
+            pace, speed, weight = math.sqrt(length / gravity), math.sqrt(length * gravity), density * gravity
+            factors = dict.fromkeys(("radius", "length", "slip", "thickness"), length)
+            factors |= dict.fromkeys(("velocity", "speed", "initial_velocity"), speed)
+            factors |= dict.fromkeys(("duration", "start", "time", "end_time"), pace)
+            factors |= dict.fromkeys(("pressure", "cohesion"), weight * length)
+            factors |= {"unit_weight": weight, "gravity": gravity, "xi": gravity, "viscosity": density * length * speed}
+            other = solve(built(scaled(given, factors)))
+            error = 1e-11 + 100 * (one.error_estimate + other.error_estimate)
+            assert other.arrested == one.arrested
+            assert other.duration == pytest.approx(pace * one.duration, rel=error)
+            assert other.run_out == pytest.approx(length * one.run_out, rel=error)
+            # Where a phase changes, the acceleration jumps: positions and speeds are compared.
+            state, same = one.at(times), other.at(pace * times)
+            for found, wanted in ((same.displacement, length * state.displacement),
+                                  (same.velocity, speed * state.velocity)):  # fmt: skip
+                np.testing.assert_allclose(found, wanted, rtol=0, atol=error * np.max(np.abs(wanted)) + 1e-300)
