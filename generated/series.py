@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b5c1ff486fd26e0846d830a16bf7bcaa4147b74378e60617f8ea3d4357dd43f5
+# sha256 of the text below: 16013ff68d08f214542000598944f85479ed286bdaf3ab9ffa73281887d01b24
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -14,6 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
+DIGEST = "a4eb19877f559fded344de5e10aa97f5e6852dfb0891d55cce690adcc38df46b"  # of the compiled walk's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -235,7 +235,7 @@ def _run(options: argparse.Namespace) -> None:
     columns += [{q.label: f"{shown(mean[n])} {q.unit}" for n, q in OUTCOMES.items()} for mean in means.values()]
     tables.show(
         ["", *(m.plan.scene.name for m in motions), *means],
-        [[label, *(c.get(label, "") for c in columns)] for label in columns[0]],
+        tables.beside(columns),
         caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
     )
     for m in motions:

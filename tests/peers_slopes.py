@@ -52,7 +52,7 @@ def case(seed: int) -> Case:
         if "level" in more:
             more["level"] = more["level"][::-1] * [-1, 1]
     slope = Slope(ground, cohesion, friction, gamma, **more)
-    return Case(slope, METHODS[int(rng.integers(0, 3))], 0.05 * height)
+    return Case(slope, list(METHODS)[int(rng.integers(0, 3))], 0.05 * height)
 
 
 def evolved(given: Case, seed: int) -> float:
@@ -62,7 +62,7 @@ def evolved(given: Case, seed: int) -> float:
 
     def judged(q: np.ndarray) -> np.ndarray:
         some = np.sort(q[:2], axis=0)
-        return np.nan_to_num(search.judged(np.stack([*some, q[2]], axis=1))[0], nan=1e6)
+        return np.nan_to_num(search.judged(np.stack([*some, q[2]], axis=1)), nan=1e6)
 
     bounds = [(0.0, total), (0.0, total), (0.005, 1.0)]
     found = differential_evolution(judged, bounds, rng=seed, popsize=40, tol=1e-10, maxiter=400, vectorized=True,
@@ -101,12 +101,10 @@ def cost() -> None:
     ground, rng = np.asarray(slope.ground), np.random.default_rng(0)
     ends = np.stack([rng.uniform(20, 31, 10_000), rng.uniform(45, 70, 10_000)])
     p, q = (np.stack([x, np.interp(x, *ground.T)], axis=1) for x in ends)
-    centre, radius = circle_through(p, q, depth=rng.uniform(0.05, 0.35, 10_000) * np.hypot(*(q - p).T))
+    centre, radius = circle_through(p, q, depth=rng.uniform(0.25, 0.45, 10_000) * np.hypot(*(q - p).T))
 
     def judged() -> None:
-        parts = circles.cut(ground[None], centre, radius)
-        lane, number, _ = circles.stretches(parts)
-        factors(slope, centre[lane], radius[lane], parts.only(lane), number)
+        factors(slope, centre, radius, p, q)
 
     print(f"10,000 circles, three factors       {_seconds(judged):8.3f} s")
     print(f"ACADS 1(a) from nothing             {_seconds(lambda: critical(slope)):8.3f} s")

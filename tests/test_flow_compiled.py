@@ -125,3 +125,9 @@ def test_what_does_not_fit_is_refused() -> None:
             compiled.module().walk(bad, (), cells, 14, 0, LANES, 1, nothing, nothing, nothing, 0)
     with pytest.raises(ValueError, match="do not fit"):
         compiled.module().walk(code, (), cells, 99, 0, LANES, 1, nothing, nothing, nothing, 0)
+
+
+def test_a_binary_of_another_source_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compiled, "DIGEST", "of another")
+    with pytest.warns(RuntimeWarning, match="built from another source; run `python -m derive.build`"):
+        assert compiled.module.__wrapped__() is None

@@ -20,14 +20,16 @@ import numpy as np
 import oracle
 import pytest
 from nbclient import NotebookClient
+from test_stability import sliced
 
 import generated
 from derive.flow.operations import OPERATIONS as SERIES
 from derive.judge.paper import CLAIMS
 from generated import stable, tiers
 from generated.effects import EFFECTS, LAWS
-from slipcircle import Arc, Motion, Status, load, solve
+from slipcircle import Arc, Motion, Section, Slope, Status, critical, load, solve
 from slipcircle.outputs.report import ASSUMED
+from slipcircle.scene.ground import simple_slope
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -329,6 +331,33 @@ def test_key_numbers_of_the_ensemble() -> None:
     assert small == pytest.approx([1526 * 0.174, 15259 * 0.0024], abs=0.5)
     assert large == pytest.approx([382 * 0.658, 39 * 0.658], abs=0.5)
     assert "us each" in printed(stored("5_an_uncertain_slide.ipynb"), "timed-cost")
+
+
+def test_key_numbers_of_the_slope() -> None:
+    numbers, scene = key_numbers("6_from_a_slope_to_a_slide.ipynb"), load("real-slope")
+    assert scene.stability is not None
+    slope, section = scene.stability.slope, scene.arc
+    assert isinstance(section, Section)
+    assert numbers["factors"]["bishop"] == 0.985  # as converged by others
+    ways = sliced(slope, section.centre, section.radius, section)  # type: ignore[arg-type]
+    assert numbers["factors"] == pytest.approx(ways, abs=6e-5)
+    for angle, row in numbers["lower"].items():
+        for ratio, lower in zip((0.0, 0.25, 0.5), row, strict=True):
+            mu = math.tan(math.radians(25))
+            ground = simple_slope(10.0, angle=math.radians(float(angle)))
+            of = Slope(ground, 20e3 * mu, mu, 20e3, pore_ratio=ratio, base=-20.0)
+            circle = critical(of)
+            body = Section(ground, circle.centre, circle.radius, 20e3, between=circle.between)
+            ways = sliced(of, circle.centre, circle.radius, body)
+            assert lower == pytest.approx(ways["paper"] / ways["bishop"] - 1, abs=1e-4)
+    motion = solve(scene)
+    shown = [motion.peak.velocity, motion.duration, motion.journey.run_out]
+    assert numbers["slides"]["bishop"][2:] == pytest.approx(shown, abs=6e-5)
+    title = nbformat.read(ROOT / "notebooks" / "6_from_a_slope_to_a_slide.ipynb", as_version=4).cells[0].source
+    for words in (f"**{shown[0]:.1f} m/s**", f"**{shown[1]:.1f} s**", f"**{shown[2]:.1f} m**", "**0.985**", "0.942"):
+        assert words in title
+    assert numbers["moving"] == pytest.approx(0.75, abs=0.02)  # three of four
+    assert numbers["reach_95"] == pytest.approx(13.0, abs=0.5)
 
 
 def _output(motion: Any, name: str) -> float:

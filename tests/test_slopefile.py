@@ -2,6 +2,8 @@
 
 import json
 import math
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +13,7 @@ import slipcircle
 from slipcircle.__main__ import main
 from slipcircle.files import slopefile
 from slipcircle.outputs import searching
+from slipcircle.outputs.guide import guide
 
 ACADS = """\
 note = "Giam and Donald 1989"
@@ -55,6 +58,7 @@ def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, capsys:
     assert set(record["factor_of_safety"]) == {"paper", "ordinary", "bishop"}
     assert record["exit"] == pytest.approx([30, 25], abs=0.2)
     assert record["tried"] > record["refused"] > 0
+    assert record.keys() == {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"}
     assert "my-slope: least factor" in err
     assert picture.read_bytes().startswith(b"\x89PNG")
     search(path, "--method", "ordinary")
@@ -69,11 +73,89 @@ def test_a_circle_that_is_given_is_not_searched(write: Write, capsys: pytest.Cap
     assert record["factor_of_safety"]["bishop"] == pytest.approx(0.98516, rel=1e-4)
 
 
+SLIDE = """\
+[friction]
+law = "exponential"
+peak_deg = 19.6
+residual_deg = 10
+length_m = 0.5
+[rotation]
+[circle]
+"""
+SCENE = ACADS.replace("[friction]\nangle_deg = 19.6\n", "") + SLIDE + 'critical = "bishop"\n'
+FIXED = SCENE.replace('[circle]\ncritical = "bishop"\n', CIRCLE)
+
+
+def test_the_motion_has_the_factors_of_its_circle(
+    write: Write, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, page = write(SCENE), tmp_path / "slide.html"
+    assert main(["run", path, "--report", str(page)]) == 0
+    table = dict(re.split(r"  +", line, maxsplit=1) for line in capsys.readouterr().out.splitlines() if "  " in line)
+    assert table["factor of safety by Bishop's simplified method"] == "0.9850"
+    assert table["factor of safety by the ordinary method (Fellenius)"] == "0.9502"  # of Bishop's circle
+    assert table["circle"] == "least factor by bishop"
+    assert {"peak velocity", "x of the toe at the end", "run-out along the arc", "centre", "exit"} <= table.keys()
+    for label in ("Bishop&#x27;s simplified method", "circles tried, refused", "arc under negative normal stress"):
+        assert label in page.read_text("utf-8")
+    main(["run", path, "--json"])
+    (motion,) = json.loads(capsys.readouterr().out)
+    search(path, "--json")
+    (alone,) = json.loads(capsys.readouterr().out)
+    assert motion["stability"] == alone
+    assert motion["factor_of_safety"] == pytest.approx(alone["factor_of_safety"]["paper"], rel=1e-9)
+
+
+def test_a_given_circle_has_factors_with_its_motion(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", write(FIXED)]) == 0
+    out = capsys.readouterr().out
+    assert re.search("Bishop's simplified method +0.9852", out)
+    assert re.search("circle +as given", out)
+    assert re.search("circles tried, refused +1, 0", out)
+    scene = slipcircle.load(write(FIXED))
+    assert scene.stability is not None
+    assert scene.stability.factor_of_safety["bishop"] == pytest.approx(0.98516, rel=1e-4)
+    pressed = slipcircle.load(write(FIXED + "[pore_pressure]\npressure_kPa = 5\n"))
+    assert pressed.stability is None  # no slope has a pressure of one circle
+    by_speed = "rate = { law = 'rate_weakening', peak = 0.5, residual = 0.1, velocity_m_s = 1 }\nlaw"
+    rated = slipcircle.load(write(FIXED.replace("law", by_speed))).stability
+    assert rated is not None
+    assert rated.slope.friction == pytest.approx(0.5 * math.tan(math.radians(19.6)))
+
+
+@pytest.mark.parametrize(
+    ("soil", "friction"),
+    [
+        ("law = 'prescribed'\ntime_s = [0, 9]\nangle_deg = [20, 5]\n", math.tan(math.radians(20))),
+        ("law = 'tabulated'\nslip_m = [0, 9]\ncoefficient = [0.3, 0.1]\n", 0.3),
+        ("angle_deg = { distribution = 'uniform', low = 18, high = 24 }\n", math.tan(math.radians(21))),
+    ],
+)
+def test_the_strength_at_the_start_counts(write: Write, soil: str, friction: float) -> None:
+    text = FIXED.replace(SLIDE[: SLIDE.index("[rotation]")], "[friction]\n" + soil)
+    text += "[pore_pressure]\nratio = [0.1, 0.3]\ntime_s = [0, 10]\n"
+    scene, file = slipcircle.load(write(text)), slopefile.read(write(text))
+    assert scene.stability is not None
+    for slope in (scene.stability.slope, file.slope):
+        assert slope.friction == pytest.approx(friction, rel=1e-14)
+        assert slope.pore_ratio == 0.1
+
+
 def test_the_command_refuses_what_it_cannot_read(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
     assert search(write(ACADS.replace("kN_m3 = 20", "kN_m3 = 19500"))) == 1
     assert "is that in N/m3" in capsys.readouterr().err
     assert search(write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0"))) == 1
     assert "thinner skin" in capsys.readouterr().err
+    limits = "[search]\nexit_m = [30, 2]\ndepth_m = 2e5\n"
+    for command, text in (("search", ACADS + limits), ("run", SCENE + limits)):
+        assert main([command, write(text)]) == 1
+        err = capsys.readouterr().err
+        assert "search.exit_m = [30, 2]: must be the least and the greatest x" in err
+        assert "search.depth_m = 200000.0" in err
+    assert search("vaiont") == 1
+    assert "a search needs [ground]" in capsys.readouterr().err
+    assert search("real-slope", write(ACADS), "--plot", "x.png") == 1
+    assert "shows one slope" in capsys.readouterr().err
     assert search("no-such-slope.toml") == 1
     assert "no-such-slope.toml: there is no such file" in capsys.readouterr().err
     with pytest.raises(SystemExit, match="2"):
@@ -138,6 +220,9 @@ def test_what_a_file_says(write: Write) -> None:
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[search]\nk_h = 4\n", "a share of g"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 26]]\n", "water.level_m: stands"),
         ("[ground]", "[ground", "is not TOML"),
+        ("= 19.6", "= { distribution = 'normal', mean = 20 }", "friction.angle_deg: std: is missing"),
+        ("= 20\nbase", "= { distribution = 'normal', mean = 20, std = 1 }\nbase", "must be a number"),
+        ("[cohesion]", "[pore_pressure]\npressure_kPa = 3\n[cohesion]", "give ratio"),
     ],
 )  # fmt: skip
 def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, words: str) -> None:
@@ -152,3 +237,78 @@ def test_all_mistakes_at_once(write: Write) -> None:
     with pytest.raises(ValueError, match="cohesoin") as raised:
         slopefile.read(write(text))
     assert len(str(raised.value).splitlines()) == 3
+
+
+# --- ensembles ------------------------------------------------------------------------------------------------------
+
+
+def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(
+    write: Write, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    drawn = "{ distribution = 'lognormal', mean = 3, std = 2 }"  # its median is 2.5
+    path, page = write(SCENE.replace("cohesion_kPa = 3", f"cohesion_kPa = {drawn}")), tmp_path / "study.html"
+    assert main(["sweep", path, "--samples", "64", "--seed", "1", "--report", str(page), "--sensitivity", "0"]) == 0
+    words = "the critical circle of the means, of the least factor by bishop"
+    assert words in capsys.readouterr().err
+    assert words in page.read_text("utf-8")
+    study = slipcircle.ensemble(slipcircle.load(path), 64, rng=1, sensitivity=0)
+    of_means = slipcircle.critical(slopefile.read(write(ACADS)).slope)
+    assert study.scene.arc.centre == of_means.centre  # type: ignore[union-attr]
+    assert study.scene.arc.radius == of_means.radius
+    # Every sample slides along it: the greatest cohesion of them alone is another motion along the same circle.
+    k = int(np.argmax(study.samples["reach"]))
+    effects = {"cohesion": {"cohesion": 1e3 * study.samples["cohesion.cohesion_kPa"][k]}, "rotation": {}}
+    alone = slipcircle.solve(replace(study.scene, effects=effects, uncertain={}))
+    assert alone.reach.displacement == pytest.approx(study.samples["reach"][k], rel=1e-9)
+
+
+def test_means_given_with_the_command_have_their_own_circle(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = slipcircle.load(write(SCENE))
+    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 30, "std": 2}}
+    study = slipcircle.ensemble(replace(scene, uncertain=drawn), 64, rng=1)
+    expected = slipcircle.critical(slopefile.read(write(ACADS.replace("19.6", "30"))).slope)
+    assert study.scene.arc.centre == expected.centre  # type: ignore[union-attr]
+    assert study.scene.stability == expected
+    assert main(["sweep", write(SCENE), "--grid", "friction.peak_deg=18,19"]) == 0
+    assert "the critical circle of the scene as it is given" in capsys.readouterr().err
+    fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1)
+    assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])  # type: ignore[union-attr]
+    assert not any("critical" in said for said in fixed.warnings)
+
+
+def test_a_folder_knows_one_circle_from_another(write: Write, tmp_path: Path) -> None:
+    drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 15, "std": 2}}
+    one = replace(slipcircle.load(write(FIXED)), uncertain=drawn)
+    slipcircle.ensemble(one, 64, rng=1, folder=tmp_path / "kept")
+    other = replace(one, arc=replace(one.arc, radius=28.55))
+    with pytest.raises(ValueError, match="another study: section"):
+        slipcircle.ensemble(other, 64, rng=1, folder=tmp_path / "kept")
+
+
+def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
+    said = " ".join(guide().split()).replace("real- slope", "real-slope")
+    stability = slipcircle.load("real-slope").stability
+    assert stability is not None
+    wet = slipcircle.critical(replace(stability.slope, pore_ratio=0.5))
+    shares = []
+    for found in (stability, wet):
+        paper, ordinary, bishop = (found.factor_of_safety[m] or math.nan for m in ("paper", "ordinary", "bishop"))
+        assert f"{paper:.3f}, {ordinary:.3f} and {bishop:.3f}" in said
+        shares.append(f"{100 * (1 - paper / bishop):.0f} %")
+    assert f"by {shares[0]} and by {shares[1]} of Bishop's" in said
+    assert "critical method by which the critical circle is looked for: paper, ordinary, bishop" in said
+
+
+def test_the_limits_of_a_file_hold(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    limits = "[search]\nentry_m = [60, 65]\nexit_m = [20, 24]\ndepth_m = 2\nk_h = 0.1\n"
+    search(write(ACADS + limits), "--json")
+    (record,) = json.loads(capsys.readouterr().out)
+    assert 60 - 1e-6 <= record["entry"][0] <= 65
+    assert 20 <= record["exit"][0] <= 24 + 1e-6
+    search(write(ACADS + limits.replace("k_h = 0.1", "")), "--json")
+    (still,) = json.loads(capsys.readouterr().out)
+    assert still["factor_of_safety"]["bishop"] > record["factor_of_safety"]["bishop"] + 0.2
+    assert main(["run", write(SCENE + limits)]) == 0
+    out = capsys.readouterr().out
+    assert re.search("horizontal acceleration k_h of these +0.1", out)
+    assert re.search(r"\nfactor of safety +\d", out)  # the motion's own, without k_h

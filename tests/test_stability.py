@@ -10,7 +10,7 @@ import pytest
 
 from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
-from slipcircle.scene.search import Critical, critical
+from slipcircle.scene.search import Critical, Search, critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import METHODS, Factors, Slope, factors
 
@@ -19,12 +19,17 @@ def tangent(degrees: float) -> float:
     return math.tan(math.radians(degrees))
 
 
+def masses(ground: Any, centre: Any, radius: Any) -> tuple[Any, Any, Any, Any]:
+    """Centres, radii, left and right ends of all stretches that circles cut off."""
+    parts = circles.cut(np.asarray(ground, dtype=float)[None], centre, radius)
+    lane, number, _ = circles.stretches(parts)
+    left, right = (centre[lane] + radius[lane, None] * end.T for end in circles.ends(parts.only(lane), number))
+    return centre[lane], radius[lane], left, right
+
+
 def fixed(slope: Slope, centre: tuple[float, float], radius: float) -> dict[str, float]:
     """The factors of the one stretch of a circle that is driven."""
-    c, r = np.array([centre]), np.array([radius])
-    parts = circles.cut(np.asarray(slope.ground)[None], c, r)
-    lane, number, _ = circles.stretches(parts)
-    found = factors(slope, c[lane], r[lane], parts.only(lane), number)
+    found = factors(slope, *masses(slope.ground, np.array([centre]), np.array([radius])))
     k = int(np.nanargmin(found.ordinary))
     return {m: float(getattr(found, m)[k]) for m in (*METHODS, "facing", "negative")}
 
@@ -35,6 +40,7 @@ LI_LUMB = Slope([(0, 5), (5, 5), (15, 15), (20, 15)], 18e3, tangent(30), 18e3, p
 LOUKIDIS = Slope([(-50, 0), (0, 0), (75, 25), (150, 25)], 25e3, tangent(30), 20e3, k_h=0.432, base=-25)
 FREDLUND_KRAHN = Slope([(0, 60), (60, 60), (140, 20), (180, 20)], 600.0, tangent(20), 120.0)  # ft, psf, pcf
 FK_WATER = replace(FREDLUND_KRAHN, level=[(0, 40), (140, 20), (180, 20)], water_unit_weight=62.4)
+ARAI_TAGYO = Slope([(0, 15), (18, 15), (48, 35), (80, 35)], 41.65e3, tangent(15), 18.82e3, base=0)  # 1985, example 1
 YAMAGAMI_2000 = Slope([(-6, 0), (0, 0), (8, 4), (12, 4)], 4.9e3, tangent(10), 15.68e3)
 
 
@@ -66,6 +72,7 @@ def test_published_circles(
         (YAMAGAMI_UEDA, "bishop", 1.3426, (8.65, 14.10), 9.81, (5.0, 5.0)),
         (LI_LUMB, "bishop", 1.3335, (4.07, 19.40), 14.43, (5.0, 5.0)),
         (LOUKIDIS, "bishop", 0.991, None, None, None),
+        (ARAI_TAGYO, "bishop", 1.404, None, None, (18.0, 15.0)),  # published: 1.451 (1985), 1.409 (Slide2)
     ],
 )
 def test_published_searches(
@@ -78,6 +85,9 @@ def test_published_searches(
     if centre is not None:  # where both are given to three digits
         assert found.centre == pytest.approx(centre, abs=0.01 * height)
         assert found.radius == pytest.approx(radius, abs=0.01 * height)
+        assert radius is not None  # and where that circle enters the level crest
+        enters = centre[0] + math.sqrt(radius**2 - (centre[1] - found.entry[1]) ** 2)
+        assert found.entry == pytest.approx((enters, slope.ground[-1][1]), abs=0.02 * height)  # type: ignore[index]
     if leaves is not None:
         assert found.exit == pytest.approx(leaves, abs=0.02 * height)
     assert found.tried > 10_000
@@ -93,6 +103,26 @@ def test_taylor_s_numbers_of_toe_circles(angle: float, number: float, method: st
     assert factor is not None
     # F = 1 where gamma H/c is Taylor's number, and F is proportional to c: N = F gamma H/c.
     assert factor * 20e3 * 10.0 / 20e3 == pytest.approx(number, rel=1e-4)
+
+
+def test_steep_slopes_without_friction_need_no_base() -> None:
+    slope = Slope([(-60, 0), (0, 0), (10 / tangent(60), 10), (60, 10)], 20e3, 0.0, 20e3)
+    found = critical(slope)
+    assert found.factor_of_safety["bishop"] == pytest.approx(0.52474, rel=1e-4)  # Taylor: toe circles above 53 deg
+    assert found.exit == pytest.approx((0.0, 0.0), abs=0.01)
+    # Below, ever deeper circles are ever worse, and F gamma H/c tends to 5.52: here by 1000 slopes' heights of soil.
+    deep = Slope([(-6e4, 0), (0, 0), (10 / tangent(40), 10), (6e4, 10)], 20e3, 0.0, 20e3, base=-1e4)
+    assert critical(deep).factor_of_safety["bishop"] == pytest.approx(0.552, abs=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("slope", "angle", "number"), [(45, 5, 0.136), (45, 10, 0.108), (45, 20, 0.062), (30, 10, 0.075), (30, 20, 0.025)]
+)
+def test_taylor_s_friction_circles(slope: float, angle: float, number: float) -> None:
+    """c/(gamma H) at which F = 1, by another method, read off his chart to two or three digits."""
+    ground = [(-40, 0), (0, 0), (10 / tangent(slope), 10), (70, 10)]
+    found = critical(Slope(ground, number * 20e3 * 10, tangent(angle), 20e3, base=-20))
+    assert found.factor_of_safety["bishop"] == pytest.approx(1.0, abs=0.012)
 
 
 # --- definitions ----------------------------------------------------------------------------------------------------
@@ -182,13 +212,10 @@ def test_many_circles_are_single_ones() -> None:
     q[:, 1] = np.interp(q[:, 0], *np.array(GROUND).T)
     centre, radius = circle_through(p, q, depth=rng.uniform(0.1, 0.4, 500) * np.hypot(*(q - p).T) * 0.99)
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL)
-    parts = circles.cut(np.array([GROUND]), centre, radius)
-    lane, number, _ = circles.stretches(parts)
-    many = factors(slope, centre[lane], radius[lane], parts.only(lane), number)
-    for k in range(0, len(lane), 37):
-        one = factors(
-            slope, centre[lane[k : k + 1]], radius[lane[k : k + 1]], parts.only(lane[k : k + 1]), number[k : k + 1]
-        )
+    every = masses(GROUND, centre, radius)
+    many = factors(slope, *every)
+    for k in range(0, len(every[1]), 37):
+        one = factors(slope, *(x[k : k + 1] for x in every))
         assert [float(v[k]) for v in many] == pytest.approx([float(v[0]) for v in one], rel=1e-12, nan_ok=True)
 
 
@@ -226,6 +253,20 @@ def test_limits_hold() -> None:
     again = critical(slope)
     assert again == free
     assert np.array_equal(again.values, free.values, equal_nan=True)
+
+
+def test_a_mass_is_one_piece() -> None:
+    # From crest to toe below the bench, and so flat that the bench stands out below the arc.
+    slope = Slope([(-60, 20), (-30, 20), (-20, 12), (-12, 12), (10, 0), (60, 0)], 10e3, 0.5, 19e3)
+    search = Search(slope, "bishop", None, None, 0.0)
+    crest, toe = search.along[1], search.along[4]
+    flat, deep = search.judged(np.array([[crest, toe, 0.05], [crest, toe, 0.9]])).tolist()
+    assert math.isnan(flat)
+    assert deep > 0.0
+    _, _, left, right = masses(slope.ground, *search.laid(np.array([[crest, toe, 0.05], [crest, toe, 0.9]]))[:2])
+    assert left[0, 0] > -20.0  # the flat circle cuts off what lies below the bench alone
+    assert left[1] == pytest.approx([-30, 20])
+    assert right == pytest.approx(np.array([[10.0, 0.0], [10.0, 0.0]]))
 
 
 def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
@@ -266,7 +307,8 @@ def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
     ("slope", "more", "words"),
     [
         (replace(ACADS, cohesion=0.0), {}, "ever thinner skin"),
-        (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep"),
+        (replace(ACADS, friction=0.0, base=None), {}, "infinitely deep, where the factor tends to 0.0828;"),
+        (replace(ACADS, friction=0.0, base=None, k_h=0.1), {}, "infinitely deep"),
         (Slope([(0, 0), (50, 0)], 1e3, 0.5, 2e4), {}, "level"),
         (ACADS, {"method": "janbu"}, "must be one of"),
         (ACADS, {"entry": (5.0, 1.0)}, "least and the greatest"),
@@ -308,4 +350,4 @@ def test_results_are_plain() -> None:
     record = found.record()
     assert {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"} <= record.keys()
     assert set(record["factor_of_safety"]) == set(METHODS)
-    assert Factors._fields[:3] == METHODS
+    assert Factors._fields[:3] == tuple(METHODS)

@@ -161,6 +161,7 @@ Floats = NDArray[np.float64]
 # Codes of the operations on series and on cells, as the compiled walk knows them.
 SERIES = {codes!r}
 SCALAR = {scalar_codes!r}
+DIGEST = "{digest}"  # of the compiled walk's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:
@@ -232,9 +233,10 @@ def _numpy_function(o: Operation) -> str:
     return "\n".join(lines) + "\n\n\n"
 
 
-def numpy_text() -> str:
-    """The module `generated.series`."""
+def numpy_text(digest: str) -> str:
+    """The module `generated.series`, beside the source of the compiled walk of which this is the digest."""
     return _NUMPY.format(
+        digest=digest,
         codes={x: i for i, x in enumerate(("lin", "ramp", *OPERATIONS))},
         scalar_codes={x: i for i, x in enumerate(SCALARS)},
         functions="".join(map(_numpy_function, OPERATIONS.values())),

@@ -36,6 +36,7 @@ def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
     c_source = emit_c.source(variants(), functions.comments(kernels, proved))
+    c_walk = walk_source()
     texts = {
         "_compiled.py": (emit.TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "definitions.py": definitions_module(closed),
@@ -46,10 +47,10 @@ def files(proved: list[Record]) -> dict[str, str]:
         "kernels.py": emit.module(KERNELS, kernels),
         "laws.py": emit.plain_module(LAWS, emit.described(functions.laws())),
         "motion.py": emit.module(MOTION, motion),
-        "_flow.c": walk_source(),
+        "_flow.c": c_walk,
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
-        "series.py": series.numpy_text(),
+        "series.py": series.numpy_text(digest_of(c_walk)),
         "slopes.py": slopes.module(),
         "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),

@@ -24,7 +24,6 @@ from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
 
 _NO_ARC = {"radius_m": 1.0, "theta_1_deg": 225.0, "theta_2_deg": 315.0, "unit_weight_kN_m3": 20.0}  # never solved
-_OF_SOIL = (("cohesion", "cohesion_kPa"), ("pore_pressure", "ratio"))
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -87,8 +86,8 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
     asked = by_rate.get("law", "") if isinstance(by_rate, dict) else ""
     rate = "".join(get_close_matches(str(asked), RATE_LAWS, 1)) or RATE_LAWS[0]
     sloping = "ground" in document
-    tables = tables_of(law or "constant", rate)
-    document, uncertain, found, wrong = _drawn(document, tables)
+    tables, stability, whole = tables_of(law or "constant", rate), None, document
+    document, uncertain, found, wrong = _drawn(whole, tables)
     if check:
         # Of a law that is anybody's guess nothing else can be judged.
         judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
@@ -110,10 +109,8 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
             friction["rate"] = {"law": rate} | _arguments(by_rate, tables["friction.rate"])
         found += law_mistakes(friction)
     if sloping and not found:
-        start = friction.get("peak", friction.get("coefficient"))
-        stress, ratio = (document.get(t, {}).get(k, 0.0) for t, k in _OF_SOIL)
         try:
-            arc = slopefile.section_of(document, start, 1e3 * stress, 0.0 if isinstance(ratio, list) else ratio)
+            arc, stability = slopefile.section_of(whole)
         except ValueError as error:
             found += str(error).splitlines()
     if found:
@@ -124,7 +121,7 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
     known = {"name": Path(file).stem} | _arguments(document, tables[""])
     try:
         mu = friction["coefficient"] if law == "constant" and by_rate is None else friction
-        return Scene(arc, mu, effects, **known, uncertain=uncertain)
+        return Scene(arc, mu, effects, **known, uncertain=uncertain, stability=stability)
     except ValueError as error:
         said = str(error).removeprefix(f"Scene {known['name']}: ")
         raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error

@@ -2,8 +2,9 @@
 
 import math
 import os
+import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
@@ -11,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.files.slopekeys import AT_START, GEOMETRY, INF, OF_MOTION, TABLES, TINY, WHOLE, Key
+from slipcircle.base.distributions import distribution_mistakes, made
+from slipcircle.files.slopekeys import AT_START, GEOMETRY, INF, OF_MOTION, OF_SOIL, TABLES, TINY, WHOLE, Key
 from slipcircle.scene.ground import circle_through, circle_touching, simple_slope
-from slipcircle.scene.search import critical
+from slipcircle.scene.search import Critical, at_circle, critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import Slope
 
@@ -59,10 +61,8 @@ def read(path: str | os.PathLike[str]) -> SlopeFile:
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ValueError(f"{file}: is not TOML: {error}") from error
-    soil = document.get("friction")
-    if isinstance(soil, dict) and "law" in soil:  # of a scene: its friction at the start
-        renamed = {AT_START.get(k, k): v for k, v in soil.items()}
-        document["friction"] = {k: v for k, v in renamed.items() if k in TABLES["friction"]}
+    if "arc" in document:
+        raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
     given, found = _read(document)
     if not found:
         try:
@@ -73,7 +73,10 @@ def read(path: str | os.PathLike[str]) -> SlopeFile:
 
 
 def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[str]]:
-    """The values in SI units by table and key, and a sentence for each mistake."""
+    """The values in SI units by table and key, of a scene at its start; and a sentence for each mistake."""
+    document = {k: _at_start(v) if k in OF_SOIL else v for k, v in document.items()}
+    if isinstance(soil := document.get("friction"), dict) and "rate" in soil:
+        document["friction.rate"] = soil.pop("rate")
     found: list[str] = []
     given: dict[str, dict[str, Any]] = {table: {} for table in TABLES}
     meant: set[str] = set()
@@ -94,7 +97,7 @@ def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[
         asked = {k for s in sets for k in s}
         have = asked & set(given[table])
         if have in [set(s) for s in sets] or any(m.startswith(f"{table}.") for m in meant) or (
-            table not in document and (table in meant or table == "circle")
+            table not in document and (table in meant or table not in ("ground", "friction"))
         ):  # fmt: skip
             continue
         wanted = ", or ".join(" with ".join(s) for s in sets)
@@ -108,6 +111,11 @@ def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[
 def _value(path: str, key: Key, value: Any, found: list[str]) -> Any:
     """One value in SI units; what is wrong with it goes to the list."""
     shown = f"{path} = {value!r}"
+    if isinstance(value, dict) and path.partition(".")[0] in OF_SOIL:
+        if said := distribution_mistakes(value, (key.low, key.high)):
+            found += [f"{path}: {m}" for m in said]
+            return math.nan
+        value = float(made(value).mean())
     if key.kind == "number":
         if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
             found.append(f"{shown}: must be a number: {key.words}")
@@ -151,39 +159,62 @@ def _unknown(table: str, name: str, value: Any, found: list[str]) -> str:
     return ""
 
 
-def section_of(document: Mapping[str, Any], friction: float | None, cohesion: float, pore_ratio: float) -> Section:
-    """The section of a scene's file with a ground: of the circle that it gives, or of the critical one.
+def section_of(document: Mapping[str, Any]) -> tuple[Section, Critical | None]:
+    """The section of a scene's file with a ground, of the circle that it gives or the critical one; and its stability.
 
-    Parameters
-    ----------
-    document : mapping
-        The whole file; the ground's, the circle's, the water's and the search's tables are read.
-    friction, cohesion, pore_ratio : float
-        At the start, SI; friction is None where its law has no one number there.
+    Uncertain numbers count by their means, what changes with slip or time by its start. A circle that is given needs
+    no soil; without a strength, or with a pore pressure that is no ratio, nothing is said of its stability.
 
     Raises
     ------
     ValueError
         Lists every mistake by its key, one a line.
     """
-    own = {k: v for k, v in document.items() if k in GEOMETRY}
-    given, found = _read(own | {"friction": {"coefficient": 0.0}})
+    given, found = _read({k: v for k, v in document.items() if k in (*GEOMETRY, *OF_SOIL)})
     if "circle" not in document:
         found.append("circle: is missing; give " + ", or ".join(" with ".join(s) for s in WHOLE["circle"]))
-    if "critical" in given["circle"] and friction is None:
-        found.append("circle.critical: needs a friction that is one number at the start: a coefficient, or a peak")
+    if "critical" not in given["circle"]:
+        poor = [m for m in found if m.startswith(OF_SOIL)]
+        found = [m for m in found if m not in poor]
     if found:
         raise ValueError("\n".join(found))
     try:
         if "critical" not in given["circle"]:
-            return _section(given)
-        given |= {"friction": {"coefficient": friction}, "cohesion": {"cohesion_kPa": cohesion},
-                  "pore_pressure": {"ratio": pore_ratio}}  # fmt: skip
-        least = critical(_slope(given), given["circle"]["critical"], **_limits(given))
-        return _section(given | {"circle": {"centre_m": least.centre, "radius_m": least.radius,
-                                            "between_m": least.between}})  # fmt: skip
+            section = _section(given)
+            return section, None if poor else _stability(given, section)
+        least = judged(_made({"name": ""}, given))
+        circle = {"centre_m": least.centre, "radius_m": least.radius, "between_m": least.between}
+        return _section(given | {"circle": circle}), least.without_map()
     except ValueError as error:
         raise ValueError(_by_key(str(error))) from error
+
+
+def _stability(given: dict[str, dict[str, Any]], section: Section) -> Critical | None:
+    """Of a circle that is given, in a soil that has any strength."""
+    try:
+        return at_circle(_slope(given), section)
+    except ValueError:
+        return None
+
+
+def judged(file: SlopeFile, method: str | None = None, told: Callable[[str], None] = lambda _: None) -> Critical:
+    """The critical circle of a slope's file; where it gives a circle, the factors of that one."""
+    if file.section is not None:
+        return at_circle(file.slope, file.section)
+    try:
+        return critical(file.slope, method or file.method, **file.limits, told=told)
+    except ValueError as error:
+        raise ValueError(re.sub(r"\b(entry|exit|depth) = ", r"search.\1_m = ", str(error))) from error
+
+
+def _at_start(table: Any) -> Any:
+    """A table of a scene's soil as it is at the start: of a law its peak, of a list its first value."""
+    if not isinstance(table, dict):
+        return table
+    now = {AT_START.get(k, k): v[0] if isinstance(v, list) and v else v for k, v in table.items() if k != "time_s"}
+    if "rate" in now:
+        now["rate"] = _at_start(now["rate"])
+    return {k: v for k, v in now.items() if k in ("rate", *TABLES["friction"])} if "law" in now else now
 
 
 def _made(texts: dict[str, str], given: dict[str, dict[str, Any]]) -> SlopeFile:
@@ -205,10 +236,10 @@ def _shared(given: dict[str, dict[str, Any]]) -> dict[str, Any]:
 
 
 def _slope(given: dict[str, dict[str, Any]]) -> Slope:
-    soil = given["friction"]
+    laws = [given["friction"], given["friction.rate"] or {"coefficient": 1.0}]
     return Slope(
         cohesion=given["cohesion"].get("cohesion_kPa", 0.0),
-        friction=soil["coefficient"] if "coefficient" in soil else math.tan(soil["angle_deg"]),
+        friction=math.prod(t["coefficient"] if "coefficient" in t else math.tan(t["angle_deg"]) for t in laws),
         pore_ratio=given["pore_pressure"].get("ratio", 0.0), k_h=given["search"].get("k_h", 0.0), **_shared(given),
     )  # fmt: skip
 
@@ -241,6 +272,8 @@ def _by_key(said: str) -> str:
     keys = {"between": "circle.between_m", "centre": "circle.centre_m", "radius": "circle.radius_m",
             "depth": "circle.depth_m", "base": "ground.base_m", "ground": "ground.points_m", "level": "water.level_m",
             "pore_ratio": "pore_pressure.ratio"}  # fmt: skip
+    if said.startswith("critical: "):
+        return said
     _, _, rest = said.partition(": ")
     for name, key in keys.items():
         if rest.startswith(name) and not rest[len(name) :][:1].isalpha():

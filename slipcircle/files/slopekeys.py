@@ -31,6 +31,10 @@ def _weight(words: str) -> Key:
     return Key(words, "number", TINY, 100.0, 1e3, "is that in N/m3? 1 kN/m3 is 1000 N/m3")
 
 
+_FRICTION = {
+    "angle_deg": Key("friction angle, deg", low=0.0, high=75.0, factor=math.pi / 180),
+    "coefficient": Key("friction coefficient, tan(phi)", high=4.0, low=0.0, beyond="an angle? say angle_deg"),
+}
 TABLES: Mapping[str, Mapping[str, Key]] = {
     "": {"name": Key("name of the slope, by default the file's", "text"), "note": Key("source of the numbers", "text")},
     "ground": {
@@ -43,10 +47,8 @@ TABLES: Mapping[str, Mapping[str, Key]] = {
         "width_m": Key("length across the section, by default 1 m", low=TINY),
         "base_m": Key("y of a firm layer below which no circle goes, m"),
     },
-    "friction": {
-        "angle_deg": Key("friction angle, deg", low=0.0, high=75.0, factor=math.pi / 180),
-        "coefficient": Key("friction coefficient, tan(phi)", high=4.0, low=0.0, beyond="an angle? say angle_deg"),
-    },
+    "friction": _FRICTION,
+    "friction.rate": _FRICTION,
     "cohesion": {"cohesion_kPa": Key("strength without normal stress, kPa", low=0.0, high=1e5, factor=1e3,
                                      beyond="is that in Pa? 1 kPa is 1000 Pa")},
     "water": {
@@ -66,18 +68,22 @@ TABLES: Mapping[str, Mapping[str, Key]] = {
     "search": {
         "entry_m": Key("least and greatest x of the upper end, m", "pair"),
         "exit_m": Key("least and greatest x of the lower end, m", "pair"),
-        "depth_m": Key("least thickness of the mass, m", low=0.0),
+        "depth_m": Key("least thickness of the mass, against skins, m", low=0.0),
         "k_h": Key("horizontal acceleration over g, positive down-slope", low=-0.99, high=0.99,
                    beyond="is that in m/s2? k_h is a share of g"),
     },
 }  # fmt: skip
 GEOMETRY = ("ground", "circle", "water", "search")  # what a scene's file may have in place of an arc
+TITLES = ("a real slope, in place of [arc]", "its slip circle, given or looked for", "its water level, in place of r_u",
+          "what limits the search for the critical circle")  # fmt: skip
+OF_SOIL = ("friction", "cohesion", "pore_pressure")  # of a scene at its start
 OF_MOTION = {*EFFECTS, "initial_velocity_m_s", "end_time_s", "accuracy"} - {*TABLES}  # not asked by a search
 AT_START = {"peak_deg": "angle_deg", "peak": "coefficient"}
 # What makes a table whole: one of these sets of keys.
 WHOLE = {
     "ground": (("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m")),
     "friction": (("angle_deg",), ("coefficient",)),
+    "pore_pressure": (("ratio",),),
     "circle": (("centre_m", "radius_m"), ("through_m", "radius_m"), ("through_m", "depth_m"),
                ("through_m", "touching_m"), ("critical",)),
 }  # fmt: skip
@@ -107,7 +113,9 @@ def _bounds(key: Key) -> dict[str, Any]:
     return {"title": key.words} | low | ({"maximum": key.high} if key.high < INF else {})
 
 
-def guide() -> Iterator[tuple[str, list[tuple[str, str]]]]:
-    """Tables with what stands in place of an arc: the keys of each with their words."""
-    for table in GEOMETRY:
-        yield table, [(k, key.words) for k, key in TABLES[table].items()]
+def guide() -> Iterator[tuple[str, str, list[tuple[str, str]]]]:
+    """Tables with what stands in place of an arc: what each is, and its keys with their words."""
+    for table, title in zip(GEOMETRY, TITLES, strict=True):
+        needed = "; needed: " + ", or ".join(" with ".join(s) for s in WHOLE[table]) if table in WHOLE else ""
+        kinds = {k: f": {key.kind.replace('|', ', ')}" if "|" in key.kind else "" for k, key in TABLES[table].items()}
+        yield table, title + needed, [(k, key.words + kinds[k]) for k, key in TABLES[table].items()]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated.series import SCALAR, SERIES
+from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.flow import cells as its
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
@@ -33,12 +33,21 @@ def module() -> Any:
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         return None
     try:
-        return import_module("generated._flow")
+        binary = import_module("generated._flow")
     except ModuleNotFoundError:
         return None
     except ImportError as error:
-        warnings.warn(f"the compiled walk cannot be loaded ({error}), NumPy serves", RuntimeWarning, stacklevel=2)
-        return None
+        fault = f"it cannot be loaded ({error})"
+    else:
+        if binary.DIGEST == DIGEST:
+            return binary
+        fault = "it was built from another source"
+    warnings.warn(
+        f"the compiled walk is refused, NumPy serves: {fault}; run `python -m derive.build` or install again",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+    return None
 
 
 @lru_cache(maxsize=256)

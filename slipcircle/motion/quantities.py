@@ -154,6 +154,7 @@ def record(motion: Any) -> dict[str, Any]:
         }
         | {q.name: q.read(motion) for q in results(motion) if "." not in q.path or q in JOURNEY}
         | states
+        | ({"stability": scene.stability.record()} if scene.stability else {})
         | {
             "energy": asdict(motion.energy) | {"residual": motion.energy.residual},
             "error_estimate": motion.error_estimate,

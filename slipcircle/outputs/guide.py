@@ -7,6 +7,7 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import DISTRIBUTIONS
 from slipcircle.files import slopekeys
 from slipcircle.scene.keys import Table, tables_of
+from slipcircle.scene.stability import COMPARED, METHODS
 
 WIDTH, INDENT = 100, 28
 HEAD = """\
@@ -32,9 +33,11 @@ def guide() -> str:
     lines = [HEAD, "Above the first table", *_keys(tables[""])]
     for path in ("arc", "arc.given"):
         lines += ["", *_title(f"[{path}]", tables[path].title), *_keys(tables[path])]
-    for table, words in slopekeys.guide():
-        lines += ["", *_title(f"[{table}]", "of a real slope, in place of [arc]")]
+    for table, title, words in slopekeys.guide():
+        lines += ["", *_title(f"[{table}]", title)]
         lines += [line for k, said in words for line in _title(f"  {k}", said)]
+    lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
+    lines += [line for m, (name, said) in METHODS.items() for line in _title(f"  {m}", f"{name}: {said}")]
     lines += ["", *_title("[friction]", "mu on the slip surface, by one of these laws")]
     for name, law in LAWS.items():
         lines += ["", *_title(f'  law = "{name}"', f"{law.help} ({law.equation})"), *_keys(tables_of(name)["friction"])]

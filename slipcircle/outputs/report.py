@@ -16,6 +16,7 @@ from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import data, figure, folded, number, page, repeat
 from slipcircle.outputs.plotstyle import ending, work
 from slipcircle.outputs.provenance import inputs
+from slipcircle.outputs.tables import stability_column
 from slipcircle.scene.friction import law_names
 
 ASSUMED = (
@@ -66,7 +67,8 @@ def _scene(motion: Motion, file: bytes | None) -> Iterable[Raw]:
     for warning in motion.warnings:
         yield Raw(f'<p class="warning">Warning: {escaped(warning)}</p>')
     yield tag("h3", "Key results")
-    yield table([[q.label, _value(q, motion)] for q in results(motion)])
+    stability = stability_column(plan.scene.stability) if plan.scene.stability else {}
+    yield table([*([q.label, _value(q, motion)] for q in results(motion)), *map(list, stability.items())])
     if not motion.arrested:
         yield tag("p", f"It does not come to rest: what is said of the end is said of the {ending(motion)}.")
     yield tag("h3", "Pictures")

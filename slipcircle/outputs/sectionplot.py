@@ -180,7 +180,7 @@ def animate(motion: Motion, figure: Any = None, frames: int = 60) -> Any:
     centre, facing = np.zeros(2), 1.0
     if isinstance(arc, Section):
         centre, facing = np.asarray(arc.centre, dtype=np.float64), float(arc.facing)
-        outline = slopeplot.outline(arc) - centre
+        outline = slopeplot.outline(arc, arc) - centre
     else:
         radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
         outline = _points(radius, np.linspace(first, second, 200)).T

@@ -3,7 +3,7 @@
 import math
 import shutil
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from itertools import chain, combinations, zip_longest
 from textwrap import wrap
@@ -14,6 +14,8 @@ from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
 from slipcircle.motion.quantities import JOURNEY, OUTCOMES, digits_left, plain, record, results, shown, spent, words
+from slipcircle.scene.search import Critical
+from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
@@ -33,6 +35,10 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
     chosen = [q for q in results(motion) if verbose or q.key or (q in JOURNEY and motion.moves)]
     found = {q.label: q.text(motion) for q in chosen}
+    if motion.plan.scene.stability is not None:
+        if not motion.plan.scene.stability.slope.k_h:
+            del found["factor of safety"]  # the paper's, which stands among these
+        found |= stability_column(motion.plan.scene.stability)
     if not motion.arrested:
         ended = motion.plan.scene.end_time is not None
         found["comes to rest"] = "no, still moving" if ended else "no, nothing holds it; to its first standstill"
@@ -48,6 +54,34 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
         d = asdict(motion.plan.scene.arc.dimensionless)
         found |= {symbol: f"{float(d[name]):.5f}" for symbol, name in COEFFICIENTS.items()}
     return found
+
+
+def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
+    """Columns by label as rows of one table; a cell is empty where a column has no such label."""
+    return [[label, *(c.get(label, "") for c in columns)] for label in dict.fromkeys(chain.from_iterable(columns))]
+
+
+# --- slopes ----------------------------------------------------------------------------------------------------------
+
+
+def stability_column(found: Critical) -> dict[str, str]:
+    """What is said of a slip circle of a slope: each value by its label."""
+
+    def point(xy: Sequence[float]) -> str:
+        return ", ".join(map(shown, xy)) + " m"
+
+    by_method = found.factor_of_safety.items()
+    rows = {f"factor of safety by {METHODS[m][0]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
+    if found.slope.k_h:
+        rows["horizontal acceleration k_h of these"] = shown(found.slope.k_h)
+    return rows | {
+        "circle": f"least factor by {found.method}" if found.method else "as given",
+        "centre": point(found.centre), "radius": f"{shown(found.radius)} m",
+        "entry": point(found.entry), "exit": point(found.exit),
+        "slides to the": {1: "right", -1: "left"}.get(found.facing, "neither side: nothing drives it"),
+        "circles tried, refused": f"{found.tried}, {found.refused}",
+        "arc under negative normal stress": f"{100 * found.negative:.1f} %",
+    }  # fmt: skip
 
 
 # --- plans and ladders -----------------------------------------------------------------------------------------------
@@ -133,7 +167,7 @@ def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
     return plain({"scene": found.motion.plan.scene.name} | vars(found) | {"solutions": solutions})
 
 
-def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
+def backanalysis_rows(found: "BackAnalysis") -> Rows:
     """A back-analysis as rows of a table, a column for each solution."""
     from slipcircle.studies.backanalysis import FITTED
 
@@ -156,7 +190,7 @@ def backanalysis_rows(found: "BackAnalysis") -> list[list[str]]:
             free = found.degrees_of_freedom
             rows[f"chi-square, degrees of freedom {free}" if known else "misfit"] = f"{s.chi_square:.3g}"
         columns.append(rows | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"})
-    return [[label, *(c.get(label, "") for c in columns)] for label in columns[0]]
+    return beside(columns)
 
 
 def _with_error(value: float, error: float, numerical: float) -> str:

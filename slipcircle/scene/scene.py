@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +19,9 @@ from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
 from slipcircle.scene.numbers import declared
 from slipcircle.scene.section import Section
+
+if TYPE_CHECKING:
+    from slipcircle.scene.search import Critical
 
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
@@ -55,6 +58,8 @@ class Scene:
         Numbers known by a distribution, which `ensemble` draws; `solve` takes the scene's own. Keys as in a scene file,
         ``"friction.angle_deg"``, or SI names as in ``numbers``, ``"friction"``; values are frozen distributions of
         scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
+    stability : Critical, optional
+        Factors of safety of the section's circle, and how it was found; the motion does not depend on it.
 
     Raises
     ------
@@ -71,6 +76,7 @@ class Scene:
     name: str = ""
     note: str = ""
     uncertain: Mapping[str, Any] = field(default_factory=dict)
+    stability: Critical | None = None
 
     def __post_init__(self) -> None:
         effects, found = _named(self.effects)

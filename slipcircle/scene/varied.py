@@ -1,5 +1,6 @@
 """Scenes with other numbers: one value of each, or an array of them, of which some may be no scene."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import fields, replace
 from typing import Any
@@ -12,8 +13,12 @@ from generated.effects import EFFECTS
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.numbers import Number, keyed, number_of, numbers_of
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
 
+# The numbers of a scene that a critical circle depends on, and of the slope that it was looked for in.
+_OF_SLOPE = {"friction": "friction", "friction.peak": "friction", "cohesion.cohesion": "cohesion",
+             "pore_pressure.ratio": "pore_ratio", "unit_weight": "unit_weight"}  # fmt: skip
 DIP = Number("arc.dip_deg", "dip", "deg", -90.0, 90.0, False, np.pi / 180)  # of the chord: both ends of the arc turn
 
 
@@ -82,9 +87,26 @@ def other_way(scene: Scene) -> Scene:
 
 
 def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
-    """A scene with other values of its numbers, or arrays of them, which are checked."""
+    """A scene with other values of its numbers, or arrays of them, which are checked; what was said of its
+    stability is not theirs.
+    """
     parts = parts_with(scene, {n: v if np.ndim(v) else float(v) for n, v in values.items()})
-    return replace(scene, **parts | {"arc": type(scene.arc)(**parts["arc"])})
+    return replace(scene, **parts | {"arc": type(scene.arc)(**parts["arc"]), "stability": None})
+
+
+def along_means(scene: Scene) -> Scene:
+    """A scene that asks for the critical circle, along that of the means of its uncertain numbers."""
+    found = scene.stability
+    if found is None or not found.method:
+        return scene
+    assert isinstance(scene.arc, Section)
+    known = {n: _OF_SLOPE[n] for n in scene.uncertain if n in _OF_SLOPE}
+    means = {field: float(scene.uncertain[n].number.to_si(scene.uncertain[n].moments[0])) for n, field in known.items()}
+    if all(math.isclose(mean, getattr(found.slope, field), rel_tol=1e-12) for field, mean in means.items()):
+        return scene
+    found = critical(replace(found.slope, **means), found.method, **found.limits)
+    section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
+    return replace(scene, arc=section, stability=found.without_map())
 
 
 def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:

@@ -5,6 +5,7 @@ import math
 import os
 from collections.abc import Mapping
 from concurrent.futures import Executor
+from dataclasses import fields
 from typing import IO, Any
 
 import numpy as np
@@ -15,7 +16,8 @@ from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.scene.numbers import Number, Uncertain
 from slipcircle.scene.scene import Scene, checked
-from slipcircle.scene.varied import absent, number_in, value_in
+from slipcircle.scene.section import Section
+from slipcircle.scene.varied import absent, along_means, number_in, value_in
 from slipcircle.studies.design import METHODS, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN
@@ -135,7 +137,7 @@ def ensemble(
         said.append(f"sensitivity = {sensitivity!r}: must be 0, or 2 to {2**22} base points")
     if said:
         raise ValueError("ensemble: " + "; ".join(said))
-    seed, n, drawn = _seed(rng, folder), int(n), dict(scene.uncertain)
+    seed, n, drawn, scene = _seed(rng, folder), int(n), dict(scene.uncertain), along_means(scene)
     base = (min(_BASE, n) if len(drawn) > 1 and n > 1 else 0) if sensitivity is None else sensitivity
     pairs = _pairs(drawn, correlation or {})
     if pairs and sensitivity:
@@ -229,9 +231,11 @@ def conduct(
 def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
     """What tells one study from another, as a folder remembers it."""
     scene = design.scene
+    section = {f.name: getattr(scene.arc, f.name) for f in fields(scene.arc)} if isinstance(scene.arc, Section) else {}
     return {
         "slipcircle": VERSION, "outcomes": list(OUTCOMES), "accuracy": design.accuracy,
         "numbers": {n: _known(v) for n, v in sorted(scene.numbers.items())}, "given": _known(scene.arc.given or {}),
+        "section": _known(section),
         "friction": _known(scene.friction), "effects": _known(scene.called),
         "inputs": [u.key for u in design.inputs.values()], "drawn": [u.record for u in design.drawn.values()],
         "levels": [x.tolist() for x in design.levels], "method": design.method, "samples": design.n,

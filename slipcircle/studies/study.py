@@ -314,7 +314,11 @@ class Study:
     @property
     def warnings(self) -> list[str]:
         """What to know before the numbers are used."""
-        found = []
+        found, stability = [], self.scene.stability
+        if stability is not None and stability.method:
+            of = "scene as it is given" if self.design.method == "grid" else "means"
+            found.append(f"all of them slide along the critical circle of the {of}, of the least factor by "
+                         f"{stability.method}; it is looked for once, and kept")  # fmt: skip
         total = int(self.counts.sum())
         for status, text in (
             *((s, f"have no answer and are left out: {s.reason}") for s in Status if s.reason),
