@@ -3,9 +3,10 @@
 `Arc` holds the failed section, `Section` that of a real slope, `Scene` adds friction, effects and the start, `plan`
 says how it will be solved and `solve` returns the `Motion`; `ensemble` draws uncertain numbers, `backanalyse` looks for
 what explains an observation, and `critical` for the circle along which a `Slope` fails.
-Units are SI, angles radians. `slipcircle schema --text` is the guide to effects and friction laws: formulas, parameters
-and bounds; ``notebooks/0_the_method.ipynb`` tells the mechanics, equation by equation. The numbers come from the
-package `generated`, which `python -m derive` writes.
+`slipcircle.kernels` are the functions of an arc alone. Units are SI, angles radians.
+`slipcircle schema --text` is the guide to effects and friction laws: formulas, parameters and bounds;
+``notebooks/0_the_method.ipynb`` tells the mechanics, equation by equation. The numbers come from the package
+`generated`, which `python -m derive` writes.
 """
 
 from importlib import import_module

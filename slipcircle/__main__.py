@@ -9,23 +9,28 @@ import os
 import re
 import shlex
 import sys
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict
 from functools import partial
 from textwrap import wrap
+from threading import Event, Thread, active_count
 from typing import Any, TypeVar
 
 import numpy as np
 
 import slipcircle
-from slipcircle import Scene, load, plan, solve
+from slipcircle import Motion, Scene, load, plan, solve
 from slipcircle.base import files
 from slipcircle.files.scenefile import find, shipped
-from slipcircle.motion.quantities import OUTCOMES, plain, record, words
+from slipcircle.motion.quantities import OUTCOMES, plain, record, shown, words
 from slipcircle.outputs import tables
+from slipcircle.scene.varied import other_way
 
 T = TypeVar("T")
 MOST_TIMES = 1_000_000
+INTERRUPTED = 130
 EPILOG = """\
 scenes that ship:
   {}
@@ -41,7 +46,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = _parser(argv).parse_args(argv)
     options.line = shlex.join(["slipcircle", *argv])
     try:
-        options.work(options)
+        with _heard():
+            options.work(options)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
@@ -61,8 +67,36 @@ def main(argv: Sequence[str] | None = None) -> int:
         kept = f"; finished blocks are in {resume}, and the same command continues from them" if resume else ""
         print(file=sys.stderr)
         _say(f"interrupted{kept}")
-        return 130
+        return INTERRUPTED
     return 0
+
+
+def command() -> None:
+    """What the shell calls: interrupted, it waits for no thread that still computes."""
+    status = main()
+    if status == INTERRUPTED and active_count() > 1:
+        os._exit(status)
+    sys.exit(status)
+
+
+@contextmanager
+def _heard(seconds: float = 5.0) -> Iterator[None]:
+    """Tell people at a terminal that the work goes on, every few seconds."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield
+        return
+    done, began = Event(), time.monotonic()
+
+    def tell() -> None:
+        while not done.wait(seconds):
+            said = f"slipcircle: at work for {time.monotonic() - began:.0f} s; Ctrl-C ends it"
+            print(f"\r\x1b[K{said}", end="\r", file=sys.stderr, flush=True)
+
+    Thread(target=tell, daemon=True).start()
+    try:
+        yield
+    finally:
+        done.set()
 
 
 def _say(message: str) -> None:
@@ -94,6 +128,8 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     run.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
     run.add_argument("--plot", metavar="FILE", action="append", help="draw section, motion and energy; .png, .svg, "
                      ".pdf or .jpg, and the slide itself as .gif; may be given more than once")  # fmt: skip
+    run.add_argument("--polarities", action="store_true", help="each shaken scene also with its horizontal shaking "
+                     "turned around, and the mean of both")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
     run.add_argument("--times", type=_times, metavar="FROM:TO:STEP", help="times of --csv in s, by default 401 even "
@@ -173,7 +209,11 @@ def _run(options: argparse.Namespace) -> None:
         for path in options.plot or [""]:
             pictures.check("run", path, len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
-    motions = [_speaking_of(load(name), solve) for name in options.scenes]
+    scenes = [load(name) for name in options.scenes]
+    if options.polarities:
+        scenes = [way for scene in scenes for way in (scene, other_way(scene))]
+        sources = [source for source in sources for _ in range(2)]
+    motions = [_speaking_of(scene, solve) for scene in scenes]
     made: dict[str, bytes] = {}  # all before the first is written
     if options.csv:
         from slipcircle.outputs.trace import csv
@@ -187,12 +227,14 @@ def _run(options: argparse.Namespace) -> None:
         made[options.report] = report(motions, sources, options.line).encode()
     for path, content in made.items():
         files.write(path, content)
+    means = _means(motions) if options.polarities else {}
     if options.json:
-        _print([record(m) for m in motions])
+        _print([*(record(m) for m in motions), *({"scene": name} | mean for name, mean in means.items())])
         return
     columns = [tables.motion_column(m, options.verbose) for m in motions]
+    columns += [{q.label: f"{shown(mean[n])} {q.unit}" for n, q in OUTCOMES.items()} for mean in means.values()]
     tables.show(
-        ["", *(m.plan.scene.name for m in motions)],
+        ["", *(m.plan.scene.name for m in motions), *means],
         tables.beside(columns),
         caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
     )
@@ -201,6 +243,16 @@ def _run(options: argparse.Namespace) -> None:
         more = [f"solved at the median of {', '.join(drawn)}; sweep draws them"] if drawn else []
         for warning in (*m.warnings, *more):
             _say(f"{m.plan.scene.name}: {warning}")
+
+
+def _means(motions: Sequence[Motion]) -> dict[str, dict[str, float]]:
+    """Outcomes of both polarities, their sizes' mean, by a name of each pair."""
+    pairs = zip(motions[::2], motions[1::2], strict=True)
+    return {
+        f"{one.plan.scene.name} mean": {
+            n: (abs(float(one.outcomes[n])) + abs(float(other.outcomes[n]))) / 2 for n in OUTCOMES
+        } for one, other in pairs
+    }  # fmt: skip
 
 
 def _speaking_of(scene: Scene, work: Callable[[Scene], T]) -> T:
@@ -383,4 +435,4 @@ def _info(options: argparse.Namespace) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    command()

@@ -142,7 +142,7 @@ def test_in_python() -> None:
     assert ensemble(replace(VAIONT, uncertain={"friction": stats.uniform(0.1, 0.1)}), 9, 1).moving.value == 1.0
     for given, said in (
         ({"friction.angel_deg": ANGLE}, "did you mean friction.angle_deg"),
-        ({"drag.xi_m_s2": ANGLE}, "the scene has no drag.xi to vary"),
+        ({"drag.xi_m_s2": ANGLE}, "drag.xi_m_s2: the scene has no value of it to vary"),
         ({"friction.angle_deg": 3.0}, "must be a distribution"),
         ({"friction.angle_deg": ANGLE, "friction": stats.norm(0.2, 0.01)}, "says the same"),
         ({"arc.radius_m": {"distribution": "uniform", "low": -1, "high": 5}}, "reaches down to -1"),

@@ -129,7 +129,7 @@ LAYERS = {
         *("growth", "kernels", "motion", "printed", "slopes", "stable", "__init__"),
     ),
     "slipcircle": (
-        *("base", "records", "scene", "flow", "motion", "files", "studies", "__init__", "outputs", "cost"),
+        *("kernels", "base", "records", "scene", "flow", "motion", "files", "studies", "__init__", "outputs", "cost"),
         "__main__",
     ),
 }

@@ -8,7 +8,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from slipcircle.base.series import PULSES, Pulse, Series, Shaking
+from slipcircle.base.series import PULSES, Pulse, Series
 from slipcircle.records import recordfiles
 from slipcircle.records.recordfiles import unit_of
 from slipcircle.records.records import read_pore_pressure, read_record
@@ -288,42 +288,11 @@ def exact(pulse: Pulse, t: Any) -> Any:
 
 
 @pytest.mark.parametrize("name", PULSES)
-def test_pulse_and_its_integrals_against_the_definition(name: str) -> None:
+def test_pulse_against_the_definition(name: str) -> None:
     pulse = Pulse(name, -0.3, 0.75, 1.5, 2.25 if name == "sine" else 1.0)
-    end = pulse.start + pulse.duration
-    waves = 18 if name == "sine" else 2
     with mp.workdps(25):
         for t in (0.0, 0.75, 0.7500001, 1.1, 1.5, 1.9, 2.2499, 3.0):
-            edges = [x for x in np.linspace(pulse.start, end, waves + 1).tolist() if x < t] + [min(t, end)]
-            edges = edges if t > pulse.start else [pulse.start, pulse.start]
-            one = mp.quad(lambda x: exact(pulse, x), edges)
-            coast = max(t - end, 0.0)
-            # The double integral in one: int (t - x) f(x) dx.
-            two = mp.quad(lambda x, t=t: (t - x) * exact(pulse, x), edges) if t <= end + coast else 0
             assert abs(pulse(t) - exact(pulse, t)) <= 1e-15
-            assert abs(pulse.integral(t) - one) <= 4e-16 * (1 + abs(one))
-            assert abs(pulse.second_integral(t) - two) <= 1e-15 * (abs(two) + mp.mpf("1e-30")) + 2e-16 * coast
-
-
-@pytest.mark.parametrize("name", PULSES)
-def test_a_pulse_as_polynomials_is_the_pulse(name: str) -> None:
-    pulse = Pulse(name, 0.7, 0.2, 1.3, 2.6 if name == "sine" else 1.0)
-    knots, coefficients, ends, before, after = pulse.pieces
-    t = np.linspace(0.2, 1.5, 997)[:-1]
-    piece = np.searchsorted(knots, t, side="right") - 1
-    values = sum(c[piece] * (t - knots[piece]) ** j for j, c in enumerate(coefficients))
-    assert np.abs(values - pulse(t)).max() < 3e-15
-    assert (before, after) == (0.0, 0.0)
-    if len(coefficients) > 2:  # its top and its zeros are exact
-        assert ends.max() == 0.7
-        assert coefficients[0].max() <= 0.7
-    joints = sum(c[:-1] * np.diff(knots)[:-1] ** j for j, c in enumerate(coefficients))
-    assert np.abs(joints - ends[:-1]).max(initial=0.0) < 1e-15
-
-
-def test_the_second_integral_starts_without_cancellation() -> None:
-    pulse = Pulse("half-sine", 1.0, 0.0, 1.0)
-    assert pulse.second_integral(1e-5) == pytest.approx(math.pi * 1e-15 / 6, rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize(
@@ -342,9 +311,3 @@ def test_pulse_refuses(arguments: Any, said: str) -> None:
     with pytest.raises(ValueError, match="Pulse: ") as caught:
         Pulse(*arguments)
     assert said in str(caught.value)
-
-
-def test_shaking_knows_its_kinks_and_its_end() -> None:
-    shaking = Shaking(Pulse("triangular", 1.0, 0.5, 1.0), Series(np.array([0.0, 1.0, 2.0]), np.zeros(3), held=False))
-    assert shaking.kinks.tolist() == [0.0, 0.5, 1.0, 1.5, 2.0]
-    assert shaking.end == 2.0

@@ -27,10 +27,20 @@ ALPHA, GRAVITY, RADIUS, DENSITY, REFERENCE, COVER, VALUE = sp.symbols(
 DEGREE = 7  # of the pieces of what is known by its values only
 
 
+_INFINITY = float("inf")
+_BELOW_0 = -5e-324  # bounds are open, and zero is allowed
+# Between what a number of a unit lies wherever a mass slides: beyond it stands a wrong unit, or a slip of the keyboard.
+LIMITS = {
+    "": (1e-12, 1e12), "m": (1e-12, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-9, 1e15),
+    "N/m^3": (1e-3, 1e9), "Pa": (1e-9, 1e15), "Pa s": (1e-12, 1e20), "Pa/K": (1e-9, 1e15), "J/m^3 K": (1e-3, 1e15),
+}  # fmt: skip
+
+
 @dataclass(frozen=True)
 class Parameter:
     """A number that an effect or a law needs: in SI units, with its open bounds, and as a scene file writes it.
 
+    Where bounds say no more than its sign, those of its unit hold, `LIMITS`.
     ``key`` names it with its unit in a scene file, which gives ``per_unit`` SI units each. ``symbol`` is what stands
     for it in the balance, and ``dimensionless`` how it is made of the value, of the arc's scales and of the effect's
     other parameters, by their names. An ``optional`` one may be left out. ``kind`` is "number", "list" (of numbers),
@@ -49,6 +59,13 @@ class Parameter:
     dimensionless: sp.Expr = VALUE
     optional: bool = False
     kind: str = "number"
+
+    def __post_init__(self) -> None:
+        least, most = LIMITS[self.unit]
+        numeric = self.kind in ("number", "list", "series")
+        if numeric and self.key:
+            object.__setattr__(self, "lower", least if self.lower == 0.0 else max(self.lower, -most))
+            object.__setattr__(self, "upper", min(self.upper, most))
 
 
 @dataclass(frozen=True)
@@ -96,10 +113,6 @@ class Law:
     scale: str = ""
     kinks: tuple[str, ...] = ()
     degree: int = 0
-
-
-_INFINITY = float("inf")
-_BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 
 
 def _friction(name: str, help: str, key: str = "", kind: str = "number") -> Parameter:
@@ -223,6 +236,8 @@ EFFECTS = (
                   kind="text"),
         _optional("vertical_column", "name of its column, in the same file where no other is named", kind="text"),
         _optional("scale", "factor on the record's values, by default 1"),
+        _optional("peak", "greatest horizontal acceleration to which a record is scaled, in place of a factor",
+                  key="peak_g"),
         *_OF_A_RECORD,
         _optional("two_way", "whether shaking may start it up-slope too; by default it may not", kind="flag")),
            ("time",), "ground motion tilts and scales gravity", any_of=("horizontal", "pulse", "record"),

@@ -19,6 +19,7 @@ from derive.code.program import Program, program
 from derive.declare.effects import (
     EFFECTS,
     LAWS,
+    LIMITS,
     MORE,
     SLIP,
     VALUE,
@@ -227,6 +228,7 @@ def _law(name: str, law: Law, form: sp.Expr, words: str) -> tuple[Program, str]:
 def effects_module() -> str:
     """The runtime half of the effects: plain data."""
     return _EFFECTS_HEAD + "\n".join([
+        f"LIMITS = {LIMITS!r}  # between which what has a unit lies", "",
         "LAWS = {", *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS), "}", "",
         "EFFECTS = {", *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS), "}", "",
     ])  # fmt: skip

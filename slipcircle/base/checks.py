@@ -1,5 +1,6 @@
 """One clear error for bad input: every mistake at once, each with the field, the value and what is allowed."""
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -25,7 +26,10 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds]) -> l
             continue
         bad = ~(np.isfinite(value) & (value > lower) & (value < upper))
         if np.any(bad):
-            found.append(f"{name} = {value[bad].flat[0]:.10g}: must be {allowed}")
+            worst = float(value[bad].flat[0])
+            far = math.isfinite(worst) and worst > min(lower, 0.0) and worst != 0.0  # of an odd size, not sign
+            between = f", between {lower:g} and {upper:g}" if far and upper < INFINITY else ""
+            found.append(f"{name} = {worst:.10g}: must be {allowed}{between}")
     return found
 
 

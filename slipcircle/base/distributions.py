@@ -86,8 +86,9 @@ def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float])
     distribution = made(given)
     low, high = map(float, distribution.support())
     # The ends of a normal distribution have no meaning: samples out of bounds are counted instead.
-    if math.isfinite(low) and low < limits[0]:
-        found.append(f"reaches down to {low:g}, and must stay above {limits[0]:g}")
+    least = min(limits[0], 0.0) if limits[0] < 1.0 else limits[0]
+    if math.isfinite(low) and low < least:
+        found.append(f"reaches down to {low:g}, and must stay above {least:g}")
     if math.isfinite(high) and high > limits[1]:
         found.append(f"reaches up to {high:g}, and must stay below {limits[1]:g}")
     middle = float(distribution.median())

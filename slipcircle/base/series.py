@@ -1,9 +1,9 @@
-"""Functions of time: samples joined by straight lines, named pulses, and the shaking that is made of them."""
+"""Functions of time: samples joined by straight lines, and named pulses."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,19 +13,6 @@ from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
 Floats = NDArray[np.float64]
 
 PULSES = ("rectangular", "half-sine", "triangular", "sine")
-_PIECES = 16  # of half a wave
-_TERMS = 15  # of the Taylor series of a sine on one of them: what is left out is below 1e-22
-
-
-class Pieces(NamedTuple):
-    """A function of time as polynomials: ``coefficients[:, k]`` in powers of (t - knots[k]), and its value at the
-    right end of each piece; what it is before the first knot and after the last."""
-
-    knots: Floats
-    coefficients: Floats
-    ends: Floats
-    before: float
-    after: float
 
 
 def bad_sample(time: Floats, values: Floats) -> tuple[int, str] | None:
@@ -85,7 +72,6 @@ class Series:
             index, said = found
             raise ValueError(f"Series: sample {index + 1}: {said}")
 
-    straight = True  # between its kinks
     crests = np.empty(0)  # between its kinks
 
     def __call__(self, t: ArrayLike) -> Any:
@@ -97,13 +83,6 @@ class Series:
     def kinks(self) -> Floats:
         """Times at which it is not smooth, s."""
         return self.time
-
-    @cached_property
-    def pieces(self) -> Pieces:
-        """The straight lines."""
-        slope = np.diff(self.values) / np.diff(self.time)
-        first, last = (float(self.values[0]), float(self.values[-1])) if self.held else (0.0, 0.0)
-        return Pieces(self.time, np.array([self.values[:-1], slope]), self.values[1:], first, last)
 
     def scaled(self, factor: float) -> "Series":
         """The same times, the values times a factor."""
@@ -147,6 +126,10 @@ class Pulse:
             found.append(f"cycles = {self.cycles!r}: belongs to a sine only; leave it out")
         raise_all("Pulse", found)
 
+    def scaled(self, factor: float) -> "Pulse":
+        """The same pulse, its values times a factor."""
+        return replace(self, amplitude=self.amplitude * factor)
+
     @property
     def end(self) -> float:
         """s."""
@@ -156,12 +139,6 @@ class Pulse:
     def _phase(self) -> float:
         """Radians of the sine that the whole pulse takes."""
         return math.pi * (2 * self.cycles if self.name == "sine" else 1.0)
-
-    def _local(self, t: ArrayLike) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-        """Times since the start within the pulse, since its end, and where it acts."""
-        time = np.asarray(t, dtype=np.float64)
-        inside = (time >= self.start) & (time < self.end)
-        return np.clip(time - self.start, 0.0, self.duration), np.maximum(time - self.end, 0.0), inside
 
     @cached_property
     def straight(self) -> bool:
@@ -173,7 +150,9 @@ class Pulse:
         if isinstance(t, float) and not self.straight:  # NumPy takes its time with one number
             acts = self.start <= t < self.end
             return self.amplitude * math.sin(self._phase * (t - self.start) / self.duration) if acts else 0.0
-        tau, _, inside = self._local(t)
+        time = np.asarray(t, dtype=np.float64)
+        inside = (time >= self.start) & (time < self.end)
+        tau = np.clip(time - self.start, 0.0, self.duration)
         if self.name == "rectangular":
             shape: Any = 1.0
         elif self.name == "triangular":
@@ -181,32 +160,6 @@ class Pulse:
         else:
             shape = np.sin(self._phase * tau / self.duration)
         return np.where(inside, self.amplitude * shape, 0.0)[()]
-
-    def integral(self, t: ArrayLike) -> Any:
-        """Its integral from before the start to times: a velocity over gravity, s."""
-        tau, _, _ = self._local(t)
-        d = self.duration
-        if self.name == "rectangular":
-            return (self.amplitude * tau)[()]
-        if self.name == "triangular":
-            left = d - tau
-            return (self.amplitude * np.where(tau <= d / 2, tau**2 / d, d / 2 - left**2 / d))[()]
-        rate = self._phase / d
-        return (self.amplitude / rate * 2 * np.sin(rate * tau / 2) ** 2)[()]
-
-    def second_integral(self, t: ArrayLike) -> Any:
-        """The integral of its integral: a displacement over gravity, s^2."""
-        tau, after, _ = self._local(t)
-        d = self.duration
-        coasting = self.integral(t) * after
-        if self.name == "rectangular":
-            return (self.amplitude * tau**2 / 2 + coasting)[()]
-        if self.name == "triangular":
-            left = d - tau
-            late = d**2 / 4 - d / 2 * left + left**3 / (3 * d)
-            return (self.amplitude * np.where(tau <= d / 2, tau**3 / (3 * d), late) + coasting)[()]
-        rate = self._phase / d
-        return (self.amplitude / rate**2 * _less_sine(rate * tau) + coasting)[()]
 
     @property
     def kinks(self) -> Floats:
@@ -219,63 +172,3 @@ class Pulse:
         """Times at which it is greatest in size, kinks aside, s."""
         quarters = np.arange(math.pi / 2, 0.0 if self.straight else self._phase, math.pi)
         return self.start + self.duration * quarters / self._phase
-
-    @cached_property
-    def pieces(self) -> Pieces:
-        """The pulse as polynomials: exact, but for a sine, which is a Taylor series on each of many short pieces."""
-        d, a = self.duration, float(self.amplitude)
-        if self.name == "rectangular":
-            return Pieces(np.array([self.start, self.end]), np.array([[a]]), np.array([a]), 0.0, 0.0)
-        if self.name == "triangular":
-            knots = np.array([self.start, self.start + d / 2, self.end])
-            return Pieces(knots, np.array([[0.0, a], [2 * a / d, -2 * a / d]]), np.array([a, 0.0]), 0.0, 0.0)
-        waves = self._phase / math.pi * _PIECES  # a piece is pi/16, so that the tops of the waves are knots
-        count = math.ceil(waves * (1 - 1e-15))
-        steps = np.minimum(np.arange(count + 1), waves)
-        sine, cosine = _sixteenth(steps), _sixteenth(steps + _PIECES / 2)
-        powers = np.empty((_TERMS, count))
-        rate, factor = self._phase / d, 1.0
-        for k in range(_TERMS):
-            powers[k] = factor * (1, 1, -1, -1)[k % 4] * (sine if k % 2 == 0 else cosine)[:-1]
-            factor *= rate / (k + 1)
-        return Pieces(self.start + steps * (d / waves), a * powers, a * sine[1:], 0.0, 0.0)
-
-
-def _sixteenth(steps: Floats) -> Floats:
-    """sin(pi steps/16), exact where the sine is 0 or 1, and alike on both sides of its top."""
-    turned = np.mod(steps, 2 * _PIECES)
-    sign = np.where(turned >= _PIECES, -1.0, 1.0)
-    turned = np.where(turned >= _PIECES, turned - _PIECES, turned)
-    return sign * np.sin(np.pi / _PIECES * np.minimum(turned, _PIECES - turned))
-
-
-def _less_sine(x: Floats) -> Floats:
-    """x - sin x without cancellation."""
-    z, total = np.minimum(x, 1.0) ** 2, np.zeros_like(x)
-    for k in range(18, 0, -2):
-        total = (1.0 - total) * z / (k * (k + 1))
-    return np.where(x < 1.0, x * total, x - np.sin(x))
-
-
-@dataclass(frozen=True, eq=False)
-class Shaking:
-    """What shakes a scene, over gravity: ``horizontal`` is k_h(t), which drives down-slope, and ``vertical`` k_v(t),
-    which lightens the mass."""
-
-    horizontal: Series | Pulse
-    vertical: Series | Pulse | None = None
-
-    @property
-    def parts(self) -> tuple[Series | Pulse, ...]:
-        """k_h and, where there is one, k_v."""
-        return (self.horizontal,) if self.vertical is None else (self.horizontal, self.vertical)
-
-    @property
-    def kinks(self) -> Floats:
-        """Times at which it is not smooth, s."""
-        return np.unique(np.concatenate([p.kinks for p in self.parts]))
-
-    @property
-    def end(self) -> float:
-        """Time from which it is still, s."""
-        return float(max(p.kinks[-1] for p in self.parts))

@@ -15,11 +15,10 @@ from typing import Any
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import distribution_mistakes, made
 from slipcircle.files import slopefile
-from slipcircle.files.scenekeys import model_of
 from slipcircle.files.slopekeys import GEOMETRY
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
-from slipcircle.scene.keys import Key, Table, tables_of
+from slipcircle.scene.keys import Key, Table, law_table, tables_of
 from slipcircle.scene.numbers import numbers
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
@@ -66,8 +65,6 @@ def read(path: str | PathLike[str]) -> Scene:
     ------
     ValueError
         If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
-    ImportError
-        If pydantic is missing.
     """
     return _scene(Path(path), str(path), check=True)
 
@@ -96,7 +93,7 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
         judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
         if sloping:
             judged = {k: v for k, v in judged.items() if k not in GEOMETRY} | {"arc": _NO_ARC}
-        more, also = _mistakes(judged, tables, model_of(law or "constant", rates=(rate,)))
+        more, also = _mistakes(judged, tables)
         found, wrong = found + more, wrong | also
     if sloping and "arc" in document:
         found.append("arc: and ground exclude each other; leave one out")
@@ -174,62 +171,89 @@ def _arguments(given: Mapping[str, Any], table: Table) -> dict[str, Any]:
     return {table.keys[k].name: table.keys[k].convert(v) for k, v in given.items() if k in table.keys}
 
 
-def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table], model: Any) -> tuple[list[str], set[str]]:
+def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table]) -> tuple[list[str], set[str]]:
     """A sentence for each mistake, with its path, its value and what is allowed; and the tables that have one."""
-    from pydantic import ValidationError
+    found: list[str] = []
+    missing: dict[str, str] = {}
+    meant: set[str] = set()  # what is misspelt is not missing as well
+    wrong: set[str] = set()
 
-    try:
-        errors = model.model_validate(document) and []
-    except ValidationError as error:
-        errors = error.errors()
-    found, meant = [], set()
-    many = {str(e["loc"][:2]) for e in errors if any(isinstance(x, int) for x in e["loc"])}
-    for e in sorted(errors, key=lambda e: e["type"] == "missing"):  # what is misspelt is not missing as well
-        *parents, last = (x for x in e["loc"] if isinstance(x, str))
-        kinds = ".".join(parents) not in tables  # a number or a list: each of them has been tried, and is named
-        if kinds:
-            *parents, last = parents
-        table, path = ".".join(parents), ".".join((*parents, last))
-        index = [x for x in e["loc"] if isinstance(x, int)]
-        if kinds and not index and (str(e["loc"][:2]) in many or e["type"] == "list_type"):
-            continue
-        shown = path + "".join(f"[{x}]" for x in index) + f" = {_shown(e['input'])}"
-        if e["type"] == "extra_forbidden":
-            near, advice = _advice(table, last, tables)
-            meant.add(near)
-            found.append(f"{shown}: is unknown; {advice}")
-            continue
-        key = Key("", tables[path].title, f"a table [{path}]") if path in tables else tables[table].keys[last]
-        if e["type"] != "missing":
-            guess = get_close_matches(str(e["input"]), LAWS, 1) if path == "friction.law" else []
-            asked = "".join(f"; did you mean {g}?" for g in guess)
-            found.append(f"{shown}: must be {key.allowed}: {key.title}{asked}")
-        elif path not in meant:
-            found.append(f"{path}: is missing: {key.title}, {key.allowed}")
-    wrong = {str(e["loc"][0]) for e in errors}
-    for path, t in tables.items():
-        held: Any = document.get(path)
-        for choice in filter(None, (*t.one_of, t.any_of)) if isinstance(held, dict) else ():
+    def say(path: str, sentence: str) -> None:
+        found.append(sentence)
+        wrong.add(path.partition(".")[0])
+
+    def look(path: str, held: Mapping[str, Any]) -> None:
+        table, dot = tables[path], f"{path}." if path else ""
+        inner = {t.removeprefix(dot): t for t in tables if t and t.rpartition(".")[0] == path}
+        for k, value in held.items():
+            full, shown = f"{dot}{k}", f"{dot}{k} = {_shown(value)}"
+            if k in inner and isinstance(value, dict):
+                look(full, value)
+            elif k in inner:
+                say(full, f"{shown}: must be a table [{full}]: {tables[full].title}")
+            elif k not in table.keys:
+                near, advice = _advice(path, k, tables)
+                meant.add(near)
+                say(full, f"{shown}: is unknown; {advice}")
+            else:
+                key = table.keys[k]
+                for place, given in key.wrong(value):
+                    say(full, f"{full}{place} = {_shown(given)}: must be {key.allowed}{_asked(key, given)}")
+                if key.kind == "series" and isinstance(value, list) and "time_s" not in held:
+                    say(full, f"{shown}: is a list, which needs its times beside it, time_s; or give one number")
+        missing.update({f"{dot}{k}": f"{key.title}, {key.allowed}"
+                        for k, key in table.keys.items() if key.required and k not in held})  # fmt: skip
+        missing.update({t: f"{tables[t].title}, a table [{t}]"
+                        for k, t in inner.items() if tables[t].required and k not in held})  # fmt: skip
+        for choice in filter(None, (*table.one_of, table.any_of)):
             given = [k for k in choice if k in held]
-            if choice in t.one_of and len(given) > 1:
-                found.append(f"{path}: {' and '.join(given)} exclude each other; leave one out")
+            if choice in table.one_of and len(given) > 1:
+                say(path, f"{path}: {' and '.join(given)} exclude each other; leave one out")
             elif not given and not meant & {f"{path}.{k}" for k in choice}:
-                found.append(f"{path}: {' or '.join(choice)} is missing: {t.keys[choice[-1]].title}")
-            wrong |= set() if given else {path}
+                say(path, f"{path}: {' or '.join(choice)} is missing: {table.keys[choice[-1]].title}")
+            wrong.update(() if given else {path.partition(".")[0]})
+
+    look("", document)
+    for path, words in missing.items():
+        wrong.add(path.partition(".")[0])
+        if path not in meant:
+            found.append(f"{path}: is missing: {words}")
     return found, wrong
 
 
+def _asked(key: Key, given: Any) -> str:
+    """What else to say of a wrong value: the key's title, a law that may be meant, bounds that nobody expects."""
+    if key.name == "law":
+        guess = get_close_matches(str(given), LAWS, 1)
+        return f": {key.title}" + "".join(f"; did you mean {g}?" for g in guess)
+    low, high = key.limits.get("gt", 0.0), key.limits.get("lt", math.inf)
+    number = isinstance(given, int | float) and not isinstance(given, bool) and abs(given) < math.inf
+    far = number and (0.0 < given <= low or abs(given) >= high) and f"{high:g}" not in key.allowed
+    return f": {key.title}" + (f"; between {low:g} and {high:g}: is that another unit?" if far else "")
+
+
 def _advice(table: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:
-    """The path of the key that an unknown one in a table may stand for, and what to say about it."""
+    """The path of the key that an unknown one in a table may stand for, and what to say about it.
+
+    In the same table what is like it, or alone has its unit; elsewhere only what is as good as the same.
+    """
     within = {t: list(tables[t].keys) for t in tables}
     for path in filter(None, tables):
         parent, _, key = path.rpartition(".")
         within[parent].append(key)
-    for t in (table, *tables):
-        for key in get_close_matches(unknown, within[t], 1):
-            place = "" if t == table else f" in [{t}]" if t else " above the first table"
+    own = within[table]
+    if laws := [law for law in LAWS if unknown in law_table(law).keys] if table == "friction" else []:
+        law = tables[table].keys["law"].kind
+        return f"{table}.{own[-1]}", f"it belongs to law = {' or '.join(laws)}, and the law is {law}; give law"
+    unit = next((u for u in ("_deg", "_kPa", "_m_s2", "_m_s", "_s", "_m") if unknown.endswith(u)), "_")
+    alike = [k for k in own if k.endswith(unit)]
+    for key in get_close_matches(unknown, own, 1) or (alike if len(alike) == 1 else []):
+        return f"{table}.{key}".lstrip("."), f"did you mean {key}?"
+    for t in tables:
+        for key in get_close_matches(unknown, within[t], 1, 0.9):
+            place = f" in [{t}]" if t else " above the first table"
             return f"{t}.{key}".lstrip("."), f"did you mean {key}{place}?"
-    return "", f"known are {', '.join(within[table])}" if within[table] else "this table has no keys"
+    return "", f"known are {', '.join(own)}" if own else "this table has no keys"
 
 
 def _shown(value: Any) -> str:

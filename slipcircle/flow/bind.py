@@ -14,6 +14,7 @@ from slipcircle.base.series import Pulse, Series
 from slipcircle.flow import cells as its
 from slipcircle.flow import tables
 from slipcircle.flow.program import Program, join
+from slipcircle.records.given import factor as factor_of
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
 
@@ -136,10 +137,11 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
             if not p.symbol:
                 continue
             value = called[effect].get(p.name, 0.0)
+            factor = factor_of(effect, called[effect], p.name)
             if callable(value) and p.kind == "rotation":
                 pieces[p.symbol] = _under_water(arc, effects), 1.0, p.dimensionless(1.0, scales | own)
             elif callable(value):
-                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(1.0, scales | own)
+                pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(factor, scales | own)
             else:
                 given[p.symbol] = p.dimensionless(value, scales | own)
     for name, parameters in parts:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
@@ -258,8 +259,9 @@ class Lanes:
             yields = -exact / (driven - drive)
             lifted = normal + yields * (shaken[roles["cell_normal0"]] - normal) < 0.0
             return {
-                "limit_friction": limit, "factor_of_safety": np.where(driving > 0.0, held / driving, np.inf),
-                "friction": mu, "yield_coefficient": np.where(lifted, -free / (freed - free), yields) + 0.0,
+                "limit_friction": limit, "friction": mu,
+                "factor_of_safety": np.where(driving > 8 * EPS * abs(normal), held / driving, np.inf),
+                "yield_coefficient": np.where(lifted, -free / (freed - free), yields) + 0.0,
             }  # fmt: skip
 
     def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:

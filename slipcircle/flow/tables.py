@@ -196,9 +196,13 @@ def sampled(function: Callable[[Any], Any], start: float, length: float, name: s
 def _values(function: Callable[[Any], Any], asked: Floats, name: str) -> Floats:
     """What a user's function gives, checked."""
     try:
-        found = np.asarray(function(asked), dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name}: must take an array of numbers and return one; it says: {error}") from error
+        found = np.asarray(function(asked))
+        if found.dtype.kind == "c":
+            raise ValueError("complex numbers")
+        found = found.astype(np.float64)
+    except Exception as error:  # whatever it does, what is wrong is the function
+        said = f"{type(error).__name__}: {error}"
+        raise ValueError(f"{name}: must take an array of numbers and return one; it says {said}") from error
     if found.ndim == 0:
         found = np.full(asked.shape, float(found))
     if found.shape != asked.shape:

@@ -51,6 +51,7 @@ _REASONS = {
     "INVALID": "its numbers are no scene, such as an angle below its bound",
 }
 
+_SURE = 1e-11  # an estimated error below which only the format limits what is known
 # The cells of which a motion is told.
 TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
         its.PEAK_RATE, its.REACH_TIME, its.REACH_ROTATION, its.END_ROTATION, its.END_OMEGA, its.END_RATE,
@@ -479,7 +480,13 @@ class Motion(Results):
             said = times[:1] if more else times
             found += [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
         if self.error_estimate > self.plan.accuracy:
-            cause = "the friction is next to its limit" if len(self.phases) < 100 else "the mass turns back many times"
+            cause = "its numbers lie far apart"
+            if self.error_estimate < _SURE:
+                cause = "no result in float64 is sure to less"
+            elif len(self.phases) > 100:
+                cause = "the mass turns back many times"
+            elif abs(self.friction - self.limit_friction) < 1e-3 * abs(self.limit_friction):
+                cause = "the friction is next to its limit"
             found.append(
                 f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
                 f"{self.plan.accuracy:.1e}; {cause}"

@@ -9,7 +9,7 @@ from slipcircle.base.checks import mistakes, raise_all
 from slipcircle.flow.bind import order
 from slipcircle.flow.program import Program, join
 from slipcircle.scene.friction import law_depends, law_names
-from slipcircle.scene.scene import ACCURACY, Scene
+from slipcircle.scene.scene import ACCURACY, Scene, checked
 
 DEFAULT_ACCURACY = 1e-9
 CLOSED_IN_TIME = "closed form in time"
@@ -65,8 +65,9 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     Raises
     ------
     ValueError
-        If the accuracy is not between 0 and 1.
+        If the accuracy is not between 0 and 1, or for what is no scene.
     """
+    checked(scene, "plan")
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
     if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
         raise_all("plan", mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}))

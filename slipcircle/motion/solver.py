@@ -107,8 +107,8 @@ def _refuse(motion: Motion) -> None:
             "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
         )
     speed = float(np.asarray(scene.initial_velocity))
-    shaken = "shaking" in motion.plan.effects
-    overflows = status == Status.FAILED and not shaken and scene.end_time is None and speed * speed < math.inf
+    stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
+    overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
     if not turns and (status == Status.ENDLESS or overflows):
         raise ValueError(
             "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"

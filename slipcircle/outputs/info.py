@@ -15,7 +15,7 @@ def facts() -> dict[str, str]:
     kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
     found = {"slipcircle": slipcircle.__version__, "python": platform.python_version(), "processor": processor(),
              "kernels": kernels}  # fmt: skip
-    for library in ("numpy", "scipy", "pydantic", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
+    for library in ("numpy", "scipy", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
         try:
             found[library] = metadata.version(library)
         except metadata.PackageNotFoundError:

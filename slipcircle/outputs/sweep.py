@@ -36,6 +36,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       "KEY=A,B,C; all combinations where given more than once: friction.angle_deg=8:12:41")  # fmt: skip
     parser.add_argument("--uncertain", action="append", default=[], metavar="KEY=NAME:A:B", help="a distribution in "
                         "place of the file's number: friction.angle_deg=normal:10:1")  # fmt: skip
+    parser.add_argument("--correlation", action="append", default=[], metavar="KEY,KEY=R", help="of two uncertain "
+                        "numbers: friction.angle_deg,cohesion.cohesion_kPa=-0.5")  # fmt: skip
     parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default a new one, which is told")
     parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
     parser.add_argument("--sensitivity", type=int, metavar="N", help="base points of the sensitivity indices")
@@ -102,7 +104,7 @@ def _compute(scene: Scene, options: argparse.Namespace) -> Study:
             return grid(scene, _levels(options.grid), executor, folder=options.resume, progress=sys.stderr)
         return ensemble(
             scene, options.samples, options.seed, executor, method=options.method, sensitivity=options.sensitivity,
-            size=options.block, folder=options.resume, progress=sys.stderr,
+            size=options.block, folder=options.resume, progress=sys.stderr, correlation=_pairs(options.correlation),
         )  # fmt: skip
 
 
@@ -127,6 +129,20 @@ def _drawn(given: list[str]) -> dict[str, dict[str, Any]]:
             said.append(f"--uncertain {text}: must be KEY=, each key once, and one of {forms}")
     if said:
         raise ValueError("; ".join(said))
+    return found
+
+
+def _pairs(given: list[str]) -> dict[tuple[str, str], float]:
+    """Correlations by their keys from the command line."""
+    found = {}
+    for text in given:
+        keys, _, value = text.partition("=")
+        try:
+            one, other = keys.split(",")
+            found[one, other] = float(value)
+        except ValueError:
+            raise ValueError(f"--correlation {text}: must be KEY,KEY=R, such as "
+                             "friction.angle_deg,cohesion.cohesion_kPa=-0.5") from None  # fmt: skip
     return found
 
 

@@ -40,7 +40,8 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
             del found["factor of safety"]  # the paper's, which stands among these
         found |= stability_column(motion.plan.scene.stability)
     if not motion.arrested:
-        found["comes to rest"] = "no, still moving"
+        ended = motion.plan.scene.end_time is not None
+        found["comes to rest"] = "no, still moving" if ended else "no, nothing holds it; to its first standstill"
     if motion.plan.law != "constant":
         found["friction angle"] += f", {motion.plan.law}"
     found |= {

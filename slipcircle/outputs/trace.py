@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from slipcircle.base import files
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import HISTORY
+from slipcircle.records.given import in_time
 from slipcircle.scene.scene import Scene
 
 Floats = NDArray[np.float64]
@@ -59,7 +60,7 @@ def telling_times(motion: Motion) -> Floats:
 
 def given_in_time(scene: Scene) -> dict[str, Any]:
     """What changes with time in a scene: a `Series` or `Pulse` by ``effect.parameter``."""
-    return {f"{e}.{n}": value for e, own in scene.called.items() for n, value in own.items() if hasattr(value, "kinks")}
+    return in_time(scene.called)
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:

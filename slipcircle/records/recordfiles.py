@@ -11,10 +11,10 @@ import numpy as np
 from slipcircle.base.checks import INFINITY
 from slipcircle.base.series import Floats
 
-UNITS = {"g": 0.0, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3}  # m/s^2; g is the scene's own gravity
+UNITS = {"g": 0.0, "m/s2": 1.0, "cm/s2": 1e-2, "mm/s2": 1e-3, "%g": 0.0}  # m/s^2; g is the scene's own gravity
 _SAME = {"m/s/s": "m/s2", "cm/s/s": "cm/s2", "cm/sec2": "cm/s2", "cm/sec/sec": "cm/s2", "mm/s/s": "mm/s2",
          "m/sec2": "m/s2", "gal": "cm/s2", "gals": "cm/s2", "m_s2": "m/s2", "cm_s2": "cm/s2", "mm_s2": "mm/s2",
-         "ms-2": "m/s2"}  # fmt: skip
+         "ms-2": "m/s2", "g's": "g", "gs": "g"}  # fmt: skip
 MOST_BYTES = 2**30
 
 
@@ -54,10 +54,10 @@ class Found(NamedTuple):
 
     def line(self, sample: int) -> int:
         """The number of the line on which a sample stands, from 1."""
-        wrapped = self.time.size != sum(1 for x in self.text.split("\n") if x.strip())
+        wrapped = self.time.size != sum(1 for x in self.text.split("\n") if _said(x))
         seen = 0
-        for number, x in enumerate(self.text.split("\n"), self.head + 1):
-            seen += len(x.split()) if wrapped else bool(x.strip())
+        for number, x in enumerate(map(_said, self.text.split("\n")), self.head + 1):
+            seen += len(x.split()) if wrapped else bool(x)
             if seen > sample:
                 return number
         return self.head
@@ -161,16 +161,26 @@ def _esm(name: str, text: str, first: list[str], column: int | str | None, step:
 
 def _table(quantity: Quantity, name: str, path: Path, text: str, column: int | str | None, step: float | None) -> Found:
     """Numbers in columns after any header lines."""
-    head, separator, width = _first_row(quantity, name, text)
+    head, separator, width, ends = _first_row(quantity, name, text)
     above = text.split("\n", head)[:head]
     body = text.split("\n", head)[head]
+    fields = _fields(above, separator, width)
+    if (
+        step is not None
+        and column is None
+        and not fields
+        and width > 1
+        and (found := _rows(name, body, head, separator))
+    ):
+        return Found(step * np.arange(float(found[0].size)), found[0], "", head, body)
+    mark = next((c for c in _COMMENTS if c in body), None)
     try:
         numbers: Floats = np.loadtxt(
-            path, delimiter=separator, skiprows=head, comments=None, ndmin=2, encoding="latin-1"
-        )
+            path, delimiter=separator, skiprows=head, comments=mark, ndmin=2, encoding="latin-1", quotechar='"',
+            usecols=range(width) if ends else None,
+        )  # fmt: skip
     except ValueError:  # says neither line nor field as we would, and knows no exponents but E
         numbers = _slow_table(name, body, head, separator, width)
-    fields = _fields(above, separator, width)
     if any(map(_is_number, fields)) and width > 1:  # no header, but a sample that is spoilt
         _slow_table(name, above[-1], head - 1, separator, width)
     suffix = rf"\s*[(\[]([^)\]]*)[)\]]\s*$|_({quantity.suffix})$"
@@ -196,18 +206,66 @@ def _table(quantity: Quantity, name: str, path: Path, text: str, column: int | s
     return Found(time, numbers[:, chosen].copy(), unit, head, body)
 
 
-def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | None, int]:
-    """Lines above the first that is all numbers, what separates them, and how many there are."""
-    for k, line in enumerate(_lines(text)):
-        for separator in (";", ",", None):
-            if separator is not None and separator not in line:
-                continue
-            fields = line.split(separator)
-            if fields and all(_is_number(f) for f in fields):
-                return k, separator, len(fields)
-        if ";" in line and all(_is_number(f.replace(",", ".")) for f in line.split(";")):
-            raise ValueError(f"{name}, line {k + 1}: {line.strip()[:60]!r}: decimal commas; write points instead")
-    raise ValueError(f"{name}: has no line of numbers; a record has a line of time and {quantity.name} for each sample")
+_COMMENTS = ["#", "%", "!"]  # begin a line that says nothing in numbers
+
+
+def _said(line: str) -> str:
+    """A line but for blanks around it; nothing of a comment."""
+    line = line.strip()
+    return "" if line[:1] in _COMMENTS else line
+
+
+def _split(line: str, separator: str | None) -> list[str]:
+    """The fields of a line, without their quotes."""
+    return [f.strip().strip('"') for f in line.split(separator)]
+
+
+def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | None, int, bool]:
+    """Lines above the first that is all numbers, what separates them, how many, and whether a separator ends the line.
+
+    Numbers above two lines that have another count of them both, such as a date, are of the header.
+    """
+    rows: list[tuple[int, str | None, int, bool]] = []
+    for k, line in enumerate(map(_said, _lines(text))):
+        if line:
+            row = _numbers(k, line)
+            if row is None and ";" in line and all(_is_number(f.replace(",", ".")) for f in line.split(";")):
+                raise ValueError(f"{name}, line {k + 1}: {line[:60]!r}: decimal commas; write points instead")
+            rows += [row] if row else []
+            if rows and (row is None or len(rows) == 3):
+                break
+    if not rows:
+        raise ValueError(
+            f"{name}: has no line of numbers; a record has a line of time and {quantity.name} for each sample"
+        )
+    widths = [row[2] for row in rows]
+    return rows[1] if len(rows) == 3 and widths[1] == widths[2] != widths[0] else rows[0]
+
+
+def _numbers(k: int, line: str) -> tuple[int, str | None, int, bool] | None:
+    """As `_first_row` has it, if a line is all numbers."""
+    for separator in (";", ",", None):
+        if separator is None or separator in line:
+            fields = _split(line, separator)
+            ends = len(fields) > 1 and not fields[-1]
+            fields = fields[:-1] if ends else fields
+            if fields and all(map(_is_number, fields)):
+                return k, separator, len(fields), ends
+    return None
+
+
+def _rows(name: str, body: str, head: int, separator: str | None) -> list[Floats]:
+    """The values of lines that are no rows of columns: more than three on each, only one line, or a last one cut short.
+
+    Empty where they may be columns.
+    """
+    lines = [(k, _split(line, separator)) for k, x in enumerate(body.split("\n"), head + 1) if (line := _said(x))]
+    counts = [len(fields) for _, fields in lines]
+    if len(set(counts[:-1])) > 1 or counts[-1] > counts[0]:
+        return []
+    if counts[0] <= 3 and len(lines) > 1 and counts[-1] == counts[0]:
+        return []
+    return [np.array([_number(name, k, f) for k, fields in lines for f in fields if f], dtype=np.float64)]
 
 
 def _lines(text: str) -> Iterable[str]:
@@ -229,9 +287,17 @@ def _is_number(field: str) -> bool:
 
 def _fields(above: list[str], separator: str | None, width: int) -> list[str]:
     """The names in the last line of the header, with their units; none if there are not as many as columns."""
-    line = next((x.lstrip("#% \t") for x in reversed(above) if x.strip("#% \t")), "")
-    parts = line.split(separator) if separator else re.findall(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?", line)
-    return [p.strip().strip('"') for p in parts] if len(parts) == width else []
+    for line in filter(None, (x.strip() for x in reversed(above))):
+        said = line.lstrip("#% \t")
+        pattern = r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?"
+        parts = _split(said, separator) if separator else [p.strip('"') for p in re.findall(pattern, said)]
+        parts = parts[:-1] if separator and parts[-1:] == [""] else parts
+        comment = not _said(line)
+        if len(parts) == width and not (comment and (line[0] == "!" or any(map(_is_number, parts)))):
+            return parts
+        if not comment:
+            break
+    return []
 
 
 _OTHER_CLOCK = r"(?:[(\[,_ ])\s*(ms|min(?:ute)?s?|h|hrs?|hours?|d|days?|weeks?|years?)\s*[)\]]?\s*$"
@@ -268,7 +334,8 @@ def _slow_table(name: str, body: str, head: int, separator: str | None, width: i
     """A table line by line, so that the line that is wrong can be named."""
     found = []
     for k, line in enumerate(body.split("\n"), head + 1):
-        fields = line.split(separator) if line.strip() else []
+        fields = _split(line, separator) if _said(line) else []
+        fields = fields[:-1] if len(fields) == width + 1 and not fields[-1] else fields
         if fields and len(fields) != width:
             raise ValueError(
                 f"{name}, line {k}: has {len(fields)} field{'s' * (len(fields) != 1)}, where the first row has "

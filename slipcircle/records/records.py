@@ -35,7 +35,8 @@ def read_record(
 
     Reads PEER's AT2 (NPTS and DT in the header, values in g), ESM's ASCII (SAMPLING_INTERVAL_S, NDATA and UNITS in
     the header), and tables of numbers after any header lines: separated by commas, semicolons, tabs or blanks, with a
-    column of time and one or more of acceleration, or with one column and a fixed ``step``.
+    column of time and one or more of acceleration, or with a fixed ``step`` one column, or values along the lines.
+    Lines that begin with #, % or ! are comments.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ def read_record(
     holds : {"ground", "driving"}
         What the file holds. Ground acceleration counts positive to the right (upwards, for a vertical record); what
         it does to the mass is the opposite, so the values change their sign.
-    units : {"g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
+    units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
         Needed where the file does not say it.
     column : int or str, optional
         Which column holds the acceleration: its name in the header, or its number, from 1. Needed where there is a
@@ -74,7 +75,7 @@ def read_record(
         )
     raise_all(str(path), mistakes({"scale": scale, "gravity": gravity}, _FACTORS))
     found = _read(ACCELERATION, path, units, column, step, start, gaps)
-    factor = (UNITS[found.units] / gravity if found.units != "g" else 1.0) * scale
+    factor = {"g": 1.0, "%g": 0.01}.get(found.units, UNITS[found.units] / gravity) * scale
     return Series(found.time, found.values * (-factor if holds == "ground" else factor) + 0.0, held=False)
 
 

@@ -15,12 +15,12 @@ from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_
 from slipcircle.scene.weights import Dimensionless, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
-    "radius": (0.0, INFINITY, "a positive length in m"),
-    "theta_1": (-INFINITY, INFINITY, "a finite angle in rad"),
-    "theta_2": (-INFINITY, INFINITY, "a finite angle in rad"),
-    "unit_weight": (0.0, INFINITY, "a positive unit weight in N/m^3"),
-    "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
-    "width": (0.0, INFINITY, "a positive length in m"),
+    "radius": (1e-6, 1e20, "a positive length in m"),
+    "theta_1": (-1e3, 1e3, "a finite angle in rad"),
+    "theta_2": (-1e3, 1e3, "a finite angle in rad"),
+    "unit_weight": (1e-3, 1e9, "a positive unit weight in N/m^3"),
+    "gravity": (1e-6, 1e6, "a positive acceleration in m/s^2"),
+    "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
 

@@ -6,29 +6,48 @@ They follow from the declarations in `generated.effects`, so that a new effect o
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, INFINITY, LAWS, Parameter
-from slipcircle.scene.arc import GIVEN, Arc
+from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
+from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, Arc
 from slipcircle.scene.friction import RATE_LAWS
 
 
 class Key(NamedTuple):
-    """A key of a scene file: the argument that it stands for, what it is and may be, and how it becomes SI units."""
+    """A key of a scene file: the argument that it stands for, what it is and may be, and how it becomes SI units.
+
+    ``kind`` is "text", "flag", "number", "list" (of numbers), "series" (a number or a list), or words: "this|that".
+    """
 
     name: str
     title: str
     allowed: str = "text"
     required: bool = False
-    type: Any = str
+    kind: str = "text"
     limits: Mapping[str, float] = {}
     convert: Callable[[Any], Any] = str
     per_unit: float = 1.0
     tangent: bool = False  # of the angle in degrees
     unit: str = ""  # of the key
     si: str = ""
+
+    def wrong(self, value: Any) -> list[tuple[str, Any]]:
+        """What is wrong with a value: places in a list, "" for the value itself, and what stands there."""
+        if isinstance(value, list) and self.kind in ("list", "series"):
+            return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
+        right = {
+            "text": isinstance(value, str), "flag": isinstance(value, bool), "list": False,
+            "number": self._number(value), "series": self._number(value),
+        }  # fmt: skip
+        return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
+
+    def _number(self, value: Any) -> bool:
+        if isinstance(value, bool) or not isinstance(value, int | float) or not -INFINITY < value < INFINITY:
+            return False
+        low = self.limits.get("gt", -INFINITY) < value and self.limits.get("ge", -INFINITY) <= value
+        return low and value < self.limits.get("lt", INFINITY)
 
 
 class Table(NamedTuple):
@@ -38,6 +57,7 @@ class Table(NamedTuple):
     keys: Mapping[str, Key]
     one_of: tuple[tuple[str, ...], ...] = ()
     any_of: tuple[str, ...] = ()
+    required: bool = False
 
 
 def _declare(name: str, key: str, unit: str, help: str, lower: float = 0.0, upper: float = INFINITY,
@@ -45,21 +65,31 @@ def _declare(name: str, key: str, unit: str, help: str, lower: float = 0.0, uppe
     return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, "number")
 
 
-_ANGLE: Any = {"lower": -INFINITY, "per_unit": math.pi / 180}
 _TEXT = {"name": Key("name", "name of the scene, by default the file's"), "note": Key("note", "source of the numbers")}
 _TOP = (
     _declare("initial_velocity", "initial_velocity_m_s", "m/s", "velocity along the arc at the start, positive "
-             "down-slope, by default 0", -INFINITY, optional=True),
-    _declare("end_time", "end_time_s", "s", "time of the end, by default when the mass rests", optional=True),
+             "down-slope, by default 0", -LIMITS["m/s"][1], LIMITS["m/s"][1], optional=True),
+    _declare("end_time", "end_time_s", "s", "time of the end, by default when the mass rests", *LIMITS["s"],
+             optional=True),
     _declare("accuracy", "accuracy", "", "relative error asked for", 0.0, 1.0, optional=True),
 )  # fmt: skip
-_ARC = (
-    _declare("radius", "radius_m", "m", "radius of the slip circle"),
-    _declare("theta_1", "theta_1_deg", "rad", "polar angle of the arc's first end; 270 is below the centre", **_ANGLE),
-    _declare("theta_2", "theta_2_deg", "rad", "polar angle of the arc's second end, above the first", **_ANGLE),
-    _declare("unit_weight", "unit_weight_kN_m3", "N/m^3", "unit weight", per_unit=1e3),
-    _declare("gravity", "gravity_m_s2", "m/s^2", f"gravity, by default {Arc.gravity}", optional=True),
-    _declare("width", "width_m", "m", f"length across the section, by default {Arc.width}", optional=True),
+_ARC = tuple(
+    _declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, optional)
+    for name, key, unit, help, per_unit, optional in (
+        ("radius", "radius_m", "m", "radius of the slip circle", 1.0, False),
+        (
+            "theta_1",
+            "theta_1_deg",
+            "rad",
+            "polar angle of the arc's first end; 270 is below the centre",
+            math.pi / 180,
+            False,
+        ),
+        ("theta_2", "theta_2_deg", "rad", "polar angle of the arc's second end, above the first", math.pi / 180, False),
+        ("unit_weight", "unit_weight_kN_m3", "N/m^3", "unit weight", 1e3, False),
+        ("gravity", "gravity_m_s2", "m/s^2", f"gravity, by default {Arc.gravity}", 1.0, True),
+        ("width", "width_m", "m", f"length across the section, by default {Arc.width}", 1.0, True),
+    )
 )
 _GIVEN = [
     _declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", -INFINITY if n == "weight_moment" else 0.0)
@@ -74,14 +104,22 @@ def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_
     if p.lower == -5e-324:  # bounds are open, and zero is allowed
         limits = {"ge": 0.0}
     limits |= {"lt": to_file(p.upper)} if to_file(p.upper) < INFINITY else {}
+    least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
+    told = dict(limits)  # of what only a wrong unit passes the sign is enough
+    if p.lower in (least, -most):
+        told = {"gt": 0.0} if p.lower > 0.0 else {}
+    if p.upper < most or tangent:
+        told |= {k: v for k, v in limits.items() if k == "lt"}
+    else:
+        told.pop("lt", None)
     said = {"gt": "above", "ge": "at least", "lt": "below"}
-    words = " and ".join(f"{said[k]} {v:g}" for k, v in limits.items())
+    words = " and ".join(f"{said[k]} {v:g}" for k, v in told.items())
     allowed = " ".join(filter(None, ["a list of numbers" if many else "a number", words, unit and f"({unit})"]))
 
     def convert(given: Any) -> Any:
         return [float(to_si(v)) for v in given] if many else float(to_si(given))
 
-    return Key(p.name, title, allowed, required, list if many else float, limits, convert,
+    return Key(p.name, title, allowed, required, "list" if many else "number", limits, convert,
                1.0 if tangent else float(to_si(1.0)), tangent, unit, p.unit)  # fmt: skip
 
 
@@ -91,12 +129,11 @@ def _keys(p: Parameter) -> dict[str, Key]:
     if not p.key:
         return {}
     if p.kind == "flag":
-        return {p.key: Key(p.name, p.help, "true or false", False, bool, {}, bool)}
+        return {p.key: Key(p.name, p.help, "true or false", False, "flag", {}, bool)}
     if p.kind == "text":
         return {p.key: Key(p.name, p.help, "text", not p.optional)}
     if "|" in p.kind:
-        choices = tuple(p.kind.split("|"))
-        return {p.key: Key(p.name, p.help, f"one of {', '.join(choices)}", not p.optional, Literal[choices])}
+        return {p.key: Key(p.name, p.help, f"one of {p.kind.replace('|', ', ')}", not p.optional, p.kind)}
     if not p.unit and p.key.endswith("_deg"):
         return {
             p.key: _number(p, many, f"{p.help}, as an angle", "deg", False, lambda v: np.tan(np.deg2rad(v)),
@@ -111,7 +148,7 @@ def _keys(p: Parameter) -> dict[str, Key]:
     if p.kind == "series":
         one, many_of = key, _number(p, True, p.help, unit, False, lambda v: v * p.per_unit, lambda v: v / p.per_unit)
         key = key._replace(
-            type=(float, list),
+            kind="series",
             allowed=f"{one.allowed}, or {many_of.allowed}",
             convert=lambda v: (many_of if isinstance(v, list) else one).convert(v),
         )
@@ -125,7 +162,7 @@ def _table(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] 
 
 
 def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
-    law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", Literal[name])
+    law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", name)
     return _table(LAWS[name].help, LAWS[name].parameters, {"law": law})
 
 
@@ -144,9 +181,9 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     by_rate = {"friction.rate": law_table(rate, RATE_LAWS)._replace(title="law of speed that multiplies that of slip")}
     return {
         "": _table("a scene of slipcircle", _TOP, _TEXT),
-        "arc": _table("the failed section", _ARC),
+        "arc": _table("the failed section", _ARC)._replace(required=True),
         "arc.given": _table("coefficients of the equation of motion, taken as they are", _GIVEN),
-        "friction": law_table(law)._replace(title="friction on the slip surface"),
+        "friction": law_table(law)._replace(title="friction on the slip surface", required=True),
         **(by_rate if may_have_rate(law) else {}),
         **effects,
     }

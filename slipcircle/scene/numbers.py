@@ -64,7 +64,7 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
     found = {}
     for path, table in tables.items():
         for k, key in table.keys.items():
-            if key.type in (float, (float, list)) and path != "arc.given" and key.name != "accuracy":
+            if key.kind in ("number", "series") and path != "arc.given" and key.name != "accuracy":
                 constant = (path, key.name) == ("friction", "coefficient")
                 name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
                 shown, limits = f"{path}.{k}".lstrip("."), key.limits

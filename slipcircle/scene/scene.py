@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 
 from generated.effects import EFFECTS, LAWS, Parameter
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
-from slipcircle.records.given import resolved
+from slipcircle.base.series import Series
+from slipcircle.records.given import factor, greatest, resolved
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
 from slipcircle.scene.numbers import declared
@@ -119,7 +120,9 @@ class Scene:
         if self.uncertain and not found:
             drawn, found = declared(self.uncertain, self.friction)
             found += [
-                f"uncertain.{u.key}: the scene has no {n} to vary" for n, u in drawn.items() if n not in self.numbers
+                f"uncertain.{u.key}: the scene has no value of it to vary"
+                for n, u in drawn.items()
+                if n not in self.numbers
             ]
             object.__setattr__(self, "uncertain", drawn)
         raise_all(f"Scene {self.name}".rstrip(), found)
@@ -148,6 +151,10 @@ class Scene:
         if self.end_time is not None:
             found["end_time"] = self.end_time
         known = {e: {p.name for p in EFFECTS[e].parameters if p.kind in ("number", "series")} for e in self.called}
+        shaken = self.called.get("shaking", {})
+        if isinstance(record := shaken.get("horizontal"), Series):  # its peak and its scale stand for each other
+            share = factor("shaking", shaken, "horizontal")
+            found |= {"shaking.scale": share, "shaking.peak": share * greatest(record)}
         return found | {
             f"{e}.{n}": value
             for e, given in self.called.items()
@@ -159,6 +166,14 @@ class Scene:
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
+
+
+def checked(scene: Any, what: str) -> Scene:
+    """A scene, if it is one; what was to be done with it is named if not."""
+    if not isinstance(scene, Scene):
+        asked = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
+        raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {asked} gives that of a file, or one that ships")
+    return scene
 
 
 def _unsolved(section: Section) -> list[str]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from generated import kernels
 from generated.effects import EFFECTS
 from slipcircle.scene.arc import Arc
-from slipcircle.scene.numbers import Number, number_of, numbers_of
+from slipcircle.scene.numbers import Number, keyed, number_of, numbers_of
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
@@ -28,6 +28,12 @@ def number_in(scene: Scene, path: str) -> Number:
         return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
     only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
     return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction)
+
+
+def absent(scene: Scene, path: str) -> str:
+    """What to say of a number that a scene has no value of."""
+    keys = keyed()
+    return f"{path}: the scene has no value of it to vary; it has {', '.join(keys[n].key for n in scene.numbers)}"
 
 
 def value_in(scene: Scene, number: Number) -> float | None:
@@ -59,7 +65,9 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
             inner, _, last = tail.rpartition(".")  # of a law, or of a law of speed that multiplies it
             friction = {**friction, inner: {**friction[inner], last: value}} if inner else {**friction, tail: value}
         elif tail:
-            effects.setdefault(head, {})[tail] = value
+            own = effects.setdefault(head, {})
+            own.pop({"peak": "scale", "scale": "peak"}.get(tail, ""), None)  # two names of one factor
+            own[tail] = value
         else:
             top[name] = value
     held = {f.name: getattr(scene.arc, f.name) for f in fields(scene.arc)}
@@ -70,6 +78,16 @@ def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
     """An arc or a section with other values, which were checked elsewhere, or will be."""
     held = {f.name: getattr(arc, f.name) for f in fields(arc)}
     return Arc.unchecked(**{**held, **values}) if isinstance(arc, Arc) else replace(arc, **values)
+
+
+def other_way(scene: Scene) -> Scene:
+    """A shaken scene with its horizontal shaking turned around."""
+    if "shaking" not in scene.called:
+        raise ValueError(f"{scene.name}: nothing shakes it, so that it has no other polarity")
+    given = dict(scene.called["shaking"])
+    pushed = given["horizontal"]
+    given["horizontal"] = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
+    return replace(scene, effects={**scene.called, "shaking": given}, name=f"{scene.name} reversed")
 
 
 def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:

@@ -56,7 +56,8 @@ def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float,
             seen, sigma = math.nan, None
         positive = sigma is None or 0.0 < sigma < math.inf
         if not positive or not math.isfinite(seen) or seen == 0.0 or (name == "duration" and seen < 0.0):
-            wrong.append(f"{name} = {value!r}: must be a number other than 0, or it and its positive standard error")
+            least = "a positive number" if name == "duration" else "a number other than 0"
+            wrong.append(f"{name} = {value!r}: must be {least}, or it and its positive standard error")
         else:
             found[name] = (seen, sigma)
     if not found and not wrong:

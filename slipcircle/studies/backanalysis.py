@@ -16,7 +16,7 @@ from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
 from slipcircle.scene.numbers import Number
-from slipcircle.scene.scene import Scene
+from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.varied import number_in, scene_with
 from slipcircle.studies import search
 from slipcircle.studies.asked import Bounds, Observations, Observed, between, check, observations
@@ -30,6 +30,7 @@ FITTED = "least squares"
 _STARTS = 512  # points a field, of which the best are followed
 _MET = 1e-12  # sum of squares below which all is met exactly
 _NOISE = 1e-7  # relative, of derivatives
+_FAR = 6.0  # standard errors that the nearest fit may miss by: as many could be met exactly
 _WORST = 1e-3  # probability of so large a misfit, below which it is told
 
 
@@ -207,6 +208,7 @@ def backanalyse(
     >>> round(found.value, 4)
     15.2147
     """
+    checked(scene, "backanalyse")
     observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
@@ -268,12 +270,16 @@ def _fitted(scene: Scene, fields: Sequence[Number], observed: Observations, rang
         raise untold[0]
     found = _best(solutions, observed)
     first = found[0]
-    if first.covariance is None and first.chi_square > _MET:
+    sigmas = [sigma for _, sigma in observed.values()]
+    far = all(sigmas) and len(fields) == len(observed) and first.chi_square > _FAR**2
+    if far or (first.covariance is None and first.chi_square > _MET):
         outcomes = search.outcomes_of(first.motion, list(observed))
         near = ", ".join(f"{n} = {y:.6g} {OUTCOMES[n].unit}" for n, y in zip(observed, outcomes, strict=True))
         at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
+        off = f"that is {math.sqrt(first.chi_square):.3g} standard errors off"
+        how = off if far else "with standard errors that is fitted"
         raise Unattainable(f"no values of {names} give {' and '.join(observed)} as observed; the nearest is {near} "
-                           f"at {at}; with standard errors that is fitted", {})  # fmt: skip
+                           f"at {at}; {how}", {})  # fmt: skip
     doubts = _doubts(first, observed, {f.key: r for f, r in zip(fields, ranges, strict=True)})
     if not fits[0].settled:
         doubts += ("the best values lie where the motion changes its kind: their covariance means little",)
@@ -347,7 +353,9 @@ def _doubts(first: Solution, observed: Observations, ranges: Mapping[str, Floats
     said = []
     for name, value in first.values.items():
         low, high = ranges[name][0], ranges[name][-1]
-        if min(value - low, high - value) <= 1e-6 * (high - low):
+        if (first.standard_errors or {}).get(name, 0.0) > high - low:
+            said.append(f"{name} is not told by what is observed: {value:.6g} is one of many values that fit as well")
+        elif min(value - low, high - value) <= 1e-6 * (high - low):
             said.append(f"{name} = {value:.6g} lies at the end of its range: its standard error means little")
         elif (first.standard_errors or {}).get(name, 0.0) > abs(value):
             said.append(f"{name} = {value:.6g} is hardly told by what is observed: its standard error is larger")

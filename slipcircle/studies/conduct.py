@@ -14,10 +14,10 @@ from slipcircle.base import VERSION
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.scene.numbers import Number
-from slipcircle.scene.scene import Scene
+from slipcircle.scene.numbers import Number, Uncertain
+from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.section import Section
-from slipcircle.scene.varied import along_means, number_in, value_in
+from slipcircle.scene.varied import absent, along_means, number_in, value_in
 from slipcircle.studies.design import METHODS, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN
@@ -26,6 +26,7 @@ from slipcircle.studies.study import Study
 _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
+_MOST = 10**12
 
 
 def _known(given: Any) -> Any:
@@ -64,13 +65,14 @@ def ensemble(
     scene: Scene, n: int, rng: Any = None, executor: Executor | None = None, *, method: str = "monte-carlo",
     sensitivity: int | None = None, keep: bool | None = None, size: int | None = None, confidence: float = 0.95,
     accuracy: float | None = None, folder: str | os.PathLike[str] | None = None, progress: IO[str] | None = None,
+    correlation: Mapping[tuple[str, str], float] | None = None,
 ) -> Study:  # fmt: skip
     """Study a scene: solve it for samples of its uncertain numbers.
 
     Parameters
     ----------
     scene : Scene
-        With ``uncertain`` numbers, of which the others are none; independent of each other.
+        With ``uncertain`` numbers, of which the others are none; independent but for ``correlation``.
     n : int
         How many samples.
     rng : int, SeedSequence or Generator, optional
@@ -98,6 +100,9 @@ def ensemble(
         Where finished blocks are kept, and found by a later call that continues.
     progress : stream, optional
         Where to tell the rate and the time left.
+    correlation : mapping, optional
+        Of the normal scores of two uncertain numbers (a Gaussian copula), by their keys: ``{("friction.angle_deg",
+        "cohesion.cohesion_kPa"): -0.5}``. Sensitivity indices are of independent inputs, and there are none then.
 
     Raises
     ------
@@ -114,12 +119,12 @@ def ensemble(
     1.0
     """
     said = []
-    if scene.shape:
+    if checked(scene, "ensemble").shape:
         said.append("a scene of arrays is solved as it is: use solve")
     if not scene.uncertain:
         said.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 1:
-        said.append(f"n = {n!r}: must be a whole number, 1 at least")
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= _MOST:
+        said.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
     elif method == "latin-hypercube" and n > MOST_LATIN:
         said.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
     if method not in METHODS:
@@ -134,9 +139,35 @@ def ensemble(
         raise ValueError("ensemble: " + "; ".join(said))
     seed, n, drawn, scene = _seed(rng, folder), int(n), dict(scene.uncertain), along_means(scene)
     base = (min(_BASE, n) if len(drawn) > 1 and n > 1 else 0) if sensitivity is None else sensitivity
+    pairs = _pairs(drawn, correlation or {})
+    if pairs and sensitivity:
+        raise ValueError(
+            "ensemble: sensitivity indices are of independent inputs; leave out correlation or sensitivity"
+        )
+    base = 0 if pairs else base
     design = Design(scene, plan(scene, accuracy).accuracy, {k: u.number for k, u in drawn.items()}, drawn, (), method,
-                    n, base, n <= _KEEP if keep is None else keep)  # fmt: skip
+                    n, base, n <= _KEEP if keep is None else keep, pairs)  # fmt: skip
+    if np.linalg.eigvalsh(design.correlations)[0] <= 1e-12:
+        raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
     return conduct(design, seed, size or _size(n // design.replicates), executor, confidence, folder, progress)
+
+
+def _pairs(
+    drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]
+) -> tuple[tuple[str, str, float], ...]:
+    """Correlated inputs by their names."""
+    names = {u.key: n for n, u in drawn.items()} | {n: n for n in drawn}
+    said, found = [], list[tuple[str, str, float]]()
+    for pair, value in given.items():
+        if unknown := [k for k in pair if k not in names]:
+            said.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(names)}")
+        elif len(pair) != 2 or names[pair[0]] == names[pair[1]] or not -1.0 < value < 1.0:
+            said.append(f"correlation of {' and '.join(pair)} = {value!r}: must be between -1 and 1, of two numbers")
+        else:
+            found.append((names[pair[0]], names[pair[1]], float(value)))
+    if said:
+        raise ValueError("ensemble: " + "; ".join(said))
+    return tuple(found)
 
 
 def _size(n: int) -> int:
@@ -158,6 +189,7 @@ def grid(
     executor, accuracy, folder, progress
         As of `ensemble`.
     """
+    checked(scene, "grid")
     inputs: dict[str, Number] = {}
     said: list[str] = []
     for path, values in levels.items():
@@ -167,7 +199,7 @@ def grid(
             said.append(str(error))
             continue
         if value_in(scene, number) is None:
-            said.append(f"{path}: the scene has no {number.name} to vary")
+            said.append(absent(scene, path))
         elif number.name in inputs:
             said.append(f"{path}: {inputs[number.name].key} says the same")
         elif np.ndim(values) != 1 or not np.size(values) or not np.all(np.isfinite(values)):
@@ -207,5 +239,6 @@ def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
         "friction": _known(scene.friction), "effects": _known(scene.called),
         "inputs": [u.key for u in design.inputs.values()], "drawn": [u.record for u in design.drawn.values()],
         "levels": [x.tolist() for x in design.levels], "method": design.method, "samples": design.n,
-        "sensitivity_base": design.base, "keep": design.keep, "seed": seed, "block": size,
+        "sensitivity_base": design.base, "keep": design.keep, "seed": seed,
+        "block": size, "correlation": [list(x) for x in design.correlation],
     }  # fmt: skip

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.distributions import statistics
 from slipcircle.motion.motion import ANSWERED, Status
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.scene.numbers import Number, Uncertain
@@ -57,6 +58,8 @@ class Design:
         Base points of the sensitivity indices, each of which takes the number of inputs and two more scenes.
     keep : bool
         Whether blocks return their samples too.
+    correlation : tuple
+        Two inputs' names and the correlation of their normal scores, for each pair that is not independent.
     """
 
     scene: Scene
@@ -68,6 +71,16 @@ class Design:
     n: int
     base: int
     keep: bool
+    correlation: tuple[tuple[str, str, float], ...] = ()
+
+    @property
+    def correlations(self) -> Floats:
+        """The matrix of `correlation`, (inputs, inputs)."""
+        names, found = list(self.inputs), np.eye(len(self.inputs))
+        for one, other, value in self.correlation:
+            k, j = names.index(one), names.index(other)
+            found[k, j] = found[j, k] = value
+        return found
 
     @property
     def replicates(self) -> int:
@@ -112,6 +125,10 @@ def _points(design: Design, piece: Piece, seed: int) -> Floats:
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
+    if design.correlation:  # a Gaussian copula: normal scores are mixed, whatever the distributions
+        normal = statistics().norm
+        mixed = np.tensordot(np.linalg.cholesky(design.correlations), normal.ppf(points), 1)
+        points = np.clip(normal.cdf(mixed), 2.0**-54, 1.0 - 2.0**-53)
     return [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(design.drawn.values(), points, strict=True)]
 
 

@@ -66,13 +66,13 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
     if name == "threads":
         from concurrent.futures import ThreadPoolExecutor
 
-        with ThreadPoolExecutor(workers) as pool:
+        with _stopping(ThreadPoolExecutor(workers)) as pool:
             yield pool
     elif name == "processes":
         from concurrent.futures import ProcessPoolExecutor
         from multiprocessing import get_context
 
-        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as processes:
+        with _stopping(ProcessPoolExecutor(workers, mp_context=get_context("spawn"))) as processes:
             yield processes
     elif name == "dask":
         try:
@@ -87,6 +87,22 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
             yield cluster
     else:
         yield None
+
+
+@contextmanager
+def _stopping(pool: Executor) -> Iterator[Executor]:
+    """A pool that waits for no block when it is interrupted: processes are ended, threads go with this one."""
+    try:
+        yield pool
+    except KeyboardInterrupt:
+        from multiprocessing import active_children
+
+        ended = active_children()
+        for child in ended:
+            child.terminate()
+        pool.shutdown(wait=bool(ended), cancel_futures=True)
+        raise
+    pool.shutdown()
 
 
 class Folder:

@@ -1,11 +1,15 @@
 """Linear propagation of uncertainty, to stand beside the samples: derivatives at the means, and standard deviations.
 
 To first order the mean of an output is its value at the means of the inputs, and its variance the sum of their
-variances times the squared derivatives, as the inputs are independent (JCGM 100:2008, equation 10).
+variances times the squared derivatives where the inputs are independent (JCGM 100:2008, equation 10), with twice
+their covariances where they are not (13); correlations are taken to be those of the normal scores.
 """
 
 import math
 from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.motion.quantities import OUTCOMES, words
 from slipcircle.scene.varied import scene_with
@@ -15,6 +19,9 @@ from slipcircle.studies.motions import derivatives
 # Shares of the samples' standard deviation, and standard errors of theirs, up to which a difference is not told. What
 # is of second order moves the mean first, and little to what the mean is used for.
 _MEAN, _STD, _ERRORS = 0.25, 0.1, 3.0
+
+
+Floats = NDArray[np.float64]
 
 
 class Linear(NamedTuple):
@@ -49,10 +56,15 @@ def propagated(design: Design) -> dict[str, Linear]:
     if wrong := [design.inputs[n].key for n in means if not all(math.isfinite(s[n]) for s in slopes.values())]:
         raise ValueError(f"{', '.join(wrong)}: the motion at the means has no derivative by it")
     return {
-        outcome: Linear(abs(at[outcome]),
-                        math.hypot(*(by[n] * design.inputs[n].slope(known[n][0]) * known[n][1] for n in means)))
+        outcome: Linear(abs(at[outcome]), _spread(design, np.array(
+            [by[n] * design.inputs[n].slope(known[n][0]) * known[n][1] for n in means])))
         for outcome, by in slopes.items()
     }  # fmt: skip
+
+
+def _spread(design: Design, shares: Floats) -> float:
+    """Standard deviation of a sum of shares, given each its own, of inputs that may be correlated."""
+    return math.sqrt(max(float(shares @ design.correlations @ shares), 0.0))
 
 
 def disagreement(output: str, linear: Linear, sampled: Sampled, accuracy: float) -> str:

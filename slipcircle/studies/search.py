@@ -170,10 +170,11 @@ def fits(space: Space, shares: Floats) -> list[Fit]:
         return []
     s, r, slopes, settled = _descended(space, shares[:, chosen])
     found: list[Fit] = []
+    told = 1.0 if all(sigma for _, sigma in space.observed.values()) else 1e-3  # apart, in standard errors or shares
     for k in np.argsort(np.sum(r**2, axis=0)):
         fit = Fit(s[:, k], float(np.sum(r[:, k] ** 2)), bool(settled[k]))
         off = [s[:, k] - other.shares for other in found]
-        if not any(np.max(np.abs(o)) < 1e-5 or np.max(np.abs(slopes[:, :, k] @ o)) < 1e-3 for o in off):
+        if not any(np.max(np.abs(o)) < 1e-5 or np.max(np.abs(slopes[:, :, k] @ o)) < told for o in off):
             found.append(fit)
     return [f for f in found if f.settled] or found
 
