@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: b1d389d6391c24621d5eefe678327d31fd78970c76333eeb79a61c8ec8d797e7
+# sha256 of the text below: a4cb361722ac1dbd15fe37430738144ae16a54bc68e8d75d371569d498357d20
 """Effects and friction laws that a scene may ask for."""
 
 from collections.abc import Callable, Mapping
@@ -57,8 +57,8 @@ class Effect:
     formulas: tuple[str, ...] = ()
 
 
-LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-12, 1e+20), 's': (1e-12, 1e+18), 'm/s': (1e-18, 300000000.0),
-    'm/s^2': (1e-09, 1000000000000000.0), 'N/m^3': (0.001, 1000000000.0), 'Pa': (1e-09, 1000000000000000.0),
+LIMITS = {'': (1e-12, 1000000000000.0), 'm': (1e-13, 1e+20), 's': (1e-12, 1e+18), 'm/s': (1e-18, 300000000.0),
+    'm/s^2': (1e-13, 1000000000000000.0), 'N/m^3': (0.001, 1000000000.0), 'Pa': (1e-09, 1000000000000000.0),
     'Pa s': (1e-12, 1e+20), 'Pa/K': (1e-09, 1000000000000000.0), 'J/m^3 K': (0.001,
     1000000000000000.0)}  # between which what has a unit lies
 
@@ -72,7 +72,7 @@ LAWS = {
             lambda value, scales: value, False, 'number'),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient after much slip', 'residual_deg', 1.0,
             '', lambda value, scales: value, False, 'number'),
-        Parameter('length', 'm', 1e-12, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
     ), ('slip',), 'residual + (peak - residual) exp(-slip/length)', 'length', ()),
     'linear': Law('linear', 'Fig. 4-1', (
@@ -80,7 +80,7 @@ LAWS = {
             lambda value, scales: value, False, 'number'),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient after much slip', 'residual_deg', 1.0,
             '', lambda value, scales: value, False, 'number'),
-        Parameter('length', 'm', 1e-12, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
     ), ('slip',), 'falls from peak to residual over the length, then stays', 'length', ('length',)),
     'hyperbolic': Law('hyperbolic', 'Fig. 4-1', (
@@ -88,7 +88,7 @@ LAWS = {
             lambda value, scales: value, False, 'number'),
         Parameter('residual', '', -5e-324, 1000000000000.0, 'friction coefficient after much slip', 'residual_deg', 1.0,
             '', lambda value, scales: value, False, 'number'),
-        Parameter('length', 'm', 1e-12, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
+        Parameter('length', 'm', 1e-13, 1e+20, 'slip over which friction falls', 'length_m', 1.0, '', lambda value,
             scales: value, False, 'number'),
     ), ('slip',), 'residual + (peak - residual)/(1 + slip/length)', 'length', ()),
     'tabulated': Law('tabulated', 'Fig. 4-1', (
@@ -161,7 +161,7 @@ EFFECTS = {
     ), (), 'the slip surface has strength without normal stress', False, (), ('adds cohesion* lambda to resistance',
         'cohesion* = cohesion/sigma_ref')),
     'drag': Effect('drag', '3.11', (
-        Parameter('xi', 'm/s^2', 1e-09, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
+        Parameter('xi', 'm/s^2', 1e-13, 1000000000000000.0, 'turbulence coefficient of Voellmy', 'xi_m_s2', 1.0, 'drag',
             lambda value, scales: 2*scales['gravity']*scales['half_angle']/(scales['Theta']*value), False, 'number'),
     ), ('speed squared',), 'turbulent resistance, which grows with the square of the speed', False, (),
         ('adds Theta drag* omega^2 to resistance', 'drag* = 2 alpha g/(Theta xi)')),
@@ -170,7 +170,7 @@ EFFECTS = {
             'viscosity', lambda value,
             scales: 2*scales['half_angle']*value/(scales['Theta']*scales['density']*scales['thickness']*
             sqrt(scales['gravity']*scales['radius'])), False, 'number'),
-        Parameter('thickness', 'm', 1e-12, 1e+20, 'thickness of the sheared layer', 'thickness_m', 1.0, '',
+        Parameter('thickness', 'm', 1e-13, 1e+20, 'thickness of the sheared layer', 'thickness_m', 1.0, '',
             lambda value, scales: value, False, 'number'),
     ), ('speed',), 'viscous resistance of a sheared layer, which grows with the speed', False, (),
         ('adds Theta omega viscosity* to resistance',
@@ -230,7 +230,7 @@ EFFECTS = {
             scales: scales['radius']*value/(scales['heat_capacity']*scales['thickness']), False, 'number'),
         Parameter('heat_capacity', 'J/m^3 K', 0.001, 1000000000000000.0, 'rho c, heat capacity of the layer by volume',
             'heat_capacity_MJ_m3_K', 1000000.0, '', lambda value, scales: value, False, 'number'),
-        Parameter('thickness', 'm', 1e-12, 1e+20, 'thickness of the sheared layer', 'thickness_m', 1.0, '',
+        Parameter('thickness', 'm', 1e-13, 1e+20, 'thickness of the sheared layer', 'thickness_m', 1.0, '',
             lambda value, scales: value, False, 'number'),
     ), ('history',),
         'friction heats a thin layer, whose pore water expands and relieves it; undrained (no water leaves the layer) '

@@ -148,7 +148,7 @@ def coefficients(arc: Any) -> Coefficients:
             return mpf(kernel(name, half).str(50, radius=False))
 
         radius, gravity = mpf(float(np.asarray(arc.radius))), mpf(float(np.asarray(arc.gravity)))
-        dip = 3 * mpmath.pi / 2 - mpf(middle.numerator) / middle.denominator
+        dip = abs(3 * mpmath.pi / 2 - mpf(middle.numerator) / middle.denominator)  # positive is down-slope
         alpha = min(mpf(half.numerator) / half.denominator, mpmath.pi / 2)
         return Coefficients(
             moment("moment_of_inertia"), moment("radial_weight_amplitude"), moment("weight_moment_amplitude"),

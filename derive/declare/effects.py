@@ -31,7 +31,7 @@ _INFINITY = float("inf")
 _BELOW_0 = -5e-324  # bounds are open, and zero is allowed
 # Between what a number of a unit lies wherever a mass slides: beyond it stands a wrong unit, or a slip of the keyboard.
 LIMITS = {
-    "": (1e-12, 1e12), "m": (1e-12, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-9, 1e15),
+    "": (1e-12, 1e12), "m": (1e-13, 1e20), "s": (1e-12, 1e18), "m/s": (1e-18, 3e8), "m/s^2": (1e-13, 1e15),
     "N/m^3": (1e-3, 1e9), "Pa": (1e-9, 1e15), "Pa s": (1e-12, 1e20), "Pa/K": (1e-9, 1e15), "J/m^3 K": (1e-3, 1e15),
 }  # fmt: skip
 

@@ -19,7 +19,7 @@ from slipcircle.flow.walk import Walker
 Floats = NDArray[np.float64]
 TOLERANCE = 1e-12
 CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
-MOST_STEPS = 3_000  # of the stepper, for one step of the walk
+MOST_STEPS = 3_000  # of the stepper, for one lane
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
@@ -37,6 +37,8 @@ def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.S
 
 class _Implicit(Walker):
     """One lane, a step of which is an implicit integration."""
+
+    left = MOST_STEPS
 
     def _registers(self, t: float, y: Floats) -> Floats:
         """What the program gives at a time, in states."""
@@ -86,9 +88,8 @@ class _Implicit(Walker):
         stepper = LSODA(rates, begin, y0, limit, rtol=TOLERANCE, atol=TOLERANCE * size)
         before = [f(begin, y0) for _, f in watched]
         hit, end, y, rate = -1, begin, y0, float(self._registers(begin, y0)[net])
-        for _ in range(MOST_STEPS):
-            if stepper.status != "running":
-                break
+        while stepper.status == "running" and self.left:
+            self.left -= 1
             with catch_warnings():  # that it failed is said by its status
                 simplefilter("ignore")
                 stepper.step()
