@@ -380,7 +380,7 @@ def test_every_key_has_a_title_and_says_what_is_allowed() -> None:
                 unit = re.search(r"_(deg|kPa|m|s|m_s|m_s2|kN_m3)$", key)
                 assert not unit or what.allowed.endswith(")"), (path, key)
     xi = schema()["$defs"]["drag"]["properties"]["xi_m_s2"]
-    assert xi.pop("anyOf")[0] == {"type": "number", "exclusiveMinimum": 1e-9, "exclusiveMaximum": 1e15}
+    assert xi.pop("anyOf")[0] == {"type": "number", "exclusiveMinimum": 1e-13, "exclusiveMaximum": 1e15}
     assert xi == {"title": "turbulence coefficient of Voellmy", "description": "a number above 0 (m/s^2)"}
 
 
