@@ -21,9 +21,10 @@ if getattr(generated, "__project__", None) != "slipcircle":
     )
 
 from slipcircle.base import VERSION
-from slipcircle.motion.motion import Energy, Motion, State, Status
+from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, plan
 from slipcircle.motion.solver import solve
+from slipcircle.motion.states import Energy, State, Status
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section

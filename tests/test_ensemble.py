@@ -17,8 +17,8 @@ from slipcircle.__main__ import main
 from slipcircle.base.distributions import DISTRIBUTIONS, made
 from slipcircle.files.scenefile import read
 from slipcircle.files.scenekeys import schema
-from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES
+from slipcircle.motion.states import Status
 from slipcircle.studies import written
 from slipcircle.studies.conduct import grid
 from slipcircle.studies.sampling import latin, monte_carlo, sobol

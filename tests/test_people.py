@@ -115,8 +115,8 @@ ODD: dict[str, tuple[str, str]] = {
     "a tiny radius": (ARC.replace("= 60", "= 5e-324") + FRICTION, "arc.radius_m = 5e-324: must be a number above 0"),
     "a huge weight": (ARC.replace("= 19", "= 1e300") + FRICTION, "arc.unit_weight_kN_m3 = 1e+300: must be"),
     "a huge amplitude": (ARC + FRICTION + "[shaking]\npulse = 'sine'\namplitude_g = 1e25\nduration_s = 1\n",
-                         "shaking.amplitude_g = 1e+25: must be a number: greatest k_h of the pulse, positive down-slope; "
-                         "between -1e+12 and 1e+12"),
+                         "shaking.amplitude_g = 1e+25: must be a number: greatest k_h of the pulse, positive "
+                         "down-slope; between -1e+12 and 1e+12"),
     "phi_deg": (ARC + "[friction]\nphi_deg = 12\n", "friction.phi_deg = 12: is unknown; did you mean angle_deg?"),
     "peak_deg": (ARC + "[friction]\npeak_deg = 12\n", "friction.peak_deg = 12: is unknown; it belongs to law = "),
     "a stiff layer": (ARC + FRICTION + "[rotation]\n[viscosity]\nviscosity_Pa_s = 1e12\nthickness_m = 0.01\n", "give"),

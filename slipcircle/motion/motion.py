@@ -4,10 +4,8 @@ Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from enum import IntEnum
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,100 +16,22 @@ from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.results import Results
+from slipcircle.motion.states import BECOMES, Energy, Phase, State, Status
 from slipcircle.scene.section import Journey, Section
 
 if TYPE_CHECKING:
-    from slipcircle.motion.sensitivity import Sensitivity
+    from slipcircle.motion.derivatives import Sensitivity
 
 Floats = NDArray[np.float64]
 
-
-class Status(IntEnum):
-    """What became of a scene."""
-
-    RESTS = 0  #: it moved, and came to rest without turning back
-    STAYS = 1  #: it does not move
-    MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
-    TURNED = 3  #: it turned back at least once, and came to rest
-    UPRIGHT = 4  #: no answer: the chord stands upright and the mass would hang over
-    ENDLESS = 5  #: no answer: it never rests, or turns back too often
-    FAILED = 6  #: no answer: its numbers overflow
-    INVALID = 7  #: its numbers are no scene
-
-    @property
-    def reason(self) -> str:
-        """Why there is no answer; empty where there is one."""
-        return _REASONS.get(self.name, "")
-
-
-_REASONS = {
-    "UPRIGHT": "the chord stands upright, and the mass would hang over",
-    "ENDLESS": "it never rests, or turns back too often",
-    "FAILED": "its numbers overflow",
-    "INVALID": "its numbers are no scene, such as an angle below its bound",
-}
 
 _SURE = 1e-11  # an estimated error below which only the format limits what is known
 # The cells of which a motion is told.
 TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
         its.PEAK_RATE, its.REACH_TIME, its.REACH_ROTATION, its.END_ROTATION, its.END_OMEGA, its.END_RATE,
         its.CLOSE, its.REST_SINCE, its.TURNS)  # fmt: skip
-# What becomes of a lane that the walk leaves so; one that moved.
-_BECOMES = np.full(its.NEED + 1, Status.FAILED, np.int8)
-_BECOMES[[its.ARRESTED, its.ENDED, its.STOPPED, its.UPRIGHT, its.TOO_LONG]] = (
-    Status.RESTS, Status.MOVING, Status.MOVING, Status.UPRIGHT, Status.ENDLESS)  # fmt: skip
 BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
 ENERGIES = 21  # times at which the energy balance is looked at
-ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
-
-
-@dataclass(frozen=True)
-class State:
-    """The motion at one time, or at an array of times; positive down-slope.
-
-    Attributes
-    ----------
-    time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
-        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, water included).
-    """
-
-    time: Any
-    rotation: Any
-    angular_velocity: Any
-    velocity: Any
-    displacement: Any
-    acceleration: Any
-    normal_stress: Any
-
-
-@dataclass(frozen=True)
-class Energy:
-    """The energy balance from the start to one time or several, J.
-
-    Attributes
-    ----------
-    kinetic_start, kinetic_end, work, dissipation
-        Kinetic energies, work of gravity and shaking, and what all resistance took, integrated beside the motion.
-    """
-
-    kinetic_start: Any
-    kinetic_end: Any
-    work: Any
-    dissipation: Any
-
-    @property
-    def residual(self) -> Any:
-        """Work of gravity - change of kinetic energy - dissipation."""
-        return self.work - (self.kinetic_end - self.kinetic_start) - self.dissipation
-
-
-class Phase(NamedTuple):
-    """A stretch of motion in one direction, between two standstills: its times, s, where it begins, and which way."""
-
-    start: float
-    end: float
-    rotation: float
-    direction: int
 
 
 class Motion(Results):
@@ -172,7 +92,7 @@ class Motion(Results):
     @cached_property
     def _states(self) -> NDArray[np.int8]:
         """The status of each lane."""
-        found = _BECOMES[self._of(its.STATUS).astype(np.intp)]
+        found = BECOMES[self._of(its.STATUS).astype(np.intp)]
         found[(found == Status.RESTS) & (self._of(its.TURNS) > 0.0)] = Status.TURNED
         found[(found <= Status.TURNED) & (self._of(its.STATUS) != its.STOPPED) & (self._of(its.PHASES) == 0.0)] = (
             Status.STAYS

@@ -9,8 +9,9 @@ import numpy as np
 from generated.effects import EFFECTS
 from slipcircle.flow.cells import MOST_TURNS
 from slipcircle.flow.solve import BLOCK, Lanes
-from slipcircle.motion.motion import TOLD, Motion, Status
+from slipcircle.motion.motion import TOLD, Motion
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
+from slipcircle.motion.states import Status
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.varied import arc_with
 

@@ -14,7 +14,7 @@ from slipcircle.outputs.plotstyle import missing, work
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
-    from slipcircle.motion.sensitivity import Sensitivity
+    from slipcircle.motion.derivatives import Sensitivity
     from slipcircle.studies.backanalysis import BackAnalysis
     from slipcircle.studies.study import Study
 

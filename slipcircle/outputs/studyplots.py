@@ -15,7 +15,7 @@ from slipcircle.scene.varied import number_in
 from slipcircle.studies.motions import motions
 
 if TYPE_CHECKING:
-    from slipcircle.motion.sensitivity import Sensitivity
+    from slipcircle.motion.derivatives import Sensitivity
     from slipcircle.studies.backanalysis import BackAnalysis
     from slipcircle.studies.study import Study
 

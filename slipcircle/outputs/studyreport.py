@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from slipcircle.base.markup import Raw, escaped, table, tag
-from slipcircle.motion.motion import Status
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES, plain, shown, words
+from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import figure, folded, number, page, repeat
 from slipcircle.outputs.report import given

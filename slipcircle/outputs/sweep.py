@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from slipcircle.base import files
 from slipcircle.base.distributions import DISTRIBUTIONS
 from slipcircle.files.scenefile import find, load
-from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES, shown, words
+from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures, studyplots, tables
 from slipcircle.outputs.studyreport import interval, parts, study_report
 from slipcircle.scene.scene import Scene

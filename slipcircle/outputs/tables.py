@@ -19,7 +19,7 @@ from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
-    from slipcircle.motion.sensitivity import Sensitivity
+    from slipcircle.motion.derivatives import Sensitivity
     from slipcircle.studies.backanalysis import BackAnalysis
 
 WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
@@ -38,7 +38,9 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     if motion.plan.scene.stability is not None:
         if not motion.plan.scene.stability.slope.k_h:
             del found["factor of safety"]  # the paper's, which stands among these
-        found |= stability_column(motion.plan.scene.stability)
+        told = ("entry", "exit")  # as ends of the slip surface
+        stability = stability_column(motion.plan.scene.stability)
+        found |= {label: value for label, value in stability.items() if label not in told}
     if not motion.arrested:
         ended = motion.plan.scene.end_time is not None
         found["comes to rest"] = "no, still moving" if ended else "no, nothing holds it; to its first standstill"

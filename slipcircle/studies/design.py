@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.distributions import statistics
-from slipcircle.motion.motion import ANSWERED, Status
 from slipcircle.motion.quantities import OUTCOMES
+from slipcircle.motion.states import ANSWERED, Status
 from slipcircle.scene.numbers import Number, Uncertain
 from slipcircle.scene.scene import Scene
 from slipcircle.studies.motions import motions

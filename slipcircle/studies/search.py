@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
-from slipcircle.motion.motion import ANSWERED, Motion, Status
+from slipcircle.motion.motion import Motion
+from slipcircle.motion.states import ANSWERED, Status
 from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene
 from slipcircle.studies.motions import motions

@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.markup import Raw, table, tag
-from slipcircle.motion.motion import ANSWERED, Motion, Status
+from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import OUTCOMES, shown, words
 from slipcircle.motion.results import library
+from slipcircle.motion.states import ANSWERED, Status
 from slipcircle.scene.scene import Scene
 from slipcircle.studies import written
 from slipcircle.studies.design import Design, Result

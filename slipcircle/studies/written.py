@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.motion.motion import Status
 from slipcircle.motion.quantities import OUTCOMES
+from slipcircle.motion.states import Status
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
 UNITS = {n: q.unit for n, q in OUTCOMES.items()}
