@@ -49,7 +49,7 @@ def run(path: Path) -> Any:
         env |= {"IPYTHONDIR": folder, "PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "default"}
         client = NotebookClient(
             notebook,
-            timeout=60,
+            timeout=300,  # a guard; the longest cell takes some seconds
             kernel_name="python3",
             record_timing=False,
             coalesce_streams=True,
