@@ -95,7 +95,13 @@ def test_the_motion_has_the_factors_of_its_circle(
     assert table["factor of safety by Bishop's simplified method"] == "0.9850"
     assert table["factor of safety by the ordinary method (Fellenius)"] == "0.9502"  # of Bishop's circle
     assert table["circle"] == "least factor by bishop"
-    assert {"peak velocity", "x of the toe at the end", "run-out along the arc", "centre", "exit"} <= table.keys()
+    assert {
+        "peak velocity",
+        "x of the toe at the end",
+        "run-out along the arc",
+        "centre",
+        "lower end of the slip surface, x and y",
+    } <= table.keys()
     for label in ("Bishop&#x27;s simplified method", "circles tried, refused", "arc under negative normal stress"):
         assert label in page.read_text("utf-8")
     main(["run", path, "--json"])
