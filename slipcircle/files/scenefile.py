@@ -4,7 +4,6 @@ import json
 import math
 import os
 import re
-import tomllib
 from collections.abc import Mapping
 from difflib import get_close_matches
 from importlib import resources
@@ -71,14 +70,7 @@ def read(path: str | PathLike[str]) -> Scene:
 
 def _scene(source: Any, file: str, check: bool) -> Scene:
     """The scene of a file; those that ship are checked by the tests, so that they need NumPy alone."""
-    try:
-        document = tomllib.loads(source.read_bytes().decode("utf-8-sig"))
-    except OSError as error:
-        raise ValueError(f"{file}: {error.strerror}") from error
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise ValueError(f"{file}: is not TOML: {error}") from error
+    document = slopefile.document_of(source, file)
     friction: Any = document.get("friction")
     wanted = friction.get("law", "constant") if isinstance(friction, dict) else "constant"
     law = "".join(get_close_matches(str(wanted), LAWS, 1))  # itself, where it is known

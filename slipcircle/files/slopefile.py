@@ -53,14 +53,7 @@ def read(path: str | os.PathLike[str]) -> SlopeFile:
         If it cannot be read; lists every mistake, one a line, with its key, its value, what is allowed and the fix.
     """
     file = str(path)
-    try:
-        document = tomllib.loads(Path(path).read_bytes().decode("utf-8-sig"))
-    except OSError as error:
-        raise ValueError(f"{file}: {error.strerror}") from error
-    except UnicodeDecodeError as error:
-        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise ValueError(f"{file}: is not TOML: {error}") from error
+    document = document_of(Path(path), file)
     if "arc" in document:
         raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
     given, found = _read(document)
@@ -70,6 +63,18 @@ def read(path: str | os.PathLike[str]) -> SlopeFile:
         except ValueError as error:
             found = [_by_key(str(error))]
     raise ValueError("\n".join(f"{file}: {m}" for m in found))
+
+
+def document_of(source: Any, file: str) -> dict[str, Any]:
+    """What stands in a TOML file, or one sentence why it cannot be read."""
+    try:
+        return tomllib.loads(source.read_bytes().decode("utf-8-sig"))
+    except OSError as error:
+        raise ValueError(f"{file}: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise ValueError(f"{file}: is not TOML: {error}") from error
 
 
 def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[str]]:

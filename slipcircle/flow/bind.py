@@ -137,10 +137,10 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
             if not p.symbol:
                 continue
             value = called[effect].get(p.name, 0.0)
-            factor = factor_of(effect, called[effect], p.name)
             if callable(value) and p.kind == "rotation":
                 pieces[p.symbol] = _under_water(arc, effects), 1.0, p.dimensionless(1.0, scales | own)
             elif callable(value):
+                factor = factor_of(effect, called[effect], p.name)
                 pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(factor, scales | own)
             else:
                 given[p.symbol] = p.dimensionless(value, scales | own)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.series import scalar_ops, series_ops
+from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.polynomials import shifted, value
 from slipcircle.flow.program import Program, Table
@@ -102,18 +103,17 @@ class Columns:
             local = np.maximum(c[its.SLIP] * scale - edge, 0.0)
             c[at + its.UPPER] = (above - edge - local) / scale
             return shifted(poly, local), scale
-        else:
-            moving = c[its.OMEGA] * scale > 0.0
-            local = np.where(moving, np.log(np.where(moving, c[its.OMEGA] * scale, edge) / edge), 0.0)
-            inside = piece > 0  # piece 0 is constant, below the first speed
-            local = np.where(inside, local, 0.0)
-            c[at + its.UPPER], c[at + its.LOWER] = above / scale, np.where(inside, edge / scale, 0.0)
-            return shifted(poly, local), np.ones_like(scale)
+        moving = c[its.OMEGA] * scale > 0.0
+        local = np.where(moving, np.log(np.where(moving, c[its.OMEGA] * scale, edge) / edge), 0.0)
+        inside = piece > 0  # piece 0 is constant, below the first speed
+        local = np.where(inside, local, 0.0)
+        c[at + its.UPPER], c[at + its.LOWER] = above / scale, np.where(inside, edge / scale, 0.0)
+        return shifted(poly, local), np.ones_like(scale)
 
     def _time_piece(self, slot: Table, data: Data) -> None:
         c, at = self.c, slot.cells
         now = c[its.TIME] * c[at + its.SCALE]
-        piece = np.maximum(np.searchsorted(data.breaks, now * (1 + 2 * its.EPS), side="right") - 1, c[at + its.PIECE])
+        piece = np.maximum(np.searchsorted(data.breaks, now * (1 + 2 * EPS), side="right") - 1, c[at + its.PIECE])
         c[at + its.PIECE] = np.maximum(piece, 0)
         self._time_bound(slot, data)
 

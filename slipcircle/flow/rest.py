@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
 from slipcircle.flow.polynomials import first_root
@@ -55,7 +56,7 @@ class Resting(Columns):
         roles = self.program.roles
         net = c[roles["cell_drive"]]
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
-        scale = np.maximum(its.EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
+        scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
         # What has just stopped does not go on the way it came: rounding must not say so.
         allowed = self.may_start(side) & ((c[its.PASSED] != its.STOOD) | (c[its.LAST_WAY] != side))
         c[its.CLOSE] = np.where(allowed, np.minimum(c[its.CLOSE], np.abs(net) / scale), c[its.CLOSE])

@@ -11,6 +11,7 @@ from warnings import catch_warnings, simplefilter
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
@@ -148,4 +149,4 @@ def _root(f: Callable[[float, Floats], float], states: Callable[[float], Floats]
 
     if at(low) <= 0.0 or at(high) > 0.0:  # as rounding has it
         return low if at(low) <= 0.0 else high
-    return float(brentq(at, low, high, xtol=1e-300, rtol=4 * its.EPS))
+    return float(brentq(at, low, high, xtol=1e-300, rtol=4 * EPS))

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
 from slipcircle.flow.polynomials import first_root, increment, shifted, slopes, value
@@ -264,7 +265,7 @@ class Walker(Resting):
         c, roles = self.c, self.program.roles
         net = self._series(0)[0][roles["net"], 0]
         fresh, own = c[roles["cell_drive"]], c[roles["cell_drive_scale"]]
-        carried = scale + its.EPS * (np.abs(rate) + np.abs(net - fresh) + np.abs(drive))
+        carried = scale + EPS * (np.abs(rate) + np.abs(net - fresh) + np.abs(drive))
         better = carried < own
         c[roles["cell_drive"]] = np.where(better, fresh + (rate - net), fresh)
         c[roles["cell_drive_scale"]] = np.where(better, carried, own)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.flow import CELLS
+from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.bind import STEP, Bound
 from slipcircle.flow.program import Program
@@ -19,10 +20,10 @@ Floats = NDArray[np.float64]
 # the combination that matters more often.
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
-MOVED = 4 * its.EPS  # what rounding may do to an input
+MOVED = 4 * EPS  # what rounding may do to an input
 ORDERS = np.array([0, 1, 2, 3, 4, 1, 2, 3])  # of the motion itself, and of its companions
 FACTORS = np.array([STEP, 0.130, 0.125, 0.120, 0.115, 0.110, 0.105, 0.100])
-TIMES, LEAST = 3.0, 8 * its.EPS / 2  # the spread counts thrice, and is at least this
+TIMES, LEAST = 3.0, 8 * EPS / 2  # the spread counts thrice, and is at least this
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 SHARES = (np.arange(16) + 0.5) / 16  # of the duration, at which states are compared
 
@@ -35,7 +36,7 @@ def _moves(program: Program) -> tuple[NDArray[np.intp], Floats]:
         k for k in range(reserved, len(names)) if "." not in names[k] or not names[k].rpartition(".")[2].isupper()
     ]
     every = [its.LIMIT, its.OMEGA, *inputs, *(slot.cells + its.SCALED_BY for slot in program.tables)]
-    kept = [place for place, k in enumerate(every) if not names[k].startswith("=")]
+    kept = [place for place, k in enumerate(every) if k < program.given]  # the others follow from these
     signs = np.array([np.zeros(len(kept)), *(signs[np.array(kept) % 7] for signs in SIGNS)])
     return np.array(every)[kept], 1.0 + signs * MOVED
 

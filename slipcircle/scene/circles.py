@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
+from slipcircle.base.checks import EPS
 
 Floats = NDArray[np.float64]
-_EPS = 2.0**-52
 _GAUSS = [((1.0 + x) / 2, w / 2) for x, w in zip(*np.polynomial.legendre.leggauss(slopes.NODES), strict=True)]
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
@@ -96,7 +96,7 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     near = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
     some, about = np.broadcast_to(points, (*clear.shape, 2))[near].T, -centre[near[0]].T
     clear[near] = _clearance(_sum(some[0], about[0]), _sum(some[1], about[1]), radius[near[0]])[0]
-    blur = 32 * _EPS * r * (r + np.abs(points).max(axis=(1, 2))[:, None] + np.abs(centre).max(axis=1)[:, None])
+    blur = 32 * EPS * r * (r + np.abs(points).max(axis=(1, 2))[:, None] + np.abs(centre).max(axis=1)[:, None])
     inside = clear > blur
     in_1, in_2 = inside[:, :-1], inside[:, 1:]
     edge = np.diff(points, axis=1)
