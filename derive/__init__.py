@@ -52,5 +52,5 @@ It is then a function of `generated` in every tier, each with its certificate, a
 approximants (a minute) and records them. A weight with sin(theta) or cos(theta) names its amplitude too. Other weights
 than r**n, +-r**n*sin(theta) and +-r**n*cos(theta), n = 1 to 5, are refused, or with ``certified=False`` sampled only.
 
-Of an effect the tests ask for the same again in words of their own, its term in ``tests/time_references.py``.
+Of an effect the tests ask for the same again in words of their own, its term in ``tests/taylor.py``.
 """

@@ -4,7 +4,7 @@ Nothing here knows more than the declared weights: no closed form, no stable for
 are floats, taken as the exact numbers that they are.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cache
 from typing import Any, NamedTuple
@@ -110,6 +110,24 @@ def ulps(value: float, reference: arb, size: arb | None = None, kind: type[np.fl
     with ctx.workprec(2400):
         unit = np.spacing(kind(abs(float(reference if size is None else size))))
         return abs(float((exact(float(value)) - reference) / exact(float(unit))))
+
+
+def moments(arc: Mapping[str, float]) -> dict[str, arb]:
+    """C_theta, C_r, I_p*, lambda over Theta*, Theta*, and the reference stress, of the exact doubles of the arc."""
+    half = (Fraction(arc["theta_2"]) - Fraction(arc["theta_1"])) / 2
+    middle = (Fraction(arc["theta_1"]) + Fraction(arc["theta_2"])) / 2
+    inertia = kernel("moment_of_inertia", half)
+    depth = exact(arc["radius"]) * 2 * (exact(half) / 2).sin() ** 2
+    return {
+        "fall": kernel("weight_moment_per_inertia", half),
+        "press": kernel("radial_weight_per_inertia", half),
+        "polar": kernel("polar_moment_per_inertia", half),
+        "level": kernel("resistance_factor", half) / inertia,
+        "inertia": inertia,
+        "reference_stress": exact(arc["unit_weight"]) * depth,
+        "dip": abs(3 * arb.pi() / 2 - exact(middle)),  # positive is down-slope, for either facing
+        "half_angle": exact(half),
+    }
 
 
 class Coefficients(NamedTuple):

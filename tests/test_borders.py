@@ -8,7 +8,7 @@ from typing import Any
 import golden
 import numpy as np
 import pytest
-import references
+import taylor
 import test_accuracy
 
 from slipcircle import Motion, solve
@@ -88,7 +88,7 @@ def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) ->
     again = tops[0] + next(k for k, s in enumerate(speed[tops[0] :]) if k > low - tops[0] and s > speed[tops[0]])
     for cut in (tops[0] - 800, tops[0] + 300, low, (low + again) // 2, again + 200, tops[1] - 100, tops[1] + 100):
         ends = given | {"end_time": float(times[cut])}
-        found, wanted = motion(ends), references.solve(ends, [0.5])
+        found, wanted = motion(ends), taylor.solve(ends, [0.5])
         assert max(test_accuracy.true_error(found, wanted)) <= found.error_estimate, cut
         assert found.peak.time == pytest.approx(float(wanted["peak_time"]), rel=1e-6, abs=1e-9)
         assert found.peak.acceleration == pytest.approx(found.at(float(found.peak.time)).acceleration, abs=1e-6)

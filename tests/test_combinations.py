@@ -1,6 +1,6 @@
 """Every combination of effects with every kind of law, and random scenes, against Taylor series in ball arithmetic.
 
-Scenes are plain data; `time_references` solves them from quadrature of the definitions and the equation of motion as it
+Scenes are plain data; `taylor` solves them from quadrature of the definitions and the equation of motion as it
 stands, with its sign of omega, its clamp, and a rest test at every standstill.
 """
 
@@ -12,9 +12,10 @@ from typing import Any
 
 import golden
 import numpy as np
+import oracle
 import pytest
 import references
-import time_references
+import taylor
 
 from generated.effects import EFFECTS
 from slipcircle import Motion, Scene, solve
@@ -65,7 +66,7 @@ def drawn(effects: tuple[str, ...], law: str, seed: int) -> golden.Data:
     """A scene of an arc, a start and parameters drawn so that every effect matters."""
     rng = np.random.default_rng([seed, LAWS.index(law), ALL.index(effects)])
     given = arc(str(rng.choice(list(ARCS))))
-    m = {k: float(v) for k, v in references.moments(given).items()}
+    m = {k: float(v) for k, v in oracle.moments(given).items()}
     limit = m["fall"] / m["press"] * abs(math.tan(m["dip"]))
     stress = m["press"] * math.cos(m["dip"]) / m["level"] * m["reference_stress"]
     speed, pace = math.sqrt(given["radius"] * given["gravity"]), math.sqrt(given["radius"] / given["gravity"])
@@ -140,8 +141,8 @@ def test_every_combination_of_effects(law: str) -> None:
         except ValueError as refused:
             if "upright" not in str(refused) and "hang over" not in str(refused):
                 raise
-            with pytest.raises(references.Unfit):
-                time_references.Solution(given, 26, 22)
+            with pytest.raises(taylor.Unfit):
+                taylor.Solution(taylor.Problem(given), 26, 22)
             continue
         solved += 1
         assert all(any(f"{t:.6g} s" in w for w in motion.warnings) for t in motion.lift_off[:1])
@@ -155,7 +156,7 @@ def test_frozen_slides_from_any_start(name: str, centripetal: bool) -> None:
     given = arc(name)
     effects: dict[str, Any] = {"centripetal": {}} if centripetal else {}
     speed, pace = math.sqrt(given["radius"] * given["gravity"]), math.sqrt(given["radius"] / given["gravity"])
-    m = {k: float(v) for k, v in references.moments(given).items()}
+    m = {k: float(v) for k, v in oracle.moments(given).items()}
     limit = m["fall"] / m["press"] * abs(math.tan(m["dip"]))
     for share in (0.0, 0.4, 1.5, 5.0):
         for start in (0.0, 0.3, -0.3, -1e-7, 5.0):
@@ -170,12 +171,12 @@ def test_shaken_frozen_slides(group: str) -> None:
     rng, solved, kinds = np.random.default_rng([20261122, len(group)]), 0, set()
     while solved < 18:
         try:
-            given = time_references.drawn(group, rng)
+            given = references.drawn(group, rng)
             pace = math.sqrt(given["arc"]["radius"] / given["arc"]["gravity"])
             frozen = {e: p for e, p in given["effects"].items() if e != "rotation"}
             given |= {"effects": frozen, "end_time": float(rng.uniform(1.0, 4.0)) * pace}
             motion = check(built(given), given, 1e-9, rounding=2e-14)
-        except references.Unfit:
+        except taylor.Unfit:
             continue
         solved += 1
         kinds |= {*frozen, "two ways" if frozen["shaking"].get("two_way") else "", "lifts" if motion.lift_off else ""}

@@ -14,7 +14,7 @@ import numpy as np
 import oracle
 import pytest
 import references
-import time_references
+import taylor
 from flint import arb, ctx
 
 import slipcircle
@@ -24,23 +24,12 @@ from slipcircle.__main__ import main
 # --- whole motions -------------------------------------------------------------------------------------------------
 
 
-class Free(references.Problem):
-    """Followed to its first standstill, as if without friction."""
-
-    @property
-    def frictionless(self) -> bool:
-        return True
-
-
 def outputs(scene: dict[str, Any], free: bool) -> list[Any]:
     """Peak velocity, run-out and duration to some 40 digits."""
-    p = references.problem(scene)
-    if free:
-        p = Free(**{n: getattr(p, n) for n in references.Problem.__dataclass_fields__})
-    found = references.motion(p, references.PLAIN["order"], references.PLAIN["digits"])
-    second = (p.radius / p.gravity).sqrt()
-    speed = found.peak()[1] * p.radius / second
-    return [speed, found.state(found.duration)[0] * p.radius, found.duration * second]
+    p = taylor.Problem(scene)
+    p.free |= free  # followed to its first standstill, as if without friction
+    found = taylor.Solution(p, 48, 42)
+    return [found.peak()[1] * p.unit, found.run_out * p.radius, found.duration * p.scale]
 
 
 def shifted(scene: dict[str, Any], name: str, by: Fraction) -> dict[str, Any]:
@@ -55,7 +44,7 @@ def shifted(scene: dict[str, Any], name: str, by: Fraction) -> dict[str, Any]:
 def differences(scene: dict[str, Any], motion: Motion, name: str, value: float) -> list[float]:
     step = Fraction(value or 1.0) * Fraction(1, 10**13)
     free = not motion.arrested and scene["end_time"] is None
-    with ctx.workprec(references.PLAIN["bits"]):
+    with ctx.workprec(256):
         up, down = (outputs(shifted(scene, name, by), free) for by in (step, -step))
         return [float((u - d) / (2 * oracle.exact(step))) for u, d in zip(up, down, strict=True)]
 
@@ -130,9 +119,8 @@ def in_time(scene: golden.Data, name: str, by: float) -> list[arb]:
     elif last not in box:
         box = box["arc"]
     box[last] = Fraction(box[last]) + Fraction(by)
-    found = time_references.Solution(changed, 30, 26)
-    speed = found.p.radius / found.p.scale
-    return [found.peak() * speed, found.run_out * found.p.radius, found.duration * found.p.scale]
+    found = taylor.Solution(taylor.Problem(changed), 30, 26)
+    return [abs(found.peak()[1]) * found.p.unit, found.run_out * found.p.radius, found.duration * found.p.scale]
 
 
 @pytest.mark.parametrize("which", OTHERS)

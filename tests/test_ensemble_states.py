@@ -204,7 +204,7 @@ def test_the_accuracy_asked_for() -> None:
 def test_references_together() -> None:
     """The 300 references, one ensemble for each combination of effects and law."""
     groups: dict[str, list[Any]] = defaultdict(list)
-    for record in json.loads(references.FILE.read_text("utf-8")):
+    for record in json.loads(references.FILE.read_text("utf-8"))[:300]:
         given = record["scene"]
         law: Any = given["friction"] if isinstance(given["friction"], dict) else {"law": "constant"}
         law = law if law["law"] == "tabulated" else law["law"]  # tables are no axis

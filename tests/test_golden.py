@@ -8,7 +8,6 @@ import golden
 import numpy as np
 import oracle
 import pytest
-import references
 from flint import arb, ctx
 
 from slipcircle import Arc, Motion, solve
@@ -173,7 +172,7 @@ def test_energy_balances_and_adds_up(name: str) -> None:
 def moments(given: golden.Data) -> dict[str, float]:
     """Moments of the definitions by quadrature, over the moment of inertia, and the dip."""
     with ctx.workprec(160):
-        return {k: float(v) for k, v in references.moments(given["arc"]).items()}
+        return {k: float(v) for k, v in oracle.moments(given["arc"]).items()}
 
 
 @pytest.mark.parametrize("name", [n for n, given in ROWS.items() if given is not None])
@@ -217,7 +216,7 @@ def test_state_of_limit_and_stress_from_the_definitions(name: str) -> None:
 
 
 def test_the_oracle_of_moments_is_the_definition() -> None:
-    m = references.moments(golden.SLOPE)
+    m = oracle.moments(golden.SLOPE)
     alpha = (arb(golden.SLOPE["theta_2"]) - arb(golden.SLOPE["theta_1"])) / 2
     assert abs(float(m["fall"]) - float(oracle.kernel("weight_moment_per_inertia", float(alpha)))) < 1e-15
 

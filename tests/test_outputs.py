@@ -1,7 +1,7 @@
 """What the command line prints and writes, number by number, against motions solved in ball arithmetic.
 
 Scene files are written here in the units of their keys; the numbers beside which the outputs are laid come from the
-same scenes in SI units, by quadrature of the definitions and Taylor series (`time_references`).
+same scenes in SI units, by quadrature of the definitions and Taylor series (`taylor`).
 """
 
 import json
@@ -14,9 +14,9 @@ from typing import Any
 
 import golden
 import numpy as np
+import oracle
 import pytest
-import references
-import time_references
+import taylor
 from flint import arb, ctx
 
 from slipcircle import load, solve
@@ -88,12 +88,12 @@ class Exact:
         self.sense = 1.0 if given is golden.to_the_right(given) else -1.0  # of the angles, which J_theta is printed in
         given = golden.to_the_right(given)
         self.given, self.effects = given, given["effects"]
-        self.motion = time_references.Solution(given, 26, 22)
-        p, self.m = self.motion.p, {k: float(v) for k, v in references.moments(given["arc"]).items()}
+        self.motion = taylor.Solution(taylor.Problem(given), 26, 22)
+        p, self.m = self.motion.p, {k: float(v) for k, v in oracle.moments(given["arc"]).items()}
         self.scale, self.radius = float(p.scale), given["arc"]["radius"]
         self.duration = float(self.motion.duration * p.scale)
         self.run_out = float(self.motion.run_out) * self.radius
-        self.peak = float(self.motion.peak()) * self.radius / self.scale
+        self.peak = abs(float(self.motion.peak()[1])) * self.radius / self.scale
         self.side = 1.0 if self.m["dip"] > 0.0 else -1.0
         self.mu = self.friction(0.0, 0.0)
         weight = given["arc"]["unit_weight"] * self.radius**3 * self.m["inertia"]
@@ -102,7 +102,7 @@ class Exact:
     def state(self, t: float) -> tuple[float, float]:
         """Rotation and angular velocity, 1/s."""
         ctx.prec = 160
-        at = time_references.number(t) / self.motion.p.scale
+        at = taylor.number(t) / self.motion.p.scale
         last = self.motion.duration
         if not self.motion.arrested and at > last * (1 - 1e-12):
             at = last * (1 - arb(2) ** -90)  # the end itself is a rest to the other side

@@ -13,8 +13,8 @@ import golden
 import mpmath
 import numpy as np
 import pytest
+import taylor
 import test_combinations
-import time_references
 from flint import ctx
 from mpmath import mpf
 from oracle import coefficients
@@ -228,7 +228,7 @@ def test_a_short_flight_between_samples_is_found() -> None:
     for above in (1e-2, 1e-4, 1e-6):
         wet = given | {"effects": {"rotation": {}, "pore_pressure": {"pressure": static * lowest * (1 + above)}}}
         ctx.prec = 160
-        exact = time_references.Solution(wet, 26, 22)
+        exact = taylor.Solution(taylor.Problem(wet), 26, 22)
         motion = solve(golden.built("", wet))
         assert len(motion.lift_off) == len(exact.lifts) >= 1
         np.testing.assert_allclose(motion.lift_off, [float(t * exact.p.scale) for t in exact.lifts], rtol=1e-9)
