@@ -86,10 +86,13 @@ class Problem:
     def pressed(self, phi: arb_series, t: arb, side: int) -> tuple[arb_series, arb_series]:
         """Around a time what drives in a direction, and what presses beside the water of its time."""
         angle = (self.dip - phi) if self.turns else arb_series([self.dip])
-        sine, cosine, k_h, k_v = angle.sin(), angle.cos(), self.k_h.on(t), self.k_v.on(t)
-        fall = ((1 - k_v) * sine + k_h * cosine) * self.fall * side
-        press = ((1 - k_v) * cosine - k_h * sine) * self.press
-        return fall, press - cosine * self.press * self.ratio.on(t) - self.water.on(t) * self.level
+        sine, cosine = angle.sin_cos()
+        ratio, water = self.ratio.on(t), self.water.on(t)
+        fall, press = sine, cosine
+        if self.shaken:
+            k_h, k_v = self.k_h.on(t), self.k_v.on(t)
+            fall, press = (1 - k_v) * sine + k_h * cosine, (1 - k_v) * cosine - k_h * sine
+        return fall * (self.fall * side), (press - cosine * ratio) * self.press - water * self.level
 
 
 # --- series ----------------------------------------------------------------------------------------------------------
@@ -110,12 +113,11 @@ def zero(series: arb_series, h: arb, passed: bool = False) -> arb | None:
 
     One that has just passed zero is divided by the time.
     """
-    power, scaled = arb(1), []
-    for k in range(int(passed), series.length()):
-        scaled.append(float(series[k] * power))
-        power *= h
+    terms = [(series[k] * h**k).mid() for k in range(int(passed), series.length())]
+    most = max(map(abs, terms), key=lambda c: c, default=arb(1)) or arb(1)
+    scaled = [float(c / most) for c in terms]
     low = np.flatnonzero(np.polynomial.polynomial.polyval(_AT, scaled) <= 0.0)
-    if not len(low) or not np.polynomial.polynomial.polyval(1e-12, scaled) > 0.0:
+    if not len(low) or not (terms[0] > 0 or np.polynomial.polynomial.polyval(1e-12, scaled) > 0.0):
         return None
     k = int(low[0])
     left, right = (float(_AT[k - 1]) if k else 0.0), float(_AT[k])
