@@ -79,6 +79,7 @@ CASES: dict[str, Hard] = {
     "at the limit": Hard(LIMIT, SLOPE, Ulps(0)),
     "an ulp above the limit": Hard(LIMIT, SLOPE, Ulps(1)),
     "an ulp below the limit": Hard(NEAR, SLOPE, Ulps(-1), tolerance=1e-11),
+    "an ulp below the limit, frozen": Hard(NEAR, SLOPE, Ulps(-1), FROZEN, end=20.0, tolerance=1e-11),
     "an ulp below the limit, centripetal": Hard(NEAR, SLOPE, Ulps(-1), BRAKED, tolerance=1e-11),
     "a thousand ulps below": Hard(NEAR, SLOPE, Ulps(-1000), BRAKED, tolerance=1e-11),
     "an ulp below, thin arc": Hard(NEAR, arc(25.0, 1e-06), Ulps(-1), tolerance=1e-11),

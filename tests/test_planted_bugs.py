@@ -27,7 +27,7 @@ FOLDER = test_generated.FOLDER
 
 
 def accurate(module: ModuleType, name: str) -> None:
-    test_kernels.check_accuracy(getattr(module, name), name)
+    test_kernels.check_accuracy(getattr(module, name), name, 3)
 
 
 def weighs_right(module: ModuleType, name: str) -> None:
@@ -39,7 +39,7 @@ def has_limits(module: ModuleType, name: str) -> None:
 
 
 def moves_right(module: ModuleType, name: str) -> None:
-    test_motion_formulas.check_accuracy(getattr(module, name), name)
+    test_motion_formulas.check_accuracy(getattr(module, name), name, 5)
 
 
 def ends(module: ModuleType, name: str) -> None:
@@ -136,11 +136,13 @@ def test_a_bug_in_the_text_turns_its_check_red(bug: Bug) -> None:
     Bug("a coefficient's last bit", VELOCITY, r"9\.869604401089358 \+", "9.86960440108936 +", moves_right),
     Bug("a word of a docstring", "weight_moment", "Domain: 0 <=", "Domain: 0 <", accurate),
 ], ids=lambda b: f"{b.what}, {b.function}")  # fmt: skip
-def test_what_stays_within_the_bounds_is_still_found(bug: Bug, tmp_path: Path) -> None:
+def test_what_stays_within_the_bounds_is_still_found(bug: Bug, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+                                                     ) -> None:  # fmt: skip
     """A last bit may be worth less than an ulp: the digest and `python -m derive --check` see it."""
     texts = write.present(FOLDER)
     test_generated.check_digests(texts)
     write.write(texts, tmp_path)
+    monkeypatch.setattr(test_generated, "derived", lambda right=dict(texts): right)  # as it is: that has its own test
     texts[f"{bug.module}.py"] = plant(bug)
     with pytest.raises(AssertionError, match=f"{bug.module}.py was edited by hand"):
         test_generated.check_digests(texts)

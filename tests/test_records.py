@@ -1,6 +1,7 @@
 """Series, pulses and record files: exact values and integrals, the common formats, a clear error for each mistake."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from slipcircle import Scene, load, solve
 from slipcircle.base.series import PULSES, Pulse, Series
 from slipcircle.records import recordfiles
 from slipcircle.records.recordfiles import unit_of
@@ -238,6 +240,52 @@ def test_a_gap_may_be_bridged_and_uneven_samples_have_none(tmp_path: Path) -> No
     assert series(2.05) == 1.0
     uneven = HEAD + "".join(f"{t**2},1\n" for t in range(30))
     assert read_record(write(tmp_path, uneven), holds="driving").time.size == 30
+
+
+# --- in scenes -----------------------------------------------------------------------------------------------------
+
+ARC: Any = load("vaiont").arc
+TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+
+
+def test_a_record_of_water_in_a_file_beside_the_scene(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "data").mkdir()
+    (tmp_path / "data" / "water.csv").write_text("time (s),upper (kPa),lower (kPa)\n0,0,0\n50,1000,2000\n100,0,0\n")
+    head = "[arc]\nradius_m = 1492.6\ntheta_1_deg = 215.2\ntheta_2_deg = 276.9\nunit_weight_kN_m3 = 20\n"
+    head += "[friction]\ncoefficient = 0.6\n[rotation]\n[centripetal]\n[pore_pressure]\n"
+    path = tmp_path / "scene.toml"
+    path.write_text(head + "record = 'data/water.csv'\ncolumn = 'lower'\n")
+    by_file = solve(load(path))
+    arrays = {"time": [0, 50, 100], "pressure": [0, 2e6, 0]}
+    same = solve(replace(load(path), effects=TURNING | {"pore_pressure": arrays}))
+    read = solve(replace(load(path), effects=TURNING | {
+        "pore_pressure": read_pore_pressure(tmp_path / "data" / "water.csv", column="lower")}))  # fmt: skip
+    assert (by_file.run_out, by_file.duration) == (same.run_out, same.duration) == (read.run_out, read.duration)
+    for more, said in {
+        "record = 'data/water.csv'\n": "give column, one of 2 (upper), 3 (lower)",
+        "record = 'data/water.csv'\ncolumn = 'lower'\npressure_kPa = 1\n": "pressure_kPa and record exclude",
+        "column = 'lower'\nratio = 0.1\n": "pore_pressure.column: belongs to a record; leave it out, or give record",
+        "column = 'lower'\n": "ratio or pressure_kPa or record is missing",
+        "record = 1\n": "pore_pressure.record = 1: must be text",
+    }.items():
+        path.write_text(head + more)
+        with pytest.raises(ValueError) as caught:  # noqa: PT011
+            load(path)
+        assert said in str(caught.value)
+        assert str(caught.value).startswith(str(path))
+        assert "\n" not in str(caught.value)
+
+
+def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
+    record = tmp_path / "shock.csv"
+    record.write_text("time s,acc m/s2\n0,0\n1,-1.962\n2,0\n", encoding="utf-8")
+    effects = {"shaking": {"record": record, "holds": "ground", "units": "m/s2"}}
+    drawn: dict[str, Any] = {"uncertain": {"gravity": {"distribution": "uniform", "low": 1, "high": 9}}}
+    for arc, more in ((replace(ARC, gravity=np.array([9.81, 3.7])), {}), (ARC, drawn)):
+        with pytest.raises(ValueError, match=r"arc\.gravity: must be one number with a record"):
+            Scene(arc, 0.5, effects, **more)
+    assert Scene(replace(ARC, gravity=np.array([9.81, 9.81])), 0.5, effects).shape == (2,)
+    assert Scene(replace(ARC, gravity=np.empty(0)), 0.5, TURNING).shape == (0,)
 
 
 # --- series --------------------------------------------------------------------------------------------------------

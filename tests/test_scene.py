@@ -1,6 +1,7 @@
 """What a scene accepts, and what it says when it does not."""
 
 import dataclasses
+import math
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 from generated.effects import EFFECTS
 from slipcircle import Arc, Scene, load, plan
+from slipcircle.base.series import Pulse
 from slipcircle.files.scenefile import shipped
 
 ARC = Arc(800.0, 3.8, 5.0, 21e3)
@@ -67,6 +69,42 @@ def test_what_is_refused(changes: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=r"^Scene slope: ") as caught:
         Scene(**(slope | changes))
     assert said in str(caught.value)
+
+
+RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
+REFUSED: list[tuple[Any, Any, str]] = [
+    (0.3, {"shaking": {}}, "one of horizontal, pulse, record is missing"),
+    (0.3, {"shaking": {"pulse": "sine"}}, "amplitude is missing"),
+    (0.3, {"shaking": {"pulse": "saw", "amplitude": 0.1, "duration": 1.0}}, "must be one of rectangular, half-sine"),
+    (0.3, {"shaking": {"pulse": "sine", "amplitude": 0.1, "duration": 0.0}}, "duration = 0"),
+    (0.3, {"shaking": {"pulse": "sine", "amplitude": math.nan, "duration": 1.0}}, "amplitude = nan"),
+    (0.3, {"shaking": {"pulse": "sine", "amplitude": 0.1, "duration": 1.0, "scale": 2.0}}, "scale does not belong"),
+    (0.3, {"shaking": {"pulse": "sine", "record": "x.csv"}}, "exclude each other"),
+    (0.3, {"shaking": {"record": "x.csv"}}, 'must say whether it holds "ground" or "driving"'),
+    (0.3, {"shaking": {"record": "nowhere.csv", "holds": "ground"}}, "nowhere.csv"),
+    (0.3, {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 1.0), "two_way": 1}}, "two_way = 1: must be True"),
+    (0.3, {"shaking": {"horizontal": 0.1}}, "horizontal = 0.1: must be a function of time"),
+    (0.3, {"shaking": {"horizontal": math.sin}}, "must be a function of time"),
+    (0.3, {"pore_pressure": {"pressure": 1.0, "time": [1.0, 2.0]}}, "time and ratio or pressure: must be lists"),
+    (0.3, {"pore_pressure": {"record": "x.csv", "time": [1.0, 2.0]}}, "x.csv"),
+    (0.3, {"pore_pressure": {"pressure": [1.0, 2.0], "time": [1.0, 1.0]}}, "repeats"),
+    (0.3, {"viscosity": {"viscosity": -1.0, "thickness": 1.0}}, "viscosity = -1"),
+    (0.3, {"viscosity": {"viscosity": 1.0}}, "'thickness' is missing"),
+    (RATE | {"velocity": 0.0}, {}, "friction.velocity = 0"),
+    ({"law": "rate_tabulated", "speed": [0.0, 1.0], "coefficient": [1, 1]}, {}, "friction.speed = 0"),
+    ({"law": "prescribed", "time": [1.0, 0.5], "coefficient": [1, 1]}, {}, "friction.time: must increase"),
+    (RATE | {"rate": RATE}, {}, "rate_weakening is no law of slip"),
+    ({"law": "constant", "coefficient": 0.3, "rate": {"law": "linear"}}, {}, "friction.rate.law = 'linear'"),
+    ({"law": "constant", "coefficient": 0.3, "rate": 2.0}, {}, "friction.rate = 2.0: must be a law of speed"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("friction", "effects", "said"), REFUSED, ids=[r[2][:30] for r in REFUSED])
+def test_laws_and_effects_that_are_refused(friction: Any, effects: Any, said: str) -> None:
+    with pytest.raises(ValueError, match=r"^Scene: ") as caught:
+        Scene(ARC, friction, effects)
+    assert said in str(caught.value)
+    assert str(caught.value).count("\n") == 0
 
 
 def test_all_mistakes_are_listed_at_once() -> None:
