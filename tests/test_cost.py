@@ -21,7 +21,7 @@ from mpmath import mpf
 
 from generated import kernels
 from slipcircle.cost import cost, costtext, reference, scenes, ways
-from slipcircle.cost.cost import FRONTIER, Row
+from slipcircle.cost.cost import Row
 from slipcircle.cost.ways import Way
 from slipcircle.outputs import pictures, tables
 
@@ -111,17 +111,6 @@ def test_errors_are_fractional_and_hold_among_denormal_numbers() -> None:
     results[3], results[5] = np.nan, -np.inf
     ulp, relative = picked.errors(results)
     assert ulp[3] == ulp[5] == relative[3] == relative[5] == np.inf
-
-
-# --- ways ----------------------------------------------------------------------------------------------------------
-
-
-def test_references_of_the_motion_are_the_equations_solution() -> None:
-    with mpmath.workdps(60):
-        for name, exact in (("angular_velocity", oracle.angular_velocity), ("rotation", oracle.rotation)):
-            found = ways.FUNCTIONS[name]().reference("float64")
-            for (a, b, t), value in zip(found.points.T.tolist(), found.values, strict=True):
-                assert abs(mpf(value) / exact(mpf(a), mpf(b), mpf(0), mpf(t)) - 1) < mpf(10) ** -30
 
 
 # --- tiers, by a stand-in that has the compiled kernels' interface -------------------------------------------------
@@ -424,21 +413,6 @@ def test_the_picture(tiered: Callable[..., list[Row]]) -> None:
     for text in (MEASURED, "best, fused", "printed, float64", "ours, worst seen; a bar up to what is proved",
                  "time of an element at N = 1e4, ns", "alpha, rad", "our good"):  # fmt: skip
         assert f"<!-- {text} -->" in drawn, text
-
-
-def test_pictures_on_an_axis_of_ones_own(tiered: Callable[..., list[Row]]) -> None:
-    pyplot = pytest.importorskip("matplotlib.pyplot")
-    from slipcircle.cost.costplot import frontier, over_alpha
-
-    pyplot.switch_backend("agg")
-    rows = tiered()
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(18, 5.5))
-    assert frontier(rows, left) is left
-    assert left.get_xlabel() == "time of an element at N = 1e4, ns"
-    assert {r.way for r in rows if r.verdict == FRONTIER} <= {text.get_text() for text in left.texts}
-    assert over_alpha(rows, right) is right
-    assert {"best, fused", "printed, float64"} <= {line.get_label() for line in right.lines}
-    pyplot.close(figure)
 
 
 def test_the_axis_of_alpha_shows_both_ends() -> None:

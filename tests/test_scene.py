@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from generated.effects import EFFECTS
 from slipcircle import Arc, Scene, load, plan
 from slipcircle.base.series import Pulse
 from slipcircle.files.scenefile import shipped
@@ -125,21 +124,6 @@ def test_scenes_that_ship() -> None:
 
 
 # --- plans ---------------------------------------------------------------------------------------------------------
-
-
-def test_a_plan_says_what_is_used_and_what_is_left_out() -> None:
-    for effects in ((), ("centripetal",)):
-        made = plan(Scene(ARC, 0.2, effects))
-        assert made.effects == effects
-        assert set(made.effects) | set(made.left_out) == set(EFFECTS)
-        assert not set(made.effects) & set(made.left_out)
-
-
-def test_a_plan_depends_on_which_effects_there_are_and_not_on_values() -> None:
-    first = plan(Scene(ARC, 0.2, ("centripetal",), end_time=5.0))
-    second = plan(Scene(Arc(10.0, 4.2, 5.5, 1e4), 0.0, ("centripetal",), -3.0))
-    assert dataclasses.replace(first, scene=second.scene) == second
-    assert plan(Scene(ARC, 0.2)).fragments != first.fragments
 
 
 def test_accuracy_of_the_call_wins() -> None:
