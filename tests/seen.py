@@ -1,6 +1,6 @@
 """Seen <= proved: every certified program on one set of inputs, against ball arithmetic, in fractional ulp.
 
-    python tests/seen.py [KERNEL ...] [--points 1000000] [--float32-all]
+    python tests/seen.py [KERNEL ...] [--points 1000000]
 
 prints for each kernel, tier, form and level of the processor the worst error, where it is (hexadecimal), what is proved
 and the largest mean error of a bin. The exit status is 1 if more is seen than proved, or if a mean shows a bias.
@@ -11,7 +11,7 @@ import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache, partial
 from itertools import repeat
 from typing import Any, NamedTuple
@@ -373,100 +373,6 @@ def table(names: Iterable[str], at: Reference, even: NDArray[np.bool_]) -> Itera
         )
 
 
-# --- all of float32 --------------------------------------------------------------------------------------------------
-
-GOAL = 0.505
-LAST_SINGLE = int(np.float32(TOP).view(np.uint32))
-SLACK = 2.0**-26  # of an ulp of float32: 8 ulp of float64, and so more than a best tier is ever wrong
-
-
-@dataclass
-class Single:
-    """What all inputs of float32 have shown of a run."""
-
-    run: Run
-    worst: float = 0.0
-    alpha: float = 0.0
-    falls: int = 0  # from one input to the next
-    last: float = 0.0
-    open: list[float] = field(default_factory=list)  # inputs on which the float64 results cannot decide
-
-    def look(self, x: Numbers, exact: Floats, unit: Floats) -> None:
-        """Compare results with the float64 ones on the next inputs."""
-        values = self.run.call(x)
-        self.falls += int(np.count_nonzero(np.diff(values, prepend=np.float32(self.last)) < 0))
-        self.last = float(values[-1])
-        error = np.abs(values - exact) / unit
-        k = int(np.argmax(error))  # of NaN, if there is any
-        if not error[k] <= self.worst:
-            self.worst, self.alpha = float(error[k]), float(x[k])
-        if not error[k] <= self.run.record["bound"] - SLACK:
-            self.open += x[~(error <= self.run.record["bound"] - SLACK)].tolist()
-
-    def decide(self) -> None:
-        """Where it matters the error against ball arithmetic."""
-        alpha = np.unique([self.alpha, *self.open])
-        values = self.run.call(alpha.astype(np.float32))
-        error = np.abs(errors(self.run.record, values, reference(alpha, (self.run.record["kernel"],))))
-        self.worst, self.alpha = max(zip(error.tolist(), alpha.tolist(), strict=True))
-
-    @property
-    def faults(self) -> list[str]:
-        """What is worse than it may be, in words."""
-        r = self.run.record
-        name = f"{r['kernel']}, float32, {r['form']}, {self.run.level}"
-        found = [] if self.worst <= min(r["bound"], GOAL) else [f"{name}: {self.worst:.6g} ulp at {self.alpha.hex()}"]
-        return found + ([f"{name}: falls {self.falls} times"] if self.falls and len(r["definition"]) == 1 else [])
-
-
-def float32_runs(kernel: str) -> Iterator[Run]:
-    """What float32 runs; for a quotient the best tier, rounded: half an ulp and what that is wrong by."""
-    mine = list(runs(kernel))
-    for run in mine:
-        record = run.record
-        if kernel not in BASES:
-            record = record | {"tier": "float32", "bound": 0.5 + record["bound"] * 2.0**-29}
-        if (
-            record["tier"] == "float32"
-            and run.level != "exact"
-            and (run.level != "numpy" or run.level == _compiled.LEVEL)
-        ):
-            yield Run(record, run.level, run.call)
-
-
-def every_float32(kernel: str, first: int = 0, last: int = LAST_SINGLE, block: int = 1 << 15) -> list[Single]:
-    """Every float32 between two bit patterns, at every level, against the best float64 results."""
-    found = [Single(run) for run in float32_runs(kernel)]
-    best = _compiled.kernel(kernel, kernels.TEXTS[kernel])
-    for start in range(first, last + 1, block):
-        x = np.arange(start, min(start + block, last + 1), dtype=np.uint32).view(np.float32)
-        exact = best(np.minimum(x.astype(np.float64), TOP))
-        power = (exact.view(np.int64) & 0x7FF0_0000_0000_0000).view(np.float64)
-        unit = np.maximum(power * 2.0**-23, 2.0**-149)
-        for single in found:
-            single.look(x, exact, unit)
-    for single in found:
-        single.decide()
-    return found
-
-
-def float32_table(names: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
-    """Lines of the table, each with its faults."""
-    yield (
-        f"{'kernel':<31} {'form':<5} {'level':<8} {'seen':>9} {'proved':>9} {'at':<22} {'falls':>8}",
-        [],
-    )
-    for single in (single for kernel in names for single in every_float32(kernel)):
-        r = single.run.record
-        yield (
-            (
-                f"{r['kernel']:<31} {r['form']:<5} {single.run.level:<8} {single.worst:>9.6f} {r['bound']:>9.6g} "
-                f"{single.alpha.hex():<22} {single.falls if len(r['definition']) == 1 else '':>8}"
-            ),
-            single.faults,
-        )
-
-
 # --- command line ----------------------------------------------------------------------------------------------------
 
 
@@ -475,22 +381,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description="Worst errors seen, beside what is proved.")
     parser.add_argument("kernels", nargs="*", metavar="KERNEL", help=f"of {', '.join(KERNELS)}; default: all")
     parser.add_argument("--points", type=int, default=1_000_000, help="number of inputs (default: 1000000)")
-    parser.add_argument("--float32-all", action="store_true", help="all 1070141404 inputs of float32 instead")
     chosen = parser.parse_args(arguments)
     names = chosen.kernels or KERNELS
     if wrong := set(names) - set(KERNELS):
         parser.error(f"unknown: {', '.join(sorted(wrong))}")
-    start = time.perf_counter()
-    if chosen.float32_all:
-        lines, what = float32_table(names), f"all {LAST_SINGLE + 1} inputs of float32"
-    else:
-        given = inputs(chosen.points)
-        lines = table(names, reference(given.alpha, names, processes=2), given.even)
-        what = f"{given.alpha.size} inputs and a search around the worst"
+    start, given = time.perf_counter(), inputs(chosen.points)
     faults = []
-    for line, found in lines:
+    for line, found in table(names, reference(given.alpha, names, processes=2), given.even):
         print(line, flush=True)
         faults += found
+    what = f"{given.alpha.size} inputs and a search around the worst"
     print(*faults, f"{what}, {len(faults)} faults, {time.perf_counter() - start:.0f} s", sep="\n")
     return 1 if faults else 0
 

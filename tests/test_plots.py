@@ -18,7 +18,6 @@ from matplotlib.text import Text
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Pulse, Series
-from slipcircle.motion.quantities import prefixed
 from slipcircle.outputs import plots, plotstyle
 from slipcircle.outputs.report import report
 from slipcircle.outputs.trace import csv
@@ -153,11 +152,6 @@ def test_history_draws_the_motion(name: str, what: str) -> None:
     said = [x.get_text() for x in ax.get_legend().get_texts()]
     assert any(x.startswith("peak velocity: ") for x in said)
     assert any(x.startswith(plotstyle.ending(m)) for x in said)
-
-
-def test_history_of_what_is_unknown_is_refused() -> None:
-    with pytest.raises(ValueError, match="velocity, displacement, rotation"):
-        plots.history(motion("vaiont"), "speed")
 
 
 def test_rotation_stands_beside_displacement() -> None:
@@ -373,13 +367,6 @@ def test_roles_differ_without_colour() -> None:
 )  # fmt: skip
 def test_number(value: float, shown: str) -> None:
     assert plotstyle.number(value) == shown
-
-
-def test_scaled() -> None:
-    assert prefixed(2.7e6, "Pa") == (1e-6, "MPa")
-    assert prefixed(np.array([0.0, -5e11]), "J") == (1e-9, "GJ")
-    assert prefixed(1e6, "m") == (1.0, "m")
-    assert prefixed(0.0, "J") == (1.0, "J")
 
 
 # --- CSV -----------------------------------------------------------------------------------------------------------

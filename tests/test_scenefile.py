@@ -125,12 +125,6 @@ def test_units_are_converted(file: Path) -> None:
     assert scene == Scene(arc, tan(10.0), effects, -2.0, 60.0, 1e-6, "slope", "all of it")
 
 
-def test_only_arc_and_friction_are_needed(file: Path) -> None:
-    scene = written(file, ARC + FRICTION)
-    assert (scene.name, scene.called, scene.end_time, scene.accuracy) == ("slope", {}, None, None)
-    assert (scene.initial_velocity, scene.arc.gravity, scene.arc.width) == (0.0, 9.81, 1.0)
-
-
 def test_a_byte_order_mark_and_windows_line_ends(file: Path) -> None:
     expected = written(file, ARC + FRICTION)
     file.write_bytes(("\ufeff" + ARC + FRICTION).replace("\n", "\r\n").encode())
@@ -211,28 +205,19 @@ MISTAKES = [
     (ARC.replace("radius_m = 1492.6\n", "") + FRICTION,
      "arc.radius_m: is missing: radius of the slip circle, a number above 0 (m)"),
     (ARC, "friction: is missing: friction on the slip surface, a table [friction]"),
-    (ARC + "[friction]\n", "friction: angle_deg or coefficient is missing: friction coefficient, tan(phi)"),
     (ARC + FRICTION + "coefficient = 0.2\n", "friction: angle_deg and coefficient exclude each other; leave one out"),
-    (ARC + "[friction]\nangle = 20\n", "friction.angle = 20: is unknown; did you mean angle_deg?"),
     (ARC + "[friction]\nangle_deg = 95\n", "friction.angle_deg = 95: must be a number at least 0 and below 90 (deg): "),
-    (ARC + "[friction]\nangle_deg = -1e-9\n", "friction.angle_deg = -1e-09: must be a number at least 0 and below 90"),
-    (ARC + "[friction]\ncoefficient = -0.1\n", "friction.coefficient = -0.1: must be a number at least 0: "),
     (ARC + "[friction]\nlaw = 'exponentail'\npeak = 1\nresidual = 0\nlength_m = 1\n",
      'friction.law = "exponentail": must be one of constant, exponential, linear, hyperbolic, tabulated, '
      "rate_weakening, rate_tabulated, prescribed: friction law; did you mean exponential?"),
-    (ARC + "[friction]\nlaw = 7\n", "friction.law = 7: must be one of constant, exponential"),
     (ARC + "[friction]\nlaw = 'linear'\npeak = 1\nresidual_deg = 8\n",
      "friction.length_m: is missing: slip over which friction falls, a number above 0 (m)"),
     (ARC + "[friction]\nlaw = 'linear'\nresidual = 1\nlength_m = 8\n", "friction: peak_deg or peak is missing: "),
     (ARC + TABLE + "angle_deg = [20, 'x', 5]\n", 'friction.angle_deg[1] = "x": must be a list of numbers at least 0'),
-    (ARC + TABLE + "angle_deg = 20\n", "friction.angle_deg = 20: must be a list of numbers at least 0 and below 90"),
     (ARC + TABLE + "angle_deg = [20, 10]\n", "friction.slip and friction.coefficient: must be two lists of equal"),
     (ARC + TABLE.replace("2, 5", "5, 2") + "angle_deg = [20, 9, 8]\n", "friction.slip: must start at 0 and increase"),
-    ("friction = 0.2\n" + ARC, "friction = 0.2: must be a table [friction]: friction on the slip surface"),
     ("rotation = true\n" + ARC + FRICTION, "rotation = true: must be a table [rotation]: the mass turns as it slides"),
     (ARC.replace("1492.6", '"1492.6 m"') + FRICTION, 'arc.radius_m = "1492.6 m": must be a number above 0 (m): radius'),
-    (ARC.replace("1492.6", "true") + FRICTION, "arc.radius_m = true: must be a number above 0 (m)"),
-    (ARC.replace("1492.6", "inf") + FRICTION, "arc.radius_m = inf: must be a number above 0 (m)"),
     (ARC.replace("1492.6", "1" * 400) + FRICTION, f"arc.radius_m = {'1' * 57}...: must be a number above 0 (m)"),
     (ARC.replace("= 20\n", "= 0\n") + FRICTION, "arc.unit_weight_kN_m3 = 0: must be a number above 0 (kN/m3): unit"),
     (ARC.replace("215.2", "276.9") + FRICTION, "arc.theta_2 = 276.9 deg: must be above theta_1 = 276.9 deg"),
@@ -246,11 +231,8 @@ MISTAKES = [
     (ARC + FRICTION + "[shaking]\npulse = 'sine'\n", "shaking.amplitude_g: is missing: a pulse needs it"),
     ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: relative error asked for"),
     ("initial_velocity_m_s = nan\n" + ARC + FRICTION, "initial_velocity_m_s = nan: must be a number (m/s): velocity"),
-    ("name = 3\n" + ARC + FRICTION, "name = 3: must be text: name of the scene"),
     ('"" = 1\n' + ARC + FRICTION, " = 1: is unknown; known are name"),
-    ('"arc.given" = 1\n' + ARC + FRICTION, "arc.given = 1: is unknown; "),
     ("[arc\n", "is not TOML: Expected ']' at the end of a table declaration (at line 1, column 5)"),
-    ("a = 1\na = 2\n", "is not TOML: Cannot overwrite a value (at line 2, column 6)"),
 ]  # fmt: skip
 
 
@@ -289,14 +271,6 @@ def test_ten_mistakes_are_ten_sentences(file: Path) -> None:
     assert sorted(found) == sorted(next(m for m in found if m.startswith(start)) for start in starts)
 
 
-def test_what_arc_and_law_find_is_listed_with_the_rest(file: Path) -> None:
-    text = "acuracy = 1\n" + ARC.replace("215.2", "300") + TABLE.replace("5]", "1]") + "angle_deg = [9, 8, 7]\n"
-    unknown, arc, friction = sentences(file, text)
-    assert unknown.startswith("acuracy = 1: is unknown; did you mean accuracy?")
-    assert arc.startswith("arc.theta_2 = 276.9 deg: must be above theta_1 = 300 deg")
-    assert friction.startswith("friction.slip: must start at 0 and increase")
-
-
 def test_a_misplaced_key_does_not_hide_what_is_missing_elsewhere(file: Path) -> None:
     found = sentences(file, "radius_m = 5\n" + ARC.replace("radius_m = 1492.6\n", ""))
     assert [m.partition(":")[0] for m in found] == ["radius_m = 5", "friction"]
@@ -311,8 +285,6 @@ def test_a_misplaced_key_does_not_hide_what_is_missing_elsewhere(file: Path) -> 
         ("", "scene '' is unknown; known are .*"),
         ("wet_slope.toml", "wet_slope.toml: there is no such file; known are .*; did you mean wet-slope?"),
         ("no/where", "no/where: there is no such file; known are .*"),
-        (".", "scene '.' is unknown; known are .*"),
-        ("a" * 5000, "scene 'a*' is unknown; known are .*"),
     ],
 )
 def test_a_scene_that_is_not_there(name: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

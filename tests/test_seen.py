@@ -9,8 +9,10 @@ import numpy as np
 import oracle
 import pytest
 import seen
+import seen32
 from flint import arb, ctx
-from seen import BASES, DEFINITIONS, KERNELS, LAST_SINGLE, Inputs, Numbers, Reference, Run, Seen
+from seen import BASES, DEFINITIONS, KERNELS, Inputs, Numbers, Reference, Run, Seen
+from seen32 import LAST_SINGLE
 
 from derive.approximate import certificates
 from derive.approximate.programs import variants
@@ -171,8 +173,8 @@ def test_a_wrong_float32_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
         values = run.call(alpha)
         return np.where(alpha == at, values + np.float32(4e-7), values)
 
-    monkeypatch.setattr(seen, "float32_runs", lambda kernel: [run, replace(run, call=wrong)])
-    right, found = seen.every_float32("polar_moment", first)
+    monkeypatch.setattr(seen32, "float32_runs", lambda kernel: [run, replace(run, call=wrong)])
+    right, found = seen32.every_float32("polar_moment", first)
     assert not right.faults
     assert found.alpha == at
     assert found.worst > 0.505
@@ -227,8 +229,8 @@ def test_monotone_across_the_seam(kernel: str, level: str) -> None:
 
 @each_base
 def test_monotone_in_float32_and_within_its_bound_up_to_the_end(kernel: str) -> None:
-    """On the last million inputs; `python tests/seen.py --float32-all` takes all of them."""
-    for found in seen.every_float32(kernel, LAST_SINGLE - 2**20):
+    """On the last million inputs; `python tests/seen32.py` takes all of them."""
+    for found in seen32.every_float32(kernel, LAST_SINGLE - 2**20):
         assert not found.faults
         assert found.falls == 0
 

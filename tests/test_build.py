@@ -1,0 +1,200 @@
+"""The compiled kernels: loops that are wide, a build that is safe, and wheels with and without a compiler."""
+
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import zipfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from test_compiled import COMPILED, FITTED, LEVELS, needs_binary
+
+from derive import build
+from derive.approximate.programs import variants
+from derive.generate import emit_c, write
+
+ROOT = Path(__file__).parents[1]
+needs_compiler = pytest.mark.skipif(
+    not shutil.which((sysconfig.get_config_var("CC") or "-").split()[0]), reason="no C compiler here"
+)
+
+
+# --- the object ----------------------------------------------------------------------------------------------------
+
+
+def loops_in(binary: Path) -> Iterator[tuple[str, list[str]]]:
+    """Instructions of every loop, by its name."""
+    text = subprocess.run(["objdump", "-d", "--no-show-raw-insn", binary], capture_output=True, text=True, check=True)
+    for block in text.stdout.split("\n\n"):
+        if head := re.match(r"[0-9a-f]+ <(\w+_(?:avx512|avx2|baseline)_(?:double|float))>:", block):
+            yield head[1], [line.split("\t", 1)[1] for line in block.splitlines()[1:] if "\t" in line]
+
+
+@needs_binary
+@pytest.mark.skipif(not shutil.which("objdump"), reason="objdump is missing")
+def test_loops_are_wide_and_call_nothing() -> None:
+    """Every one is a vector loop of its width, without a call into a library; the plain ones do without fma."""
+    binary = build.build()
+    found = dict(loops_in(binary))
+    if "avx2" in LEVELS:
+        assert len(found) == 3 * (len({(v.kernel, v.tier) for v in variants() if v.tier != "float32"}) + len(FITTED))
+    for name, code in found.items():
+        assert not [x for x in code if x.startswith("call")], f"{name} calls something"
+        level = name.split("_")[-2]
+        wide = {"avx512": r"vfn?m(add|sub)\w*pd .*zmm", "avx2": r"vfn?m(add|sub)\w*pd .*ymm", "baseline": "mulpd"}[
+            level
+        ]
+        assert sum(bool(re.match(wide, x)) for x in code) >= 3, f"{name} is not a vector loop"
+        if level == "baseline":
+            assert not [x for x in code if re.match(r"v|.*[yz]mm", x)], f"{name} needs more than a baseline processor"
+
+
+# --- the build -----------------------------------------------------------------------------------------------------
+
+
+def small(folder: Path, change: Callable[[str], str] = str) -> Path:
+    """The package with one kernel to compile, of a source that may be changed."""
+    if not folder.exists():
+        shutil.copytree(ROOT / "generated", folder, ignore=shutil.ignore_patterns("*.so", "__pycache__", "*.c"))
+    text = change(emit_c.source([v for v in variants() if v.kernel == "resistance_factor"]))
+    (folder / "_kernels.c").write_text(write.header("_kernels.c", text) + text, "utf-8")
+    known = re.sub('DIGEST = ".*"', f'DIGEST = "{write.digest_of(text)}"', (folder / "tiers.py").read_text("utf-8"))
+    (folder / "tiers.py").write_text(known, "utf-8")
+    return folder
+
+
+def served(place: Path, **environment: str) -> tuple[str, list[str]]:
+    """What serves in a fresh interpreter that finds the package there, and its warnings; the numbers must be right."""
+    code = """
+import sys, warnings
+sys.path.insert(0, sys.argv[1])
+with warnings.catch_warnings(record=True) as caught:
+    warnings.simplefilter("always")
+    import generated
+    from generated import _compiled
+    value = generated.resistance_factor([0.5, 1.0])
+assert abs(value[0] - 0.12241743810962728) < 1e-15, value
+assert _compiled.__file__.startswith(sys.argv[1]), _compiled.__file__
+print(_compiled.LEVEL, *(str(w.message) for w in caught), sep="\\n")
+"""
+    environ = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "SLIPCIRCLE_COMPILED")} | environment
+    command = [sys.executable, "-P", "-c", code, str(place)]
+    done = subprocess.run(command, capture_output=True, text=True, env=environ, cwd=place, check=False)
+    assert not done.returncode, done.stderr
+    level, *warned = done.stdout.splitlines()
+    return level, warned
+
+
+@needs_compiler
+def test_a_binary_of_another_source_is_refused(tmp_path: Path) -> None:
+    """With one warning that says what to do; NumPy serves. So it does, silently, when asked to."""
+    folder = small(tmp_path / "generated")
+    binary = build.build(folder)
+    level, warned = served(tmp_path)
+    assert (level, warned) == (COMPILED[0], [])
+    assert served(tmp_path, SLIPCIRCLE_COMPILED="0") == ("numpy", [])
+    stamp = binary.stat().st_mtime_ns
+    assert build.build(folder).stat().st_mtime_ns == stamp  # made of this source: left alone
+    small(folder, lambda text: text + "/* later */\n")
+    level, (warning,) = served(tmp_path)
+    assert level == "numpy"
+    assert "another source" in warning
+    assert "python -m derive" in warning
+    build.build(folder)
+    assert served(tmp_path) == (COMPILED[0], [])
+    binary.write_bytes(b"no binary")
+    level, (warning,) = served(tmp_path)
+    assert level == "numpy"
+    assert "cannot be loaded" in warning
+
+
+UNSAFE = {
+    "-fassociative-math -fno-signed-zeros": "sums are reordered",
+    "-ffp-contract=fast": "products and sums are contracted",
+    "-freciprocal-math": "divisions are multiplications",
+    "-Ofast -U__FAST_MATH__ -fno-finite-math-only": "",
+}
+
+
+@needs_compiler
+@pytest.mark.parametrize("flags", UNSAFE)
+def test_unsafe_float_flags_are_refused(tmp_path: Path, flags: str) -> None:
+    """A check with a name finds them when the binary is loaded."""
+    build.build(small(tmp_path / "generated"), (*build.FLAGS, *flags.split()))
+    level, (warning,) = served(tmp_path)
+    assert level == "numpy"
+    assert f"unsafe float flags ({UNSAFE[flags]}" in warning
+
+
+@needs_compiler
+@pytest.mark.parametrize("flag", ["-ffast-math", "-ffinite-math-only"])
+def test_unsafe_float_flags_do_not_compile(tmp_path: Path, flag: str) -> None:
+    with pytest.raises(build.NoBinaryError, match="unsafe float flags"):
+        build.build(small(tmp_path / "generated"), (*build.FLAGS, flag))
+    assert served(tmp_path) == ("numpy", [])
+
+
+@needs_compiler
+def test_flags_of_the_environment_stay_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    compiler = sysconfig.get_config_var("CC").split()[0]
+    monkeypatch.setenv("CC", f"{compiler} -ffast-math")
+    monkeypatch.setenv("CFLAGS", "-Ofast -march=native")
+    build.build(small(tmp_path / "generated"))
+    assert served(tmp_path) == (COMPILED[0], [])
+
+
+@needs_compiler
+@pytest.mark.parametrize(("fma", "level"), [("0", "baseline"), ("1", "fma")])
+def test_other_processors_compile_one_program_plainly(tmp_path: Path, fma: str, level: str) -> None:
+    """Not x86-64: the fused program where the target has a fused multiply-add, else the plain one."""
+    known = {"defined(__x86_64__)": "0", "(defined(__FP_FAST_FMA) || defined(__aarch64__))": fma}
+    flags = ("-march=haswell",) if fma == "1" and platform.machine() == "x86_64" else ()
+
+    def elsewhere(text: str) -> str:
+        for condition, value in known.items():
+            assert condition in text
+            text = text.replace(condition, value)
+        return text
+
+    build.build(small(tmp_path / "generated", elsewhere), (*build.FLAGS, *flags))
+    assert served(tmp_path) == (level, [])
+
+
+def wheel(place: Path, **environment: str) -> tuple[str, set[str]]:
+    """Build a wheel in a copy of the checkout, unpack it elsewhere; its tag and the names in it."""
+    checkout = place / "checkout"
+    for name in ("derive", "generated", "slipcircle"):
+        shutil.copytree(ROOT / name, checkout / name, ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    for name in ("pyproject.toml", "README.md", "LICENSE", ".gitignore"):
+        shutil.copy(ROOT / name, checkout / name)
+    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(place)]
+    environ = {k: v for k, v in os.environ.items() if k != "CC"} | environment
+    done = subprocess.run(command, cwd=checkout, env=environ, capture_output=True, text=True, check=False)
+    assert not done.returncode, done.stderr
+    (made,) = place.glob("*.whl")
+    with zipfile.ZipFile(made) as archive:
+        archive.extractall(place / "installed")
+        return made.stem.split("-", 2)[2], set(archive.namelist())
+
+
+def test_without_a_compiler_the_wheel_is_pure_and_works(tmp_path: Path) -> None:
+    nothing = tmp_path / "nothing"
+    nothing.mkdir()
+    tag, names = wheel(tmp_path, PATH=str(nothing))
+    assert tag == "py3-none-any"
+    assert "generated/_kernels.c" in names
+    assert not [n for n in names if n.endswith(".so")]
+    assert served(tmp_path / "installed") == ("numpy", [])
+
+
+@needs_compiler
+def test_with_a_compiler_the_wheel_is_of_this_platform_and_works(tmp_path: Path) -> None:
+    tag, names = wheel(tmp_path)
+    assert tag.startswith(f"cp{sys.version_info.major}{sys.version_info.minor}-")
+    assert f"generated/_kernels{sysconfig.get_config_var('EXT_SUFFIX')}" in names
+    assert served(tmp_path / "installed") == (COMPILED[0], [])
