@@ -29,14 +29,9 @@ from typing import Any, NamedTuple
 ROOT = Path(__file__).parents[1]
 COPIED = ("slipcircle", "generated", "derive", "tests", "notebooks")
 FAST = ("test_golden", "test_borders", "test_outputs", "test_ensemble_states", "test_cli", "test_scenefile")
-NEVER = (
-    "test_house",
-    "test_notebooks",
-    "test_cost",
-    "test_compiled",
-    "test_build",
-    "test_extending",
-)  # slow, or of other things
+# Slow, or of other things.
+NEVER = ("test_house", "test_notebooks", "test_cost", "test_cost_scenes", "test_compiled", "test_build",
+         "test_extending", "test_all_weights")  # fmt: skip
 SLOW = 5  # times what the tree itself takes for its answers is a hang; for its tests, this many times more
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 

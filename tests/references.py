@@ -304,8 +304,10 @@ def judged(which: tuple[str, int], seed: int) -> Found:
     """A scene drawn, and solved both ways."""
     import test_accuracy
 
+    import slipcircle
+
     row = make(which, seed)
-    kept, motion = row["reference"], test_accuracy.slipcircle.solve(test_accuracy.scene(row))
+    kept, motion = row["reference"], slipcircle.solve(test_accuracy.scene(row))
     alike = (motion.moves, motion.arrested) == (kept["moves"], kept["arrested"])
     error = max(test_accuracy.true_error(motion, kept))
     return Found(row["group"], alike, error, float(motion.error_estimate), row["scene"])

@@ -11,11 +11,11 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
+import oracle
 from flint import arb, arb_series, ctx
-from oracle import exact as number
-from oracle import moments
 from pieces import Pieces, constant, law_of_slip, law_of_speed, lines, pulse
 
+number = oracle.exact
 MOST_STEPS, MOST_EPISODES = 20_000, 4000
 
 
@@ -30,7 +30,7 @@ class Problem:
     """A scene's equation of motion, all over Theta*, in dimensionless time; see (2.20), (3.11)."""
 
     def __init__(self, scene: Mapping[str, Any]) -> None:
-        arc, effects, m = scene["arc"], scene["effects"], moments(scene["arc"])
+        arc, effects, m = scene["arc"], scene["effects"], oracle.moments(scene["arc"])
         self.radius, gravity = number(arc["radius"]), number(arc["gravity"])
         self.scale, self.unit = (self.radius / gravity).sqrt(), (self.radius * gravity).sqrt()  # of time and speed
         self.dip, self.fall, self.press, self.level = m["dip"], m["fall"], m["press"], m["level"]
@@ -114,8 +114,8 @@ def zero(series: arb_series, h: arb, passed: bool = False) -> arb | None:
     One that has just passed zero is divided by the time.
     """
     terms = [(series[k] * h**k).mid() for k in range(int(passed), series.length())]
-    most = max(map(abs, terms), key=lambda c: c, default=arb(1)) or arb(1)
-    scaled = [float(c / most) for c in terms]
+    most = max(map(abs, terms), default=arb(0))
+    scaled = [float(c / most) if most > 0 else 0.0 for c in terms]
     low = np.flatnonzero(np.polynomial.polynomial.polyval(_AT, scaled) <= 0.0)
     if not len(low) or not (terms[0] > 0 or np.polynomial.polynomial.polyval(1e-12, scaled) > 0.0):
         return None

@@ -21,7 +21,7 @@ ANSWERS = json.loads(scenes.ANSWERS.read_text("utf-8"))
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Few elements and few turns: no test is about how long something takes."""
-    for name, value in {"REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_QUICK": 2e-3}.items():
+    for name, value in {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_QUICK": 2e-3}.items():
         monkeypatch.setattr(cost, name, value)
 
 

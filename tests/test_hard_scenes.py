@@ -24,12 +24,12 @@ from test_physics import residual, size
 
 from slipcircle import Arc, Motion, solve
 
-TURNING: Mapping[str, Any] = {"rotation": {}}
-BRAKED: Mapping[str, Any] = {"rotation": {}, "centripetal": {}}
-FROZEN: Mapping[str, Any] = {}
+TURNING: dict[str, Any] = {"rotation": {}}
+BRAKED: dict[str, Any] = {"rotation": {}, "centripetal": {}}
+FROZEN: dict[str, Any] = {}
 
 
-def arc(dip_deg: float, half: float) -> dict[str, float]:
+def arc(dip_deg: float, half: float) -> dict[str, Any]:
     middle = 1.5 * math.pi - math.radians(dip_deg)
     return {"radius": 1500.0, "theta_1": middle - half, "theta_2": middle + half, "unit_weight": 20e3, "gravity": 9.81}
 
@@ -40,14 +40,14 @@ SLOPE = arc(25.0, 0.5)
 class Ulps(NamedTuple):
     """Friction so many units in the last place above the printed limit friction."""
 
-    count: int
+    many: int
 
 
 class Hard(NamedTuple):
     """Why a scene is hard, and its data; ``says`` is what the error says, for one that is to be refused."""
 
     why: str
-    arc: Mapping[str, float]
+    arc: Mapping[str, Any]
     friction: Any
     effects: Mapping[str, Any] = TURNING
     velocity: float = 0.0
@@ -59,9 +59,9 @@ class Hard(NamedTuple):
     def data(self) -> golden.Data:
         friction = self.friction
         if isinstance(friction, Ulps):
-            friction = abs(float(Arc(**dict(self.arc)).dimensionless.limit_friction))  # type: ignore[arg-type]
-            for _ in range(abs(self.friction.count)):
-                friction = float(np.nextafter(friction, math.copysign(math.inf, self.friction.count)))
+            friction = abs(float(Arc(**dict(self.arc)).dimensionless.limit_friction))
+            for _ in range(abs(self.friction.many)):
+                friction = float(np.nextafter(friction, math.copysign(math.inf, self.friction.many)))
         return golden.scene(friction, self.effects, self.velocity, self.end, **self.arc)
 
 
@@ -174,7 +174,7 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
     with ctx.workprec(400):
         p = taylor.Problem(case.data)
         if isinstance(case.friction, Ulps):  # the printed limit decides: the dip that has it exactly
-            printed = arb(abs(float(Arc(**dict(case.arc)).dimensionless.limit_friction)))  # type: ignore[arg-type]
+            printed = arb(abs(float(Arc(**dict(case.arc)).dimensionless.limit_friction)))
             p.dip = (printed * p.press / p.fall).atan() * (1 if p.dip > 0 else -1)
         found = taylor.Solution(p, 36, 30)
         record = found.record()

@@ -152,29 +152,6 @@ def test_accuracy(name: str) -> None:
     check_accuracy(getattr(kernels, name), name)
 
 
-@each_kernel
-def test_landmarks(name: str) -> None:
-    check_landmarks(getattr(kernels, name), name)
-
-
-@each_kernel
-def test_float32(name: str) -> None:
-    """Within one unit of float32, up to float32's pi/2, which lies above pi/2, and its four doubles more."""
-    top = np.float32(HALF_PI)
-    assert float(top) > HALF_PI
-    alphas = np.unique(np.append(angles()[angles() < 1.57].astype(np.float32), [top, np.nextafter(top, np.float32(2))]))
-    assert getattr(kernels, name)(alphas).dtype == np.float32
-    error, at = errors(getattr(kernels, name), name, alphas, np.float32)[0]
-    assert error <= 1, f"{name}({at!r}) is wrong by {error:.2f} ulp of float32"
-
-
-@pytest.mark.parametrize("name", list(oracle.BASE))
-def test_monotone_near_the_seam(name: str) -> None:
-    """Moments grow with alpha, also from one side of the seam to the other, over steps that dwarf the rounding."""
-    kernel = getattr(kernels, name)
-    assert np.all(np.diff(kernel(SEAM + np.linspace(-1e-12, 1e-12, 41))) > 0)
-
-
 # --- the weights of (theta_1, theta_2) -----------------------------------------------------------------------------
 
 

@@ -6,7 +6,6 @@ solutions is `test_combinations`'.
 
 import math
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 import golden
@@ -65,31 +64,6 @@ def test_rest_and_the_printed_limit_agree_to_the_last_bit(seed: int) -> None:
                 assert (motion.arrested, motion.duration, motion.run_out) == (True, 0.0, 0.0)
 
 
-@pytest.mark.parametrize("ulps", [1, 2, 1000])
-@pytest.mark.parametrize("name", test_combinations.ARCS)
-def test_just_below_the_limit_the_swing_is_small_and_takes_half_a_period(name: str, ulps: int) -> None:
-    """tan(x/2) = drive/tilt with the drive from the exact difference of the two doubles; duration pi sqrt(Theta*/K)."""
-    given: dict[str, Any] = test_combinations.arc(name)
-    arc = Arc(**given)
-    limit = abs(float(arc.dimensionless.limit_friction))
-    mu = limit
-    for _ in range(ulps):
-        mu = float(np.nextafter(mu, 0.0))
-    for effects in (("rotation",), ("rotation", "centripetal")):
-        motion, c = solve(Scene(arc, mu, effects)), coefficients(arc)
-        excess = Fraction(limit) - Fraction(mu)
-        with mpmath.workdps(40):
-            pressing, turning, dip = c.pressing * mpmath.cos(c.dip), c.turning * mpmath.cos(c.dip), abs(c.dip)
-            drive = mpf(excess.numerator) / excess.denominator * pressing
-            tilt = turning + mpf(mu) * c.pressing * mpmath.sin(dip)
-            swing = 2 * mpmath.atan(drive / tilt) * c.radius
-            duration = mpmath.pi * mpmath.sqrt(c.inertia / tilt) * c.time_scale
-        assert motion.moves
-        assert motion.arrested
-        assert abs(motion.run_out) == pytest.approx(float(swing), rel=1e-11)
-        assert motion.duration == pytest.approx(float(duration), rel=1e-11)
-
-
 # --- checks that no one here made up -------------------------------------------------------------------------------
 
 
@@ -99,23 +73,6 @@ def dipping(dip: float, half: float, radius: float = 300.0) -> Arc:
 
 
 DIPS = (1e-6, 1e-3, 0.1, 0.5, 1.0, 1.3, 1.57)
-
-
-@pytest.mark.parametrize("half", [1e-6, 0.01, 0.54, 1.5])
-@pytest.mark.parametrize("dip", [*DIPS, -0.7])
-def test_without_friction_it_is_a_pendulum(dip: float, half: float) -> None:
-    """Half a period of the pendulum of length Theta*/C_theta, by the elliptic integral; to the mirrored dip."""
-    arc = dipping(dip, half)
-    motion, c = solve(Scene(arc, 0.0, ("rotation",))), coefficients(arc)
-    with mpmath.workdps(40):
-        duration = 2 * mpmath.sqrt(c.inertia / c.turning) * mpmath.ellipk(mpmath.sin(c.dip / 2) ** 2) * c.time_scale
-        peak = mpmath.sqrt(4 * c.turning / c.inertia) * mpmath.sin(abs(c.dip) / 2) * c.radius / c.time_scale
-    assert not motion.arrested
-    assert motion.duration == pytest.approx(float(duration), rel=2e-14)
-    assert motion.run_out == pytest.approx(float(2 * c.dip * c.radius), rel=2e-14)
-    assert abs(motion.peak.velocity) == pytest.approx(float(peak), rel=2e-14)
-    assert motion.peak.displacement == pytest.approx(motion.run_out / 2, rel=1e-7)
-    assert residual(motion) < 1e-13
 
 
 @pytest.mark.parametrize("half", [1e-6, 0.01, 0.54, 1.5])
@@ -197,25 +154,6 @@ def test_without_friction_the_motion_runs_back(effects: tuple[str, ...], velocit
 
 
 # --- peak, arrest, friction, lift-off ------------------------------------------------------------------------------
-
-
-def test_where_water_carries_the_mass_friction_does_nothing() -> None:
-    """Its weight alone moves it; the time is reported, and friction of any size makes no difference."""
-    c = coefficients(VAIONT)
-    static = VAIONT.static_normal_stress
-    for mu in (0.0, 0.3, 50.0):
-        scene = Scene(VAIONT, mu, {"pore_pressure": {"pressure": 1.01 * static}}, end_time=10.0)
-        motion = solve(scene)
-        acceleration = float(c.turning * mpmath.sin(c.dip) / c.inertia * c.gravity)
-        assert motion.lift_off == (0.0,)
-        assert motion.run_out == pytest.approx(acceleration * 50.0, rel=1e-14)
-        assert motion.energy.dissipation == 0.0
-        assert motion.limit_friction == np.inf
-        assert motion.factor_of_safety == 0.0
-        assert any("lift-off" in w for w in motion.warnings)
-    dry = solve(replace(scene, friction=0.1, effects={"pore_pressure": {"pressure": 0.99 * static}}))
-    assert dry.lift_off == ()
-    assert dry.energy.dissipation > 0.0
 
 
 def test_a_short_flight_between_samples_is_found() -> None:
