@@ -28,8 +28,10 @@ class Pieces(NamedTuple):
 def polynomial(start: arb, *coefficients: Any, argument: Function = lambda x: x) -> Function:
     """Of what an argument has grown by since a place."""
 
+    from_here = argument(arb_series([start]))[0]
+
     def value(x: arb_series) -> arb_series:
-        past, found = argument(x) - argument(arb_series([start])), arb_series([0])
+        past, found = argument(x) - from_here, arb_series([0])
         for c in reversed(coefficients):
             found = found * past + c
         return found
