@@ -16,7 +16,6 @@ from flint import arb, arb_series, ctx
 from pieces import Pieces, constant, law_of_slip, law_of_speed, lines, pulse
 
 number = oracle.exact
-MOST_STEPS, MOST_EPISODES = 20_000, 4000
 
 
 class Unfit(Exception):
@@ -157,8 +156,8 @@ class Step(NamedTuple):
 class Solution:
     """The motion of a problem by series of a given length, each term neglected below a tolerance."""
 
-    def __init__(self, problem: Problem, terms: int, digits: int) -> None:
-        self.p, self.terms, self.digits = problem, terms, digits
+    def __init__(self, problem: Problem, terms: int, digits: int, most: tuple[int, int] = (20_000, 4000)) -> None:
+        self.p, self.terms, self.digits, self.most = problem, terms, digits, most  # steps and episodes
         self.steps: list[Step] = []
         self.lifts: list[arb] = []  # when it lifts off while it moves
         self.tops: list[tuple[arb, arb]] = []  # time and angular velocity where it may be fastest
@@ -187,7 +186,7 @@ class Solution:
                 if p.end is not None and not time < p.end:
                     break
             self.episodes += 1
-            if self.episodes > MOST_EPISODES:
+            if self.episodes > self.most[1]:
                 raise Unfit
             time, x, omega, excess = self._episode(time, phi, slip, excess, omega, side)
             phi, slip = (phi + side * x).mid(), (slip + x).mid()
@@ -231,7 +230,7 @@ class Solution:
         lifted: bool | None = None
         last = "stands" if omega == 0 else ""
         while True:
-            if len(self.steps) > MOST_STEPS or (p.turns and abs(p.dip - phi - side * x) > arb.pi() / 2):
+            if len(self.steps) > self.most[0] or (p.turns and abs(p.dip - phi - side * x) > arb.pi() / 2):
                 raise Unfit
             limit = next((k for k in p.kinks if k > time * (1 + arb(2) ** -70) + arb(2) ** -90), None)
             if p.end is not None and (limit is None or limit > p.end):
@@ -346,9 +345,9 @@ class Solution:
         }
 
 
-def solve(scene: Mapping[str, Any], shares: Sequence[float] = (), digits: int = 30) -> dict[str, Any]:
+def solve(scene: Mapping[str, Any], shares: Sequence[float] = (), digits: int = 30, **limits: Any) -> dict[str, Any]:
     """The motion of a scene to so many digits, with states at these shares of its duration."""
     with ctx.workprec(120 + 5 * digits):
-        found = Solution(Problem(scene), digits + 12, digits + 8)
+        found = Solution(Problem(scene), digits + 12, digits + 8, **limits)
         duration = float(found.duration * found.p.scale)
         return found.record([duration * share for share in shares] if found.steps else [], digits)

@@ -131,7 +131,7 @@ def check(scene: Scene, given: golden.Data, bound: float = 1e-11, rounding: floa
 
 @pytest.mark.parametrize("law", LAWS)
 def test_every_combination_of_effects(law: str) -> None:
-    """Each law with a tenth of all or a twentieth; laws of slip with every second of what depends on position and speed as well."""
+    """Each law with a tenth of all, or a twentieth; laws of slip with every second steady combination as well."""
     part = [c for k, c in enumerate(ALL) if k % len(LAWS) == LAWS.index(law)]
     part = part[::2] if law in ("callable", "rate table") else part  # which take longest
     solved = 0
