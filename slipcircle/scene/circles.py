@@ -227,11 +227,15 @@ def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any], Any], Fl
 
 
 def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any], Any], Floats]:
-    """A water level, which goes on horizontally beyond its ends, and its `heads` over the arcs of circles."""
-    low, high = float((centre[:, 0] - 2 * radius).min()), float((centre[:, 0] + 2 * radius).max())
-    first, last = [[min(low, level[0, 0] - 1.0), level[0, 1]]], [[max(high, level[-1, 0] + 1.0), level[-1, 1]]]
-    line = np.concatenate([first, level, last])
-    parts = cut(line[None], centre, radius)
+    """A water level (W, 2), or one for each circle, and its `heads` over the arcs; it goes on horizontally."""
+    low, high = centre[:, 0] - 2 * radius, centre[:, 0] + 2 * radius
+    if level.ndim == 2:
+        low, high = low.min(), high.max()
+    first, last = level[..., :1, :].copy(), level[..., -1:, :].copy()
+    first[..., 0, 0] = np.minimum(low, first[..., 0, 0] - 1.0)
+    last[..., 0, 0] = np.maximum(high, last[..., 0, 0] + 1.0)
+    line = np.concatenate([first, level, last], axis=-2)
+    parts = cut(line.reshape(-1, *line.shape[-2:]), centre, radius)
     return line, *heads(parts, (parts.e_x != 0.0) | (parts.e_y != 0.0))
 
 
