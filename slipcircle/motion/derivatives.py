@@ -27,6 +27,8 @@ class Sensitivity:
         d(output)/d(parameter), SI units and radians.
     keys : mapping of Number
         Of each parameter, as a scene file has it.
+    warnings : tuple of str
+        What to know before the values are used.
     elasticities : ndarray
         (parameter/output) d(output)/d(parameter): per cent for a per cent; NaN where the output is zero.
     """
@@ -36,6 +38,7 @@ class Sensitivity:
     at: Mapping[str, float]
     values: Floats
     keys: Mapping[str, Number]
+    warnings: tuple[str, ...] = ()
 
     @property
     def elasticities(self) -> Floats:

@@ -25,7 +25,7 @@ from slipcircle.motion.seeds import Seeds
 from slipcircle.scene.numbers import named
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
-from slipcircle.scene.transport import telling
+from slipcircle.scene.transport import telling, through_vertex
 
 Floats = NDArray[np.float64]
 
@@ -49,7 +49,11 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     at = dict(outputs) | {n: v for n, (_, v) in parameters.items()}
     keys = named(scene.friction, scene.arc)
     units = {n: unit for n, (unit, _) in parameters.items()}
-    return Sensitivity(OUTPUTS, units, at, values, {n: keys[n] for n in parameters})
+    said = [] if any(outputs.values()) else ["does not move, so that small changes change nothing"]
+    if isinstance(scene.arc, Section) and through_vertex(scene.arc):
+        said.append("the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
+                    "are those towards the side on which it lies outside the mass")  # fmt: skip
+    return Sensitivity(OUTPUTS, units, at, values, {n: keys[n] for n in parameters}, tuple(said))
 
 
 def _parameters(scene: Scene) -> dict[str, tuple[str, float]]:

@@ -77,7 +77,11 @@ def lines_mistakes(name: str, given: Any) -> list[str]:
         return line_mistakes(name, given)
     many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
     bad = lines_wrong(many)
-    return line_mistakes(name, many[int(np.argmax(bad))]) if bad.any() else []
+    if not bad.any():
+        return []
+    k = int(np.argmax(bad))
+    lane = ", ".join(str(i) for i in np.unravel_index(k, points.shape[:-2]))
+    return [f"lane [{lane}]: {said}" for said in line_mistakes(name, many[k])]
 
 
 def simple_slope(

@@ -48,6 +48,12 @@ def telling(section: Section) -> list[str]:
     return [n for field in section.quantities for n in places(section, field) if field != "ground" or n in ground]
 
 
+def through_vertex(section: Section) -> bool:
+    """Whether an end of the arc of a single section is a vertex of its ground."""
+    ends = np.array([section.entry, section.exit])
+    return bool(np.any(np.isclose(ends[:, None], section._circle[0], rtol=1e-14, atol=0.0).all(axis=2)))
+
+
 def _over(section: Section) -> Any:
     """The edges of the ground over the mass of a single section."""
     return section._mine[0] & ((section._cut.e_x[0] != 0.0) | (section._cut.e_y[0] != 0.0))
