@@ -84,7 +84,7 @@ def test_a_lane_that_is_none_is_named() -> None:
     with pytest.raises(ValueError, match=r"lane \[1\]: level: stands 2 m above the ground"):
         body(level=[[[0, 20], [90, 20]], [[0, 27], [90, 27]]])
     with pytest.raises(ValueError, match=r"arc: lane \[1\]: the arc is longer than half a circle"):
-        Scene(Section([[-40, 20], [0, 0], [40, 20]], [[2.0, 9.9], [0.2, 2.0]], [10.2, 4.0], 20e3), 0.3)
+        Scene(Section([[-40, 20], [0, 0], [40, 20]], [[2.0, 9.9], [0.2, 0.5]], [10.2, 4.0], 20e3), 0.3)
     with pytest.raises(ValueError, match="shapes do not fit"):
         body(radius=[28.4, 28.3], level=np.tile(np.array(LEVEL), (3, 1, 1)))
 
