@@ -214,14 +214,18 @@ def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any], Any], Fl
     low = np.arcsin(np.clip(parts.x, -1.0, 1.0))
     high = np.where(mine, np.arcsin(np.clip(parts.x + parts.e_x, -1.0, 1.0)), low)
 
-    def at(beta: Any) -> Any:
-        return slopes.head(np.sin(beta), np.cos(beta), beta, offset, slope)
+    def at(beta: Any, of: Any = ...) -> Any:
+        return slopes.head(np.sin(beta), np.cos(beta), beta, offset[of], slope[of])
 
-    base = at(low)
+    base, lanes = at(low), np.arange(len(low))
+    whole = at(high) - base
+    before = np.cumsum(whole, axis=1) - whole
 
     def integral(beta: Any) -> Any:
-        """From far left to beta, (..., n) in and out."""
-        return (at(np.clip(np.asarray(beta)[..., None], low, high)) - base).sum(axis=-1)
+        """From far left to beta, (..., n) in and out: of all lines before the one above beta, and of a part of that."""
+        k = np.maximum(np.count_nonzero(low <= np.asarray(beta)[..., None], axis=-1) - 1, 0)
+        of = (lanes, k)
+        return before[of] + (at(np.clip(beta, low[of], high[of]), of) - base[of])
 
     return integral, np.concatenate([low, high], axis=1)
 
