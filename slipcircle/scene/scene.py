@@ -56,8 +56,8 @@ class Scene:
         What the scene is, and where its numbers come from.
     uncertain : mapping, optional
         Numbers known by a distribution, which `ensemble` draws; `solve` takes the scene's own. Keys as in a scene file,
-        ``"friction.angle_deg"``, or SI names as in ``numbers``, ``"friction"``; values are frozen distributions of
-        scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
+        ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``, ``"friction"``; values are
+        frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
     stability : Critical, optional
         Factors of safety of the section's circle, and how it was found; the motion does not depend on it.
 
