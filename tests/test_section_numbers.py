@@ -18,6 +18,7 @@ from slipcircle.scene.numbers import fields_with, numbers_in
 from slipcircle.scene.transport import growth, telling
 from slipcircle.studies.conduct import grid
 from slipcircle.studies.engines import engine
+from slipcircle.studies.motions import motions
 
 TURNING: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
 SLOPE: dict[str, Any] = {"ground": GROUND, "centre": [30.5, 53.6], "radius": 28.4, "unit_weight": 20e3}
@@ -193,6 +194,20 @@ def test_where_the_slope_lies_and_its_size_change_what_they_must(which: str) -> 
     if motion.plan.scene.end_time is None:
         for k, output in enumerate(found.outputs):
             assert scaled[k] == pytest.approx(expected[output] * found.at[output], rel=1e-10), output
+
+
+@pytest.mark.parametrize("which", SCENES)
+def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
+    """Of motions with a little more and a little less of each of the section's numbers."""
+    scene = SCENES[which]
+    found = solve(scene).sensitivity()
+    skew = ("ground.2.x", "ground.3.x") if which == "a scarp" else ()  # moved to one side it overhangs
+    for name in [n for n in found.parameters if n in numbers_in(scene.arc) and n not in skew]:
+        step = 1e-4 * (float(scene.arc.depth) if found.parameters[name] == "m" else found.at[name])
+        y = motions(scene, {name: found.at[name] + step * np.array([1.0, -1.0, 2.0, -2.0])}, 1e-15).outcomes
+        for output, row in zip(found.outputs, found.values, strict=True):
+            slope = (8 * (y[output][0] - y[output][1]) - (y[output][2] - y[output][3])) / (12 * step)
+            assert found.derivative(output, name) == pytest.approx(slope, rel=1e-7, abs=1e-8 * np.abs(row).max())
 
 
 @pytest.mark.parametrize("which", SCENES)

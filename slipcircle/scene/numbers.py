@@ -96,6 +96,11 @@ def places(arc: Any, field: str) -> dict[str, tuple[Any, ...]]:
     return {".".join((field, *map(str, at[:-1]), "xy"[at[-1]])): at for at in np.ndindex(np.shape(value)[-axes:])}
 
 
+def lengths(arc: Any) -> set[str]:
+    """The coordinates and radii of a section, which are as large as it is far from the origin, or flat."""
+    return {n for field in ("radius", *_POINTS) for n in places(arc, field)} if "ground" in arc.quantities else set()
+
+
 def numbers_in(arc: Any) -> dict[str, Any]:
     """The numbers of an arc or a section by name: each a number, or an array of one a lane."""
     found: dict[str, Any] = {}

@@ -10,9 +10,8 @@ from generated.effects import EFFECTS
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import lanes_of
 from slipcircle.scene.friction import law_depends
-from slipcircle.scene.numbers import Number, numbers_in
+from slipcircle.scene.numbers import Number, lengths
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.section import Section
 from slipcircle.scene.varied import scenes_with, value_in
 from slipcircle.studies.search import MOST_SWINGS
 
@@ -47,7 +46,7 @@ def range_of(scene: Scene, field: Number, alone: bool) -> Floats:
         values = _frictions(scene, field, alone)
     elif own is None:
         raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
-    elif isinstance(arc, Section) and field.name in numbers_in(arc) and field.si == "m":
+    elif field.name in lengths(arc):
         values = own + radius * np.linspace(-1.0, 1.0, 401)  # in place of it
     else:
         values = (abs(own) or 1.0) * np.geomspace(1e-3, 1e3, 121)
