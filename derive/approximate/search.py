@@ -54,7 +54,7 @@ TRIALS = 40  # shapes judged at most, for one quantity
 def bound(variant: Variant) -> float:
     """The bound that can be proved of a variant's error between FROM and TO."""
     record = certificates.plain(variant)
-    return certify.halve(record, list(certify.patches(record, FROM, TO)), HALVINGS)[0]
+    return certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)[0]
 
 
 def kept(variants: Sequence[Variant]) -> bool:

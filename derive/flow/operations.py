@@ -75,7 +75,7 @@ def prove(order: int = 6) -> list[str]:
             coefficients[Z], rates[y] = (y - 1, *others), rates[z]
         if Q in o.arguments:  # the other argument's times its order
             coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-        known = {x: c[0] for x, c in coefficients.items()} | {sp.Derivative(x, _t): c[1] for x, c in coefficients.items()}
+        known = {e: c for x, cs in coefficients.items() for e, c in zip((x, sp.Derivative(x, _t)), cs, strict=False)}
         for x, means in zip(o.results, o.means, strict=True):
             found = [means.xreplace(known)]
             for i in range(highest):

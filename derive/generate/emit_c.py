@@ -38,13 +38,12 @@ class CText:
     def __init__(self, form: str) -> None:
         self.reader = Reader({"hexadecimal": float.fromhex})
         calls = {name: x.c.partition("(")[0] for name, x in OPERATIONS.items()}
-        self.reader.scope |= {c: partial(self.reader.recorder.operate, x) for x, c in calls.items() if c.isidentifier()}
+        self.reader.scope |= {c: partial(self.reader.builder.call, x) for x, c in calls.items() if c.isidentifier()}
         self.reader.scope |= {f"POLY{degree}": self._polynomial for degree in range(1, MOST)}
         if form == "plain":
             self.reader.scope["FMA"] = lambda a, b, c: a * b + c
-        code = Code(form)
-        b = code.put("input", value="b")
-        part = Part(f"logarithm_{form}", replace(code.program("logarithm", logarithm(code, b)), inputs=("b",)))
+        code = Code(form, "b")
+        part = Part(f"logarithm_{form}", code.program("logarithm", logarithm(code, code.x)))
         self.text = "/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */\n"
         self.parts: list[Part] = []
         self.text += self.body(part.name, part.program)
