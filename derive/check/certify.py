@@ -283,14 +283,16 @@ def halve(
 ) -> tuple[float, list[tuple[float, float]]]:
     """What can be proved on these patches, and where they are worst: at most 16 boxes of alpha, the worst first.
 
-    The worst box is halved, again and again, until the bound is within ``wanted`` or the box is next to nothing.
+    The worst box is halved, again and again, until the bound is within ``wanted``, or so often, or as long as the box
+    is more than next to nothing.
     """
     boxes = [(-error(record, x, x.lower, x.upper), number, x.lower, x.upper) for number, x in enumerate(parts)]
     heapq.heapify(boxes)
     while boxes and -boxes[0][0] > wanted and halvings > 0:
         _, number, lower, upper = boxes[0]
         middle = (lower + upper) / 2
-        if not lower < middle < upper or upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53):
+        narrow = halvings == math.inf and upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53)
+        if narrow or not lower < middle < upper:
             break
         heapq.heapreplace(boxes, (-error(record, parts[number], lower, middle), number, lower, middle))
         heapq.heappush(boxes, (-error(record, parts[number], middle, upper), number, middle, upper))

@@ -49,7 +49,7 @@ class Node(NamedTuple):
 
 
 Tape = tuple[Node, ...]
-Line = tuple[Fraction, Fraction]  # slope and value at 0 of an affine function of alpha
+Line = tuple[Fraction, Fraction]  # values of an affine function of alpha at both ends of the box
 
 
 # What an operation computes, of balls or of series, and its derivatives by its operands, None for 1, from its value
@@ -182,15 +182,13 @@ class _Specialise:
         if kind == "const":
             return self.put(Node("const", (), float.fromhex(value)))
         if kind == "select":
-            return self.visit(args[1] if self.less(*self.operations[args[0]]) else args[2])
+            comparison, compared, _ = self.operations[args[0]]
+            if comparison != "less":
+                raise ValueError("select needs a comparison")
+            return self.visit(args[1 if self.less(*map(self.visit, compared)) else 2])
         nodes = tuple(self.visit(a) for a in args)
         if kind in ("min", "max"):
-            (low, high), (other_low, other_high) = (self.range(n) for n in nodes)
-            if high <= other_low:
-                return nodes[0 if kind == "min" else 1]
-            if other_high <= low:
-                return nodes[1 if kind == "min" else 0]
-            raise Undecided(kind)
+            return nodes[self.less(*nodes) == (kind == "max")]
         if kind == "call" and value in ("exponent", "significand"):
             k = self.exponent(nodes[0])
             if value == "exponent":
@@ -201,21 +199,17 @@ class _Specialise:
             raise ValueError(f"no rule for the operation {node.kind}")
         return self.put(self.compensation(node) or node)
 
-    def less(self, kind: str, args: Sequence[int], _: Any) -> bool:
-        if kind != "less":
-            raise ValueError("select needs a comparison")
-        (low, high), (other_low, other_high) = (self.range(self.visit(a)) for a in args)
-        if high < other_low:
-            return True
-        if low >= other_high:
-            return False
-        raise Undecided(kind)
+    def less(self, i: int, j: int) -> bool:
+        """Whether one node is below another on the whole range, or nowhere."""
+        (low, high), (other_low, other_high) = self.range(i), self.range(j)
+        if low < other_high and not high < other_low:
+            raise Undecided("less")
+        return high < other_low
 
     def range(self, i: int) -> tuple[Fraction, Fraction]:
         """All values of a node lie between these."""
         if (line := self.affine[i]) is not None:
-            first, second = (line[0] * x + line[1] for x in self.ends)
-            return min(first, second), max(first, second)
+            return min(line), max(line)
         if not self.values[i].is_finite():
             raise Unbounded("a comparison with an unbounded number")
         return _fraction(self.values[i].lower()), _fraction(self.values[i].upper())
@@ -239,8 +233,7 @@ class _Specialise:
         rounds = not exact and node.kind not in ("x", "const", "neg")
         marked = node._replace(rounds=rounds)
         if line is not None and not rounds:
-            low, high = sorted(line[0] * x + line[1] for x in self.ends)
-            value, bound = ball(_arb(low), _arb(high)), 0.0
+            value, bound = ball(_arb(min(line)), _arb(max(line))), 0.0
         else:
             line, value = None, _operate(marked, self.values, self.noise)
             bound = _rounding(marked, value, self.values)
@@ -257,10 +250,10 @@ class _Specialise:
         kind, args = node.kind, node.args
         if kind == "x":
             grid = math.frexp(float(self.ends[0]))[1] - 53 if self.ends[0] else -1074
-            return (Fraction(1), Fraction(0)), max(grid, -1074), True
+            return self.ends, max(grid, -1074), True
         if kind == "const":
             c = Fraction(node.value)
-            return (Fraction(0), c), _trailing(c), True
+            return (c, c), _trailing(c), True
         if kind == "error":
             return None, -1074, len(args) == 1  # the error of a product is a double, that of an fma is not
         if kind not in ("neg", "add", "sub", "mul", "fma"):
@@ -270,7 +263,7 @@ class _Specialise:
         line = self._line(kind, [self.affine[a] for a in args])
         size: Fraction | float
         if line is not None:
-            size = max(abs(line[0] * x + line[1]) for x in self.ends)
+            size = max(map(abs, line))
         else:
             size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
         turned = kind == "neg" or (kind == "mul" and any(map(self._power_of_two, args)))
@@ -278,20 +271,12 @@ class _Specialise:
 
     @staticmethod
     def _line(kind: str, lines: Sequence[Line | None]) -> Line | None:
-        """The affine form of a result, if there is one."""
+        """The affine form of a result, if there is one: of products, one factor is constant."""
         known = [line for line in lines if line]
-        if len(known) < len(lines):
+        if len(known) < len(lines) or (kind in ("mul", "fma") and all(a != b for a, b in known[:2])):
             return None
-        (a, b), *others = known
-        match kind, others:
-            case "neg", _:
-                return -a, -b
-            case "add" | "sub", [(c, d)]:
-                return (a + c, b + d) if kind == "add" else (a - c, b - d)
-            case _, [(c, d), *rest] if not (a and c):
-                e, f = rest[0] if rest else (Fraction(0), Fraction(0))
-                return a * d + b * c + e, b * d + f
-        return None
+        first, second = (VALUE[kind](*ends) for ends in zip(*known, strict=True))
+        return first, second
 
     def _power_of_two(self, i: int) -> bool:
         return self.tape[i].kind == "const" and math.frexp(abs(self.tape[i].value))[0] == 0.5
