@@ -180,7 +180,7 @@ def records() -> dict[tuple[str, ...], Shape]:
     """The shapes that were found before, by definition; what is found in this run joins them."""
     found = {}
     for key, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
-        best = [Pieces(p["seam"], p["count"], p["kept"], Far(**p["far"]) if p["far"] else None) for p in known["best"]]
+        best = [Pieces(**p | {"far": p["far"] and Far(**p["far"])}) for p in known["best"]]
         found[tuple(key.split(" / "))] = Shape(tuple(best), tuple(map(tuple, known["cheap"])))
     return found
 
