@@ -19,7 +19,7 @@ from derive.check.truth import ball, working
 ROUNDING_BITS = 80  # precision of the balls
 UP, DOWN = 1 + 2.0**-40, 1 - 2.0**-40  # more than all roundings of the float arithmetic done on bounds
 TINY = 2.0**-1074
-PRODUCTS = ("mul", "div", "fma", "error", "sqrt", "log")  # what may underflow; sums are exact there
+PRODUCTS = ("mul", "div", "fma", "error", "log")  # what may underflow; sums are exact there
 
 
 class Undecided(Exception):
@@ -56,12 +56,12 @@ Line = tuple[Fraction, Fraction]  # values of an affine function of alpha at bot
 # and these.
 VALUE: dict[str, Callable[..., Any]] = {
     "fma": lambda a, b, c: a * b + c, "mul": operator.mul, "add": operator.add, "sub": operator.sub,
-    "div": operator.truediv, "neg": operator.neg, "log": lambda a: a.log(), "sqrt": lambda a: a.sqrt(),
+    "div": operator.truediv, "neg": operator.neg, "log": lambda a: a.log(),
 }  # fmt: skip
 SLOPES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "fma": lambda y, a, b, c: (b, a, None), "mul": lambda y, a, b: (b, a), "add": lambda y, a, b: (None, None),
     "sub": lambda y, a, b: (None, -1), "div": lambda y, a, b: (1 / b, -y / b), "neg": lambda y, a: (-1,),
-    "log": lambda y, a: (1 / a,), "sqrt": lambda y, a: (1 / (2 * a.sqrt()),),
+    "log": lambda y, a: (1 / a,),
 }  # fmt: skip
 
 
@@ -187,8 +187,8 @@ class _Specialise:
                 raise ValueError("select needs a comparison")
             return self.visit(args[1 if self.less(*map(self.visit, compared)) else 2])
         nodes = tuple(self.visit(a) for a in args)
-        if kind in ("min", "max"):
-            return nodes[self.less(*nodes) == (kind == "max")]
+        if kind == "max":
+            return nodes[self.less(*nodes)]
         if kind == "call" and value in ("exponent", "significand"):
             k = self.exponent(nodes[0])
             if value == "exponent":
@@ -266,7 +266,8 @@ class _Specialise:
             size = max(map(abs, line))
         else:
             size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
-        turned = kind == "neg" or (kind == "mul" and any(map(self._power_of_two, args)))
+        scales = [c.kind == "const" and math.frexp(abs(c.value))[0] == 0.5 for c in (self.tape[a] for a in args)]
+        turned = kind == "neg" or (kind == "mul" and any(scales))
         return line if grid >= -1074 else None, grid, turned or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
 
     @staticmethod
@@ -278,19 +279,15 @@ class _Specialise:
         first, second = (VALUE[kind](*ends) for ends in zip(*known, strict=True))
         return first, second
 
-    def _power_of_two(self, i: int) -> bool:
-        return self.tape[i].kind == "const" and math.frexp(abs(self.tape[i].value))[0] == 0.5
-
     def compensation(self, node: Node) -> Node | None:
         """The node as the rounding error of another one, if that is what it computes."""
         kind, args = node.kind, node.args
-        if kind == "fma":  # a b - p with p = a b rounded, or p - a b
+        if kind == "fma":
             a, b, c = args
-            if self.tape[c].kind == "neg" and self._is_product(p := self.tape[c].args[0], a, b):
-                return Node("error", (p,), -1.0)
-            for first, second in ((a, b), (b, a)):
-                if self.tape[first].kind == "neg" and self._is_product(c, self.tape[first].args[0], second):
-                    return Node("error", (c,), 1.0)
+            if self.tape[c].kind == "neg":  # a b - p with p = a b rounded
+                (p,) = self.tape[c].args
+                if self.tape[p].kind == "mul" and sorted(self.tape[p].args) == sorted((a, b)):
+                    return Node("error", (p,), -1.0)
             if self.tape[c].kind == "sub":  # a b + (d - s) with s = d + a b: minus the error of s, rounded
                 d, s = self.tape[c].args
                 if self.tape[s].kind == "fma" and self.tape[s].args in ((a, b, d), (b, a, d)):
@@ -300,9 +297,6 @@ class _Specialise:
             if self.tape[s].kind == "add" and self.tape[s].args in ((a, b), (b, a)):
                 return Node("error", (s, args[1]), -1.0)
         return None
-
-    def _is_product(self, p: int, *factors: int) -> bool:
-        return self.tape[p].kind == "mul" and sorted(self.tape[p].args) == sorted(factors)
 
 
 def _arb(x: Fraction) -> arb:
