@@ -162,7 +162,6 @@ def logarithm(code: Code, b: Value) -> Value:
 def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
     """The piece near pi/2 as `FarFit` has it: the line, and what is added to it."""
     fit, about = far_fit(closed, shape, seam), end(closed)
-    assert about is not None
     b = HALF_PI - code.x
     w = b * b
     core = code.horner(w, fit.r)
