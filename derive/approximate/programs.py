@@ -148,15 +148,15 @@ def logarithm(code: Code, b: Value) -> Value:
     b = 2**exponent significand, s = significand - 1 (exact), q = s/(2 + s): ln(1 + s) = s - q (s - z P(z)), z = q**2,
     whose largest part is exact.
     """
-    b = code.call("max", b, 2.0**-60)
+    b = code.put("max", b, 2.0**-60)
     if code.form == "numpy":
-        return code.call("log", b)
+        return code.put("log", b)
     ln2, coefficients = logarithm_fit(6)
-    s = code.call("significand", b) - 1.0
+    s = code.put("significand", b) - 1.0
     q = s / (s + 2.0)
     z = q * q
     bent = code.fma(z, code.horner(z, coefficients), -s)
-    return code.fma(q, bent, code.fma(code.call("exponent", b), code.value(ln2), s))
+    return code.fma(q, bent, code.fma(code.put("exponent", b), code.value(ln2), s))
 
 
 def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:

@@ -20,8 +20,8 @@ def run(program: Program, alpha: Floats) -> Floats:
     def make(op: Op, operands: list[Floats]) -> Floats:
         if op.kind == "const":
             return np.full(alpha.shape, op.value, dtype=np.float64)
-        if (meaning := OPERATIONS[op.name].meaning) is None:
-            raise ValueError(f"no exact meaning of {op.name}")
+        if (meaning := OPERATIONS[op.kind].meaning) is None:
+            raise ValueError(f"no exact meaning of {op.kind}")
         return np.asarray(meaning(*operands))
 
     with np.errstate(under="ignore"):

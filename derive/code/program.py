@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
-from typing import Any, Literal, TypeVar, cast, get_args
+from typing import Any, TypeVar
 
 import mpmath
 import numpy as np
@@ -20,9 +20,6 @@ from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
 from derive.code.arithmetic import two_sum
 from derive.code.operations import OPERATIONS
 
-Kind = Literal["input", "const", "add", "sub", "mul", "div", "neg", "min", "max", "less", "select", "fma", "call"]
-KINDS = get_args(Kind)
-
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
     sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign",
@@ -31,16 +28,11 @@ CALLS = {
 
 @dataclass(frozen=True, slots=True)
 class Op:
-    """One operation: its kind, its operands' indices, and the input's or call's name or the constant's value."""
+    """One operation, of `OPERATIONS`, an input or a constant; its operands' indices; the input's name or the value."""
 
-    kind: Kind
+    kind: str
     args: tuple[int, ...] = ()
     value: str | float | None = None
-
-    @property
-    def name(self) -> str:
-        """In the table of operations."""
-        return str(self.value) if self.kind == "call" else self.kind
 
 
 @dataclass(frozen=True)
@@ -55,7 +47,7 @@ class Program:
 
     def operations(self) -> Counter[str]:
         """How many operations of each kind it takes; inputs and constants are free."""
-        return Counter(op.name for op in self.ops if op.kind not in ("input", "const"))
+        return Counter(op.kind for op in self.ops if op.kind not in ("input", "const"))
 
 
 T = TypeVar("T")
@@ -76,7 +68,7 @@ class Builder:
         self.ops: list[Op] = []
         self.index: dict[Op, int] = {}
 
-    def put(self, kind: Kind, *operands: Any, value: str | float | None = None) -> "Value":
+    def put(self, kind: str, *operands: Any, value: str | float | None = None) -> "Value":
         """Append an operation on values and numbers, or find the equal one that is there."""
         args = tuple(self.value(x).place for x in operands)
         key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # nan and -0.0 are keys too
@@ -84,10 +76,6 @@ class Builder:
             self.index[key] = len(self.ops)
             self.ops.append(Op(kind, args, value))
         return Value(self, self.index[key])
-
-    def call(self, name: str, *operands: Any) -> "Value":
-        """One of `OPERATIONS`."""
-        return self.put(cast(Kind, name), *operands) if name in KINDS else self.put("call", *operands, value=name)
 
     def value(self, x: Any) -> "Value":
         """A number becomes a constant."""
@@ -112,10 +100,10 @@ class Value(NDArrayOperatorsMixin):
     def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Value":
         if function is np.greater:  # Python turns 1.0 < x around
             function, operands = np.less, operands[::-1]
-        return self.builder.call(_NAMES[function], *operands)
+        return self.builder.put(_NAMES[function], *operands)
 
     def __array_function__(self, function: Any, _: Any, operands: Any, named: Any) -> "Value":
-        return self.builder.call(_NAMES[function], *operands)
+        return self.builder.put(_NAMES[function], *operands)
 
 
 class _Lowering(Builder):
@@ -147,7 +135,7 @@ class _Lowering(Builder):
         if isinstance(e, RoundingError):
             return self.value(two_sum(*map(self.add, e.args))[1])
         if isinstance(e, Primitive):
-            return self.call(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
+            return self.put(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
         if isinstance(e, sp.Add):
@@ -162,7 +150,7 @@ class _Lowering(Builder):
         if isinstance(e, (sp.Min, sp.Max)):
             return self._joined("min" if isinstance(e, sp.Min) else "max", sorted(e.args, key=_order))
         if type(e) in CALLS:
-            return self.call(CALLS[type(e)], self.add(e.args[0]))
+            return self.put(CALLS[type(e)], self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
     def _sum(self, e: sp.Add) -> Value:
@@ -196,7 +184,7 @@ class _Lowering(Builder):
             result = result * self.add(x)
         return result
 
-    def _joined(self, kind: Kind, parts: Sequence[sp.Expr]) -> Value:
+    def _joined(self, kind: str, parts: Sequence[sp.Expr]) -> Value:
         """All of them by one operation, from the left."""
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
@@ -211,9 +199,9 @@ class _Lowering(Builder):
         if exponent.could_extract_minus_sign():
             return self.value(1.0) / self.add(base**-exponent)
         if exponent == sp.Rational(1, 2):
-            return self.call("sqrt", self.add(base))
+            return self.put("sqrt", self.add(base))
         if exponent.is_Rational and exponent.q == 2:
-            root = self.call("sqrt", self.add(base))
+            root = self.put("sqrt", self.add(base))
             return self.add(base ** ((exponent.p - 1) // 2)) * root
         if not exponent.is_Integer:
             raise ValueError(f"no operation for the power {base}**{exponent}")

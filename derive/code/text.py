@@ -95,10 +95,10 @@ class _Text:
                 self._name(x)
             numbers = ", ".join(language.number(c) for c in coefficients)
             return language.polynomial.format(x=self.text[x][0], degree=len(coefficients) - 1, coefficients=numbers), 9
-        operation = OPERATIONS[op.name]
+        operation = OPERATIONS[op.kind]
         template = getattr(operation, language.templates)
         if not template:
-            raise ValueError(f"{op.name} has no place in {language.templates}")
+            raise ValueError(f"{op.kind} has no place in {language.templates}")
 
         def shown() -> str:
             operands = (self.text[a] for a in op.args)

@@ -38,7 +38,7 @@ class CText:
     def __init__(self, form: str) -> None:
         self.reader = Reader({"hexadecimal": float.fromhex})
         calls = {name: x.c.partition("(")[0] for name, x in OPERATIONS.items()}
-        self.reader.scope |= {c: partial(self.reader.builder.call, x) for x, c in calls.items() if c.isidentifier()}
+        self.reader.scope |= {c: partial(self.reader.builder.put, x) for x, c in calls.items() if c.isidentifier()}
         self.reader.scope |= {f"POLY{degree}": self._polynomial for degree in range(1, MOST)}
         if form == "plain":
             self.reader.scope["FMA"] = lambda a, b, c: a * b + c
