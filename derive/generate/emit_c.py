@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from derive.approximate.programs import Code, Variant, logarithm
+from derive.approximate.search import DIVISION
 from derive.code import emit
 from derive.code.emit import identifier
 from derive.code.operations import OPERATIONS
@@ -69,7 +70,8 @@ class CText:
         """Those of a program, one for each of its pieces if it has two, and what kind of loop suits it."""
         pieces = seam(program)
         if not pieces:
-            kind = "short" if sum(program.operations().values()) <= SHORT else "whole"
+            counts = program.operations()
+            kind = "short" if sum(counts.values()) + DIVISION * counts["div"] <= SHORT else "whole"
             return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
         at, *outputs = pieces
         parts = [Part(f"{name}_{side}", without_dead(replace(program, outputs=(output,))))
