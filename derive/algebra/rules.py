@@ -13,7 +13,7 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.prove import prove_zero, refute
-from derive.algebra.remainders import Expm1, HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
+from derive.algebra.remainders import HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
@@ -183,24 +183,6 @@ def heads(expression: sp.Expr, orders: Mapping[sp.Expr, int]) -> sp.Expr:
     rests = {f: f.args[0] ** n * Remainder(type(f), n, f.args[0]) for f, n in orders.items()}
     result = sp.expand(expression.subs({f: parts[f] + rests[f] for f in orders}))
     prove_zero(sp.expand(unfold(result) - expression), f"rule heads: {expression}")
-    return result
-
-
-def fall(function: sp.Expr, x: sp.Symbol, more: sp.Symbol) -> sp.Expr:
-    """R5: function(x) - function(x + more) without cancellation, proved.
-
-    Each exponential that decays is one symbol while the difference is factored, so that the larger is pulled out of
-    the difference of two; what is left of it is an Expm1.
-    """
-    difference = function - function.subs(x, x + more)
-    difference = difference.replace(sp.exp, lambda e: sp.expand_power_exp(sp.exp(sp.expand(e))))
-    kept = {e: sp.Dummy(positive=True) for e in sorted(difference.atoms(sp.exp), key=sp.default_sort_key)}
-    back = {symbol: e for e, symbol in kept.items()}
-    result = sp.factor(difference.subs(kept))
-    for symbol, e in back.items():
-        result = result.subs({symbol - 1: Expm1(e.exp), 1 - symbol: -Expm1(e.exp)})
-    result = result.subs(back)
-    prove_zero(sp.expand_power_exp(sp.expand(unfold(result) - difference)), f"the fall of {function}")
     return result
 
 

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from functools import cache
 
 import sympy as sp
 
@@ -11,7 +10,7 @@ from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.growth import arc_growth
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import fall, stable
+from derive.algebra.rules import stable
 from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
@@ -20,8 +19,6 @@ from derive.declare.effects import (
     EFFECTS,
     LAWS,
     LIMITS,
-    MORE,
-    SLIP,
     VALUE,
     Effect,
     Law,
@@ -168,11 +165,14 @@ def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
     found = []
     for form in dynamics.FORMS:
-        words = tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs)
+        names = tuple(x.name for x in form.inputs)
+        domain = ", ".join(f"{x} {limit}" for x, limit in form.limits.items())
+        ride = "t" in names
         found.append(Function(
-            program(form.name, tuple(x.name for x in form.inputs), form.result, let=form.let), form.summary,
-            form.formula, f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain, form.inside,
-            form.safe, dynamics.ACCURACY,
+            program(form.name, names, form.result, let=form.let), form.summary, form.formula,
+            f"eq. ({form.equation}) of {PAPER}", tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
+            "Dimensionless.", domain + (", until the solution runs to infinity" if ride else ""), form.inside,
+            (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0), dynamics.ACCURACY,
         ))  # fmt: skip
     return found
 
@@ -207,22 +207,15 @@ def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
     return [(program("arc_growth", ("alpha",), *arc_growth(closed), let=_CLIP), words)]
 
 
-@cache
 def laws() -> list[tuple[Program, str]]:
-    """Each friction law that has a formula and, of a law of slip, how far it falls."""
+    """Each friction law that has a formula."""
+    order = ("slip", "speed", *(p.name for law in LAWS for p in law.parameters))
     found = []
     for law in LAWS:
         if law.coefficient is not None:
-            found.append(_law(f"friction_{law.name}", law, law.coefficient, f"friction: {law.help}"))
-            if "slip" in law.depends_on:
-                drop = fall(law.coefficient, SLIP, MORE)
-                found.append(_law(f"drop_{law.name}", law, drop, "its fall over `more` slip, from `slip`"))
+            inputs = sorted((x.name for x in law.coefficient.free_symbols), key=order.index)
+            found.append((program(f"friction_{law.name}", tuple(inputs), law.coefficient), f"friction: {law.help}"))
     return found
-
-
-def _law(name: str, law: Law, form: sp.Expr, words: str) -> tuple[Program, str]:
-    order = ("slip", "more", "speed", *(p.name for p in law.parameters))
-    return program(name, tuple(sorted((x.name for x in form.free_symbols), key=order.index)), form), words
 
 
 def effects_module() -> str:

@@ -27,7 +27,7 @@ MEND = "python -m derive"
 KERNELS = "Moments, weights and quotients of the arc, from their definitions."
 MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
 GROWTH = "How the moments of an arc grow with its half angle."
-LAWS = "The friction laws that have a formula, and how far they fall over a slip."
+LAWS = "The friction laws that have a formula."
 STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
