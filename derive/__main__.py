@@ -45,7 +45,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     from derive.approximate import search, shapes
     from derive.declare.quantities import MOMENTS
     from derive.flow import operations
-    from derive.generate import write
+    from derive.generate import functions, write
 
     for moment in MOMENTS:
         told = "operations {0.operations[0]} -> {0.operations[1]}"
@@ -67,6 +67,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
     timed("slopes", "balance", "{0} claims proved", lambda: len(slopes.prove()))
     timed("arc", "slopes", "{0} claims proved", lambda: len(growth.prove_arc_growth(integrate.closed_forms())))
+    timed("rounded angles", "carried", "{0} claims proved", lambda: len(functions.prove_carried()))
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)
 

@@ -9,8 +9,9 @@ from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.growth import arc_growth
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
+from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import stable
+from derive.algebra.rules import prove_equal, stable
 from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
@@ -133,11 +134,45 @@ def _turned(function: type[sp.Function]) -> sp.Expr:
     return function(theta_m) + _EPSILON * sp.diff(function(theta_m), theta_m)
 
 
+# (C_theta/C_r) tan(psi); alpha's rounding error is left out, as the quotient is O(1) with a slope of O(alpha).
+_LIMIT = _KERNEL * _turned(sp.cos) / _turned(sp.sin)
+
+
+def _direction(d: Derivation) -> sp.Expr:
+    """In theta_m."""
+    return d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
+
+
+def _carried(d: Derivation) -> sp.Expr:
+    """J_r or J_theta with the rounding errors of alpha and theta_m carried to first order."""
+    sign, direction = _direction(d).as_coeff_Mul()
+    return sign * (_KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form) * _turned(type(direction))
+
+
+def prove_carried() -> list[str]:
+    """Prove that these are of the exact angles, to first order in what the rounding of alpha and theta_m takes."""
+    claims = []
+    for angle, lost in (errors := {alpha: _DELTA, theta_m: _EPSILON}).items():
+        claims.append(f"{angle}: the sum of which {lost} is lost")
+        rounded = _ENDS[angle].replace(sp.Min, lambda *x: next(y for y in x if not y.is_number))
+        prove_zero(rounded - _ENDS[lost].replace(RoundingError, lambda x, y: x + y), claims[-1])
+    ratio, cotangent = sp.Function("ratio")(alpha), sp.cos(theta_m) / sp.sin(theta_m)
+    turned = [d for d in map(derive, MOMENTS) if d.moment.amplitude]
+    whole = {d.moment.name: (_carried(d), d.amplitude, _direction(d)) for d in turned}
+    for name, (form, kernel, direction) in (whole | {"limit_friction": (_LIMIT, ratio, cotangent)}).items():
+        claims.append(f"{name}: of the exact angles, to first order")
+        carried = {x: e for x, e in errors.items() if form.has(e)}
+        difference = form.subs(_KERNEL, kernel) - (kernel * direction).subs({x: x + e for x, e in carried.items()})
+        for zero in (difference, *(sp.diff(difference, e) for e in carried.values())):
+            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), sp.Integer(0), claims[-1])
+    return claims
+
+
 def _limit_friction() -> Function:
     """J_theta/J_r = (C_theta/C_r) tan(psi), from reduced functions."""
     let = _ENDS | {_KERNEL: _tiers("weight_moment_per_radial_weight")["best"]}
     return Function(
-        program("limit_friction", ("theta_1", "theta_2"), _KERNEL * _turned(sp.cos) / _turned(sp.sin), let=let),
+        program("limit_friction", ("theta_1", "theta_2"), _LIMIT, let=let),
         "mu_eq: friction coefficient at limit equilibrium.",
         "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
         f"eq. (3.21) of {PAPER}", _ARC, "mu_eq.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), ACCURACY,
@@ -148,11 +183,8 @@ def _weight(d: Derivation) -> Function:
     """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
     assert d.moment.amplitude
     name, symbol = d.moment.amplitude
-    sign, direction = d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m).as_coeff_Mul()
-    amplitude = _KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form
-    let = _ENDS | {_KERNEL: _tiers(name)["best"]}
     return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), sign * amplitude * _turned(type(direction)), let=let),
+        program(d.moment.name, ("theta_1", "theta_2"), _carried(d), let=_ENDS | {_KERNEL: _tiers(name)["best"]}),
         f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
         f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
