@@ -26,19 +26,9 @@ def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: objec
 
 
 def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
-    """Derive and prove everything, and return the text of `generated`; progress goes to stderr.
+    """Derive and prove everything: the text of `generated` by file; progress goes to stderr.
 
-    Parameters
-    ----------
-    anew : bool
-        Whether the shapes of all kernels are searched for; else only those that have no record.
-    trials : int, optional
-        How many shapes such a search may judge for one quantity.
-
-    Returns
-    -------
-    dict
-        Text by file name.
+    Shapes of kernels are searched for where there is no record of them, or ``anew`` for all, with so many ``trials``.
     """
     from derive.algebra import dynamics, growth, integrate, rules, slopes
     from derive.algebra.appendices import APPENDICES, simplify

@@ -49,13 +49,7 @@ def balance() -> dict[str, sp.Expr]:
 
 
 def solution() -> dict[str, sp.Expr]:
-    """Solve (3.16) with omega(0) = omega_0, for any a and b with a b > 0, and continue it to any sign.
-
-    Returns
-    -------
-    dict
-        ``y`` with omega = y'/(b y), then ``angular_velocity``, ``rotation`` and ``angular_acceleration``.
-    """
+    """Solve (3.16) with omega(0) = omega_0, for a b > 0, and continue it to any sign; y is that of omega = y'/(b y)."""
     y = sp.Function("y")
     k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     conditions = {y(0): 1, y(t).diff(t).subs(t, 0): b * omega_0}
@@ -206,13 +200,7 @@ FORMS = (
 
 
 def prove_forms() -> list[str]:
-    """Prove each stable formula equal to the solution, in each of its pieces.
-
-    Returns
-    -------
-    list of str
-        The claims that were proved.
-    """
+    """Prove each stable formula equal to the solution, in each of its pieces; the claims."""
     ways = solution()
     claims = []
 

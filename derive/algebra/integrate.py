@@ -89,17 +89,7 @@ def closed_forms() -> dict[str, sp.Expr]:
 
 
 def quadrature(weight: sp.Expr, theta_1_value: object, alpha_value: object, digits: int) -> mpmath.mpf:
-    """The raw double integral by nested Gauss-Legendre quadrature, in r and theta, over the uncentred chord.
-
-    Parameters
-    ----------
-    weight : sympy.Expr
-        Integrand in r and theta.
-    theta_1_value, alpha_value : mpmath.mpf or number
-        The arc, in radians.
-    digits : int
-        Significant digits of the result.
-    """
+    """The raw double integral to so many digits by nested Gauss-Legendre quadrature, over the uncentred chord."""
     function = sp.lambdify((r, theta), weight, "mpmath")
     with mpmath.workdps(digits + 15):
         first, half = mpmath.mpf(theta_1_value), mpmath.mpf(alpha_value)

@@ -91,7 +91,7 @@ def stable(closed: sp.Expr) -> StableForm:
     their sum.
     """
     expression = sp.expand(sp.expand_trig(closed))
-    power = _order_of_sum(expression)
+    power = int(closed.leadterm(alpha)[1])
     steps = []
     for rule in RULES if min(_orders(expression)) < power else RULES[1:]:
         start, before = time.perf_counter(), expression
@@ -137,19 +137,6 @@ def _lowest(polynomial: sp.Expr) -> int:
     return min(m[0] for m in sp.Poly(polynomial, TAU).monoms())
 
 
-def _order_of_sum(expression: sp.Expr) -> int:
-    """With which power of alpha the expression vanishes at 0, by its series in tau: alpha = 2 arctan(tau)."""
-    terms = {
-        s: sp.Poly(2 * sum(c * TAU**k for k, c in enumerate(taylor(f(X))[:16])), TAU)
-        for s, f in ((alpha, sp.atan), (_H, sp.atanh))
-    }
-    over, under = sp.fraction(sp.together(_in_tau(expression)))
-    total = sp.Poly(0, TAU)
-    for (in_angle, in_artanh), c in sp.Poly(over, alpha, _H).terms():
-        total += terms[alpha] ** in_angle * terms[_H] ** in_artanh * sp.Poly(c, TAU)
-    return min(m[0] for m in total.monoms()) - _lowest(under)
-
-
 def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
     """The expression over alpha**power, for computing.
 
@@ -193,6 +180,7 @@ def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:
     2 artanh(tau), proved by their derivatives and their common value at 0.
     """
     prove_zero(sp.diff(sp.atanh(_SINE) - 2 * sp.atanh(TAU), TAU), "artanh(sin alpha) = 2 artanh(tan(alpha/2))")
+    prove_zero(_in_tau(unfold(HalfTan(alpha).lower())) - TAU, "tan(alpha/2) as it is computed")
 
     def plain(e: sp.Expr) -> sp.Expr:
         e = sp.expand_trig(unfold(e)).subs(sp.tan(alpha / 2), TAU)

@@ -153,13 +153,7 @@ def present(folder: Path = FOLDER) -> dict[str, str]:
 
 
 def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
-    """Write the files that differ, each by a temporary file that replaces it, and remove the ones that are not wanted.
-
-    Returns
-    -------
-    list of str
-        Names of the files that changed.
-    """
+    """Write the files that differ, by a temporary file that replaces each, and remove the unwanted; names of both."""
     folder.mkdir(exist_ok=True)
     there = present(folder)
     changed = [name for name in sorted(wanted.keys() | there.keys()) if wanted.get(name) != there.get(name)]
