@@ -2,7 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any, ClassVar
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
 from slipcircle.scene.weights import Dimensionless, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -78,7 +78,7 @@ class Arc:
         if not found:
             found = shape_mistakes(values)
         if not found:
-            found = self._geometry_mistakes()
+            found = first(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
         if self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
@@ -90,28 +90,24 @@ class Arc:
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
 
-    def _geometry_mistakes(self) -> list[str]:
-        first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
-
-        def where(bad: Any) -> tuple[float, float]:
-            """Ends of the first arc that is bad, degrees."""
-            return float(np.degrees(first[bad].flat[0])), float(np.degrees(second[bad].flat[0]))
-
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no arcs, or press on nothing."""
+        ends = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
+        one, two = (np.degrees(np.ravel(end)) for end in ends)
         with np.errstate(invalid="ignore"):
-            weight = np.asarray(kernels.radial_weight(first, second))
-        if np.any(bad := second <= first):
-            one, two = where(bad)
-            return [f"theta_2 = {two:.10g} deg: must be above theta_1 = {one:.10g} deg; swap them?"]
-        if np.any(bad := np.isnan(weight)):
-            one, two = where(bad)
-            return [f"theta_2 - theta_1 = {two - one:.10g} deg: must be at most 180 deg"]
-        if np.any(bad := weight <= 0.0):
-            one, two = where(bad)
-            return [
-                f"theta_1 = {one:.10g} deg, theta_2 = {two:.10g} deg: it presses on nothing; "
+            weight = np.ravel(kernels.radial_weight(*ends))
+        yield (
+            np.ravel(ends[1] <= ends[0]),
+            lambda k: f"theta_2 = {two[k]:.10g} deg: must be above theta_1 = {one[k]:.10g} deg; swap them?",
+        )
+        yield np.isnan(weight), lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg"
+        yield (
+            weight <= 0.0,
+            lambda k: (
+                f"theta_1 = {one[k]:.10g} deg, theta_2 = {two[k]:.10g} deg: it presses on nothing; "
                 "the middle of the arc must lie between 180 and 360 deg, below its centre"
-            ]
-        return []
+            ),
+        )
 
     @cached_property
     def half_angle(self) -> Any:

@@ -1,24 +1,13 @@
 """What keeps lanes of sections from being any, or from moving: a kind of mistake at a time, of all lanes at once."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import Fault
 from slipcircle.scene import circles
 from slipcircle.scene.ground import line_mistakes, lines_wrong, ponds
-
-Fault = tuple[Any, Callable[[int], str]]  # which lanes have a mistake, and what to say of one
-
-
-def first(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
-    """What to say of the first lane with a mistake."""
-    for bad, said in faults:
-        if np.any(bad):
-            k = int(np.argmax(bad))
-            where = ", ".join(str(i) for i in np.unravel_index(k, shape))
-            return [f"lane [{where}]: {said(k)}" if shape else said(k)]
-    return []
 
 
 def faults(section: Any) -> Iterator[Fault]:

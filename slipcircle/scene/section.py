@@ -2,18 +2,19 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
+from itertools import chain
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Fault, first, mistakes, raise_all, shape_mistakes
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
-from slipcircle.scene.faults import faults, first, unmoved
+from slipcircle.scene.faults import faults, unmoved
 from slipcircle.scene.ground import FAR, lines_mistakes
 from slipcircle.scene.weights import Dimensionless, Weights
 
@@ -272,6 +273,10 @@ class Section:
         return self._shaped((integral(last) - integral(first)) / (last - first)) * self.radius
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
+
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no sections, or do not move."""
+        return chain(faults(self), unmoved(self))
 
     @cached_property
     def no_motion(self) -> str | None:
