@@ -1,12 +1,13 @@
 """What a section refuses, and in which words."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from slipcircle.scene.section import Section
+from slipcircle import Scene, Section, load
 
 GOOD: dict[str, Any] = {
     "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
@@ -80,3 +81,23 @@ def test_ten_thousand_malformed_sections() -> None:
             assert np.isfinite(found.weights).all(), given
             assert np.all(found.area > 0.0), given
     assert refused > 5000
+
+
+def test_a_level_and_a_pore_ratio_exclude_each_other(tmp_path: Path) -> None:
+    wet = Section(**GOOD, level=[(-50, 0), (50, -1)])
+    words = (
+        r"^Scene: effects\.pore_pressure\.ratio: cannot be combined with the level of the section, which says .*out$"
+    )
+    with pytest.raises(ValueError, match=words):
+        Scene(wet, 0.3, {"pore_pressure": {"ratio": 0.2}})
+    Scene(wet, 0.3, {"pore_pressure": {"pressure": 2e3}})  # an excess over the level's is no second level
+    text = Path("slipcircle/scenes/real-slope.toml").read_text("utf-8") + "[pore_pressure]\nratio = 0.2\n"
+    path = tmp_path / "wet.toml"
+    for water in ("", "[water]\nlevel_m = [[0, 20], [90, 22]]\n"):
+        path.write_text(text + water, "utf-8")
+        if water:
+            with pytest.raises(ValueError, match=r"pore_pressure\.ratio.* level") as raised:
+                load(path)
+            assert len(str(raised.value).splitlines()) == 1
+        else:
+            load(path)
