@@ -151,7 +151,7 @@ class Arc:
     def dimensionless(self) -> Dimensionless:
         """Coefficients of the equation of motion, from the arc or as given."""
         if self.given is not None:
-            g = self.given | {"weight_moment": self.facing * self.given["weight_moment"]}
+            g = {**self.given, "weight_moment": self.facing * self.given["weight_moment"]}
             return Dimensionless(
                 **g,
                 static_normal_stress=g["radial_weight"] / g["resistance_factor"],
