@@ -204,29 +204,30 @@ def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     return total
 
 
-def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any], Any], Floats]:
+def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any, Any], Any], Floats]:
     """Of lines above arcs: the integral over beta of their height where they are inside the circle, and its kinks.
 
     The lines of the parts that are meant; beta is from straight below the centre, at most a right angle either way.
     """
     slope = np.divide(parts.e_y, parts.e_x, out=np.zeros(parts.x.shape), where=parts.e_x > 0.0)
-    offset = parts.y - slope * parts.x
-    low = np.arcsin(np.clip(parts.x, -1.0, 1.0))
-    high = np.where(mine, np.arcsin(np.clip(parts.x + parts.e_x, -1.0, 1.0)), low)
+    sine = np.clip(parts.x, -1.0, 1.0)
+    low = np.arcsin(sine)
+    cosine, high = np.cos(low), np.where(mine, np.arcsin(np.clip(parts.x + parts.e_x, -1.0, 1.0)), low)
+    # cos + y, as 1 - rho^2 knows it, which does not cancel near the arc
+    height = np.divide(parts.first, cosine - parts.y, out=cosine + parts.y, where=parts.y < 0.0)
 
-    def at(beta: Any) -> Any:
-        return slopes.head(np.sin(beta), np.cos(beta), beta, offset, slope)
+    def over(beta: Any) -> Any:
+        """From the first end of each line."""
+        return slopes.head(np.clip(np.asarray(beta)[..., None], low, high) - low, sine, cosine, height, slope)
 
-    base = at(low)
-
-    def integral(beta: Any) -> Any:
-        """From far left to beta, (..., n) in and out."""
-        return (at(np.clip(np.asarray(beta)[..., None], low, high)) - base).sum(axis=-1)
+    def integral(first: Any, last: Any) -> Any:
+        """From one beta to another, (..., n) in and out."""
+        return (over(last) - over(first)).sum(axis=-1)
 
     return integral, np.concatenate([low, high], axis=1)
 
 
-def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any], Any], Floats]:
+def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any, Any], Any], Floats]:
     """A water level, which goes on horizontally beyond its ends, and its `heads` over the arcs of circles."""
     low, high = float((centre[:, 0] - 2 * radius).min()), float((centre[:, 0] + 2 * radius).max())
     first, last = [[min(low, level[0, 0] - 1.0), level[0, 1]]], [[max(high, level[-1, 0] + 1.0), level[-1, 1]]]

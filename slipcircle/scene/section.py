@@ -298,7 +298,7 @@ class Section:
         """Mean over the arc of the height of the ground above it, m: times r_u and the unit weight, a mean pressure."""
         integral, _ = circles.heads(self._cut, self._mine)
         first, last = self._angles
-        return self._shaped((integral(last) - integral(first)) / (last - first)) * self.radius
+        return self._shaped(integral(first, last) / (last - first)) * self.radius
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
@@ -361,7 +361,7 @@ class Section:
     # --- water -------------------------------------------------------------------------------------------------------
 
     @cached_property
-    def _water(self) -> tuple[Callable[[Any], Any], Floats]:
+    def _water(self) -> tuple[Callable[[Any, Any], Any], Floats]:
         _, centre, radius = self._circle
         return circles.wet(np.asarray(self.level, dtype=np.float64), centre, radius)[1:]
 
@@ -382,7 +382,7 @@ class Section:
         turn = np.asarray(rotation, dtype=np.float64)
         turn = np.broadcast_to(turn, np.broadcast_shapes(turn.shape, self.shape))
         turned = turn.reshape(*turn.shape[: turn.ndim - len(self.shape)], -1) * self._facing
-        mean = (integral(last + turned) - integral(first + turned)) / (last - first)
+        mean = integral(first + turned, last + turned) / (last - first)
         return (mean.reshape(turn.shape) * np.multiply(self.radius, self.water_unit_weight))[()]
 
     @cached_property
