@@ -57,7 +57,8 @@ _TEXTS = {
     ),
     "head": Words(
         "Integral of the height of a line above the arc, from a point of the arc over an angle.",
-        "height a + (slope cos - sin) (1 - cos(a)) - (slope sin + cos) (a - sin(a)), a the angle, sin and cos the point's.",
+        "height a + (slope cos - sin) (1 - cos(a)) - (slope sin + cos) (a - sin(a)), a the angle, sin and cos the "
+        "point's.",
         "Over R.",
         "Over at most pi; accurate however near the line and however steep.",
     ),

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import EPS, INFINITY, Bounds, mistakes, raise_all, shape_mistakes
 from slipcircle.scene.weights import Dimensionless, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -71,6 +71,7 @@ class Arc:
     width: ArrayLike = 1.0
     given: Mapping[str, float] | None = None
     quantities: ClassVar[tuple[str, ...]] = QUANTITIES
+    rounding: ClassVar[float] = 4 * EPS  # that each of the `weights` may have, relative
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}

@@ -1,33 +1,38 @@
 """Grounds and circles as people give them, and what is wrong with them."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, mistakes, raise_all, shape_mistakes
 
 FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
 
 
-def line_mistakes(name: str, given: Any) -> list[str]:
-    """What is wrong with points that should make a line from left to right."""
+def line_mistakes(name: str, given: Any, many: bool = False) -> list[str]:
+    """What is wrong with points that should make a line from left to right, or with the first of many that is."""
     try:
         points = np.asarray(given)
-    except ValueError:  # ragged
+    except (ValueError, RuntimeError):  # ragged, or nested too deep
         points = np.asarray(None)
-    if points.dtype.kind not in "iuf" or points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
+    axes, shape = range(2, 16 if many else 3), points.shape
+    if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
         return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
-    if not (near := (np.abs(points) < FAR).all(axis=1)).all():
-        k = int(np.argmin(near))
-        return [f"{name}[{k}] = {points[k].tolist()}: must be two finite numbers within 1e9 m"]
-    for k, step in enumerate(np.diff(points.astype(np.float64), axis=0)):
-        if not step.any():
-            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: is the point before it; leave one out"]
-        if step[0] < 0.0:
-            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: lies left of the point before it; order them by x"]
-    if points[-1, 0] == points[0, 0]:
+    lines = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
+    with np.errstate(invalid="ignore"):
+        step = np.diff(lines, axis=1, prepend=lines[:, :1] - 1.0)
+    for bad, words in (
+        (~(np.abs(lines) < FAR).all(axis=2), "must be two finite numbers within 1e9 m"),
+        (~step.any(axis=2), "is the point before it; leave one out"),
+        (step[..., 0] < 0.0, "lies left of the point before it; order them by x"),
+    ):
+        if bad.any():
+            lane, k = np.argwhere(bad)[0]
+            return [f"{name}[{k}] = {lines[lane, k].tolist()}: {words}"]
+    if np.any(lines[:, -1, 0] == lines[:, 0, 0]):
         return [f"{name}: all points lie above each other; it must reach from left to right"]
     return []
 
@@ -48,24 +53,30 @@ def pond_mistakes(ground: Floats, level: Floats) -> list[str]:
     return []
 
 
-def grounds_mistakes(ground: Any) -> list[str]:
-    """What is wrong with one ground, or with the first of many that is."""
-    try:
-        points = np.asarray(ground)
-    except ValueError:
-        points = np.asarray(None)
-    if points.dtype.kind not in "iuf" or points.ndim <= 2 or points.shape[-1] != 2:
-        return line_mistakes("ground", ground)
-    many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
-    with np.errstate(invalid="ignore"):
-        step = np.diff(many, axis=1)
-    bad = (
-        ~(np.abs(many) < FAR).all(axis=(1, 2))
-        | (step[..., 0] < 0.0).any(axis=1)
-        | (step == 0.0).all(axis=2).any(axis=1)
-    )
-    bad |= many[:, 0, 0] == many[:, -1, 0]
-    return line_mistakes("ground", many[int(np.argmax(bad))]) if bad.any() else []
+def section_mistakes(given: Mapping[str, Any]) -> list[str]:
+    """What is wrong with the fields of a section, each by itself and as shapes, and with a level above the ground."""
+    length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
+    bounds = {n: b for n, b in {
+        "radius": (0.0, FAR, length), "unit_weight": (0.0, INFINITY, weight), "width": (0.0, INFINITY, length),
+        "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"), "water_unit_weight": (0.0, INFINITY, weight),
+        "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"), "base": (-FAR, FAR, "one finite number in m"),
+        "between": (-FAR, FAR, "two x in m, from left to right"),
+    }.items() if given[n] is not None or n not in ("base", "between")}  # fmt: skip
+    found = mistakes(given, bounds)
+    if not found:  # all of them are numbers
+        form = {"base": (), "water_unit_weight": (), "between": (2,), "centre": (*np.shape(given["centre"])[:-1], 2)}
+        odd = [n for n in form if n in bounds and np.shape(given[n]) != form[n]]
+        odd += ["between"] if "between" in bounds and not odd and given["between"][0] >= given["between"][1] else []
+        found = [f"{n} = {given[n]!r}: must be {'one number' if not form[n] else bounds[n][2]}" for n in odd]
+    found += line_mistakes("ground", given["ground"], many=True)
+    found += [] if given["level"] is None else line_mistakes("level", given["level"])
+    if not found:
+        shaped = {n: given[n] for n in ("radius", "unit_weight", "gravity", "width")}
+        shaped |= {"centre": np.asarray(given["centre"])[..., 0], "ground": np.asarray(given["ground"])[..., 0, 0]}
+        found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
+    if not found and given["level"] is not None and np.ndim(given["ground"]) == 2:
+        found = pond_mistakes(*(np.asarray(given[n], dtype=np.float64) for n in ("ground", "level")))
+    return found
 
 
 def simple_slope(

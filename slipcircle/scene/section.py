@@ -10,10 +10,10 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
-from slipcircle.scene.ground import FAR, grounds_mistakes, line_mistakes, pond_mistakes
+from slipcircle.scene.ground import section_mistakes
 from slipcircle.scene.weights import Dimensionless, Weights
 
 
@@ -84,31 +84,11 @@ class Section:
     water_unit_weight: float = 9810.0
     base: float | None = None
     quantities: ClassVar[tuple[str, ...]] = ("unit_weight", "gravity", "width")  # what scenes vary
+    rounding: ClassVar[float] = 1e-14
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
-        found = mistakes(vars(self), {
-            "radius": (0.0, FAR, length), "unit_weight": (0.0, INFINITY, weight), "width": (0.0, INFINITY, length),
-            "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
-            "water_unit_weight": (0.0, INFINITY, weight),
-            "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
-            **({} if self.base is None else {"base": (-INFINITY, INFINITY, "a finite number in m")}),
-        })  # fmt: skip
-        found += [f"{n}: must be one number" for n in ("base", "water_unit_weight") if np.ndim(getattr(self, n))]
-        if np.shape(self.centre)[-1:] != (2,) and not any(m.startswith("centre") for m in found):
-            found.append(f"centre = {self.centre!r}: must be two numbers [x, y] in m")
-        found += grounds_mistakes(self.ground)
-        found += [] if self.level is None else line_mistakes("level", self.level)
-        if self.between is not None and not (np.shape(self.between) == (2,) and self.between[0] < self.between[1]):
-            found.append(f"between = {self.between!r}: must be two x in m, from left to right")
-        if not found:
-            shaped = {"radius": self.radius, "centre": np.asarray(self.centre)[..., 0]}
-            shaped |= {"ground": np.asarray(self.ground)[..., 0, 0], "unit_weight": self.unit_weight}
-            found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
-        if not found and self.level is not None and np.ndim(self.ground) == 2:
-            found = pond_mistakes(np.asarray(self.ground, dtype=np.float64), np.asarray(self.level, dtype=np.float64))
-        raise_all("Section", found or self._geometry_mistakes())
+        raise_all("Section", section_mistakes(vars(self)) or self._geometry_mistakes())
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
