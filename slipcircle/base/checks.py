@@ -56,6 +56,6 @@ def first(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
     for bad, said in faults:
         if np.any(bad):
             k = int(np.argmax(bad))
-            where = ", ".join(str(i) for i in np.unravel_index(k, shape))
-            return [f"lane [{where}]: {said(k)}" if shape else said(k)]
+            where = ", ".join(str(i) for i in np.unravel_index(k, shape)) if np.size(bad) > 1 else ""
+            return [f"lane [{where}]: {said(k)}" if np.size(bad) > 1 else said(k)]
     return []

@@ -37,7 +37,7 @@ def absent(scene: Scene, path: str) -> str:
 
 def value_in(scene: Scene, number: Number) -> float | None:
     """The value that a scene has of a number, SI; none where it has none."""
-    value = abs(scene.arc.dip) if number.name == DIP.name else scene.numbers.get(number.name)
+    value = scene.arc.dip if number.name == DIP.name else scene.numbers.get(number.name)
     return None if value is None else float(np.asarray(value))
 
 
@@ -52,7 +52,7 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
         head, _, tail = name.partition(".")
         if name == DIP.name:
             arc |= {
-                n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - scene.arc.facing * value)
+                n: np.asarray(getattr(scene.arc, n)) + scene.arc.facing * (scene.arc.dip - value)
                 for n in ("theta_1", "theta_2")
             }
         elif name in of_arc:
