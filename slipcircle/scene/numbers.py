@@ -106,8 +106,11 @@ def numbers_in(arc: Any) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         value = getattr(arc, field)
-        lanes: Any = np.asarray(value) if axes else value
-        found |= {name: lanes[(..., *at)] if axes else value for name, at in places(arc, field).items()}
+        if not axes:
+            found[field] = value
+            continue
+        lanes = np.asarray(value)
+        found |= {name: lanes[(..., *at)] for name, at in places(arc, field).items()}
     return found
 
 
