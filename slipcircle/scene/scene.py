@@ -120,7 +120,7 @@ class Scene:
                     effects[name] = resolved(name, effects[name], max(gravity, default=9.81))
                 except ValueError as error:
                     found.append(str(error))
-        found += [] if found else shape_mistakes(self.numbers)
+        found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
         if self.uncertain and not found:
             drawn, found = declared(self.uncertain, self.friction, self.arc)
             found += [
@@ -169,7 +169,7 @@ class Scene:
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
-        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
+        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values() if np.ndim(value)))
 
 
 def checked(scene: Any, what: str) -> Scene:
