@@ -121,14 +121,10 @@ def minimax(
         The largest on the grid, in the weight's measure.
     """
     with ctx.workprec(BITS):
-        most = max(above, below, logs[1] if logs else 0)
-        powers = [[*accumulate([x] * most, lambda p, x: (p * x).mid(), initial=arb(1))] for x in samples.points]
-        basis = [row[: above + 1] for row in powers]
-        if logs:
-            basis = [row + [(l * p).mid() for p in row[: logs[1] + 1]] for row, l in zip(basis, logs[0], strict=True)]
-        elif below:
-            basis = [row + [(-f * p).mid() for p in all_[1 : below + 1]]
-                     for row, f, all_ in zip(basis, samples.values, powers, strict=True)]  # fmt: skip
+        start, last, times = (0, logs[1], logs[0]) if logs else (1, below, [-f for f in samples.values])
+        powers = [[*accumulate([x] * max(above, last), operator.mul, initial=arb(1))] for x in samples.points]
+        basis = [[*row[: above + 1], *(t * p for p in row[start : last + 1])]
+                 for row, t in zip(powers, times, strict=True)]  # fmt: skip
         count, unknowns, matrix = len(samples.points), len(basis[0]) + 1, arb_mat(basis)
         chosen = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
         under = [arb(1)] * count
