@@ -9,13 +9,14 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import reduce
 from itertools import accumulate
 from typing import Any
 
 import sympy as sp
 from flint import arb, arb_mat, ctx, fmpq
+
+from derive.check.truth import fraction, number
 
 BITS = 240  # of the fit; the functions themselves are evaluated with more
 GUARD = 400
@@ -25,16 +26,9 @@ _ROUNDS = 12
 Function = Callable[[arb], arb]
 
 
-def exact(x: float | Fraction) -> arb:
-    """The number itself."""
-    ratio = Fraction(x)
-    return arb(fmpq(ratio.numerator, ratio.denominator))
-
-
 def nearest(x: arb) -> float:
     """The double nearest to it."""
-    man, exp = x.mid().man_exp()
-    return float(Fraction(int(man)) * Fraction(2) ** int(exp))
+    return float(fraction(x.mid()))
 
 
 def evaluate(expression: sp.Expr, x: Any) -> Any:
@@ -182,5 +176,5 @@ def rounded(samples: Samples, degree: int, careful: int) -> tuple[float, ...]:
     for k in range(careful):
         found.append(nearest(minimax(samples, degree - k)[0][0]))
         with ctx.workprec(BITS):
-            samples = samples.without(exact(found[-1]))
+            samples = samples.without(number(found[-1]))
     return (*found, *map(nearest, minimax(samples, degree - careful)[0]))
