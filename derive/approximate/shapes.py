@@ -276,11 +276,8 @@ def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float,
         if not shape.odd and shape.log != 2:  # where ln(b) starts at b**2 there is no second derivative
             tilt = -nearest(at(sp.diff(closed, alpha), number(HALF_PI)))
         straight = number(far.slope) * number(HALF_PI) + number(far.line) + number(constant)
-        known = [
-            straight,
-            number(tilt) - (number(far.slope) if shape.odd else 0),
-            number(0 if shape.odd else -far.bend),
-        ]
+        slope, bend = (far.slope, 0.0) if shape.odd else (0.0, -far.bend)
+        known = [straight, number(tilt) - number(slope), number(bend)]
 
         def rest(w: arb) -> arb:
             b = w.sqrt()
