@@ -2,9 +2,9 @@
 
 Scenes are plain data, 300 of position and speed and 100 that depend on time, on rates or on heat; they are solved by
 `taylor`. Each is solved twice, with series of different length at different precision, and both have to agree.
-``python tests/references.py --fresh COUNT --seed N`` draws COUNT scenes that nobody has seen, solves them there and
-here, and prints by kind the worst error and the least estimate over error; the exit status is 1 if an estimate is
-below its error, or a decision other than the reference's.
+``python tests/references.py --fresh COUNT --seed N [--sections]`` draws COUNT scenes that nobody has seen, of arcs or
+of sections, solves them there and here, and prints by kind the worst error and the least estimate over error; the exit
+status is 1 if an estimate is below its error, or a decision other than the reference's.
 """
 
 import argparse
@@ -160,7 +160,11 @@ def drawn(group: str, rng: np.random.Generator) -> dict[str, Any]:
     limit *= math.tan(1.5 * math.pi - (arc["theta_1"] + arc["theta_2"]) / 2)
     if not 0.1 < limit < 1.5:
         raise Unfit
-    depth = arc["radius"] * (1 - math.cos((arc["theta_2"] - arc["theta_1"]) / 2))
+    return called(group, rng, arc, limit, arc["radius"] * (1 - math.cos((arc["theta_2"] - arc["theta_1"]) / 2)))
+
+
+def called(group: str, rng: np.random.Generator, arc: dict[str, Any], limit: float, depth: float) -> dict[str, Any]:
+    """A random scene of a group, of a mass with a limit friction and a depth of its arc below the chord."""
     stress, pace = arc["unit_weight"] * depth, math.sqrt(arc["radius"] / arc["gravity"])
     speed = math.sqrt(arc["radius"] * arc["gravity"])
     low, high = limit * rng.uniform(0.3, 0.9), limit * rng.uniform(1.02, 1.6)
@@ -236,6 +240,8 @@ def drawn(group: str, rng: np.random.Generator) -> dict[str, Any]:
                 friction, start = friction | {"peak": high}, float(0.2 * speed)
         case "rate table":
             friction = table(limit * float(rng.uniform(0.8, 0.95)), low * 0.6)
+        case "softening":
+            friction = slip_law(limit * float(rng.uniform(0.8, 0.99)), low * 0.8)
         case "prescribed":
             time = np.cumsum(pace * rng.uniform(0.2, 1.0, 4))
             values = limit * rng.uniform([1.05, 0.5, 0.2, 0.9], [1.2, 0.8, 0.8, 1.4])
@@ -273,7 +279,8 @@ def names() -> list[tuple[str, int]]:
 def make(name: tuple[str, int], seed: int | None = None) -> dict[str, Any]:
     """The first scene of this name that comes to an end, its motion, and a check with longer series."""
     group, number = name
-    timed, limits = group in TIMED, {"most": (4000, 60)} if group in TIMED else {}
+    timed = group in TIMED
+    limits: Any = {"most": (4000, 60)} if timed else {}
     rng = np.random.default_rng([seed or 20240611, list(GROUPS).index(group) - len(STEADY) * timed, number])
     for attempt in range(1000):
         if not timed:
@@ -302,23 +309,29 @@ class Found(NamedTuple):
     scene: Any
 
 
-def judged(which: tuple[str, int], seed: int) -> Found:
-    """A scene drawn, and solved both ways."""
+def judged(which: Any, seed: int) -> Found:
+    """A scene drawn, and solved both ways; of a section, where it has a number alone."""
+    import section_references
     import test_accuracy
 
     import slipcircle
 
-    row = make(which, seed)
-    kept, motion = row["reference"], slipcircle.solve(test_accuracy.scene(row))
+    section_references.SEED = seed
+    of_arc = isinstance(which, tuple)
+    row = make(which, seed) if of_arc else section_references.row(which)
+    scene = test_accuracy.scene(row) if of_arc else section_references.scene(row["scene"])
+    kept, motion = row["reference"], slipcircle.solve(scene)
     alike = (motion.moves, motion.arrested) == (kept["moves"], kept["arrested"])
     error = max(test_accuracy.true_error(motion, kept))
     return Found(row["group"], alike, error, float(motion.error_estimate), row["scene"])
 
 
-def fresh(count: int, seed: int) -> int:
-    """Kinds by turns, three in four of position and speed."""
-    asked = [(list(of)[k % len(of)], k // len(of)) for of, share in ((STEADY, 3), (TIMED, 1))
-             for k in range(share * count // 4)]  # fmt: skip
+def fresh(count: int, seed: int, sections: bool) -> int:
+    """Kinds by turns, three in four of position and speed; or sections of any ground."""
+    asked: list[Any] = [*range(count)]
+    if not sections:
+        parts = ((STEADY, 3), (TIMED, 1))
+        asked = [(list(of)[k % len(of)], k // len(of)) for of, share in parts for k in range(share * count // 4)]
     with ProcessPoolExecutor(2) as pool:
         found = list(pool.map(partial(judged, seed=seed), asked, chunksize=4))
     print(f"{'kind':22} scenes  worst error  least estimate/error")
@@ -337,9 +350,10 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
     parser.add_argument("--fresh", metavar="COUNT", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--sections", action="store_true")
     given = parser.parse_args()
     if given.fresh:
-        return fresh(given.fresh, given.seed)
+        return fresh(given.fresh, given.seed, given.sections)
     rows = []
     with ProcessPoolExecutor() as pool:
         for row in pool.map(make, names()):

@@ -6,7 +6,7 @@ line of the package. That series of another length agree says how good they are.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -29,10 +29,11 @@ class Problem:
     """A scene's equation of motion, all over Theta*, in dimensionless time; see (2.20), (3.11)."""
 
     def __init__(self, scene: Mapping[str, Any]) -> None:
-        arc, effects, m = scene["arc"], scene["effects"], oracle.moments(scene["arc"])
+        arc, effects, m = scene["arc"], scene["effects"], self.measured(scene["arc"])
         self.radius, gravity = number(arc["radius"]), number(arc["gravity"])
         self.scale, self.unit = (self.radius / gravity).sqrt(), (self.radius * gravity).sqrt()  # of time and speed
         self.dip, self.fall, self.press, self.level = m["dip"], m["fall"], m["press"], m["level"]
+        self.lean, self.cover = m.get("lean", m["dip"]), m.get("cover", arb(1))  # of what presses; of r_u
         self.turns = "rotation" in effects
         self.polar = m["polar"] if "centripetal" in effects else arb(0)
         per, layer = 1 / m["reference_stress"], 2 * m["half_angle"] / m["inertia"]
@@ -78,20 +79,31 @@ class Problem:
         courses = (self.k_h, self.k_v, self.water, self.ratio, self.time)
         self.kinks = sorted((b for c in courses for b in c.breaks), key=float)
 
+    def measured(self, arc: Mapping[str, Any]) -> dict[str, arb]:
+        """What the balance needs of the failed mass."""
+        return oracle.moments(arc)
+
+    borders: Sequence[arb] = ()  # rotations between which `under` is one formula
+
+    def under(self, phi: arb_series, place: int) -> arb_series | int:
+        """Mean pressure below a level that stays while the mass turns, over the reference stress."""
+        return 0
+
     def mu(self, slip: arb_series, speed: arb_series, t: arb, piece: int, band: int) -> arb_series:
         """Friction around a time; slip over R."""
         return self.slip.functions[piece](slip) * self.time.on(t) * self.speed.functions[band](speed)
 
-    def pressed(self, phi: arb_series, t: arb, side: int) -> tuple[arb_series, arb_series]:
+    def pressed(self, phi: arb_series, t: arb, side: int, place: int = 0) -> tuple[arb_series, arb_series]:
         """Around a time what drives in a direction, and what presses beside the water of its time."""
-        angle = (self.dip - phi) if self.turns else arb_series([self.dip])
-        sine, cosine = angle.sin_cos()
-        ratio, water = self.ratio.on(t), self.water.on(t)
-        fall, press = sine, cosine
+        turned = phi if self.turns else arb_series([0])
+        sine, cosine = (self.dip - turned).sin_cos()
+        across, along = (sine, cosine) if self.lean is self.dip else (self.lean - turned).sin_cos()
+        ratio, water = self.ratio.on(t) * self.cover, self.water.on(t) + self.under(turned, place)
+        fall, press = sine, along
         if self.shaken:
             k_h, k_v = self.k_h.on(t), self.k_v.on(t)
-            fall, press = (1 - k_v) * sine + k_h * cosine, (1 - k_v) * cosine - k_h * sine
-        return fall * (self.fall * side), (press - cosine * ratio) * self.press - water * self.level
+            fall, press = (1 - k_v) * sine + k_h * cosine, (1 - k_v) * along - k_h * across
+        return fall * (self.fall * side), (press - along * ratio) * self.press - water * self.level
 
 
 # --- series ----------------------------------------------------------------------------------------------------------
@@ -158,6 +170,7 @@ class Solution:
 
     def __init__(self, problem: Problem, terms: int, digits: int, most: tuple[int, int] = (20_000, 4000)) -> None:
         self.p, self.terms, self.digits, self.most = problem, terms, digits, most  # steps and episodes
+        self.place = sum(bool(b < 0) for b in problem.borders)
         self.steps: list[Step] = []
         self.lifts: list[arb] = []  # when it lifts off while it moves
         self.tops: list[tuple[arb, arb]] = []  # time and angular velocity where it may be fastest
@@ -196,7 +209,7 @@ class Solution:
     def _drive(self, time: arb, phi: arb, slip: arb, excess: arb, side: int) -> arb:
         """The drive less the resistance at rest."""
         ctx.cap = 1
-        fall, press = self.p.pressed(arb_series([phi]), time, side)
+        fall, press = self.p.pressed(arb_series([phi]), time, side, self.place)
         normal = press[0] - self.p.level * excess
         mu = self.p.mu(arb_series([slip]), arb_series([0]), time, self.p.slip.at(slip), 0)[0]
         return (fall[0] - self.p.cohesion - (mu * normal if normal > 0 else 0)).mid()
@@ -230,14 +243,14 @@ class Solution:
         lifted: bool | None = None
         last = "stands" if omega == 0 else ""
         while True:
-            if len(self.steps) > self.most[0] or (p.turns and abs(p.dip - phi - side * x) > arb.pi() / 2):
+            if len(self.steps) > self.most[0] or (p.turns and abs(p.lean - phi - side * x) > arb.pi() / 2):
                 raise Unfit
             limit = next((k for k in p.kinks if k > time * (1 + arb(2) ** -70) + arb(2) ** -90), None)
             if p.end is not None and (limit is None or limit > p.end):
                 limit = p.end
             if lifted is None:
                 ctx.cap = 1
-                press = p.pressed(arb_series([phi + side * x]), time + arb(2) ** -60, side)[1][0]
+                press = p.pressed(arb_series([phi + side * x]), time + arb(2) ** -60, side, self.place)[1][0]
                 lifted = bool(press + p.polar * omega**2 - p.level * excess < 0)
             self.lifts += [time] if lifted and not self.carried else []
             self.carried = lifted
@@ -252,6 +265,9 @@ class Solution:
                 watched["faster"] = p.speed.breaks[band] - y[1]
             if band > 0:
                 watched["slower"] = y[1] - p.speed.breaks[band - 1]
+            beyond = self.place if side > 0 else self.place - 1
+            if p.turns and 0 <= beyond < len(p.borders):
+                watched["border"] = (p.borders[beyond] - phi) * side - y[0]
             # What has just been passed is zero at first.
             zeros = {name: zero(s, h, name == last) for name, s in watched.items()}
             event, h = min([("", h), *((n, t) for n, t in zeros.items() if t is not None)], key=lambda e: float(e[1]))
@@ -261,6 +277,7 @@ class Solution:
             time, x, omega, excess = ((time + h).mid(), *(value(s, h) for s in y))
             last = {"faster": "slower", "slower": "faster", "lifts": "lifts"}.get(event, "")
             piece, band = piece + (event == "slip"), band + (event == "faster") - (event == "slower")
+            self.place += side * (event == "border")
             if event == "slip":
                 x = (p.slip.breaks[piece - 1] - slip).mid()
             if event == "stands":
@@ -280,7 +297,7 @@ class Solution:
         for n in range(1, self.terms):
             ctx.cap = n
             x, omega, excess = (arb_series(k) for k in known)
-            fall, press = p.pressed(x * side + phi, time, side)
+            fall, press = p.pressed(x * side + phi, time, side, self.place)
             normal = press + omega * omega * p.polar - excess * p.level
             rate, heat = fall - omega * p.viscosity - omega * omega * p.drag - p.cohesion, arb_series([0])
             if not lifted:
@@ -345,9 +362,10 @@ class Solution:
         }
 
 
-def solve(scene: Mapping[str, Any], shares: Sequence[float] = (), digits: int = 30, **limits: Any) -> dict[str, Any]:
+def solve(scene: Mapping[str, Any], shares: Sequence[float] = (), digits: int = 30,
+          problem: Callable[[Mapping[str, Any]], Problem] = Problem, **limits: Any) -> dict[str, Any]:  # fmt: skip
     """The motion of a scene to so many digits, with states at these shares of its duration."""
     with ctx.workprec(120 + 5 * digits):
-        found = Solution(Problem(scene), digits + 12, digits + 8, **limits)
+        found = Solution(problem(scene), digits + 12, digits + 8, **limits)
         duration = float(found.duration * found.p.scale)
         return found.record([duration * share for share in shares] if found.steps else [], digits)

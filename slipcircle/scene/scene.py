@@ -90,8 +90,11 @@ class Scene:
             bounds["accuracy"] = ACCURACY
         known = isinstance(self.arc, Arc | Section)
         found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
-        if isinstance(self.arc, Section) and self.arc.no_motion:
-            found.append(f"arc: {self.arc.no_motion}")
+        if isinstance(self.arc, Section):
+            found += [f"arc: {self.arc.no_motion}"] if self.arc.no_motion else []
+            if self.arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
+                found.append("effects.pore_pressure.ratio: cannot be combined with the level of the section, which "
+                             "says the pore pressure already; leave one out")  # fmt: skip
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
         found += law_mistakes(self.friction)
         if (
@@ -117,7 +120,7 @@ class Scene:
                     effects[name] = resolved(name, effects[name], max(gravity, default=9.81))
                 except ValueError as error:
                     found.append(str(error))
-        found += [] if found else shape_mistakes(self.numbers)
+        found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
         if self.uncertain and not found:
             drawn, found = declared(self.uncertain, self.friction, self.arc)
             found += [
@@ -166,7 +169,7 @@ class Scene:
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
-        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
+        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values() if np.ndim(value)))
 
 
 def checked(scene: Any, what: str) -> Scene:
