@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import nbformat
+import numpy as np
 import oracle
 import pytest
 from nbclient import NotebookClient
@@ -24,7 +25,7 @@ from derive.flow.operations import OPERATIONS as SERIES
 from derive.judge.paper import CLAIMS
 from generated import stable, tiers
 from generated.effects import EFFECTS, LAWS
-from slipcircle import Status, load, solve
+from slipcircle import Motion, Status, load, solve
 from slipcircle.outputs.report import ASSUMED
 
 ROOT = Path(__file__).parents[1]
@@ -193,6 +194,45 @@ def test_key_numbers_of_the_price_list() -> None:
     assert printed(notebook, "certificate").count("refused,") == 2
     assert "Frontier: " in printed(notebook, "timed-table")
     assert "above what is proved" not in printed(notebook, "timed-table")
+
+
+def numbers_of(motion: Motion) -> list[float]:
+    return [float(motion.peak.velocity), motion.run_out, motion.duration]
+
+
+def test_key_numbers_of_vaiont() -> None:
+    numbers, scene = key_numbers("4_vaiont_effect_by_effect.ipynb"), load("vaiont")
+    both: dict[str, dict[str, float]] = {"rotation": {}, "centripetal": {}}
+
+    def solved(effects: dict[str, dict[str, float]], end: float | None = None) -> Motion:
+        return solve(replace(scene, effects=effects, end_time=end))
+
+    steps = [
+        solved({}, 45.0),
+        solved({"centripetal": {}}, 45.0),
+        solved({"rotation": {}}),
+        solve(scene),
+        solve(replace(load("vaiont-as-printed"), end_time=45.0)),
+    ]
+    assert [m.arrested for m in steps] == [False, False, True, True, False]
+    for shown, motion in zip(numbers["steps"].values(), steps, strict=True):
+        assert shown == pytest.approx(numbers_of(motion), abs=6e-4)
+    added = [{"pore_pressure": {"ratio": 0.2}}, {"cohesion": {"cohesion": 1e5}}, {"drag": {"xi": 1000.0}}]
+    others = [solve(load("vaiont-softening")), *(solved(both | more) for more in added)]
+    others += [solve(load(name)) for name in ("vaiont-rate", "vaiont-heated")]
+    for shown, motion in zip(numbers["others"], others, strict=True):
+        assert shown == pytest.approx(numbers_of(motion), abs=6e-4)
+    # Interpolated between half degrees, so a little less exact: what the friction angles do give.
+    for what, targets in (("run-out", (300.0, 450.0)), ("peak", (20.0, 30.0))):
+        for angle, target in zip(numbers["friction_deg"][what], targets, strict=True):
+            motion = solve(replace(scene, friction=math.tan(math.radians(angle))))
+            reached = motion.run_out if what == "run-out" else float(motion.peak.velocity)
+            assert reached == pytest.approx(target, rel=0.02)
+    for way, (time, speed) in numbers["arrival"].items():
+        state = steps[3].at(time)
+        assert float(state.displacement) == pytest.approx(float(way), abs=2.0)
+        assert float(state.velocity) == pytest.approx(speed, abs=0.1)
+    assert numbers["dip_at_rest_deg"] == pytest.approx(23.95 - np.degrees(float(steps[3].end.rotation)), abs=0.006)
 
 
 def test_key_numbers_of_the_slope() -> None:

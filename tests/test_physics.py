@@ -76,6 +76,23 @@ DIPS = (1e-6, 1e-3, 0.1, 0.5, 1.0, 1.3, 1.57)
 
 
 @pytest.mark.parametrize("half", [1e-6, 0.01, 0.54, 1.5])
+@pytest.mark.parametrize("dip", [*DIPS, -0.7])
+def test_without_friction_it_is_a_pendulum(dip: float, half: float) -> None:
+    """Half a period of the pendulum of length Theta*/C_theta, by the elliptic integral; to the mirrored dip."""
+    arc = dipping(dip, half)
+    motion, c = solve(Scene(arc, 0.0, ("rotation",))), coefficients(arc)
+    with mpmath.workdps(40):
+        duration = 2 * mpmath.sqrt(c.inertia / c.turning) * mpmath.ellipk(mpmath.sin(c.dip / 2) ** 2) * c.time_scale
+        peak = mpmath.sqrt(4 * c.turning / c.inertia) * mpmath.sin(abs(c.dip) / 2) * c.radius / c.time_scale
+    assert not motion.arrested
+    assert motion.duration == pytest.approx(float(duration), rel=2e-14)
+    assert motion.run_out == pytest.approx(float(2 * c.dip * c.radius), rel=2e-14)
+    assert abs(motion.peak.velocity) == pytest.approx(float(peak), rel=2e-14)
+    assert motion.peak.displacement == pytest.approx(motion.run_out / 2, rel=1e-7)
+    assert residual(motion) < 1e-13
+
+
+@pytest.mark.parametrize("half", [1e-6, 0.01, 0.54, 1.5])
 @pytest.mark.parametrize("dip", [d for d in DIPS if d < 1.5])
 def test_constant_friction_tilts_the_pendulum(dip: float, half: float) -> None:
     """Gravity tilted by delta = arctan(mu C_r/C_theta): stop angle 2 (psi_0 - delta), and back: mu from the run-out."""
