@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from random import Random
-from typing import Any
+from typing import Any, assert_type
 
 import fuzz_scenes
 import numpy as np
@@ -22,8 +22,9 @@ import pytest
 import generated
 import slipcircle
 from generated.effects import EFFECTS, LAWS
-from slipcircle import Arc, Scene, Unattainable, backanalyse, ensemble, grid, load, plan, solve
+from slipcircle import Arc, Motion, Scene, Unattainable, backanalyse, ensemble, grid, load, plan, solve
 from slipcircle.__main__ import main
+from slipcircle.base.kinds import Array
 from slipcircle.base.series import Series
 from slipcircle.records.records import read_record
 from slipcircle.scene.keys import tables_of
@@ -356,6 +357,33 @@ def test_the_changelog_lists_what_was_renamed() -> None:
     for name in ("--runout-m", "--run-out-m", "shaking.peak_g", "slipcircle.kernels", "pydantic", "--polarities",
                  "--correlation"):  # fmt: skip
         assert name in text, name
+
+
+# --- 3, results ------------------------------------------------------------------------------------------------------
+
+
+def test_a_type_checker_tells_one_motion_from_many() -> None:
+    """mypy holds the types, the run that they are true."""
+    arc, mu = Arc(60.0, 3.8, 4.9, 2e4), np.array([0.1, 0.2])
+    one = solve(Scene(arc, 0.2, {"rotation": {}, "pore_pressure": {"ratio": 0.1}}))
+    assert_type(one, Motion[float])
+    assert_type(solve(load("vaiont")), Motion[float])
+    assert_type(solve(replace(VAIONT, friction=0.2)), Motion[float])
+    assert_type(one.run_out, float)
+    assert isinstance(one.run_out, float)
+    many = solve(Scene(arc, mu, ["rotation"]))
+    wide = solve(Scene(Arc(np.array([60.0, 70.0]), 3.8, 4.9, 2e4), 0.2, ["rotation"]))
+    assert_type(many, Motion[Array])
+    assert_type(wide, Motion[Array])
+    assert_type(many.run_out, Array)
+    for found in (many, wide):
+        assert found.run_out.shape == (2,)
+    law: dict[str, Any] = {"law": "exponential", "peak": 0.4, "residual": mu, "length": 1.0}
+    scene: Scene = load("vaiont")
+    assert_type(solve(Scene(arc, law, ["rotation"])), Motion[Any])  # which only running it tells
+    assert_type(solve(replace(scene, friction=mu)), Motion[Any])
+    with pytest.raises(ValueError, match="shapes do not fit together"):
+        replace(load("vaiont"), friction=mu, initial_velocity=np.zeros(3))  # type: ignore[arg-type]
 
 
 # --- 4, install and records ------------------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ def shipped() -> tuple[str, ...]:
     return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
-def load(name: str | PathLike[str]) -> Scene:
+def load(name: str | PathLike[str]) -> Scene[float]:
     """A scene that ships, by name, or one's own, by the path of its file; see `Scene.load`."""
     if name in shipped():
         return _scene(find(name), f"{name}.toml", check=False)
@@ -53,7 +53,7 @@ def find(name: str | PathLike[str]) -> Any:
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
 
-def read(path: str | PathLike[str]) -> Scene:
+def read(path: str | PathLike[str]) -> Scene[float]:
     """The scene that a TOML file describes.
 
     Parameters

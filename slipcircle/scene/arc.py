@@ -5,13 +5,14 @@ from __future__ import annotations  # so that a signature says ArrayLike
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.base.kinds import Array, Numbers
 from slipcircle.scene.weights import Dimensionless, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -23,6 +24,7 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
+GRAVITY, WIDTH = 9.81, 1.0  # by default
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
@@ -30,7 +32,7 @@ GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
 
 
 @dataclass(frozen=True)
-class Arc:
+class Arc(Generic[Numbers]):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -63,14 +65,28 @@ class Arc:
     paper's J_theta with its quotients (``dimensionless``, ``weight_moment``) have the sense of the angles.
     """
 
-    radius: ArrayLike
-    theta_1: ArrayLike
-    theta_2: ArrayLike
-    unit_weight: ArrayLike
-    gravity: ArrayLike = 9.81
-    width: ArrayLike = 1.0
+    radius: Numbers | float
+    theta_1: Numbers | float
+    theta_2: Numbers | float
+    unit_weight: Numbers | float
+    gravity: Numbers | float = GRAVITY
+    width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[tuple[str, ...]] = QUANTITIES
+
+    if TYPE_CHECKING:  # one array makes an ensemble
+
+        @overload
+        def __init__(
+            self: Arc[float], radius: float, theta_1: float, theta_2: float, unit_weight: float, gravity: float = ...,
+            width: float = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self: Arc[Array], radius: ArrayLike, theta_1: ArrayLike, theta_2: ArrayLike, unit_weight: ArrayLike,
+            gravity: ArrayLike = ..., width: ArrayLike = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}

@@ -2,18 +2,19 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, Parameter
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
-from slipcircle.base.series import Series
+from slipcircle.base.kinds import Array, Numbers
+from slipcircle.base.series import Pulse, Series
 from slipcircle.records.given import factor, greatest, resolved
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
@@ -23,11 +24,12 @@ from slipcircle.scene.section import Section
 if TYPE_CHECKING:
     from slipcircle.scene.search import Critical
 
+One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(Generic[Numbers]):
     """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
 
     Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
@@ -61,22 +63,51 @@ class Scene:
     stability : Critical, optional
         Factors of safety of the section's circle, and how it was found; the motion does not depend on it.
 
+    Notes
+    -----
+    To a type checker a ``Scene[float]`` is one scene, whose `solve` is a ``Motion[float]``, and a ``Scene[Array]`` an
+    ensemble; ``scene: Scene = load("vaiont")`` is either, so that ``replace`` may put arrays into it.
+
     Raises
     ------
     ValueError
         Lists every mistake with its field, its value and what is allowed.
     """
 
-    arc: Arc | Section
-    friction: ArrayLike | Mapping[str, Any] | Callable[[Any], Any]
-    effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
-    initial_velocity: ArrayLike = 0.0
-    end_time: ArrayLike | None = None
+    arc: Arc[Numbers] | Section
+    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any]
+    effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
+    initial_velocity: Numbers | float = 0.0
+    end_time: Numbers | float | None = None
     accuracy: float | None = None
     name: str = ""
     note: str = ""
     uncertain: Mapping[str, Any] = field(default_factory=dict)
     stability: Critical | None = None
+
+    if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
+
+        @overload
+        def __init__(
+            self: Scene[float], arc: Arc[float] | Section, friction: float | Mapping[str, One] | Callable[[Any], Any],
+            effects: Mapping[str, Mapping[str, One]] | Iterable[str] = ..., initial_velocity: float = ...,
+            end_time: float | None = None, accuracy: float | None = None, name: str = ..., note: str = ...,
+            uncertain: Mapping[str, Any] = ..., stability: Critical | None = None,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self: Scene[Array], arc: Arc | Section, friction: NDArray[Any] | Sequence[float], *more: Any, **named: Any
+        ) -> None: ...
+        @overload
+        def __init__(self: Scene[Array], arc: Arc[Array], *more: Any, **named: Any) -> None: ...
+        @overload
+        def __init__(
+            self: Scene[Any], arc: Arc | Section, friction: float | Mapping[str, Any] | Callable[[Any], Any],
+            effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = ..., initial_velocity: ArrayLike = ...,
+            end_time: ArrayLike | None = None, accuracy: float | None = None, name: str = ..., note: str = ...,
+            uncertain: Mapping[str, Any] = ..., stability: Critical | None = None,
+        ) -> None: ...  # fmt: skip
+        def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         effects, found = _named(self.effects)
@@ -143,7 +174,7 @@ class Scene:
         found: dict[str, Any] = {n: getattr(self.arc, n) for n in self.arc.quantities}
         law = self.friction
         if isinstance(law, Mapping):
-            tables = any(p.kind == "list" for p in LAWS[law["law"]].parameters) if law.get("law") in LAWS else True
+            tables = any(p.kind == "list" for p in LAWS[str(law["law"])].parameters) if law.get("law") in LAWS else True
             found |= {f"friction.{n}": value for n, value in law.items() if n not in ("law", "rate") and not tables}
         elif not callable(law):
             found["friction"] = law
