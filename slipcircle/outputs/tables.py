@@ -35,12 +35,11 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
     chosen = [q for q in results(motion) if verbose or q.key or (q in JOURNEY and motion.moves)]
     found = {q.label: q.text(motion) for q in chosen}
-    if motion.plan.scene.stability is not None:
-        if not motion.plan.scene.stability.slope.k_h:
+    if (circle := motion.plan.scene.stability) is not None:
+        if not circle.slope.k_h and circle.factor_of_safety["paper"] is not None:
             del found["factor of safety"]  # the paper's, which stands among these
         told = ("entry", "exit")  # as ends of the slip surface
-        stability = stability_column(motion.plan.scene.stability)
-        found |= {label: value for label, value in stability.items() if label not in told}
+        found |= {label: value for label, value in stability_column(circle).items() if label not in told}
     if not motion.arrested:
         ended = motion.plan.scene.end_time is not None
         found["comes to rest"] = "no, still moving" if ended else "no, nothing holds it; to its first standstill"
@@ -74,16 +73,18 @@ def stability_column(found: Critical) -> dict[str, str]:
 
     by_method = found.factor_of_safety.items()
     rows = {f"factor of safety by {METHODS[m][0]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
+    sense = {} if math.isnan(found.negative) else {  # as of a circle that overhangs
+        "slides to the": {1: "right", -1: "left"}.get(found.facing, "neither side: nothing drives it"),
+        "arc under negative normal stress": f"{100 * found.negative:.1f} %",
+    }  # fmt: skip
     if found.slope.k_h:
         rows["horizontal acceleration k_h of these"] = shown(found.slope.k_h)
     return rows | {
         "circle": f"least factor by {found.method}" if found.method else "as given",
         "centre": point(found.centre), "radius": f"{shown(found.radius)} m",
         "entry": point(found.entry), "exit": point(found.exit),
-        "slides to the": {1: "right", -1: "left"}.get(found.facing, "neither side: nothing drives it"),
         "circles tried, refused": f"{found.tried}, {found.refused}",
-        "arc under negative normal stress": f"{100 * found.negative:.1f} %",
-    }  # fmt: skip
+    } | sense  # fmt: skip
 
 
 # --- plans and ladders -----------------------------------------------------------------------------------------------
