@@ -157,6 +157,38 @@ def test_a_name_is_no_scene(work: Callable[[Any], Any]) -> None:
         work("vaiont")
 
 
+DRAWN = replace(VAIONT, uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1}})
+ANY: Any = slipcircle  # whose types no checker holds
+CHANGED: Any = replace
+
+
+@pytest.mark.parametrize(
+    ("work", "said"),
+    [
+        *((lambda x=x: ANY.load(x), "scene .*: must be the name of one that ships, or the path of its file")
+          for x in (3, None, b"vaiont", ["a"], VAIONT)),
+        *((lambda f=f, x=x: getattr(ANY, f)(x, 3), f"scene = {x}: must be a Scene; load")
+          for f in ("ensemble", "grid") for x in (None, 3)),
+        *((lambda x=x: ANY.solve(x), f"scene = {x}: must be a Scene; load") for x in (None, 3)),
+        *((lambda x=x: ANY.solve(VAIONT, x), "accuracy = .*: must be a relative error") for x in ("a", 2, [1e-9])),
+        (lambda: CHANGED(VAIONT, accuracy=[1e-9]), "accuracy = .*: must be a relative error"),
+        *((lambda n=n: ANY.ensemble(DRAWN, 3, **{n: "a"}), f"{n} = 'a': must be")
+          for n in ("method", "confidence", "size", "sensitivity", "correlation", "rng")),
+        (lambda: ANY.grid(VAIONT, 3), "levels = 3: must be a mapping"),
+        (lambda: ANY.grid(VAIONT, {"friction": ["a"]}), "friction: must be a list of numbers"),
+        (lambda: ANY.backanalyse(VAIONT, run_out=300.0, field=3), "field = 3, bounds = None: must be a key"),
+        (lambda: ANY.backanalyse(VAIONT, run_out=300.0, bounds=3), "bounds = 3: must be a key"),
+        (lambda: CHANGED(VAIONT, uncertain=3), "uncertain = 3: must be a mapping"),
+        (lambda: CHANGED(VAIONT.arc, given=3), "given = 3: must be a mapping"),
+        (lambda: solve(VAIONT).to_dict("a"), "times = 'a': must be times in s"),
+    ],
+)  # fmt: skip
+def test_a_call_of_the_wrong_kind_is_one_error(work: Callable[[], Any], said: str) -> None:
+    with pytest.raises(ValueError, match=said) as found:
+        work()
+    assert "\n" not in str(found.value)
+
+
 def test_a_number_of_samples_that_nothing_has(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["sweep", "vaiont", "--uncertain", "friction.angle_deg=normal:10:1", "--samples", "1e300"]) == 1
     assert "must be a whole number of samples, from 1 to 1e+12" in capsys.readouterr().err

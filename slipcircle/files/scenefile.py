@@ -32,14 +32,15 @@ def shipped() -> tuple[str, ...]:
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
-    """A scene that ships, by name, or one's own, by the path of its file; see `Scene.load`."""
-    if name in shipped():
-        return _scene(find(name), f"{name}.toml", check=False)
-    return read(find(name))
+    """A scene that ships, by name, or one's own, by the path of its file."""
+    file = find(name)
+    return _scene(file, f"{name}.toml", check=False) if name in shipped() else read(file)
 
 
 def find(name: str | PathLike[str]) -> Any:
     """The file of a scene that ships, by name; or one's own, by its path."""
+    if not isinstance(name, str | PathLike):
+        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)

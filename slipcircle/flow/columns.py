@@ -139,8 +139,7 @@ class Columns:
                 size = size * (rate * scale) / j
                 terms.append(size * wave[j % 4])
             return np.array(terms) * factor
-        terms = shifted(poly, local)[: order + 1]
-        return terms * scale ** np.arange(len(terms))[:, None] * factor
+        return shifted(poly, local)[: order + 1] * scale ** np.arange(min(order + 1, len(poly)))[:, None] * factor
 
     def _changes(self) -> Any:
         """Whether something will still change while it rests."""

@@ -95,7 +95,10 @@ class Arc(Generic[Numbers]):
             found = shape_mistakes(values)
         if not found:
             found = self._geometry_mistakes()
-        if self.given is not None:
+        given: Any = self.given
+        if not isinstance(given, Mapping | None):
+            found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
+        elif self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
             bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}

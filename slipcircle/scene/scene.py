@@ -117,12 +117,10 @@ class Scene(Generic[Numbers]):
         }
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
-        if self.accuracy is not None:
-            bounds["accuracy"] = ACCURACY
         known = isinstance(self.arc, Arc | Section)
         found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
         found += _unsolved(self.arc) if isinstance(self.arc, Section) else []
-        found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
+        found += mistakes({n: getattr(self, n) for n in bounds}, bounds) + accuracy_mistakes(self.accuracy)
         found += law_mistakes(self.friction)
         if (
             isinstance(self.arc, Arc)
@@ -148,7 +146,10 @@ class Scene(Generic[Numbers]):
                 except ValueError as error:
                     found.append(str(error))
         found += [] if found else shape_mistakes(self.numbers)
-        if self.uncertain and not found:
+        uncertain: Any = self.uncertain
+        if not isinstance(uncertain, Mapping):
+            found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
+        elif self.uncertain and not found:
             drawn, found = declared(self.uncertain, self.friction)
             found += [
                 f"uncertain.{u.key}: the scene has no value of it to vary"
@@ -197,6 +198,12 @@ class Scene(Generic[Numbers]):
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values()))
+
+
+def accuracy_mistakes(accuracy: Any) -> list[str]:
+    """A sentence if it is given, and no relative error."""
+    one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
+    return [] if accuracy is None else mistakes({"accuracy": one}, {"accuracy": ACCURACY})
 
 
 def checked(scene: Any, what: str) -> Scene:
