@@ -30,6 +30,7 @@ from slipcircle.scene.varied import other_way
 
 T = TypeVar("T")
 MOST_TIMES = 1_000_000
+SILENT = 5.0  # s, at most
 INTERRUPTED = 130
 EPILOG = """\
 scenes that ship:
@@ -46,8 +47,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = _parser(argv).parse_args(argv)
     options.line = shlex.join(["slipcircle", *argv])
     try:
-        with _heard():
-            options.work(options)
+        options.work(options)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
@@ -72,25 +72,26 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """What the shell calls: interrupted, it waits for no thread that still computes."""
-    status = main()
+    """What the shell calls: it is heard from, and interrupted it waits for no thread that still computes."""
+    with _heard(SILENT):
+        status = main()
     if status == INTERRUPTED and active_count() > 1:
         os._exit(status)
     sys.exit(status)
 
 
 @contextmanager
-def _heard(seconds: float = 5.0) -> Iterator[None]:
-    """Tell people at a terminal that the work goes on, every few seconds."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield
-        return
+def _heard(seconds: float) -> Iterator[None]:
+    """Tell that the work goes on: on one line of a terminal, elsewhere on lines ever farther apart."""
     done, began = Event(), time.monotonic()
+    terminal = sys.stderr is not None and sys.stderr.isatty()
+    before, after, rarer = ("\r\x1b[K", "\r", 1.0) if terminal else ("", "\n", 2.0)
 
-    def tell() -> None:
-        while not done.wait(seconds):
+    def tell(wait: float = seconds) -> None:
+        while not done.wait(wait):
             said = f"slipcircle: at work for {time.monotonic() - began:.0f} s; Ctrl-C ends it"
-            print(f"\r\x1b[K{said}", end="\r", file=sys.stderr, flush=True)
+            print(f"{before}{said}", end=after, file=sys.stderr, flush=True)
+            wait *= rarer
 
     Thread(target=tell, daemon=True).start()
     try:

@@ -264,19 +264,35 @@ def test_ctrl_c_ends_every_engine(engine: str, tmp_path: Path) -> None:
     assert "Traceback" not in err
 
 
-def test_work_at_a_terminal_is_not_silent(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("terminal", [True, False])
+def test_no_command_is_silent(
+    terminal: bool, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Whatever it computes, with a terminal or without."""
     from slipcircle import __main__ as line
 
-    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
-    with line._heard(0.01):
+    said = ""
+
+    def work() -> int:
+        nonlocal said
         deadline = time.monotonic() + 30.0
-        said = ""
-        while not said and time.monotonic() < deadline:
+        while "work" not in said and time.monotonic() < deadline:
             time.sleep(0.02)
-            said = capsys.readouterr().err
-    assert "at work for" in said
-    with line._heard(3600.0):
-        pass
+            said += capsys.readouterr().err
+        return 0
+
+    assert line.SILENT <= 5.0
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: terminal, raising=False)
+    monkeypatch.setattr(line, "main", work)
+    monkeypatch.setattr(line, "SILENT", 0.01)
+    with pytest.raises(SystemExit):
+        line.command()
+    assert said.startswith(("\r\x1b[K" if terminal else "") + "slipcircle: at work for")
+    monkeypatch.setattr(line, "main", lambda: 0)
+    monkeypatch.setattr(line, "SILENT", 3600.0)
+    capsys.readouterr()
+    with pytest.raises(SystemExit):
+        line.command()
     assert not capsys.readouterr().err
 
 

@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from concurrent.futures import BrokenExecutor
+from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import replace
 from typing import IO, Any
 
@@ -83,7 +83,7 @@ def run(options: argparse.Namespace) -> Study:
     content = source.read_bytes()
     try:
         found = _compute(scene, options)
-    except BrokenExecutor as error:
+    except (BrokenExecutor, CancelledError) as error:  # processes, Dask
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
     for path in options.plot or []:
