@@ -9,7 +9,8 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import replace
 from pathlib import Path
 from random import Random
@@ -244,11 +245,24 @@ def test_rows_without_an_answer_say_why(capsys: pytest.CaptureFixture[str]) -> N
     assert "1 of 2 samples have no answer and are left out: it never rests" in err
 
 
-@pytest.mark.parametrize("engine", ["serial", "threads", "processes"])
-def test_ctrl_c_ends_every_engine(engine: str, tmp_path: Path) -> None:
+@pytest.fixture
+def scheduler(engine: str) -> Iterator[list[str]]:
+    """What an engine is told of its workers; of Dask a cluster on loopback."""
+    if engine != "dask":
+        yield ["--workers", "2"]
+        return
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None, silence_logs=50
+    ) as cluster:
+        yield ["--scheduler", cluster.scheduler_address]
+
+
+@pytest.mark.parametrize("engine", ["serial", "threads", "processes", "dask"])
+def test_ctrl_c_ends_every_engine(engine: str, scheduler: list[str], tmp_path: Path) -> None:
     """The signal goes to all processes, as from a terminal; what is kept begins when the first block is done."""
     line = ["sweep", "vaiont-rate", "--uncertain", "friction.peak_deg=normal:24:1", "--samples", "1e6", "--engine",
-            engine, "--block", "256", "--workers", "2", "--resume", str(tmp_path)]  # fmt: skip
+            engine, "--block", "256", *scheduler, "--resume", str(tmp_path)]  # fmt: skip
     process = subprocess.Popen([sys.executable, "-m", "slipcircle", *line], cwd=ROOT, start_new_session=True,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)  # fmt: skip
     try:
@@ -262,6 +276,20 @@ def test_ctrl_c_ends_every_engine(engine: str, tmp_path: Path) -> None:
     assert (process.returncode, out) == (130, "")
     assert "interrupted; finished blocks are in" in err
     assert "Traceback" not in err
+
+
+@pytest.mark.parametrize("gone", [BrokenExecutor, CancelledError])
+def test_workers_that_are_gone(
+    gone: type[Exception], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of processes and of Dask."""
+
+    def lost(*_: Any) -> None:
+        raise gone
+
+    monkeypatch.setattr("slipcircle.outputs.sweep._compute", lost)
+    assert main(["sweep", "vaiont", "--grid", "friction.angle_deg=8,10"]) == 1
+    assert "a worker died; with --resume FOLDER it could continue" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("terminal", [True, False])
