@@ -47,6 +47,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = _parser(argv).parse_args(argv)
     options.line = shlex.join(["slipcircle", *argv])
     try:
+        _ready(options)
         options.work(options)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
@@ -124,11 +125,14 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
             added.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
         return added
 
+    def plot(parser: argparse.ArgumentParser, what: str, more: str = "") -> None:
+        parser.add_argument("--plot", metavar="FILE", action="append", default=[],
+                            help=f"draw {what}; .png, .svg, .pdf or .jpg{more}")  # fmt: skip
+
     run = command("run", _run, "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
     run.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
-    run.add_argument("--plot", metavar="FILE", action="append", help="draw section, motion and energy; .png, .svg, "
-                     ".pdf or .jpg, and the slide itself as .gif; may be given more than once")  # fmt: skip
+    plot(run, "section, motion and energy", ", and the slide itself as .gif; may be given more than once")
     run.add_argument("--polarities", action="store_true", help="each shaken scene also with its horizontal shaking "
                      "turned around, and the mean of both")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
@@ -140,7 +144,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
-    planned.add_argument("--plot", metavar="FILE", help="draw the ladder; .png, .svg, .pdf or .jpg")
+    plot(planned, "the ladder")
     swept = command("sweep", _sweep, "a scene on a grid of values, or for samples of its uncertain numbers")
     swept.add_argument("scene", metavar="SCENE", help=which)
     if "sweep" in argv:  # no other command needs what it loads
@@ -160,16 +164,15 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     back.add_argument("--field", action="append", metavar="KEY[=LOW:HIGH]", help="what is looked for, a scene "
                       "file's key, by default friction.angle_deg, and between which values; several for several "
                       "observations")  # fmt: skip
-    back.add_argument("--plot", metavar="FILE", help="draw what was observed over the fields; .png, .svg, .pdf or .jpg")
+    plot(back, "what was observed over the fields")
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
-    slopes.add_argument("--plot", metavar="FILE", help="draw what a change of each number changes; .png, .svg, .pdf or "
-                        ".jpg")  # fmt: skip
+    plot(slopes, "what a change of each number changes")
     schema = command("schema", _schema, "what a scene file may say: every effect, law, key and unit")
     schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
     cost = command("cost", _cost, "measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
-    cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
+    plot(cost, "error against time and error over alpha")
     cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
     command("info", _info, "versions and digests of what is installed")
     return parser
@@ -179,17 +182,21 @@ def _print(found: Any) -> None:
     print(json.dumps(plain(found), indent=2, allow_nan=False))
 
 
-def _drawn(command: str, path: str | None) -> None:
-    """See that a picture can be drawn and written, before the work."""
-    if path:
+def _ready(options: argparse.Namespace) -> None:
+    """See that all files of a command can be written and its pictures drawn, before the work."""
+    asked = {f"--{k}": path for k in ("plot", "report", "csv", "npz") if (path := getattr(options, k, None))}
+    given = vars(options)
+    names = given.get("scenes") or given.get("slopes") or [name for name in [given.get("scene")] if name]
+    files.check(options.command, asked, [str(find(name)) for name in names])
+    if "--plot" in asked or "--report" in asked:
         from slipcircle.outputs import pictures
 
-        files.check(command, {"--plot": path})
-        pictures.check(command, path)
+        for path in options.plot or [""]:
+            pictures.check(options.command, path, len(given.get("scenes", names[:1])))
 
 
-def _draw(path: str | None, what: str, found: Any) -> None:
-    if path:
+def _draw(paths: Sequence[str], what: str, found: Any) -> None:
+    for path in paths:
         from slipcircle.outputs import pictures
 
         files.write(path, getattr(pictures, what)(found, path))
@@ -200,15 +207,8 @@ def _draw(path: str | None, what: str, found: Any) -> None:
 
 def _run(options: argparse.Namespace) -> None:
     paths = [find(name) for name in options.scenes]
-    asked = {f"--{kind}": path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
-    files.check("run", asked, [str(path) for path in paths])
     if options.times is not None and not options.csv:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
-    if options.plot or options.report:
-        from slipcircle.outputs import pictures
-
-        for path in options.plot or [""]:
-            pictures.check("run", path, len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
     scenes = [load(name) for name in options.scenes]
     if options.polarities:
@@ -220,7 +220,9 @@ def _run(options: argparse.Namespace) -> None:
         from slipcircle.outputs.trace import csv
 
         made[options.csv] = csv(motions, options.times)
-    for path in options.plot or []:
+    for path in options.plot:
+        from slipcircle.outputs import pictures
+
         made[path] = pictures.overview(motions, path)
     if options.report:
         from slipcircle.outputs.report import report
@@ -287,7 +289,6 @@ def _plan(options: argparse.Namespace) -> None:
         return
     if options.plot and not options.ladder:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
-    _drawn("plan", options.plot)
     chosen = plan(load(options.scene))
     if options.ladder:
         from slipcircle.studies.ladder import ladder
@@ -354,7 +355,6 @@ def _backanalyse(options: argparse.Namespace) -> None:
     if all(value is None for value in seen.values()):
         wanted = ", ".join(_observed_options().values())
         raise ValueError(f"backanalyse: nothing observed: give one of {wanted}")
-    _drawn("backanalyse", options.plot)
     found = slipcircle.backanalyse(load(options.scene), field=fields, bounds=bounds, **seen)
     name = found.motion.plan.scene.name
     _draw(options.plot, "backanalysis", found)
@@ -369,7 +369,6 @@ def _backanalyse(options: argparse.Namespace) -> None:
 
 
 def _sensitivity(options: argparse.Namespace) -> None:
-    _drawn("sensitivity", options.plot)
     motion = solve(load(options.scene))
     found, name = motion.sensitivity(), motion.plan.scene.name
     _draw(options.plot, "sensitivity", found)
@@ -402,19 +401,14 @@ def _cost(options: argparse.Namespace) -> None:
     from slipcircle.cost import cost, costtext
     from slipcircle.outputs.info import machine
 
-    if options.plot:
-        from slipcircle.outputs import pictures
-
-        pictures.check("cost", options.plot)
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
         files.write(options.csv, costtext.table_csv(found))
-    if options.plot:
+    for path in options.plot:
         from slipcircle.cost import costplot
+        from slipcircle.outputs import pictures
 
-        files.write(
-            options.plot, pictures.render(partial(costplot.overview, found), costplot.size(found), options.plot)
-        )
+        files.write(path, pictures.render(partial(costplot.overview, found), costplot.size(found), path))
     if options.json:
         _print({"machine": machine(), "rows": [costtext.record(row) for row in found]})
         return

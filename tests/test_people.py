@@ -27,9 +27,11 @@ from slipcircle import Arc, Motion, Scene, Unattainable, backanalyse, ensemble, 
 from slipcircle.__main__ import main
 from slipcircle.base.kinds import Array
 from slipcircle.base.series import Series
+from slipcircle.files.scenefile import shipped
 from slipcircle.flow import cells as its
 from slipcircle.flow import stiff
 from slipcircle.flow.bind import Bound
+from slipcircle.motion.quantities import known
 from slipcircle.records.records import read_record
 from slipcircle.scene.keys import tables_of
 
@@ -463,6 +465,41 @@ def test_a_type_checker_tells_one_motion_from_many() -> None:
     assert_type(solve(replace(scene, friction=mu)), Motion[Any])
     with pytest.raises(ValueError, match="shapes do not fit together"):
         replace(load("vaiont"), friction=mu, initial_velocity=np.zeros(3))  # type: ignore[arg-type]
+
+
+NOTHING = re.compile(r"(?<![\w.])-0(?:\.0*)?(?:e[-+]?\d+)?(?![.\d])")  # a negative zero
+MANY_DIGITS = re.compile(r"\d\.\d{9}|\.0{7}")  # that nobody reads
+
+
+@pytest.mark.parametrize("name", shipped())
+def test_no_command_prints_a_negative_zero(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Tables, CSV, JSON and reports of every scene that ships; tables without more digits than people read."""
+    monkeypatch.setattr("slipcircle.outputs.pictures.render", lambda *_: b"")
+    key = "friction.angle_deg" if isinstance(load(name).friction, float) else "friction.peak_deg"
+    drawn = f"--uncertain {key}=normal:22:1 --uncertain initial_velocity_m_s=normal:0:0.01 --samples 32 --seed 1"
+    report = f"--csv {tmp_path}/a.csv --report {tmp_path}/a.html"
+    for line in (
+        f"run {name} --verbose {report}", f"run {name} --json", f"plan {name}" + " --ladder" * (name == "wet-slope"),
+        f"sensitivity {name}", f"backanalyse {name} --field {key} --run-out-m 20+-1", f"search {name}",
+        f"sweep {name} --grid {key}=5,20,44 --csv {tmp_path}/b.csv", f"sweep {name} {drawn} {report}",
+    ):  # fmt: skip
+        main(line.split())
+        out, err = capsys.readouterr()
+        assert "--json" in line or not MANY_DIGITS.search(out), line
+        made = [re.sub(r'<data value="[^"]*">', "", p.read_text("utf-8")) for p in tmp_path.iterdir()]
+        for text in (out, err, *made):
+            assert not NOTHING.search(text), (line, NOTHING.search(text))
+
+
+def test_digits_that_are_known() -> None:
+    """Two of the error, and no sign of a zero; what is small by its power of ten."""
+    assert [known(-0.001, 0.3), known(-1e-9, 0.3), known(12.3456, 0.012), known(1234.5, 96.0)] == [
+        "0.00", "0.00", "12.346", "1234"]  # fmt: skip
+    assert [known(5.6123e-10, 3.1e-11), known(-1e-13, 1e-10), known(5.0, 0.0)] == ["5.61e-10", "0", "5"]
+    assert not NOTHING.search("left-0 1e-08 -0.5 -0.05e-3 2.5-0.3")
+    assert all(NOTHING.search(x) for x in ("-0", "a -0.00 b", "[-0.0, 1]", "-0e+00"))
 
 
 # --- 4, install and records ------------------------------------------------------------------------------------------

@@ -13,7 +13,18 @@ from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import JOURNEY, OUTCOMES, digits_left, plain, record, results, shown, spent, words
+from slipcircle.motion.quantities import (
+    JOURNEY,
+    OUTCOMES,
+    digits_left,
+    known,
+    plain,
+    record,
+    results,
+    shown,
+    spent,
+    words,
+)
 from slipcircle.scene.search import Critical
 from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
@@ -53,7 +64,7 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     }
     if verbose:
         d = asdict(motion.plan.scene.arc.dimensionless)
-        found |= {symbol: f"{float(d[name]):.5f}" for symbol, name in COEFFICIENTS.items()}
+        found |= {symbol: f"{float(d[name]):z.5f}" for symbol, name in COEFFICIENTS.items()}
     return found
 
 
@@ -178,35 +189,24 @@ def backanalysis_rows(found: "BackAnalysis") -> Rows:
     for s in found.solutions:
         rows, errors = {}, s.standard_errors or {}
         for name, value in s.values.items():
-            rows[name] = _with_error(value, errors.get(name, 0.0), s.error_estimate)
+            error = errors.get(name, 0.0)
+            said = f"{known(value, error)} +- {known(error, error)}" if error > 0.0 else ""
+            rows[name] = said or shown(value, digits_left(s.error_estimate))
         if s.correlation is not None:
             names = list(s.values)
             for i, j in combinations(range(len(names)), 2):
-                rows[f"correlation of {names[i]} and {names[j]}"] = f"{s.correlation[i, j]:+.3f}"
+                rows[f"correlation of {names[i]} and {names[j]}"] = f"{s.correlation[i, j]:+z.3f}"
         for name in OUTCOMES:
             seen, sigma = found.observed.get(name, (None, None))
             of = "" if seen is None else f" (observed {shown(seen, 6)}" + (f" +- {sigma:.2g})" if sigma else ")")
             value = float(OUTCOMES[name].read(s.motion))
             rows[words(name, OUTCOMES[name].unit)] = shown(value, digits_left(s.motion.error_estimate)) + of
         if found.method == FITTED:
-            known = all(sigma for _, sigma in found.observed.values())
+            weighed = all(sigma for _, sigma in found.observed.values())
             free = found.degrees_of_freedom
-            rows[f"chi-square, degrees of freedom {free}" if known else "misfit"] = f"{s.chi_square:.3g}"
+            rows[f"chi-square, degrees of freedom {free}" if weighed else "misfit"] = f"{s.chi_square:.3g}"
         columns.append(rows | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"})
     return beside(columns)
-
-
-def _with_error(value: float, error: float, numerical: float) -> str:
-    """A number with its standard error, to two digits of that; to those that its numerical error leaves without."""
-    if not error > 0.0:
-        return shown(value, digits_left(numerical))
-    form = decimals(error)
-    return f"{value:{form}} +- {error:{form}}"
-
-
-def decimals(error: float) -> str:
-    """The form of numbers that are known up to an error: two digits of that."""
-    return f".{min(max(1 - math.floor(math.log10(error)), 0), 12)}f"
 
 
 # --- the screen ------------------------------------------------------------------------------------------------------

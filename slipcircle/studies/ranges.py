@@ -21,7 +21,9 @@ Floats = NDArray[np.float64]
 def range_of(scene: Scene, field: Number, alone: bool) -> Floats:
     """Values of a field in its unit, from the least to the greatest; farther where other fields change as well."""
     arc = scene.arc
-    now = {n: float(np.asarray(getattr(arc, n))) for n in ("radius", "gravity", "theta_1", "theta_2")}
+    now = {
+        n: float(np.asarray(getattr(arc, n))) for n in ("radius", "gravity", "theta_1", "theta_2") if hasattr(arc, n)
+    }
     stress, speed = float(arc.static_normal_stress), 2 * math.sqrt(now["gravity"] * now["radius"])
     end = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
     linear = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], end])
