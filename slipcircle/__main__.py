@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
 from functools import partial
+from importlib import import_module
 from textwrap import wrap
 from threading import Event, Thread, active_count
 from typing import Any, TypeVar
@@ -147,24 +148,13 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     plot(planned, "the ladder")
     swept = command("sweep", _sweep, "a scene on a grid of values, or for samples of its uncertain numbers")
     swept.add_argument("scene", metavar="SCENE", help=which)
-    if "sweep" in argv:  # no other command needs what it loads
-        from slipcircle.outputs import sweep
-
-        sweep.arguments(swept)
     searched = command("search", _search, "the critical circle of a slope, and its factors of safety by three methods")
-    if "search" in argv:
-        from slipcircle.outputs import searching
-
-        searching.arguments(searched)
     back = command("backanalyse", _backanalyse, "the friction, or another number, that explains an observed motion")
     back.add_argument("scene", metavar="SCENE", help=which)
-    for name, option in _observed_options().items():
-        back.add_argument(option, type=_observed, dest=name, metavar="X[+-S]",
-                          help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20")  # fmt: skip
-    back.add_argument("--field", action="append", metavar="KEY[=LOW:HIGH]", help="what is looked for, a scene "
-                      "file's key, by default friction.angle_deg, and between which values; several for several "
-                      "observations")  # fmt: skip
     plot(back, "what was observed over the fields")
+    for one, module in ((swept, "sweep"), (searched, "searching"), (back, "backanalysing")):
+        if one.prog.split()[-1] in argv:  # no other command needs what it loads
+            import_module(f"slipcircle.outputs.{module}").arguments(one)
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
     plot(slopes, "what a change of each number changes")
@@ -326,46 +316,17 @@ def _search(options: argparse.Namespace) -> None:
         _print([f.record() for f in found])
 
 
-def _observed_options() -> dict[str, str]:
-    """The options of `backanalyse` by outcome; each ends in its unit."""
-    return {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OUTCOMES.items()}
-
-
-def _observed(text: str) -> float | tuple[float, float]:
-    """400, or 400+-20."""
-    value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
-    try:
-        return (float(value), float(error[0])) if len(error) == 1 else float(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text}: must be a number, or one with its error: 400+-20") from None
-
-
 def _backanalyse(options: argparse.Namespace) -> None:
-    fields, bounds = [], {}
-    for text in options.field or ["friction.angle_deg"]:
-        name, given, between = text.partition("=")
-        fields.append(name)
-        if given:
-            try:
-                low, high = map(float, between.split(":"))
-            except ValueError:
-                raise ValueError(f"--field {text}: must be KEY or KEY=LOW:HIGH: friction.angle_deg=5:15") from None
-            bounds[name] = low, high
-    seen = {name: getattr(options, name) for name in OUTCOMES}
-    if all(value is None for value in seen.values()):
-        wanted = ", ".join(_observed_options().values())
-        raise ValueError(f"backanalyse: nothing observed: give one of {wanted}")
-    found = slipcircle.backanalyse(load(options.scene), field=fields, bounds=bounds, **seen)
-    name = found.motion.plan.scene.name
+    from slipcircle.outputs import backanalysing
+
+    found = backanalysing.run(options)
     _draw(options.plot, "backanalysis", found)
     if options.json:
-        _print([tables.backanalysis_record(found)])
+        _print([backanalysing.record(found)])
         return
-    numbers = [f"solution {k}" for k in range(1, len(found.solutions) + 1)]
-    tables.show(["", *(numbers if len(numbers) > 1 else [name])], tables.backanalysis_rows(found),
-                caption=f"by {found.method}")  # fmt: skip
+    backanalysing.show(found)
     for warning in found.warnings:
-        _say(f"{name}: {warning}")
+        _say(f"{found.motion.plan.scene.name}: {warning}")
 
 
 def _sensitivity(options: argparse.Namespace) -> None:

@@ -16,10 +16,7 @@ from slipcircle.motion.plan import Plan, counted
 from slipcircle.motion.quantities import (
     JOURNEY,
     OUTCOMES,
-    digits_left,
-    known,
     plain,
-    record,
     results,
     shown,
     spent,
@@ -31,7 +28,6 @@ from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
     from slipcircle.motion.derivatives import Sensitivity
-    from slipcircle.studies.backanalysis import BackAnalysis
 
 WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
 Rows = Iterable[Sequence[str]]
@@ -169,44 +165,6 @@ def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
             cells.append(f"{shown(float(slope))}{per_cent}")
         rows.append([of.key, shown(value, 6), *cells])
     return rows
-
-
-# --- back-analyses ---------------------------------------------------------------------------------------------------
-
-
-def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
-    """A back-analysis as JSON holds it: null for what is not known; matrices by fields in their order."""
-    derived = ("standard_errors", "correlation")
-    solutions = [vars(s) | {n: getattr(s, n) for n in derived} | {"motion": record(s.motion)} for s in found.solutions]
-    return plain({"scene": found.motion.plan.scene.name} | vars(found) | {"solutions": solutions})
-
-
-def backanalysis_rows(found: "BackAnalysis") -> Rows:
-    """A back-analysis as rows of a table, a column for each solution."""
-    from slipcircle.studies.backanalysis import FITTED
-
-    columns = []
-    for s in found.solutions:
-        rows, errors = {}, s.standard_errors or {}
-        for name, value in s.values.items():
-            error = errors.get(name, 0.0)
-            said = f"{known(value, error)} +- {known(error, error)}" if error > 0.0 else ""
-            rows[name] = said or shown(value, digits_left(s.error_estimate))
-        if s.correlation is not None:
-            names = list(s.values)
-            for i, j in combinations(range(len(names)), 2):
-                rows[f"correlation of {names[i]} and {names[j]}"] = f"{s.correlation[i, j]:+z.3f}"
-        for name in OUTCOMES:
-            seen, sigma = found.observed.get(name, (None, None))
-            of = "" if seen is None else f" (observed {shown(seen, 6)}" + (f" +- {sigma:.2g})" if sigma else ")")
-            value = float(OUTCOMES[name].read(s.motion))
-            rows[words(name, OUTCOMES[name].unit)] = shown(value, digits_left(s.motion.error_estimate)) + of
-        if found.method == FITTED:
-            weighed = all(sigma for _, sigma in found.observed.values())
-            free = found.degrees_of_freedom
-            rows[f"chi-square, degrees of freedom {free}" if weighed else "misfit"] = f"{s.chi_square:.3g}"
-        columns.append(rows | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"})
-    return beside(columns)
 
 
 # --- the screen ------------------------------------------------------------------------------------------------------
