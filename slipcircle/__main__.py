@@ -229,7 +229,7 @@ def _run(options: argparse.Namespace) -> None:
     tables.show(
         ["", *(m.plan.scene.name for m in motions), *means],
         tables.beside(columns),
-        caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
+        caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions if m.plan.scene.note),
     )
     for m in motions:
         drawn = [u.key for u in m.plan.scene.uncertain.values()]
