@@ -340,8 +340,8 @@ def _sensitivity(options: argparse.Namespace) -> None:
         ["by", "value", *(words(n, unit) for n, unit in found.outputs.items())], tables.sensitivity_rows(found), name,
         "change per unit of the key, and in brackets in per cent per per cent of it",
     )  # fmt: skip
-    if not motion.moves:
-        _say(f"{name}: does not move, so that small changes change nothing")
+    for warning in found.warnings:
+        _say(f"{name}: {warning}")
 
 
 # --- about itself ----------------------------------------------------------------------------------------------------

@@ -21,7 +21,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                             help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20")  # fmt: skip
     parser.add_argument("--field", action="append", metavar="KEY[=LOW:HIGH]", help="what is looked for, a scene "
                         "file's key, by default friction.angle_deg, and between which values; several for several "
-                        "observations")  # fmt: skip
+                        "observations; a point's coordinate by its number from 0: ground.points_m.3.y")  # fmt: skip
 
 
 def _observed(text: str) -> float | tuple[float, float]:

@@ -72,7 +72,7 @@ class Arc(Generic[Numbers]):
     gravity: Numbers | float = GRAVITY
     width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
-    quantities: ClassVar[tuple[str, ...]] = QUANTITIES
+    quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
 
     if TYPE_CHECKING:  # one array makes an ensemble
 
@@ -108,14 +108,6 @@ class Arc(Generic[Numbers]):
             found += [f"given.{n}: must be one number" for n in bounds if np.ndim(self.given[n])]
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
-
-    @staticmethod
-    def unchecked(**values: Any) -> Arc:
-        """An arc of values that were checked elsewhere, or will be."""
-        arc = object.__new__(Arc)
-        for f in fields(Arc):
-            object.__setattr__(arc, f.name, values.get(f.name, f.default))
-        return arc
 
     def _geometry_mistakes(self) -> list[str]:
         first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
