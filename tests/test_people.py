@@ -528,6 +528,12 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
         return subprocess.run([sys.executable, "-c", hidden + more + line, *argv], cwd=ROOT, capture_output=True,
                               text=True, check=False)  # fmt: skip
 
+    creep = tmp_path / "creep.toml"
+    creep.write_text(f"{ARC}{FRICTION}[rotation]\n[viscosity]\nviscosity_Pa_s = 1e8\nthickness_m = 0.1\n", "utf-8")
+    made = tmp_path / "creep.csv"
+    done = said("", "run", str(creep), "--csv", str(made))  # which only its steps tell, and nothing is written
+    assert (done.returncode, done.stdout, made.exists()) == (1, "", False)
+    assert re.fullmatch(r"slipcircle: .* pip install 'slipcircle\[scenes\]'\n", done.stderr), done.stderr
     plain: list[tuple[str, ...]] = [("run", str(path)), ("plan", str(path)), ("info",), ("schema",)]
     for argv in [*plain, ("run", str(path), "--json")]:
         done = said("", *argv)
