@@ -119,8 +119,11 @@ class Scene(Generic[Numbers]):
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
         known = isinstance(self.arc, Arc | Section)
         found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
-        if isinstance(self.arc, Section) and self.arc.no_motion:
-            found.append(f"arc: {self.arc.no_motion}")
+        if isinstance(self.arc, Section):
+            found += [f"arc: {self.arc.no_motion}"] if self.arc.no_motion else []
+            if self.arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
+                found.append("effects.pore_pressure.ratio: cannot be combined with the level of the section, which "
+                             "says the pore pressure already; leave one out")  # fmt: skip
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds) + accuracy_mistakes(self.accuracy)
         found += law_mistakes(self.friction)
         if (
