@@ -5,13 +5,14 @@ from __future__ import annotations  # so that a signature says ArrayLike
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
 from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
+from slipcircle.base.kinds import Array, Numbers
 from slipcircle.scene.weights import Dimensionless, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -23,6 +24,7 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
+GRAVITY, WIDTH = 9.81, 1.0  # by default
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
@@ -30,7 +32,7 @@ GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
 
 
 @dataclass(frozen=True)
-class Arc:
+class Arc(Generic[Numbers]):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -63,15 +65,29 @@ class Arc:
     that turns. Only a J_theta in ``given`` has the sense of the angles, and so tells the facing.
     """
 
-    radius: ArrayLike
-    theta_1: ArrayLike
-    theta_2: ArrayLike
-    unit_weight: ArrayLike
-    gravity: ArrayLike = 9.81
-    width: ArrayLike = 1.0
+    radius: Numbers | float
+    theta_1: Numbers | float
+    theta_2: Numbers | float
+    unit_weight: Numbers | float
+    gravity: Numbers | float = GRAVITY
+    width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
     rounding: ClassVar[float] = 4 * EPS  # that each of the `weights` may have, relative
+
+    if TYPE_CHECKING:  # one array makes an ensemble
+
+        @overload
+        def __init__(
+            self: Arc[float], radius: float, theta_1: float, theta_2: float, unit_weight: float, gravity: float = ...,
+            width: float = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self: Arc[Array], radius: ArrayLike, theta_1: ArrayLike, theta_2: ArrayLike, unit_weight: ArrayLike,
+            gravity: ArrayLike = ..., width: ArrayLike = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
@@ -80,7 +96,10 @@ class Arc:
             found = shape_mistakes(values)
         if not found:
             found = first(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
-        if self.given is not None:
+        given: Any = self.given
+        if not isinstance(given, Mapping | None):
+            found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
+        elif self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
             bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
