@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import mistakes, raise_all
 from slipcircle.scene.circles import Floats
 from slipcircle.scene.ground import circle_through, circle_touching
 from slipcircle.scene.section import Section
@@ -19,7 +19,7 @@ _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 
 _VALLEYS, _APART = 12, 2.5  # that are followed, and spacings of the coarse family between them
 _ROUNDS, _SHRINK, _FINE = 150, 0.6, 1e-5  # a valley is done at this step over its first
 _HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
-_SENSE = 1 / 3  # of an arc that may be under negative stress, without a warning
+_SENSE = 0.2  # of an arc that may be under negative stress, without a warning
 _SIZE = 1 << 13  # ground vertices times circles at a time: what fits into the caches
 _OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 Range = tuple[float, float]
@@ -43,14 +43,14 @@ class Critical:
     facing : int
         1 where the mass slides to the right, -1 to the left, 0 where nothing drives it.
     negative : float
-        Share of the arc under negative effective normal stress by the ordinary method.
+        Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
     tried, refused : int
         Circles, and those of them without a factor: off the ground, too shallow, overhanging, or with m_alpha below
         0.05.
     centres, values : ndarray
         Of every circle that was tried: its centre, (tried, 2), and its factor or NaN; for a map.
     warning : str
-        That the circle reaches an end of the ground, beyond which a lesser factor may lie, or that a third of the arc
+        That the circle reaches an end of the ground, beyond which a lesser factor may lie, or that a fifth of the arc
         and more is under negative stress.
     """
 
@@ -120,7 +120,7 @@ def critical(
     the one that is upright at an end or touches the base. The best valleys of this coarse family are followed to 1e-5
     of its spacing. Deterministic.
     """
-    raise_all("critical", _mistakes(slope, method, entry, exit, depth))
+    raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
     at, step = search.coarse(told)
     for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
@@ -139,8 +139,7 @@ def critical(
 def at_circle(slope: Slope, section: Section) -> Critical:
     """The factors of a circle that is given: of a section of this slope."""
     left, right = sorted([section.entry, section.exit], key=lambda end: float(end[0]))
-    given = (section.centre, section.radius, left, right)
-    found = _described(slope, *(np.array([x], dtype=np.float64) for x in given))
+    found = _described(slope, *(np.array([x], dtype=np.float64) for x in (section.centre, section.radius, left, right)))
     return replace(found, refused=int(None in found.factor_of_safety.values()))
 
 
@@ -149,26 +148,32 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     found = factors(slope, centre, radius, left, right)
     by_method = {m: float(getattr(found, m)[0]) for m in METHODS}
     middle, first, second = ((float(p[0, 0]), float(p[0, 1])) for p in (centre, left, right))
-    facing = int(found.facing[0])
+    facing, negative = int(found.facing[0]), float(found.negative[0])
     entry, exit = (first, second) if facing >= 0 else (second, first)
     known = {m: v if np.isfinite(v) else None for m, v in by_method.items()}
-    return Critical(slope, "", known, middle, float(radius[0]), entry, exit, facing, float(found.negative[0]))
+    said = f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the " \
+           "method more than on the soil"  # fmt: skip
+    return Critical(slope, "", known, middle, float(radius[0]), entry, exit, facing, negative,
+                    warning=said if slope.friction and negative > _SENSE else "")  # fmt: skip
 
 
-def _mistakes(slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> list[str]:
+def _mistakes(slope: Slope, method: str, limits: Mapping[str, Any], depth: float) -> list[str]:
+    if not isinstance(slope, Slope):
+        return [f"slope = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)
     found = [] if method in METHODS else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
-    for name, pair in (("entry", entry), ("exit", exit)):
-        if pair is None:
-            continue
-        low, high = pair
+    found += mistakes({"depth": depth}, {"depth": (-5e-324, float(np.ptp(ground)), "at least 0, in m, and below the "
+                                                   "size of the ground")})  # fmt: skip
+    for name, pair in limits.items():
+        try:
+            low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
+        except (TypeError, ValueError):
+            low, high = np.nan, np.nan
         if not low <= high:
-            found.append(f"{name} = [{low:.10g}, {high:.10g}]: must be the least and the greatest x, in this order")
+            found.append(f"{name} = {pair!r}: must be the least and the greatest x, in this order")
         elif high < ground[0, 0] or low > ground[-1, 0]:
-            found.append(f"{name} = [{low:.10g}, {high:.10g}]: lies beside the ground, which reaches from "
-                         f"{ground[0, 0]:.10g} to {ground[-1, 0]:.10g}")  # fmt: skip
-    if not 0.0 <= depth < float(np.ptp(ground)):
-        found.append(f"depth = {depth!r}: must be at least 0 and below the size of the ground, in m")
+            found.append(f"{name} = {pair!r}: lies beside the ground, which reaches from {ground[0, 0]:.10g} to "
+                         f"{ground[-1, 0]:.10g}")  # fmt: skip
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         found.append("ground: is level; nothing drives a slide")
     elif slope.cohesion == 0.0 and not depth:
@@ -317,12 +322,8 @@ class Search:
         """All that is said of the best circle."""
         centres, values = np.concatenate(self.centres), np.concatenate(self.values)
         found = _described(self.slope, *self.laid(q))
-        said = []
-        if found.negative > _SENSE:
-            said.append(f"{100 * found.negative:.0f} % of the arc is under negative effective normal stress, where "
-                        "the methods have no sense")  # fmt: skip
         ends = [x for x in self.ground[[0, -1], 0] if np.min(np.abs(np.subtract(found.between, x))) < 1e3 * self.blur]
-        said += [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in ends]
+        said = [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in ends]
         return replace(found, method=self.method, tried=len(values), refused=int(np.isnan(values).sum()),
-                       centres=centres, values=values, warning="; ".join(said),
+                       centres=centres, values=values, warning="; ".join(filter(None, [found.warning, *said])),
                        limits={"entry": self.entry, "exit": self.exit, "depth": self.depth})  # fmt: skip
