@@ -5,8 +5,7 @@ import sys
 from functools import partial
 
 from slipcircle.base import files
-from slipcircle.files import slopefile
-from slipcircle.files.scenefile import find
+from slipcircle.files.scenefile import searched
 from slipcircle.outputs import pictures, slopeplot, tables
 from slipcircle.scene.search import Critical
 from slipcircle.scene.stability import METHODS
@@ -21,14 +20,6 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                         ".png, .svg, .pdf or .jpg")  # fmt: skip
 
 
-def found(file: slopefile.SlopeFile, method: str | None = None) -> Critical:
-    """What is found of a slope's file, with its progress told."""
-    try:
-        return slopefile.judged(file, method, told=lambda line: say(f"{file.name}: {line}"))
-    except ValueError as error:
-        raise ValueError(f"{file.name}: {error}") from error
-
-
 def say(line: str) -> None:
     """Progress, on stderr."""
     print(f"slipcircle: {line}", file=sys.stderr, flush=True)
@@ -41,16 +32,15 @@ def run(options: argparse.Namespace) -> list[Critical]:
         pictures.check("search", options.plot)
         if len(options.slopes) > 1:
             raise ValueError(f"search: --plot {options.plot}: shows one slope; search them one by one")
-    read = [slopefile.read(find(name)) for name in options.slopes]
-    results = [found(file, options.method) for file in read]
+    every = [searched(slope, options.method, say) for slope in options.slopes]
+    names, results = [name for name, _, _ in every], [found for _, _, found in every]
     if options.plot:
         draw = partial(slopeplot.searched, results[0])
         files.write(options.plot, pictures.render(draw, (9.0, 6.0), options.plot))
-    for file, result in zip(read, results, strict=True):
-        if result.warning:
-            say(f"{file.name}: {result.warning}")
+    for name, found in zip(names, results, strict=True):
+        if found.warning:
+            say(f"{name}: {found.warning}")
     if not options.json:
-        columns = [tables.stability_column(found) for found in results]
-        tables.show(["", *(f.name for f in read)], tables.beside(columns),
-                    caption="; ".join(f"{f.name}: {f.note}" for f in read if f.note))  # fmt: skip
+        tables.show(["", *names], tables.beside([tables.stability_column(found) for found in results]),
+                    caption="; ".join(f"{name}: {note}" for name, note, _ in every if note))  # fmt: skip
     return results

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.base.checks import raise_all
 from slipcircle.scene.circles import Floats
 from slipcircle.scene.ground import circle_through, circle_touching
 from slipcircle.scene.section import Section
@@ -151,29 +151,31 @@ def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right
     facing, negative = int(found.facing[0]), float(found.negative[0])
     entry, exit = (first, second) if facing >= 0 else (second, first)
     known = {m: v if np.isfinite(v) else None for m, v in by_method.items()}
-    said = f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the " \
-           "method more than on the soil"  # fmt: skip
+    said = (f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on "
+            "the method more than on the soil")  # fmt: skip
     return Critical(slope, "", known, middle, float(radius[0]), entry, exit, facing, negative,
                     warning=said if slope.friction and negative > _SENSE else "")  # fmt: skip
 
 
-def _mistakes(slope: Slope, method: str, limits: Mapping[str, Any], depth: float) -> list[str]:
+def _mistakes(slope: Any, method: str, limits: Mapping[str, Any], depth: float) -> list[str]:
     if not isinstance(slope, Slope):
         return [f"slope = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)
     found = [] if method in METHODS else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
-    found += mistakes({"depth": depth}, {"depth": (-5e-324, float(np.ptp(ground)), "at least 0, in m, and below the "
-                                                   "size of the ground")})  # fmt: skip
+    if not isinstance(depth, int | float) or not 0.0 <= depth < float(np.ptp(ground)):
+        found.append(f"depth = {depth!r}: must be at least 0 and below the size of the ground, in m")
     for name, pair in limits.items():
         try:
             low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
         except (TypeError, ValueError):
-            low, high = np.nan, np.nan
+            found.append(f"{name} = {pair!r}: must be two numbers, the least and the greatest x")
+            continue
+        shown = f"{name} = [{low:.10g}, {high:.10g}]"
         if not low <= high:
-            found.append(f"{name} = {pair!r}: must be the least and the greatest x, in this order")
+            found.append(f"{shown}: must be the least and the greatest x, in this order")
         elif high < ground[0, 0] or low > ground[-1, 0]:
-            found.append(f"{name} = {pair!r}: lies beside the ground, which reaches from {ground[0, 0]:.10g} to "
-                         f"{ground[-1, 0]:.10g}")  # fmt: skip
+            reach = f"from {ground[0, 0]:.10g} to {ground[-1, 0]:.10g}"
+            found.append(f"{shown}: lies beside the ground, which reaches {reach}")
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         found.append("ground: is level; nothing drives a slide")
     elif slope.cohesion == 0.0 and not depth:

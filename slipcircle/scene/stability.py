@@ -227,7 +227,10 @@ def factors(
 
 
 def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
-    """Strength and pore pressure of a slope, as a scene's friction and effects have them at the start."""
+    """Strength and pore pressure of a slope, as a scene's friction and effects have them at the start.
+
+    Empty where nothing is known of a pressure that a record holds, or where there is no strength.
+    """
 
     def first(value: Any) -> float:
         return float(np.ravel(value(0.0) if callable(value) else value)[0])
@@ -235,11 +238,13 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, f
     law = friction if isinstance(friction, Mapping) else {"coefficient": friction}
     given, water = effects.get("cohesion", {}), effects.get("pore_pressure", {})
     laws = [law, law["rate"]] if "rate" in law else [law]
-    return {
+    strength = {
         "friction": math.prod(first(of["peak"] if "peak" in of else of["coefficient"]) for of in laws),
         "cohesion": first(given.get("cohesion", 0.0)),
-        "pore_ratio": first(water.get("ratio", 0.0)), "pressure": first(water.get("pressure", 0.0)),
-    }  # fmt: skip
+    }
+    if "record" in water or not any(strength.values()):
+        return {}
+    return strength | {"pore_ratio": first(water.get("ratio", 0.0)), "pressure": first(water.get("pressure", 0.0))}
 
 
 def _bishop(strength: Floats, sine: Floats, cosine: Floats, row: NDArray[np.int64], mu: float, drive: Floats,
