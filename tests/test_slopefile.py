@@ -125,6 +125,12 @@ def test_a_given_circle_has_factors_with_its_motion(write: Write, capsys: pytest
     scene = slipcircle.load(write(FIXED))
     assert scene.stability is not None
     assert scene.stability.factor_of_safety["bishop"] == pytest.approx(0.98516, rel=1e-4)
+    pressed = slipcircle.load(write(FIXED + "[pore_pressure]\npressure_kPa = [5, 9]\ntime_s = [0, 8]\n"))
+    assert pressed.stability is not None
+    assert pressed.stability.slope.pressure == 5e3
+    assert slipcircle.solve(pressed).factor_of_safety == pytest.approx(
+        pressed.stability.factor_of_safety["paper"], rel=1e-9
+    )
     write.path.with_name("pore.csv").write_text("time,pressure\n0,3\n9,8\n")
     recorded = slipcircle.load(write(FIXED + "[pore_pressure]\nrecord = 'pore.csv'\nunits = 'kPa'\n"))
     assert recorded.stability is None  # what it holds at the start is not read before the scene is made

@@ -42,7 +42,7 @@ def section(
                 raise ValueError("critical: circle.critical: needs friction or cohesion, and a pore pressure that is "
                                  "no record")  # fmt: skip
             found = critical(slope, circle["critical"], **limits, told=told)
-            circle = {"centre": found.centre, "radius": found.radius, "between": found.between}
+            circle = {n: getattr(found, n) for n in ("centre", "radius", "between")}
             return Section(**shared, **circle, **own), found
         if len(circle.get("through", "12")) != 2:
             raise ValueError("circle_through: through: must be two points, [[x, y], [x, y]]")
@@ -73,7 +73,7 @@ def _by_key(said: str) -> str:
     of, _, rest = said.partition(": ")
     tables = ("search",) if of == "critical" else ("ground", "circle", "water")
     keys = {key.name: f"{t}.{k}" for t in tables for k, key in SLOPING[t].keys.items()}
-    keys |= {} if of == "critical" else {"pore_ratio": "pore_pressure.ratio"}
+    keys |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
     rest = re.sub(rf"(^|; )({'|'.join(keys)})(?= =|:|\[)", lambda m: m[1] + keys[m[2]], rest)
     rest = rest.replace("choose one by between =", "choose one by circle.between_m =")
     return f"critical: {rest}" if of == "critical" else rest

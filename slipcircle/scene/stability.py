@@ -9,7 +9,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -46,6 +46,7 @@ would be 4 to 23 % too great there. With mu = 0 the share is without meaning."""
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 _BELOW_0 = -5e-324
+_LINES = ("ground", "level")
 _ROUNDS, _LEAST = 60, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
 
@@ -103,13 +104,14 @@ class Slope:
             "pressure": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"), "k_h": (-1.0, 1.0, "between -1 and 1"),
             **({} if self.base is None else {"base": (-INFINITY, INFINITY, any_of)}),
         })  # fmt: skip
+        found += [f"{n} = {v!r}: must be one number" for n, v in vars(self).items() if n not in _LINES and np.ndim(v)]
         found += line_mistakes("ground", self.ground)
         if self.level is not None:
             found += line_mistakes("level", self.level)
             if self.pore_ratio != 0.0:
                 found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
-            for name in ("ground", "level") if self.level is not None else ("ground",):
+            for name in _LINES if self.level is not None else _LINES[:1]:
                 object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
             found += [] if self.level is None else pond_mistakes(np.asarray(self.ground), np.asarray(self.level))
             if self.cohesion == 0.0 and self.friction == 0.0:
@@ -118,26 +120,6 @@ class Slope:
             if self.base is not None and self.base >= lowest:
                 found.append(f"base = {self.base:.10g}: must lie below the ground, whose lowest point is {lowest:.10g}")
         raise_all("Slope", found)
-
-
-class Factors(NamedTuple):
-    """Factors of safety of stretches that circles cut off; NaN where a method refuses one.
-
-    Attributes
-    ----------
-    paper, ordinary, bishop : ndarray
-        Factor by method.
-    facing : ndarray
-        1 where the mass slides to the right, -1 to the left, 0 where nothing drives it.
-    negative : ndarray
-        Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
-    """
-
-    paper: Floats
-    ordinary: Floats
-    bishop: Floats
-    facing: Floats
-    negative: Floats
 
 
 def _edge(line: Floats, above: Floats, x: Floats) -> tuple[Floats, Floats]:
@@ -149,8 +131,14 @@ def _edge(line: Floats, above: Floats, x: Floats) -> tuple[Floats, Floats]:
 
 
 def factors(
-    slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats, methods: Collection[str] = METHODS
-) -> Factors:
+    slope: Slope,
+    centre: Floats,
+    radius: Floats,
+    left: Floats,
+    right: Floats,
+    methods: Collection[str] = METHODS,
+    pieces: int = 1,
+) -> dict[str, Floats]:
     """Factors of safety of the masses between circles and the ground, from one point of the ground to another.
 
     Parameters
@@ -162,6 +150,15 @@ def factors(
         Ends of the arcs, (n, 2), m; between them the ground lies inside the circle.
     methods : collection of str
         Which of ``METHODS``; the others are NaN.
+    pieces : int
+        Into which arcs are cut, besides at kinks, for the sake of ``negative``, which is counted at 10 points of each.
+
+    Returns
+    -------
+    dict of ndarray
+        Factors by method, NaN where it refuses the circle. ``facing``: 1 where the mass slides to the right, -1 to the
+        left, 0 where nothing drives it. ``negative``: share of the arc under negative effective normal stress, by the
+        ordinary method or by Bishop's, if greater.
 
     Notes
     -----
@@ -174,7 +171,7 @@ def factors(
     sound = (first >= -np.pi / 2) & (last <= np.pi / 2) & (first < last)
     sound &= (first > 0.0) | (last < 0.0) | (_edge(ground, cx, cx)[0] < cy)
     vertices = np.arcsin(np.clip((ground[1:-1, 0] - cx[:, None]) / radius[:, None], -1, 1))
-    kinks, level = [first[:, None], last[:, None], vertices], None
+    kinks, level = [np.linspace(first, last, pieces + 1, axis=1), vertices], None
     if slope.level is not None:
         level, _, wet_kinks = circles.wet(np.asarray(slope.level), centre, radius)
         kinks.append(wet_kinks)
@@ -201,11 +198,12 @@ def factors(
         pressure = (slope.water_unit_weight / slope.unit_weight) * np.maximum(above(level) + cosine, 0.0)
     pressure = pressure + slope.pressure / (slope.unit_weight * r)
     drive = total(weight * slopes.drive(sine, cosine, height, 0.0))
-    facing = np.where(np.abs(drive) > 1e-9 * total(weight * cosine * height), np.sign(drive), 0.0)
+    still = 1e-9 * total(weight * cosine * height)
+    facing = np.where(np.abs(drive) > still, np.sign(drive), 0.0)
     sine = sine * facing[row]  # from here on down-slope is positive
     k_h, mu = slope.k_h, slope.friction
     drive = total(weight * slopes.drive(sine, cosine, height, k_h)) if k_h else np.abs(drive)
-    drive = np.where(sound & (facing != 0.0) & (drive > 0.0), drive, np.nan)
+    drive = np.where(sound & (facing != 0.0) & (drive > still), drive, np.nan)
     cohesion, arc = slope.cohesion / (slope.unit_weight * radius), np.where(sound, last - first, np.nan)
     normal = slopes.ordinary_normal(sine, cosine, height, pressure, k_h)
     ordinary = (cohesion * arc + mu * total(normal * weight)) / drive
@@ -223,7 +221,7 @@ def factors(
         bishop = ordinary if mu == 0.0 else _bishop(strength, sine, cosine, row, mu, drive, ends, ordinary)
         normal = slopes.bishop_normal(sine, cosine, height, pressure, cohesion[row], mu, bishop[row])
         negative = np.maximum(negative, total(np.where(normal < 0.0, weight, 0.0)) / arc)
-    return Factors(paper, ordinary, bishop, facing, negative)
+    return {"paper": paper, "ordinary": ordinary, "bishop": bishop, "facing": facing, "negative": negative}
 
 
 def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
