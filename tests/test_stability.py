@@ -285,6 +285,12 @@ def test_a_mass_is_one_piece() -> None:
     assert right == pytest.approx(np.array([[10.0, 0.0], [10.0, 0.0]]))
 
 
+def test_circles_may_all_be_unwanted() -> None:
+    slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL)
+    search = Search(slope, "bishop", None, None, 50.0)  # all thinner, in a block that has a water level
+    assert np.isnan(search.judged(np.array([[10.0, 60.0, 0.3], [12.0, 70.0, 0.2]]))).all()
+
+
 def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
     # Without friction and deep soil the least factor lies ever deeper: the ground is what ends it.
     slope = Slope([(-20, 5), (-15, 5), (0, 0), (8, 0)], 20e3, 0.0, 19e3, base=-30.0)

@@ -231,7 +231,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         _points("ground", "points of the surface from left to right"),
     )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
     "circle": _table(
-        "its slip circle, given or looked for",
+        "its slip circle: given, or looked for by critical = \"bishop\"",
         [_length("radius", "radius"), _length("depth", "depth of the circle below the chord of these points"),
          _length("touching", "y of the level that the circle through these points touches", -INFINITY)],
         _pair("centre", "centre of the circle", "[x, y]") | _points("through", "two points of the circle")

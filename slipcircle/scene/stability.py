@@ -172,7 +172,7 @@ def factors(
     sound &= (first > 0.0) | (last < 0.0) | (_edge(ground, cx, cx)[0] < cy)
     vertices = np.arcsin(np.clip((ground[1:-1, 0] - cx[:, None]) / radius[:, None], -1, 1))
     kinks, level = [np.linspace(first, last, pieces + 1, axis=1), vertices], None
-    if slope.level is not None:
+    if slope.level is not None and n:
         level, _, wet_kinks = circles.wet(np.asarray(slope.level), centre, radius)
         kinks.append(wet_kinks)
     at = np.sort(np.clip(np.concatenate(kinks, axis=1), first[:, None], last[:, None]), axis=1)
