@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import distribution_mistakes, made
@@ -25,18 +25,6 @@ from slipcircle.scene.section import Section
 from slipcircle.scene.stability import soil
 
 _FOLDER = resources.files("slipcircle") / "scenes"
-
-
-class Parts(NamedTuple):
-    """What a scene is made of: name, note and numbers; the others as in `Scene`; the tables of its file."""
-
-    known: dict[str, Any]
-    arc: Arc | Section
-    friction: Any
-    effects: dict[str, dict[str, Any]]
-    uncertain: dict[str, Any]
-    tables: Mapping[str, Table]
-    stability: Critical | None
 
 
 def shipped() -> tuple[str, ...]:
@@ -100,11 +88,11 @@ def searched(name: str | PathLike[str], method: str | None, told: Callable[[str]
     if method and isinstance(circle, dict) and "critical" in circle:
         circle["critical"] = method
     stem = Path(file).stem
-    known, *_, found = _parts(document, file, True, lambda line: told(f"{document.get('name', stem)}: {line}"))
-    if found is None:
+    parts, _ = _parts(document, file, True, lambda line: told(f"{document.get('name', stem)}: {line}"))
+    if parts["stability"] is None:
         raise ValueError(f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from "
                          "a record")  # fmt: skip
-    return known["name"], known.get("note", ""), found
+    return parts["name"], parts.get("note", ""), parts["stability"]
 
 
 def _document(source: Any, file: str) -> dict[str, Any]:
@@ -121,17 +109,20 @@ def _document(source: Any, file: str) -> dict[str, Any]:
 
 def _scene(source: Any, file: str, check: bool) -> Scene:
     """The scene of a file; those that ship are checked by the tests, so that they need NumPy alone."""
-    known, arc, friction, effects, uncertain, tables, found = _parts(_document(source, file), file, check)
+    parts, tables = _parts(_document(source, file), file, check)
+    if parts["stability"]:
+        parts["stability"] = parts["stability"].without_map()
     try:
-        stability = found and found.without_map()
-        return Scene(arc, friction, effects, **known, uncertain=uncertain, stability=stability)
+        return Scene(**parts)
     except ValueError as error:
-        said = str(error).removeprefix(f"Scene {known['name']}: ")
+        said = str(error).removeprefix(f"Scene {parts['name']}: ")
         raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
 
 
-def _parts(document: dict[str, Any], file: str, check: bool, told: Callable[[str], None] = lambda _: None) -> Parts:
-    """What a scene is made of, every mistake listed."""
+def _parts(
+    document: dict[str, Any], file: str, check: bool, told: Callable[[str], None] = lambda _: None
+) -> tuple[dict[str, Any], dict[str, Table]]:
+    """What a scene is made of, and the tables of its file; every mistake listed."""
     friction: Any = document.get("friction")
     wanted = friction.get("law", "constant") if isinstance(friction, dict) else "constant"
     law = "".join(get_close_matches(str(wanted), LAWS, 1))  # itself, where it is known
@@ -173,9 +164,10 @@ def _parts(document: dict[str, Any], file: str, check: bool, told: Callable[[str
                 found = str(error).splitlines()
     if found:
         raise ValueError("\n".join(f"{file}: {m}" for m in found))
-    known = {"name": Path(file).stem} | _arguments(document, tables[""])
-    mu = friction["coefficient"] if law == "constant" and by_rate is None else friction
-    return Parts(known, arc, mu, effects, uncertain, tables, stability)
+    parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": uncertain, "stability": stability}
+    if law == "constant" and by_rate is None:
+        parts["friction"] = friction["coefficient"]
+    return parts | {"name": Path(file).stem} | _arguments(document, tables[""]), tables
 
 
 def _by_key(said: str, tables: Mapping[str, Table]) -> str:

@@ -1,7 +1,7 @@
 """`slipcircle search`: the critical circle of slopes, or the factors of a circle that their files give."""
 
 import argparse
-import sys
+from collections.abc import Callable
 from functools import partial
 
 from slipcircle.base import files
@@ -20,13 +20,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                         ".png, .svg, .pdf or .jpg")  # fmt: skip
 
 
-def say(line: str) -> None:
-    """Progress, on stderr."""
-    print(f"slipcircle: {line}", file=sys.stderr, flush=True)
-
-
-def run(options: argparse.Namespace) -> list[Critical]:
-    """Run the command: the result for each slope, shown as a table unless JSON is asked for."""
+def run(options: argparse.Namespace, say: Callable[[str], None]) -> list[Critical]:
+    """Run the command, its progress told: the result for each slope, shown as a table unless JSON is asked for."""
     if options.plot:
         files.check("search", {"--plot": options.plot}, options.slopes)
         pictures.check("search", options.plot)

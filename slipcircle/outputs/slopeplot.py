@@ -107,7 +107,7 @@ def _scenery(ax: Any, soil: Any, circle: Any, turn: float, words: str, low: Any,
         level = np.asarray(soil.level, dtype=np.float64)
         x = np.concatenate([[min(low[0], level[0, 0])], level[:, 0], [max(high[0], level[-1, 0])]])
         ax.plot(x, level[[0, *range(len(level)), -1], 1], color="#56B4E9", lw=1.6, zorder=3, label="water level")
-    seen = circle.centre[1] <= high[1]
+    seen = np.all((circle.centre >= low) & (circle.centre <= high))
     ax.plot(*(circle.centre if seen else ([], [])), "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="$x$ (m)", ylabel="$y$ (m)")
     ax.set_aspect("equal")

@@ -284,13 +284,10 @@ class Search:
     def coarse(self, told: Callable[[str], None]) -> tuple[Floats, Floats]:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
         places = self.places()
-        pairs = np.stack(np.triu_indices(len(places), 1), axis=1)
-
-        def family(along: Floats, opening: Floats) -> Floats:
-            ends = np.repeat(along[pairs], len(opening), axis=0)
-            return np.column_stack([ends, np.tile(opening, len(pairs))])
-
-        q, wide = family(places, _SHARES), family(np.gradient(places), np.gradient(_SHARES))
+        number = np.indices((len(places), len(places), len(_SHARES))).reshape(3, -1)
+        i, j, k = number[:, number[0] < number[1]]
+        grids = (places, _SHARES), (np.gradient(places), np.gradient(_SHARES))
+        q, wide = (np.column_stack([ends[i], ends[j], opening[k]]) for ends, opening in grids)
         values = self.judged(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
@@ -298,8 +295,8 @@ class Search:
                              "depth or base")  # fmt: skip
         chosen: list[int] = []
         while len(chosen) < _VALLEYS and order.size:
-            chosen.append(k := order[0])
-            order = order[np.any(np.abs(q[order] - q[k]) > _APART * wide[k], axis=1)]
+            chosen.append(best := order[0])
+            order = order[np.any(np.abs(q[order] - q[best]) > _APART * wide[best], axis=1)]
         told(f"{len(values)} circles; following {len(chosen)}, from {values[chosen[0]]:.4g}")
         return q[chosen], wide[chosen]
 
