@@ -35,8 +35,10 @@ The factor is the moment of that strength about the centre over that of the weig
 half the slices' height. The three agree where mu = 0, and nearly where the arc hardly turns below the mass. On the \
 circle of real-slope they are 0.942, 0.950 and 0.985; with r_u = 0.5 and its own circle 0.431, 0.443 and 0.499: the \
 paper's is the least, by 4 % and by 14 % of Bishop's, as water takes from steep bases what is added there. It is what \
-the motion starts from, so that a slope may stand by Bishop's factor and slide by the paper's. An [arc] has the \
-paper's alone, as nothing is known of the ground beside its chord.
+the motion starts from, so that a slope may stand by Bishop's factor and slide by the paper's. Below a water \
+level the paper's is least on circles that open up to half discs, where Bishop's is twice and three times that: look \
+for Bishop's, or give a base. An [arc] has the paper's alone, as nothing is known of the ground beside its chord. A \
+pressure in kPa is the same along the arc.
 
 Near the top of steep slopes, and where much water presses, Bishop's slices and Fellenius' hang on the base: their \
 effective normal stress is negative, and friction works against the slope. The share of such arc is told, and warned \
@@ -47,7 +49,7 @@ LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
 _BELOW_0 = -5e-324
 _LINES = ("ground", "level")
-_ROUNDS, _LEAST = 60, 5e-3  # steps towards Bishop's factor, and the least that is looked for
+_ROUNDS, _LEAST = 20, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
 
 @dataclass(frozen=True)
@@ -130,15 +132,8 @@ def _edge(line: Floats, above: Floats, x: Floats) -> tuple[Floats, Floats]:
     return line[k, 1] + slope[k] * (x - line[k, 0]), slope[k]
 
 
-def factors(
-    slope: Slope,
-    centre: Floats,
-    radius: Floats,
-    left: Floats,
-    right: Floats,
-    methods: Collection[str] = METHODS,
-    pieces: int = 1,
-) -> dict[str, Floats]:
+def factors(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats,
+            methods: Collection[str] = METHODS, pieces: int = 1) -> dict[str, Floats]:  # fmt: skip
     """Factors of safety of the masses between circles and the ground, from one point of the ground to another.
 
     Parameters
@@ -249,30 +244,20 @@ def _bishop(strength: Floats, sine: Floats, cosine: Floats, row: NDArray[np.int6
             ends: Floats, start: Floats) -> Floats:  # fmt: skip
     """F of y = 1/F where y times the integral of strength/m_alpha(y) is the drive, which grows with y.
 
-    Newton's steps, kept within a bracket, all circles at once. m_alpha = cos - y mu sin has its least value at an end:
-    that makes the range of y.
+    By Newton's steps, all circles at once. m_alpha = cos - y mu sin has its least value at an end of the arc: that
+    makes the range of y.
     """
-    s, c = mu * np.sin(ends), np.cos(ends) - LEAST_LEVER
+    s, c, n = mu * np.sin(ends), np.cos(ends) - LEAST_LEVER, len(drive)
     with np.errstate(divide="ignore", invalid="ignore"):
         high = np.min(np.where(s > 0.0, np.maximum(c, 0.0) / s, 1.0 / _LEAST), axis=0).clip(max=1.0 / _LEAST)
         low = np.max(np.where((s < 0.0) & (c < 0.0), c / s, 0.0), axis=0)
-    n, left, found = len(drive), np.isfinite(start) & (low < high), np.full(len(drive), np.nan)
-    y = np.where(left, np.clip(1.0 / np.maximum(start, _LEAST), low, high), 1.0)
-    for _ in range(_ROUNDS):
-        if not left.any():
-            break
-        if 2 * np.count_nonzero(keep := left[row]) < len(row):  # go on with the rest alone
-            strength, sine, cosine, row = strength[:, keep], sine[:, keep], cosine[:, keep], row[keep]
-        lever = slopes.bishop_lever(sine, cosine, mu, 1.0 / y[row])
-        shear = strength / lever
-        excess = y * np.bincount(row, shear.sum(axis=0), n) - drive
-        rise = np.bincount(row, (shear * cosine / lever).sum(axis=0), n)
-        low, high = np.where(excess < 0.0, y, low), np.where(excess < 0.0, high, y)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            step = y - excess / rise
-        new = np.where((step > low) & (step < high), step, (low + high) / 2)
-        done = left & (np.abs(new - y) <= 1e-8 * y)
-        found = np.where(done & (np.abs(excess) <= 1e-6 * drive), 1.0 / new, found)
-        left &= ~done
-        y = np.where(left, new, y)
-    return found
+        y = np.where(low < high, np.clip(1.0 / np.maximum(start, _LEAST), low, high), np.nan)
+        for _ in range(_ROUNDS):
+            factor = 1.0 / y
+            lever = slopes.bishop_lever(sine, cosine, mu, factor[row])
+            shear = strength / lever
+            excess = y * np.bincount(row, shear.sum(axis=0), n) - drive
+            y = np.clip(y - excess / np.bincount(row, (shear * cosine / lever).sum(axis=0), n), low, high)
+            if not np.any(np.abs(y * factor - 1.0) > 1e-9):
+                break
+        return np.where(np.abs(excess) <= 1e-9 * drive, factor, np.nan)
