@@ -85,7 +85,8 @@ def other_way(scene: Scene) -> Scene:
     given = dict(scene.called["shaking"])
     pushed = given["horizontal"]
     given["horizontal"] = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
-    return replace(scene, effects={**scene.called, "shaking": given}, name=f"{scene.name} reversed")
+    own = {e: scene.called[e] for e in scene.effects}  # a water level comes with its section
+    return replace(scene, effects={**own, "shaking": given}, name=f"{scene.name} reversed")
 
 
 def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
