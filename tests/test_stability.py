@@ -297,6 +297,17 @@ def test_a_circle_at_the_end_of_the_ground_is_told() -> None:
     found = critical(slope)
     assert found.warning.startswith("the circle reaches the end of the ground at x = ")
     assert critical(replace(ACADS)).warning == ""
+    assert "42 % of the arc is under negative" in critical(
+        Slope([(-40, 0), (0, 0), (10, 10), (60, 10)], 10e3, tangent(30), 20e3, pore_ratio=0.5, base=-20)
+    ).warning  # fmt: skip
+
+
+@pytest.mark.parametrize("scale", [1e-6, 1e-3, 1e3, 1e6])
+def test_a_search_knows_no_unit(scale: float) -> None:
+    ground = scale * np.asarray(ACADS.ground)
+    found = critical(replace(ACADS, ground=ground, cohesion=3e3 * scale, base=20 * scale))
+    assert found.factor_of_safety["bishop"] == pytest.approx(0.98504, rel=1e-5)
+    assert found.centre == pytest.approx((29.54 * scale, 53.64 * scale), rel=1e-3)
 
 
 @pytest.mark.parametrize(

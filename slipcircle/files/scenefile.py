@@ -92,6 +92,8 @@ def searched(name: str | PathLike[str], method: str | None, told: Callable[[str]
     if parts["stability"] is None:
         raise ValueError(f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from "
                          "a record")  # fmt: skip
+    if parts["uncertain"]:
+        told(f"{parts['name']}: at the median of {', '.join(parts['uncertain'])}")
     return parts["name"], parts.get("note", ""), parts["stability"]
 
 

@@ -124,15 +124,14 @@ def critical(
     at, step = search.coarse(told)
     for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
         at, step = search.refined(at, share * step)
-    told(f"least factor {np.nanmin(search.values[-1]):.6g} by {method}")
     found = search.result(at[:1])
-    if slope.friction == 0.0 and slope.base is None and entry is None and exit is None:
-        deep = _bottomless(slope)
-        if (found.factor_of_safety[method] or np.inf) > deep:
-            raise ValueError(
-                f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
-                f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
-            )
+    least, deep = found.factor_of_safety[method] or np.inf, _bottomless(slope)
+    if slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
+        raise ValueError(
+            f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
+            f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
+        )
+    told(f"least factor {least:.6g} by {method}")
     return found
 
 
