@@ -295,6 +295,9 @@ def test_means_given_with_the_command_have_their_own_circle(write: Write, capsys
     expected = found_in(write(ACADS.replace("19.6", "30")))
     assert study.scene.arc.centre == expected.centre  # type: ignore[union-attr]
     assert study.scene.stability == expected
+    higher = {"ground.points_m.2.y": {"distribution": "normal", "mean": 36, "std": 0.2}}
+    study = slipcircle.ensemble(replace(scene, uncertain=higher), 64, rng=1, sensitivity=0)
+    assert study.scene.stability == found_in(write(ACADS.replace("[50, 35]", "[50, 36]")))
     assert main(["sweep", write(SCENE), "--grid", "friction.peak_deg=18,19"]) == 0
     assert "the critical circle of the scene as it is given" in capsys.readouterr().err
     fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1)

@@ -109,10 +109,13 @@ def along_means(scene: Scene) -> Scene:
         return scene
     assert isinstance(scene.arc, Section)
     mean = scene_with(scene, {n: float(u.number.to_si(u.moments[0])) for n, u in scene.uncertain.items()})
-    means = {"unit_weight": float(np.asarray(mean.arc.unit_weight)), **soil(mean.friction, mean.called)}
-    if all(math.isclose(value, getattr(found.slope, field), rel_tol=1e-12) for field, value in means.items()):
+    assert isinstance(mean.arc, Section)
+    slope = replace(found.slope, ground=mean.arc.ground, level=mean.arc.level,
+                    unit_weight=float(np.asarray(mean.arc.unit_weight)), **soil(mean.friction, mean.called))  # fmt: skip
+    pairs = [(getattr(slope, f.name), getattr(found.slope, f.name)) for f in fields(slope)]
+    if all(one is other or np.allclose(one, other, rtol=1e-12, atol=0.0) for one, other in pairs):
         return scene
-    found = critical(replace(found.slope, **means), found.method, **found.limits)
+    found = critical(slope, found.method, **found.limits)
     section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
     return replace(scene, arc=section, stability=found.without_map())
 
