@@ -110,8 +110,8 @@ def along_means(scene: Scene) -> Scene:
     assert isinstance(scene.arc, Section)
     mean = scene_with(scene, {n: float(u.number.to_si(u.moments[0])) for n, u in scene.uncertain.items()})
     assert isinstance(mean.arc, Section)
-    slope = replace(found.slope, ground=mean.arc.ground, level=mean.arc.level,
-                    unit_weight=float(np.asarray(mean.arc.unit_weight)), **soil(mean.friction, mean.called))  # fmt: skip
+    now, weight = soil(mean.friction, mean.called), float(np.asarray(mean.arc.unit_weight))
+    slope = replace(found.slope, ground=mean.arc.ground, level=mean.arc.level, unit_weight=weight, **now)
     pairs = [(getattr(slope, f.name), getattr(found.slope, f.name)) for f in fields(slope)]
     if all(one is other or np.allclose(one, other, rtol=1e-12, atol=0.0) for one, other in pairs):
         return scene
