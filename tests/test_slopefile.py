@@ -116,6 +116,13 @@ def test_the_motion_has_the_factors_of_its_circle(
     assert motion["factor_of_safety"] == pytest.approx(alone["factor_of_safety"]["paper"], rel=1e-9)
 
 
+def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+    cut = SCENE.replace("points_m = [[0, 25], [30, 25], [50, 35], [90, 35]]", "height_m = 10\nangle_deg = 90")
+    cut = cut.replace("base_m = 20", "base_m = -5").replace("cohesion_kPa = 3", "cohesion_kPa = 30")
+    assert main(["run", write(cut)]) == 0
+    assert "of the arc is under negative effective normal stress" in capsys.readouterr().err
+
+
 def test_a_given_circle_has_factors_with_its_motion(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", write(FIXED)]) == 0
     out = capsys.readouterr().out
