@@ -36,12 +36,11 @@ def section(
         circle, limits = dict(given["circle"]), dict(given["search"])
         own, k_h = {n: v for n, v in given["ground"].items() if n in _OF_SECTION}, limits.pop("k_h", 0.0)
         shared = _shared(given["ground"], given["water"])
-        slope = Slope(**shared, k_h=k_h, **soil) if soil else None
         if "critical" in circle:
-            if slope is None:
+            if not soil:
                 raise ValueError("critical: circle.critical: needs friction or cohesion, and a pore pressure that is "
                                  "no record")  # fmt: skip
-            found = critical(slope, circle["critical"], **limits, told=told)
+            found = critical(Slope(**shared, k_h=k_h, **soil), circle["critical"], **limits, told=told)
             circle = {n: getattr(found, n) for n in ("centre", "radius", "between")}
             return Section(**shared, **circle, **own), found
         if len(circle.get("through", "12")) != 2:
@@ -53,7 +52,8 @@ def section(
         else:
             centre, radius = circle["centre"], circle["radius"]
         body = Section(**shared, centre=centre, radius=radius, between=circle.get("between"), **own)
-        return body, None if slope is None else at_circle(slope, body)
+        # The circle is known to be above the base, which may lie higher than ground beside it.
+        return body, at_circle(Slope(**shared | {"base": None}, k_h=k_h, **soil), body) if soil else None
     except ValueError as error:
         raise ValueError(_by_key(str(error))) from error
 

@@ -39,10 +39,12 @@ class Key(NamedTuple):
         """What is wrong with a value: places in a list, "" for the value itself, and what stands there."""
         if isinstance(value, list) and self.kind in ("list", "series"):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
+        if isinstance(value, list) and self.kind == "points" and len(value) > 1:
+            return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
         right = {
             "text": isinstance(value, str), "flag": isinstance(value, bool), "list": False,
             "number": self._number(value), "series": self._number(value), "pair": self._pair(value),
-            "points": isinstance(value, list) and len(value) > 1 and all(map(self._pair, value)),
+            "points": False,
         }  # fmt: skip
         return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
 

@@ -90,8 +90,11 @@ class Scene:
             bounds["accuracy"] = ACCURACY
         known = isinstance(self.arc, Arc | Section)
         found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
-        if isinstance(self.arc, Section) and self.arc.no_motion:
-            found.append(f"arc: {self.arc.no_motion}")
+        if isinstance(self.arc, Section):
+            found += [f"arc: {self.arc.no_motion}"] if self.arc.no_motion else []
+            if self.arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
+                found.append("effects.pore_pressure.ratio: cannot be combined with the level of the section, which "
+                             "says the pore pressure already; leave one out")  # fmt: skip
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
         found += law_mistakes(self.friction)
         if (
