@@ -101,13 +101,12 @@ class HalfTan(Primitive):
         return (1 + self**2) / 2
 
 
-# How far from 0 the Taylor series of a remainder is summed: for an entire function as far as anybody asks, else up to a
-# seam, and its definition is computed beyond, with a logarithm's end at 1 moved into the numbers.
-ENTIRE = {f(X): sp.pi for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
-SEAMS = {sp.exp(X): sp.Integer(1), sp.atanh(X): sp.Rational(2, 5), sp.log(1 + X): sp.Rational(1, 8)}
-LAST = {sp.atanh(X): 1 - sp.Rational(1, 2**53)}
-# A library has f less its head of one term under this name, accurate near 0: f(x)/x needs no series.
-FROM_ZERO = {sp.exp(X): Expm1, sp.log(1 + X): Log1p, sp.atan(X): sp.atan}
+# The Taylor series of a remainder is summed for an entire function as far as anybody asks, to pi, and for artanh up to
+# a seam; its definition is computed beyond, with the end at 1 moved into the numbers.
+ENTIRE = {f(X) for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
+SEAM, LAST = sp.Rational(2, 5), 1 - EPS
+# A library has f under this name, accurate near 0: f(x)/x needs no series.
+FROM_ZERO = {sp.log(1 + X): Log1p, sp.atan(X): sp.atan}
 
 
 class Remainder(Primitive):
@@ -155,7 +154,7 @@ class Remainder(Primitive):
         terms = list(taylor(f)[n::step])
         for _ in range(slopes):
             terms = [step * k * c for k, c in enumerate(terms)][1:]
-        reach = (ENTIRE | SEAMS)[f] ** step
+        reach = (sp.pi if f in ENTIRE else SEAM) ** step
         for count in range(1, len(terms)):
             if abs(terms[count]) * reach**count < abs(terms[0]) * EPS / 8:
                 return terms[:count]
@@ -170,11 +169,9 @@ class Remainder(Primitive):
             size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
             away = Select(size, tiny, one, x)
             return Select(size, tiny, one, FROM_ZERO[f](away) / away)
-        seam = SEAMS[f]
-        near, far = sp.Max(sp.Min(x, seam), -seam), Select(sp.Abs(x), seam, seam, x)
-        far = sp.Min(far, LAST[f]) if f in LAST else far
+        near, far = sp.Max(sp.Min(x, SEAM), -SEAM), sp.Min(Select(sp.Abs(x), SEAM, SEAM, x), LAST)
         beyond = self.func(self.args[0], n, far, slopes).definition()
-        return Select(sp.Abs(x), seam, Horner.of(self.series(), near**power), beyond)
+        return Select(sp.Abs(x), SEAM, Horner.of(self.series(), near**power), beyond)
 
 
 @cache
