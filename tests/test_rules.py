@@ -42,12 +42,12 @@ def test_every_weight_has_a_stable_form(weight: str) -> None:
     assert found.power == 3  # every such mass is thin like alpha**3
 
 
-@pytest.mark.parametrize("rule", rules.RULES, ids=lambda x: x.name)
-def test_a_rule_changes_no_value(rule: rules.Rule) -> None:
+@pytest.mark.parametrize("rule", rules.RULES)
+def test_a_rule_changes_no_value(rule: str) -> None:
     """Rewritten back, by the definitions of the remainders, the expression is what it was."""
     before = alpha * sp.sin(alpha) + 3 * sp.cos(alpha) ** 2 * alpha + sp.sin(alpha) / 7
-    before += sp.cos(alpha) ** 3 * sp.atanh(sp.sin(alpha)) if rule.name != "half angle" else 0
-    after = rule.rewrite(before)
+    before += sp.cos(alpha) ** 3 * sp.atanh(sp.sin(alpha)) if rule != "half angle" else 0
+    after = rules.RULES[rule](before)
     assert after != before
     with mpmath.workdps(50):
         half = mpf("0.7")
@@ -56,12 +56,11 @@ def test_a_rule_changes_no_value(rule: rules.Rule) -> None:
         assert abs(difference) < mpf(10) ** -45
 
 
-@pytest.mark.parametrize("rule", range(len(rules.RULES)))
-def test_a_wrong_rule_is_not_proved(rule: int, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("rule", rules.RULES)
+def test_a_wrong_rule_is_not_proved(rule: str, monkeypatch: pytest.MonkeyPatch) -> None:
     right = rules.RULES[rule]
-    wrong = rules.Rule(right.name, "", lambda e: right.rewrite(e) + alpha**3 / 10**6)
-    monkeypatch.setattr(rules, "RULES", (*rules.RULES[:rule], wrong, *rules.RULES[rule + 1 :]))
-    with pytest.raises(ProofError, match=f"rule {right.name}"):
+    monkeypatch.setitem(rules.RULES, rule, lambda e: right(e) + alpha**3 / 10**6)
+    with pytest.raises(ProofError, match=f"rule {rule}"):
         rules.stable.__wrapped__(derive(WEIGHTS["r^2"]).amplitude)
 
 
