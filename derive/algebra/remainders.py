@@ -6,7 +6,6 @@ Each such function knows its definition (`unfold` puts it back), so that a stabl
 form, and how it is computed (`lower`), so that a `Program` can be made of it.
 """
 
-from collections.abc import Iterable
 from functools import cache
 
 import sympy as sp
@@ -25,14 +24,9 @@ class Select(sp.Function):
 class Horner(sp.Function):
     """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
 
-    @classmethod
-    def of(cls, coefficients: Iterable[sp.Expr], x: sp.Expr) -> "Horner":
-        """From its coefficients and its argument."""
-        return cls(x, *coefficients)
-
     def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
         x, *coefficients = self.args
-        return Horner.of([k * c for k, c in enumerate(coefficients)][1:], x) * sp.diff(x, s)
+        return Horner(x, *[k * c for k, c in enumerate(coefficients)][1:]) * sp.diff(x, s)
 
 
 class RoundingError(sp.Function):
@@ -95,7 +89,7 @@ class HalfTan(Primitive):
 
     def lower(self) -> sp.Expr:
         x = self.args[0]
-        return x * sinc(x) / (1 + sp.cos(x))
+        return x * Remainder(sp.sin, 1, x) / (1 + sp.cos(x))
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         return (1 + self**2) / 2
@@ -164,14 +158,14 @@ class Remainder(Primitive):
         f, n, x, slopes = self.parts
         power = 2 if self.even else 1
         if f in ENTIRE:
-            return Horner.of(self.series(), x**power)
+            return Horner(x**power, *self.series())
         if n == 1 and not slopes and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
             size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
             away = Select(size, tiny, one, x)
             return Select(size, tiny, one, FROM_ZERO[f](away) / away)
         near, far = sp.Max(sp.Min(x, SEAM), -SEAM), sp.Min(Select(sp.Abs(x), SEAM, SEAM, x), LAST)
         beyond = self.func(self.args[0], n, far, slopes).definition()
-        return Select(sp.Abs(x), SEAM, Horner.of(self.series(), near**power), beyond)
+        return Select(sp.Abs(x), SEAM, Horner(near**power, *self.series()), beyond)
 
 
 @cache
@@ -180,13 +174,3 @@ def taylor(f: sp.Expr) -> tuple[sp.Rational, ...]:
     f = f.replace(sp.atanh, lambda x: (sp.log(1 + x) - sp.log(1 - x)) / 2)
     terms = rs_series(f, X, 60).as_expr().as_poly(X)
     return tuple(terms.coeff_monomial(X**k) for k in range(60))
-
-
-def sinc(x: sp.Expr) -> sp.Expr:
-    """sin(x)/x."""
-    return Remainder(sp.sin, 1, x)
-
-
-def sine_defect(x: sp.Expr) -> sp.Expr:
-    """(x - sin x)/x**3."""
-    return -Remainder(sp.sin, 3, x)

@@ -13,14 +13,14 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.prove import prove_zero, refute
-from derive.algebra.remainders import HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
+from derive.algebra.remainders import HalfTan, Horner, Remainder, X, taylor, unfold
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
 TAU, _Y, _H = sp.symbols("tau y_ artanh_", real=True)
 _SINE, _COSINE = 2 * TAU / (1 + TAU**2), (1 - TAU**2) / (1 + TAU**2)
 # What the rules leave of the angle and of artanh: alpha**3 and tau**3 times a remainder.
-ANGLE_REST = 4 * alpha**3 * sine_defect(2 * alpha)
+ANGLE_REST = -4 * alpha**3 * Remainder(sp.sin, 3, 2 * alpha)
 ARTANH_REST = 2 * TAU**3 * Remainder(sp.atanh, 3, TAU)
 
 
@@ -136,7 +136,7 @@ def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
     for rest, factor in _by_remainder(expression).items():
         over, under = sp.fraction(sp.cancel(factor))
         shift = _lowest(over) - _lowest(under)
-        product, ends = rest * alpha ** (shift - power) * sinc(alpha) ** shift, -shift
+        product, ends = rest * alpha ** (shift - power) * Remainder(sp.sin, 1, alpha) ** shift, -shift
         for part, sign in ((over, 1), (under, -1)):
             constant, factors = sp.factor_list((part / TAU ** _lowest(part)).expand().subs(TAU, sp.sqrt(_Y)), _Y)
             product *= constant**sign
@@ -147,7 +147,7 @@ def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
                     product, ends = product * sp.Integer(2) ** (sign * n), ends - sign * n
                 else:
                     coefficients = sp.Poly(polynomial, _Y).all_coeffs()[::-1]
-                    product *= Horner.of(coefficients, TAU**2) ** (sign * n)
+                    product *= Horner(TAU**2, *coefficients) ** (sign * n)
         found.append((product * (1 + c) ** ends).subs(TAU, HalfTan(alpha)))
     return sp.Add(*found)
 
