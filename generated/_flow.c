@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ae03a53e346fb290cf9b982d2339260cda8c7b8857fd2cf0af4777d2b6f2bed4"
+#define DIGEST "ace75df410f63b83c0eadbe0e5a5449274d88c7ef88fd7c1060019b8c1196590"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -1008,13 +1008,13 @@ static void rests(Hand *h, unsigned k)
     if (!allowed(h, k)) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
 }
 
-/* Whether a mass swings on for ever: where it would stand upright nothing, or next to nothing, presses it. */
+/* Whether a mass swings on for ever: even lowest nothing, or next to nothing, presses it, and that will not change. */
 static int never_rests(const Hand *h, unsigned k)
 {
     const V *const c = h->c;
     const Roles *const role = h->w->role;
     const double p0 = c[role->p0][k], most = hypot(p0, c[role->ps0][k]);
-    return c[FIRST_ONLY][k] == 1.0 || c[role->normal0][k] + (most - p0) <= 0.01 * most;
+    return c[FIRST_ONLY][k] == 1.0 || (!changes(h, k) && c[role->normal0][k] + (most - p0) <= 0.01 * most);
 }
 
 /* What presses now, where order 0 of the series is there. */

@@ -22,6 +22,7 @@ import sympy as sp
 
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
+from derive.algebra.remainders import Remainder, unfold
 from derive.declare.quantities import MOMENTS
 from derive.declare.symbols import alpha, r, theta
 
@@ -136,7 +137,7 @@ def rings() -> tuple[sp.Expr, ...]:
 SINE, COSINE, HEIGHT, PRESSURE, COHESION, MU, K_H, FACTOR = sp.symbols(
     "sine cosine height pressure cohesion mu k_h factor", real=True
 )
-DISTANCE, BETA, OFFSET, SLOPE = sp.symbols("distance beta offset slope", real=True)
+DISTANCE, BETA, SLOPE = sp.symbols("distance beta slope", real=True)
 _N, _S, _RHO, _Y = sp.symbols("N S rho y", real=True)
 _CIRCLE = {SINE**2: 1 - COSINE**2}
 
@@ -183,9 +184,12 @@ def _strip(integrand: sp.Expr, primitive: sp.Expr) -> sp.Expr:
 
 
 def head() -> sp.Expr:
-    """Integral over beta of a line's height above the arc; at x = sin(beta) the line is at offset + slope x."""
-    found = antiderivative(OFFSET + SLOPE * sp.sin(BETA) + sp.cos(BETA), BETA)
-    return sp.expand(found + SLOPE * sp.sin(0) - SLOPE).subs({sp.sin(BETA): SINE, sp.cos(BETA): COSINE})
+    """Integral of a line's height above the arc, from where it is a height, at a sine and a cosine, over an angle more.
+
+    Each term is small where the angle or the height is, so that neither thin masses nor steep lines cancel.
+    """
+    bent, defect = 2 * sp.sin(ANGLE / 2) ** 2, -(ANGLE**3) * Remainder(sp.sin, 3, ANGLE)
+    return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
 
 
 def prove() -> list[str]:
@@ -239,5 +243,8 @@ def _prove_slices(claim: Callable[[sp.Expr, str], None]) -> None:
         (sp.sin(alpha) + sp.sin(3 * alpha) / 3) / 2 - sp.cos(alpha) * sp.sin(2 * alpha) / 2
     ) * sp.cos(2 * middle)
     claim(normal * sp.cos(middle) - even, "one chord: the ordinary method's normal force in closed form")
-    claim(sp.diff(head(), SINE) * COSINE - sp.diff(head(), COSINE) * SINE + sp.diff(head(), BETA)
-          - (OFFSET + SLOPE * SINE + COSINE), "height of a line above the arc")  # fmt: skip
+    low, unfolded = sp.Symbol("low", real=True), unfold(head())
+    above = HEIGHT + SLOPE * (sp.sin(low + ANGLE) - sp.sin(low)) + sp.cos(low + ANGLE) - sp.cos(low)
+    grown = sp.diff(unfolded.subs({SINE: sp.sin(low), COSINE: sp.cos(low)}), ANGLE)
+    claim(sp.expand_trig(grown - above), "height of a line above the arc")
+    claim(sp.limit(unfolded, ANGLE, 0), "no height over no angle")
