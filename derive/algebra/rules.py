@@ -128,8 +128,8 @@ def _lowest(polynomial: sp.Expr) -> int:
 def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
     """The expression over alpha**power, for computing.
 
-    With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c), 1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a factor,
-    as of what vanishes at pi/2, (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c), 1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a
+    factor, as of what vanishes at pi/2, (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
     """
     c = sp.cos(alpha)
     found = []
