@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from generated import kernels
 from slipcircle.base.checks import EPS, INFINITY, Bounds, mistakes, raise_all, shape_mistakes
-from slipcircle.scene.weights import Dimensionless, Weights
+from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (1e-6, 1e20, "a positive length in m"),
@@ -30,7 +30,7 @@ GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
 
 
 @dataclass(frozen=True)
-class Arc:
+class Arc(Mass):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -111,14 +111,16 @@ class Arc:
         if np.any(bad := second <= first):
             one, two = where(bad)
             return [f"theta_2 = {two:.10g} deg: must be above theta_1 = {one:.10g} deg; swap them?"]
+        turns = np.abs(first) > 4 * np.pi  # 12.6 rad are more than anybody turns, and a small number of degrees
+        asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if np.any(turns) else ""
         if np.any(bad := np.isnan(weight)):
             one, two = where(bad)
-            return [f"theta_2 - theta_1 = {two - one:.10g} deg: must be at most 180 deg"]
+            return [f"theta_2 - theta_1 = {two - one:.10g} deg: must be at most 180 deg{asked}"]
         if np.any(bad := weight <= 0.0):
             one, two = where(bad)
             return [
                 f"theta_1 = {one:.10g} deg, theta_2 = {two:.10g} deg: it presses on nothing; "
-                "the middle of the arc must lie between 180 and 360 deg, below its centre"
+                f"the middle of the arc must lie between 180 and 360 deg, below its centre{asked}"
             ]
         return []
 
@@ -142,11 +144,6 @@ class Arc:
         """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
         moment = self._lean if self.given is None else self.given["weight_moment"]
         return np.where(np.asarray(moment) < 0.0, -1.0, 1.0)[()]
-
-    @cached_property
-    def time_scale(self) -> Any:
-        """t_c = sqrt(R/g) (3.9), s."""
-        return np.sqrt(np.divide(self.radius, self.gravity))
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
@@ -231,17 +228,7 @@ class Arc:
     @cached_property
     def depth(self) -> Any:
         """f, the largest depth of the mass below its chord (2.12), m."""
-        return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
-
-    @cached_property
-    def reference_stress(self) -> Any:
-        """sigma_ref (2.13), Pa."""
-        return np.multiply(self.unit_weight, self.depth)
-
-    @cached_property
-    def static_normal_stress(self) -> Any:
-        """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
-        return self.reference_stress * self.dimensionless.static_normal_stress
+        return self.sagitta
 
     @cached_property
     def limit_friction_angle(self) -> Any:
