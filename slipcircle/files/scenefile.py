@@ -221,7 +221,10 @@ def _asked(key: Key, given: Any) -> str:
     low, high = key.limits.get("gt", 0.0), key.limits.get("lt", math.inf)
     number = isinstance(given, int | float) and not isinstance(given, bool) and abs(given) < math.inf
     far = number and (0.0 < given <= low or abs(given) >= high) and f"{high:g}" not in key.allowed
-    return f": {key.title}" + (f"; between {low:g} and {high:g}: is that another unit?" if far else "")
+    meant = (
+        "an angle in degrees" if key.unit == key.si == "" else f"in {key.si}" if key.si != key.unit else "another unit"
+    )
+    return f": {key.title}" + (f"; between {low:g} and {high:g}: is that {meant}?" if far else "")
 
 
 def _advice(table: str, unknown: str, tables: Mapping[str, Table]) -> tuple[str, str]:

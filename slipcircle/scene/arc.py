@@ -18,7 +18,7 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (1e-6, 1e20, "a positive length in m"),
     "theta_1": (-1e3, 1e3, "a finite angle in rad"),
     "theta_2": (-1e3, 1e3, "a finite angle in rad"),
-    "unit_weight": (1e-3, 1e9, "a positive unit weight in N/m^3"),
+    "unit_weight": (1e-3, 1e6, "a positive unit weight in N/m^3"),  # 1000 kN/m^3 are more than gold weighs
     "gravity": (1e-6, 1e6, "a positive acceleration in m/s^2"),
     "width": (1e-6, 1e9, "a positive length in m"),
 }
