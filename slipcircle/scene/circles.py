@@ -216,23 +216,38 @@ def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any, Any], Any
     # cos + y, as 1 - rho^2 knows it, which does not cancel near the arc
     height = np.divide(parts.first, cosine - parts.y, out=cosine + parts.y, where=parts.y < 0.0)
 
-    def over(beta: Any) -> Any:
-        """From the first end of each line."""
-        return slopes.head(np.clip(np.asarray(beta)[..., None], low, high) - low, sine, cosine, height, slope)
+    every, lanes = np.arange(low.shape[1]), np.arange(len(low))
+
+    def over(beta: Any, of: Any = ...) -> Any:
+        """From the first end of each line, or of those that are asked for."""
+        angle = np.clip(beta, low[of], high[of]) - low[of]
+        return slopes.head(angle, sine[of], cosine[of], height[of], slope[of])
+
+    whole = over(high)
 
     def integral(first: Any, last: Any) -> Any:
-        """From one beta to another, (..., n) in and out."""
-        return (over(last) - over(first)).sum(axis=-1)
+        """From one beta to another, (..., n) in and out: the whole of lines between, and a part of the outer two."""
+        a, b = (np.maximum(np.count_nonzero(low <= x[..., None], axis=-1) - 1, 0) for x in (first, last))
+        begin, end = over(first, (lanes, a)), over(last, (lanes, b))
+        between = (every > a[..., None]) & (every < b[..., None])
+        inner = np.where(between, whole, 0.0).sum(axis=-1) + (whole[lanes, a] - begin) + end
+        return np.where(a == b, end - begin, inner)
 
     return integral, np.concatenate([low, high], axis=1)
 
 
 def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any, Any], Any], Floats]:
-    """A water level, which goes on horizontally beyond its ends, and its `heads` over the arcs of circles."""
-    low, high = float((centre[:, 0] - 2 * radius).min()), float((centre[:, 0] + 2 * radius).max())
-    first, last = [[min(low, level[0, 0] - 1.0), level[0, 1]]], [[max(high, level[-1, 0] + 1.0), level[-1, 1]]]
-    line = np.concatenate([first, level, last])
-    parts = cut(line[None], centre, radius)
+    """A water level (W, 2), or one for each circle, and its `heads` over the arcs; it goes on horizontally."""
+    low, high = centre[:, 0] - 2 * radius, centre[:, 0] + 2 * radius
+    if level.ndim == 2:
+        low, high = low.min(), high.max()
+    else:
+        level = np.broadcast_to(level, (len(radius), *level.shape[1:]))
+    first, last = level[..., :1, :].copy(), level[..., -1:, :].copy()
+    first[..., 0, 0] = np.minimum(low, first[..., 0, 0] - 1.0)
+    last[..., 0, 0] = np.maximum(high, last[..., 0, 0] + 1.0)
+    line = np.concatenate([first, level, last], axis=-2)
+    parts = cut(line.reshape(-1, *line.shape[-2:]), centre, radius)
     return line, *heads(parts, (parts.e_x != 0.0) | (parts.e_y != 0.0))
 
 

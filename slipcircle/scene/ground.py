@@ -1,6 +1,6 @@
 """Grounds and circles as people give them, and what is wrong with them."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -12,49 +12,83 @@ FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
 
 
-def line_mistakes(name: str, given: Any, many: bool = False) -> list[str]:
-    """What is wrong with points that should make a line from left to right, or with the first of many that is."""
+def line_mistakes(name: str, given: Any) -> list[str]:
+    """What is wrong with points that should make a line from left to right."""
     try:
         points = np.asarray(given)
     except (ValueError, RuntimeError):  # ragged, or nested too deep
         points = np.asarray(None)
-    axes, shape = range(2, 16 if many else 3), points.shape
-    if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
+    if points.dtype.kind not in "iuf" or points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
         return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
-    lines = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
+    points = points.astype(np.float64)
     with np.errstate(invalid="ignore"):
-        step = np.diff(lines, axis=1, prepend=lines[:, :1] - 1.0)
+        step = np.diff(points, axis=0, prepend=points[:1] - 1.0)
     for bad, words in (
-        (~(np.abs(lines) < FAR).all(axis=2), "must be two finite numbers within 1e9 m"),
-        (~step.any(axis=2), "is the point before it; leave one out"),
-        (step[..., 0] < 0.0, "lies left of the point before it; order them by x"),
+        (~(np.abs(points) < FAR).all(axis=1), "must be two finite numbers within 1e9 m"),
+        (~step.any(axis=1), "is the point before it; leave one out"),
+        (step[:, 0] < 0.0, "lies left of the point before it; order them by x"),
     ):
         if bad.any():
-            lane, k = np.argwhere(bad)[0]
-            return [f"{name}[{k}] = {lines[lane, k].tolist()}: {words}"]
-    if np.any(lines[:, -1, 0] == lines[:, 0, 0]):
+            k = int(np.argmax(bad))
+            return [f"{name}[{k}] = {points[k].tolist()}: {words}"]
+    if points[-1, 0] == points[0, 0]:
         return [f"{name}: all points lie above each other; it must reach from left to right"]
     return []
 
 
-def pond_mistakes(ground: Floats, level: Floats) -> list[str]:
-    """A sentence where the water level stands above the ground, within both."""
-    x = np.concatenate([ground[:, 0], level[:, 0]])
-    x = x[(x >= max(ground[0, 0], level[0, 0])) & (x <= min(ground[-1, 0], level[-1, 0]))]
-    if not x.size:
-        return ["level: lies beside the ground; it must reach over it"]
-    # On a scarp the ground is its lower end or its upper one: the water is judged by the upper.
-    over = np.interp(x, level[:, 0], level[:, 1]) - np.maximum(
-        np.interp(x, ground[:, 0], ground[:, 1]), -np.interp(-x, -ground[::-1, 0], -ground[::-1, 1])
-    )
-    k = int(np.argmax(over))
-    if over[k] > 1e-9 * float(np.ptp(ground)):
-        return [f"level: stands {over[k]:.4g} m above the ground at x = {x[k]:.10g}; ponds are not yet possible"]
-    return []
+def _upper(lines: Floats, x: Floats) -> Floats:
+    """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
+    (x1, y1), (x2, y2) = (np.moveaxis(ends[:, None], -1, 0) for ends in (lines[:, :-1], lines[:, 1:]))
+    at = x[..., None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(x2 > x1, (at - x1) / (x2 - x1), y2 > y1)
+    return np.asarray(np.where((x1 <= at) & (at <= x2), y1 + share * (y2 - y1), -np.inf).max(axis=-1))
+
+
+def ponds(grounds: Floats, levels: Floats) -> tuple[NDArray[np.bool_], Callable[[int], str]]:
+    """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
+    n = max(len(grounds), len(levels))
+    x = np.concatenate([np.broadcast_to(line[..., 0], (n, line.shape[1])) for line in (grounds, levels)], axis=1)
+    ground, level = _upper(grounds, x), _upper(levels, x)
+    both = np.isfinite(ground) & np.isfinite(level)
+    over = np.where(both, level, -np.inf) - np.where(both, ground, 0.0)
+
+    def said(k: int) -> str:
+        at = int(np.argmax(over[k]))
+        if not both[k].any():
+            return "level: lies beside the ground; it must reach over it"
+        return f"level: stands {over[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet possible"
+
+    return ~both.any(axis=1) | (over.max(axis=1) > 1e-9 * np.ptp(grounds, axis=(1, 2))), said
+
+
+def lines_wrong(lines: Floats) -> NDArray[np.bool_]:
+    """Which of many lines (n, V, 2) `line_mistakes` has something to say of."""
+    with np.errstate(invalid="ignore"):
+        step = np.diff(lines, axis=1)
+    bad = ~(np.abs(lines) < FAR).all(axis=(1, 2)) | (step[..., 0] < 0.0).any(axis=1)
+    return np.asarray(bad | (step == 0.0).all(axis=2).any(axis=1) | (lines[:, 0, 0] == lines[:, -1, 0]))
+
+
+def lines_mistakes(name: str, given: Any) -> list[str]:
+    """What is wrong with one line, or with the first of many that is."""
+    try:
+        points = np.asarray(given)
+    except (ValueError, RuntimeError):
+        points = np.asarray(None)
+    if points.dtype.kind not in "iuf" or not 2 < points.ndim < 16 or points.shape[-1] != 2 or points.shape[-2] < 2:
+        return line_mistakes(name, given)
+    many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
+    bad = lines_wrong(many)
+    if not bad.any():
+        return []
+    k = int(np.argmax(bad))
+    lane = ", ".join(str(i) for i in np.unravel_index(k, points.shape[:-2]))
+    return [f"lane [{lane}]: {said}" for said in line_mistakes(name, many[k])]
 
 
 def section_mistakes(given: Mapping[str, Any]) -> list[str]:
-    """What is wrong with the fields of a section, each by itself and as shapes, and with a level above the ground."""
+    """What is wrong with the fields of a section, each by itself, and as shapes."""
     length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
     bounds = {n: b for n, b in {
         "radius": (0.0, FAR, length), "unit_weight": (0.0, 1e6, weight), "width": (0.0, INFINITY, length),
@@ -68,14 +102,13 @@ def section_mistakes(given: Mapping[str, Any]) -> list[str]:
         odd = [n for n in form if n in bounds and np.shape(given[n]) != form[n]]
         odd += ["between"] if "between" in bounds and not odd and given["between"][0] >= given["between"][1] else []
         found = [f"{n} = {given[n]!r}: must be {'one number' if not form[n] else bounds[n][2]}" for n in odd]
-    found += line_mistakes("ground", given["ground"], many=True)
-    found += [] if given["level"] is None else line_mistakes("level", given["level"])
+    found += lines_mistakes("ground", given["ground"])
+    found += [] if given["level"] is None else lines_mistakes("level", given["level"])
     if not found:
         shaped = {n: given[n] for n in ("radius", "unit_weight", "gravity", "width")}
         shaped |= {"centre": np.asarray(given["centre"])[..., 0], "ground": np.asarray(given["ground"])[..., 0, 0]}
+        shaped |= {} if given["level"] is None else {"level": np.asarray(given["level"])[..., 0, 0]}
         found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
-    if not found and given["level"] is not None and np.ndim(given["ground"]) == 2:
-        found = pond_mistakes(*(np.asarray(given[n], dtype=np.float64) for n in ("ground", "level")))
     return found
 
 
