@@ -110,7 +110,7 @@ def line(rng: Random, given: Data) -> Wrong:
             value = rng.choice([v for v in odd if v is not None or name == "ground"])
             return Wrong({name: value}, name, "at least two points", None if value is None else "")
     deep: list[Any] = points
-    for _ in range(rng.randrange(14, 40)):  # fewer are an array of lines
+    for _ in range(rng.randrange(14, 40)):  # with fewer axes of lanes it is one of many
         deep = [deep]
     return Wrong({name: deep}, name, "at least two points")
 
@@ -219,6 +219,13 @@ def half_disc(rng: Random, given: Data) -> Wrong:
     return Wrong({"ground": ground, "centre": [0.0, 0.0], "level": None}, "arc", "longer than half a circle", "arc")
 
 
+def many(rng: Random, given: Data) -> Wrong:
+    """One lane of several."""
+    k, radii = rng.randrange(3), np.full(3, given["radius"])
+    radii[k] *= 1e-6
+    return Wrong({"radius": radii}, f"lane [{k}]", "misses the ground|no stretch", None)
+
+
 def file_only(rng: Random, given: Data) -> Wrong:
     """Units, keys and tables that only a file has: by its document."""
     key, value, said = rng.choice([
@@ -236,7 +243,7 @@ def file_only(rng: Random, given: Data) -> Wrong:
 
 MISTAKES: list[Callable[[Random, Data], Wrong]] = [
     number, line, centre, misses, several, between, below_ground, end_inside, deep, pond, uncovering, shapes, half_disc,
-    file_only,
+    many, file_only,
 ]  # fmt: skip
 
 

@@ -5,12 +5,13 @@ Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.kinds import Numbers
 from slipcircle.flow import cells as its
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
@@ -34,7 +35,7 @@ BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, 
 ENERGIES = 21  # times at which the energy balance is looked at
 
 
-class Motion(Results):
+class Motion(Results, Generic[Numbers]):
     """A solved scene; of a scene of arrays, every attribute is an array of its shape, NaN where the status says why.
 
     Attributes
@@ -101,7 +102,7 @@ class Motion(Results):
         return found
 
     @property
-    def stopped_at(self) -> Any:
+    def stopped_at(self) -> Numbers:
         """Time at which the walk stopped, s, with an answer or without."""
         return self._shaped(self._of(its.TIME) * self._lanes.time_scale)
 
@@ -143,15 +144,15 @@ class Motion(Results):
         return np.where(self._answered, ends, np.nan)
 
     @property
-    def duration(self) -> Any:
+    def duration(self) -> Numbers:
         return self._shaped(self._duration)
 
     @property
-    def run_out(self) -> Any:
+    def run_out(self) -> Numbers:
         return self.outcomes["run_out"]
 
     @cached_property
-    def outcomes(self) -> dict[str, Any]:
+    def outcomes(self) -> Mapping[str, Numbers]:
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
         scale, radius = self._lanes.time_scale, self._lanes.radius
         rows = {"reach": its.REACH_ROTATION, "run_out": its.END_ROTATION}
@@ -341,19 +342,19 @@ class Motion(Results):
     # --- at the start ------------------------------------------------------------------------------------------------
 
     @property
-    def limit_friction(self) -> Any:
+    def limit_friction(self) -> Numbers:
         return self._shaped(self._lanes.statics["limit_friction"])
 
     @property
-    def factor_of_safety(self) -> Any:
+    def factor_of_safety(self) -> Numbers:
         return self._shaped(self._lanes.statics["factor_of_safety"])
 
     @property
-    def yield_coefficient(self) -> Any:
+    def yield_coefficient(self) -> Numbers:
         return self._shaped(self._lanes.statics["yield_coefficient"])
 
     @property
-    def friction(self) -> Any:
+    def friction(self) -> Numbers:
         """The friction coefficient at the start."""
         return self._shaped(self._lanes.statics["friction"])
 
@@ -364,13 +365,13 @@ class Motion(Results):
         return estimate(self._lanes, self._cells)
 
     @property
-    def error_estimate(self) -> Any:
+    def error_estimate(self) -> Numbers:
         return self._shaped(self._estimates)
 
     @cached_property
     def energy_error_estimate(self) -> float:
         """How far the energy balance of a single motion is off at any time, relative to all energy until then."""
-        e = self.energy_at(np.linspace(0.0, self.duration, ENERGIES))
+        e = self.energy_at(np.linspace(0.0, float(self._duration[0]), ENERGIES))
         most = np.maximum.accumulate(e.kinetic_start + np.abs(e.work) + e.dissipation)
         return float(2 * np.max(np.abs(e.residual) / np.maximum(most, 1e-300)))
 
@@ -392,7 +393,7 @@ class Motion(Results):
         return sensitivity(self.plan.scene, self._lanes, at if self.moves else dict.fromkeys(at, 0.0))
 
     @property
-    def warnings(self) -> tuple[str, ...]:
+    def warnings(self: "Motion[float]") -> tuple[str, ...]:
         found = list[str]()
         times = self.lift_off
         if times:

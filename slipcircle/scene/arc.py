@@ -2,16 +2,17 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import EPS, INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
+from slipcircle.base.kinds import Array, Numbers
 from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -23,6 +24,7 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
+GRAVITY, WIDTH = 9.81, 1.0  # by default
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
@@ -30,7 +32,7 @@ GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
 
 
 @dataclass(frozen=True)
-class Arc(Mass):
+class Arc(Mass, Generic[Numbers]):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -63,15 +65,29 @@ class Arc(Mass):
     that turns. Only a J_theta in ``given`` has the sense of the angles, and so tells the facing.
     """
 
-    radius: ArrayLike
-    theta_1: ArrayLike
-    theta_2: ArrayLike
-    unit_weight: ArrayLike
-    gravity: ArrayLike = 9.81
-    width: ArrayLike = 1.0
+    radius: Numbers | float
+    theta_1: Numbers | float
+    theta_2: Numbers | float
+    unit_weight: Numbers | float
+    gravity: Numbers | float = GRAVITY
+    width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
     rounding: ClassVar[float] = 4 * EPS  # that each of the `weights` may have, relative
+
+    if TYPE_CHECKING:  # one array makes an ensemble
+
+        @overload
+        def __init__(
+            self: Arc[float], radius: float, theta_1: float, theta_2: float, unit_weight: float, gravity: float = ...,
+            width: float = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self: Arc[Array], radius: ArrayLike, theta_1: ArrayLike, theta_2: ArrayLike, unit_weight: ArrayLike,
+            gravity: ArrayLike = ..., width: ArrayLike = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
@@ -79,8 +95,11 @@ class Arc(Mass):
         if not found:
             found = shape_mistakes(values)
         if not found:
-            found = self._geometry_mistakes()
-        if self.given is not None:
+            found = first(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
+        given: Any = self.given
+        if not isinstance(given, Mapping | None):
+            found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
+        elif self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
             bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
@@ -91,30 +110,29 @@ class Arc(Mass):
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
 
-    def _geometry_mistakes(self) -> list[str]:
-        first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
-
-        def where(bad: Any) -> tuple[float, float]:
-            """Ends of the first arc that is bad, degrees."""
-            return float(np.degrees(first[bad].flat[0])), float(np.degrees(second[bad].flat[0]))
-
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no arcs, or press on nothing."""
+        ends = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
+        one, two = (np.degrees(np.ravel(end)) for end in ends)
         with np.errstate(invalid="ignore"):
-            weight = np.asarray(kernels.radial_weight(first, second))
-        if np.any(bad := second <= first):
-            one, two = where(bad)
-            return [f"theta_2 = {two:.10g} deg: must be above theta_1 = {one:.10g} deg; swap them?"]
-        turns = np.abs(first) > 4 * np.pi  # 12.6 rad are more than anybody turns, and a small number of degrees
-        asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if np.any(turns) else ""
-        if np.any(bad := np.isnan(weight)):
-            one, two = where(bad)
-            return [f"theta_2 - theta_1 = {two - one:.10g} deg: must be at most 180 deg{asked}"]
-        if np.any(bad := weight <= 0.0):
-            one, two = where(bad)
-            return [
-                f"theta_1 = {one:.10g} deg, theta_2 = {two:.10g} deg: it presses on nothing; "
+            weight = np.ravel(kernels.radial_weight(*ends))
+        turns = np.any(np.abs(ends[0]) > 4 * np.pi)  # 12.6 rad are more than anybody turns, and few degrees
+        asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
+        yield (
+            np.ravel(ends[1] <= ends[0]),
+            lambda k: f"theta_2 = {two[k]:.10g} deg: must be above theta_1 = {one[k]:.10g} deg; swap them?",
+        )
+        yield (
+            np.isnan(weight),
+            lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
+        )
+        yield (
+            weight <= 0.0,
+            lambda k: (
+                f"theta_1 = {one[k]:.10g} deg, theta_2 = {two[k]:.10g} deg: it presses on nothing; "
                 f"the middle of the arc must lie between 180 and 360 deg, below its centre{asked}"
-            ]
-        return []
+            ),
+        )
 
     @cached_property
     def half_angle(self) -> Any:

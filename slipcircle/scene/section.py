@@ -2,19 +2,20 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
+from itertools import chain
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import raise_all
+from slipcircle.base.checks import Fault, first, raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
-from slipcircle.scene.faults import faults, first, unmoved
-from slipcircle.scene.ground import section_mistakes
+from slipcircle.scene.faults import faults, unmoved
+from slipcircle.scene.ground import line_faults, section_mistakes
 from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
 
@@ -249,6 +250,11 @@ class Section(Mass):
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
 
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no sections, or do not move."""
+        levels = () if self.level is None else line_faults("level", self._level)
+        return chain(line_faults("ground", self._circle[0]), levels, faults(self), unmoved(self))
+
     @cached_property
     def no_motion(self) -> str | None:
         """Why the method gives no motion, if it does not."""
@@ -291,7 +297,9 @@ class Section(Mass):
     def _level(self) -> Floats:
         """With one axis of lanes."""
         level = np.asarray(self.level, dtype=np.float64)
-        return np.broadcast_to(level, (*self.shape, *level.shape[-2:])).reshape(-1, *level.shape[-2:])
+        if level.ndim > 2:
+            level = np.broadcast_to(level, (*self.shape, *level.shape[-2:]))
+        return level.reshape(-1, *level.shape[-2:])
 
     @cached_property
     def _water(self) -> tuple[Callable[[Any, Any], Any], Floats]:
