@@ -311,7 +311,7 @@ def _sweep(options: argparse.Namespace) -> None:
 def _search(options: argparse.Namespace) -> None:
     from slipcircle.outputs import searching
 
-    found = searching.run(options)
+    found = searching.run(options, _say)
     if options.json:
         _print([f.record() for f in found])
 

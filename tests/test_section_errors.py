@@ -89,8 +89,8 @@ def test_a_unit_that_was_probably_meant_is_said(tmp_path: Path) -> None:
         Section(**GOOD | {"unit_weight": 19.5e6})
     path = tmp_path / "arc.toml"
     for old, new, words in (
-        ("kN_m3 = 19", "kN_m3 = 19500", r"is that in N/m\^3\?"),
-        ("angle_deg = 12", "coefficient = 10", "is that an angle in degrees"),
+        ("kN_m3 = 19", "kN_m3 = 19500", r"is that in N/m3\?"),
+        ("angle_deg = 12", "coefficient = 10", "an angle\\? say angle_deg"),
     ):
         path.write_text(ARC.replace(old, new), "utf-8")
         with pytest.raises(ValueError, match=words):

@@ -394,7 +394,8 @@ class Motion(Results, Generic[Numbers]):
 
     @property
     def warnings(self: "Motion[float]") -> tuple[str, ...]:
-        found = list[str]()
+        stability = self.plan.scene.stability
+        found = [stability.warning] if stability and stability.warning else list[str]()
         times = self.lift_off
         if times:
             more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
