@@ -21,7 +21,7 @@ import time_references
 from mpmath import mpf
 
 from generated import kernels
-from slipcircle.cost import cost, costtext, reference, scenes, ways
+from slipcircle.cost import cost, costtext, reference, scenes, sections, ways
 from slipcircle.cost.cost import FRONTIER, Row
 from slipcircle.cost.ways import Way
 from slipcircle.outputs import pictures, tables
@@ -295,10 +295,9 @@ def test_everything_is_timed_in_turns() -> None:
 
 def test_slow_ways_get_few_elements() -> None:
     """No pass takes long: fewer elements than asked for where one did at the size before."""
-    plain = Way("w", np.sin)
-    assert cost._fitting(plain, 400, [(1.0, 1), (1e5, 50)]) == 400
-    assert cost._fitting(plain, 400, [(1.0, 1), (1e6, 50)]) == 40
-    assert cost._fitting(plain, 50, [(1e9, 1)]) == 50
+    assert cost._fitting(400, [(1.0, 1), (1e5, 50)], 0.1) == 400
+    assert cost._fitting(400, [(1.0, 1), (1e6, 50)], 0.1) == 40
+    assert cost._fitting(50, [(1e9, 1)], 0.1) == 50
 
 
 def test_progress_and_unknown_functions() -> None:
@@ -457,6 +456,7 @@ def test_the_axis_of_alpha_shows_both_ends() -> None:
 
 def test_the_answers_are_made_again() -> None:
     """To their last digit; frictions are those of the ensemble's lanes."""
+    assert sections.ANSWERS.read_text("utf-8") == exact_scenes.measures()
     assert scenes.ANSWERS.read_text("utf-8") == exact_scenes.written()
     for one, *lanes in (map(float, of) for of in ANSWERS.values()):
         assert one == pytest.approx(float(scenes.frictions(1)[0]), rel=1e-15)
@@ -528,6 +528,18 @@ def test_rows_of_scenes(name: str, many: bool) -> None:
     for peer in ("DOP853, rtol", "heyoka, tol"):
         errors = [r.error for way, r in rows.items() if way.startswith(peer)]
         assert not errors or errors[-1] < min(1e-9, errors[0])
+
+
+def test_rows_of_sections() -> None:
+    """Ours to their last digits, quadrature better with more points, polygons with more chords; blocks bound memory."""
+    rows = {r.way: r for r in cost.measure(["sections"])}
+    assert all(r.error < 2e-14 for r in rows.values() if r.ours)
+    for peer, least in (("Gauss", 1e-6), ("shapely", 1e-4)):
+        errors = [r.error for way, r in rows.items() if way.startswith(peer)]
+        assert not errors or (errors == sorted(errors, reverse=True) and errors[-1] < least)
+    subject = sections.subject()
+    small, large = (cost._peak(cost._work(subject.ways[0], subject.bulk(n), n)) for n in (20_000, 60_000))
+    assert large - small < 1.5 * 40_000 * 8 * (7 + 3)  # arguments and results
 
 
 def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

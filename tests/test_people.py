@@ -146,7 +146,7 @@ def test_bounds_hold_in_python_too() -> None:
     for bad in (1e103, 5e-324):
         with pytest.raises(ValueError, match=r"radius = .*: must be a positive length in m, between 1e-06 and 1e\+20"):
             Arc(bad, 3.8, 4.9, 2e4)
-    with pytest.raises(ValueError, match=r"cohesion = 1e\+30: must be .*, between -4.94066e-324 and 1e\+15"):
+    with pytest.raises(ValueError, match=r"cohesion = 1e\+30: must be .*, between 0 and 1e\+15"):
         Scene(VAIONT.arc, 0.1, {"cohesion": {"cohesion": 1e30}})
     tables = [e.parameters for e in EFFECTS.values()] + [law.parameters for law in LAWS.values()]
     for parameters in tables:

@@ -29,7 +29,9 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds]) -> l
         if np.any(bad):
             worst = float(value[bad].flat[0])
             far = math.isfinite(worst) and worst > min(lower, 0.0) and worst != 0.0  # of an odd size, not sign
-            between = f", between {lower:g} and {upper:g}" if far and upper < INFINITY else ""
+            between = (
+                f", between {0.0 if lower == -5e-324 else lower:g} and {upper:g}" if far and upper < INFINITY else ""
+            )
             found.append(f"{name} = {worst:.10g}: must be {allowed}{between}")
     return found
 

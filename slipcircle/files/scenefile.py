@@ -282,7 +282,7 @@ def _asked(key: Key, given: Any, table: Table) -> str:
     angle = next((k for k, other in table.keys.items() if other.tangent and other.name == key.name), "")
     if number and given > high and key.per_unit == 1e3:
         return f": {key.title}; is that in {key.si}? 1 {key.unit} is 1000 {key.si}".replace("^", "")
-    if number and given > high and angle and not key.tangent:
+    if number and given >= high and angle and not key.tangent:
         return f": {key.title}; an angle? say {angle}"
     far = number and (0.0 < given <= low or abs(given) >= high) and f"{high:g}" not in key.allowed
     return f": {key.title}" + (f"; between {low:g} and {high:g}: is that another unit?" if far else "")

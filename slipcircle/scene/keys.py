@@ -12,7 +12,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
 from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
-from slipcircle.scene.friction import RATE_LAWS
+from slipcircle.scene.friction import RATE_LAWS, ROUGHEST
 from slipcircle.scene.stability import METHODS
 
 
@@ -116,6 +116,8 @@ def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_
     if p.lower == -5e-324:  # bounds are open, and zero is allowed
         limits = {"ge": 0.0}
     limits |= {"lt": to_file(p.upper)} if to_file(p.upper) < INFINITY else {}
+    if p.key.endswith("_deg") and not p.unit and not tangent:
+        limits["lt"] = ROUGHEST  # which is not told: who meets it gave an angle
     least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
     told = dict(limits)  # of what only a wrong unit passes the sign is enough
     if p.lower in (least, -most):
