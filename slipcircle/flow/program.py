@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from generated.flow import CELLS, FRAGMENTS, INPUTS, QUANTITIES
 from slipcircle.flow.link import ZERO, Linker, Operation, needed, places
 
@@ -59,6 +62,13 @@ class Program:
     def places(self) -> Mapping[str, int]:
         """Where the cells are, by name."""
         return {name: k for k, name in enumerate(self.cells)}
+
+    @cached_property
+    def blank(self) -> NDArray[np.float64]:
+        """Cells of a lane of which nothing is known but the constants, (cells, 1)."""
+        found = np.zeros((len(self.cells), 1))
+        found[[self.places[name] for name in self.constants], 0] = [*self.constants.values()]
+        return found
 
 
 # Cells that the walk reads, by role: what drives and the size of its terms, what presses, and the weight's components.

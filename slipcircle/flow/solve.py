@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, plain
 from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
@@ -25,7 +25,7 @@ BLOCK = 16384  # lanes at once, so that what they need stays in the cache
 def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = None, log: its.Log | None = None,
            walker: Any = None) -> Floats:  # fmt: skip
     """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
-    cells, data = bound.start(), list(bound.tables)
+    cells, data = bound.cells.copy(), list(bound.tables)
     if closed:
         frozen.walk(bound.program, data, cells, samples, log)
     walker = walker or (compiled.run if compiled.module() else walk.walk)
@@ -118,22 +118,28 @@ class Lanes:
     @cached_property
     def bound(self) -> Bound:
         found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
-        found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
+        if self.invalid is not False:
+            found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
         return found
 
-    @property
+    @cached_property
     def time_scale(self) -> Any:
         """s for one of the dimensionless time, without binding what only walking needs."""
-        return self.arc.time_scale
+        return plain(self.arc.time_scale)
+
+    @cached_property
+    def radius(self) -> Any:
+        return plain(self.arc.radius)
 
     @property
-    def radius(self) -> Any:
-        return np.asarray(self.arc.radius, dtype=np.float64)
+    def forced(self) -> bool:
+        """Whether what drives or resists is a function of time."""
+        return any(slot.kind == "time" for slot in self.bound.program.tables)
 
     @property
     def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
-        return np.asarray(self.arc.reference_stress / self.arc.weights.level)
+        return plain(self.arc.reference_stress / self.arc.weights.level)
 
     @property
     def energy_unit(self) -> Any:
@@ -164,7 +170,8 @@ class Lanes:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
         if self.count > BLOCK:
             return np.concatenate([part.stress(time[k], rotation[k], omega[k]) for k, part in self.parts()])
-        return self._probe(self._asking, time, rotation, omega, None, ("pressing",))["pressing"] * self.stress_unit
+        found = self._probe(self._asking, time, rotation, omega, None, ("pressing",))["pressing"]
+        return found * self.stress_unit
 
     def stress_along(self, times: Floats, rows: Floats) -> Any:
         """The same at times in s of states as `read` gives them, (lanes, times)."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.flow import cells as its
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
+STATUSES = tuple(Status)
+RESTS, STAYS, _, TURNED, *_, INVALID = map(int, STATUSES)
 _SURE = 1e-11  # an estimated error below which only the format limits what is known
 # The cells of which a motion is told.
 TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
@@ -32,6 +34,12 @@ TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_
         its.CLOSE, its.REST_SINCE, its.TURNS)  # fmt: skip
 BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
 ENERGIES = 21  # times at which the energy balance is looked at
+
+
+def told(cells: Floats, single: bool) -> dict[int, Any]:
+    """Of the cells of lanes those of which a motion is told, arrays or, of a single one, numbers."""
+    rows = cells.take(TOLD, axis=0)
+    return dict(zip(TOLD, rows[:, 0].tolist() if single else rows, strict=True))
 
 
 class Motion(Results):
@@ -69,7 +77,7 @@ class Motion(Results):
     A motion of many lanes has a length and is indexed; `to_dict`, `to_pandas` and `to_xarray` turn it into tables.
     """
 
-    STATUSES = tuple(Status)
+    STATUSES = STATUSES
 
     def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: its.Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
@@ -81,24 +89,23 @@ class Motion(Results):
 
     def _shaped(self, values: Any) -> Any:
         """One number of each lane, as the scene has them: an array, or a number."""
-        values = np.asarray(values)
-        return values.reshape(self.shape) if self.shape else values[0].item()
+        if self.shape:
+            return np.reshape(values, self.shape)
+        return np.ravel(values)[0].item() if isinstance(values, np.ndarray | np.generic) else values
 
-    def _of(self, cell: int) -> Floats:
+    def _of(self, cell: int) -> Any:
         return self._cells[cell]
 
     # --- what became of it -------------------------------------------------------------------------------------------
 
     @cached_property
-    def _states(self) -> NDArray[np.int8]:
+    def _states(self) -> Any:
         """The status of each lane."""
-        found = BECOMES[self._of(its.STATUS).astype(np.intp)]
-        found[(found == Status.RESTS) & (self._of(its.TURNS) > 0.0)] = Status.TURNED
-        found[(found <= Status.TURNED) & (self._of(its.STATUS) != its.STOPPED) & (self._of(its.PHASES) == 0.0)] = (
-            Status.STAYS
-        )
-        found[self._lanes.invalid] = Status.INVALID
-        return found
+        ended = self._of(its.STATUS)
+        found = BECOMES[np.asarray(ended, np.intp)] if self.shape else int(BECOMES[int(ended)])
+        found = choose((found == RESTS) & (self._of(its.TURNS) > 0.0), TURNED, found)
+        found = choose((found <= TURNED) & (ended != its.STOPPED) & (self._of(its.PHASES) == 0.0), STAYS, found)
+        return choose(self._lanes.invalid, INVALID, found)
 
     @property
     def stopped_at(self) -> Any:
@@ -113,20 +120,20 @@ class Motion(Results):
     @property
     def turnings(self) -> Any:
         """How often the mass has turned back."""
-        return self._shaped(self._of(its.TURNS).astype(int))
+        return self._shaped(np.asarray(self._of(its.TURNS), int))
 
-    @property
+    @cached_property
     def _answered(self) -> Any:
-        return self._states <= Status.TURNED
+        return self._states <= TURNED
 
     @property
     def status(self) -> Any:
-        return self._states.reshape(self.shape) if self.shape else Status(int(self._states[0]))
+        return self._states.reshape(self.shape) if self.shape else STATUSES[self._states]
 
     def count(self) -> dict[str, int]:
         """How many lanes there are of each status."""
-        counts = np.bincount(self._states, minlength=len(Status))
-        return {s.name: int(counts[s]) for s in Status if counts[s]}
+        counts = np.bincount(np.ravel(self._states), minlength=len(STATUSES))
+        return {s.name: int(counts[s]) for s in STATUSES if counts[s]}
 
     @property
     def moves(self) -> Any:
@@ -137,10 +144,14 @@ class Motion(Results):
         return self._shaped(self._of(its.STATUS) == its.ARRESTED)
 
     @cached_property
-    def _duration(self) -> Floats:
-        status, scale = self._of(its.STATUS), self._lanes.time_scale
-        ends = np.where(status == its.ENDED, self._lanes.end_time, self._of(its.REST_SINCE) * scale)
-        return np.where(self._answered, ends, np.nan)
+    def _duration(self) -> Any:
+        lanes = self._lanes
+        rest = self._of(its.REST_SINCE) * lanes.time_scale
+        return self._known(choose(self._of(its.STATUS) == its.ENDED, lanes.end_time, rest))
+
+    def _known(self, values: Any) -> Any:
+        """Values of lanes that have an answer, NaN of the others."""
+        return choose(self._answered, values, np.nan)
 
     @property
     def duration(self) -> Any:
@@ -153,17 +164,18 @@ class Motion(Results):
     @cached_property
     def outcomes(self) -> dict[str, Any]:
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
-        scale, radius = self._lanes.time_scale, self._lanes.radius
-        rows = {"reach": its.REACH_ROTATION, "run_out": its.END_ROTATION}
+        radius, scale = self._lanes.radius, self._lanes.time_scale
         with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
-            found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
-            found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
-        answered = {n: np.where(self._answered, v, np.nan) for n, v in found.items()}
-        return {n: self._shaped(v) for n, v in (answered | {"duration": self._duration}).items()}
+            found = {
+                "reach": radius * self._of(its.REACH_ROTATION),
+                "run_out": radius * self._of(its.END_ROTATION),
+                "peak_velocity": radius * (self._of(its.PEAK_OMEGA) / scale),
+            }
+        return {n: self._shaped(self._known(v + 0.0)) for n, v in found.items()} | {"duration": self.duration}
 
     @cached_property
     def end(self) -> State:
-        return self._state(self._duration, *(self._of(k) for k in (its.END_ROTATION, its.END_OMEGA, its.END_RATE)))
+        return self._state(self._duration, its.END_ROTATION, its.END_OMEGA, its.END_RATE)
 
     @property
     def journey(self) -> Journey:
@@ -175,22 +187,18 @@ class Motion(Results):
 
     @cached_property
     def peak(self) -> State:
-        rows = (its.PEAK_ROTATION, its.PEAK_OMEGA, its.PEAK_RATE)
-        last = (self._of(its.PEAK_TIME) == self._of(its.END_TIME)) & (self._of(its.STATUS) == its.ENDED)
-        last |= self._of(its.PHASES) == 0.0
-        time = np.where(last, self._duration, self._of(its.PEAK_TIME) * self._lanes.time_scale)
-        forced = any(t.kind == "time" for t in self._lanes.bound.program.tables)
-        if forced and not self.shape and 0.0 < time[0] < self._duration[0]:
-            return self.at(float(time[0]))  # of its rounded time: where a force leaps, as it is from then on
-        return self._state(time, *map(self._of, rows))
+        at, lanes = self._of(its.PEAK_TIME), self._lanes
+        last = (at == self._of(its.END_TIME)) & (self._of(its.STATUS) == its.ENDED) | (self._of(its.PHASES) == 0.0)
+        time = choose(last, self._duration, at * lanes.time_scale)
+        if not self.shape and lanes.forced and 0.0 < time < self._duration:
+            return self.at(time)  # of its rounded time: where a force leaps, as it is from then on
+        return self._state(time, its.PEAK_ROTATION, its.PEAK_OMEGA, its.PEAK_RATE)
 
     @cached_property
     def reach(self) -> State:
-        still = np.zeros_like(self._of(its.REACH_TIME))
         last = self._of(its.REACH_ROTATION) == self._of(its.END_ROTATION)
-        speed, rate = (np.where(last, self._of(k), still) for k in (its.END_OMEGA, its.END_RATE))
-        time = np.where(last, self._duration, self._of(its.REACH_TIME) * self._lanes.time_scale)
-        return self._state(time, self._of(its.REACH_ROTATION), speed, rate)
+        time = choose(last, self._duration, self._of(its.REACH_TIME) * self._lanes.time_scale)
+        return self._state(time, its.REACH_ROTATION, its.END_OMEGA, its.END_RATE, last)
 
     @property
     def swings_back(self) -> Any:
@@ -200,7 +208,7 @@ class Motion(Results):
     @property
     def lift_off(self) -> tuple[float, ...]:
         """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
-        scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[float]()
+        scale, found = self._lanes.time_scale, list[float]()
         lifted, begun = False, -1.0  # as long as it is carried on through standstills it is one lift-off
         for kind, t, _, _ in self._log:
             if kind == its.LIFTS and not lifted and begun != t:
@@ -212,26 +220,25 @@ class Motion(Results):
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """The stretches of a single motion between its standstills."""
-        scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[Phase]()
+        scale, found = self._lanes.time_scale, list[Phase]()
         ends = [(t * scale) for kind, t, _, _ in self._log if kind == its.STANDS]
         for kind, t, rotation, direction in self._log:
             if kind == its.BEGINS:
-                end = ends[len(found)] if len(found) < len(ends) else float(self._duration[0])
+                end = ends[len(found)] if len(found) < len(ends) else self._duration
                 found.append(Phase(t * scale, end, rotation, int(direction)))
         return tuple(found)
 
     # --- states ------------------------------------------------------------------------------------------------------
 
-    def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
-        """A state of each lane from its numbers: s, and dimensionless."""
-        lanes, good = self._lanes, self._answered
-        if not good.all():
-            rotation, omega, rate = (np.where(good, v, np.nan) for v in (rotation, omega, rate))
-        scale, radius = lanes.time_scale, lanes.radius
-        stress = lanes.stress(time / scale, rotation, omega)
+    def _state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
+        """A state of each lane from cells; of those that do not move, without speed and rate."""
+        lanes, scale, radius = self._lanes, self._lanes.time_scale, self._lanes.radius
+        turn = self._known(self._of(rotation))
+        speed, gain = (self._known(choose(moving, self._of(cell), 0.0)) for cell in (omega, rate))
+        stress = lanes.stress(time / scale, turn, speed)
         with np.errstate(over="ignore"):  # what overflows is refused
-            speed = omega / scale
-            columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+            turning = speed / scale
+            columns = (time, turn, turning, radius * turning, radius * turn, radius * gain / scale**2, stress)
         return State(*(self._shaped(v + 0.0) for v in columns))  # no -0.0
 
     def at(self, times: ArrayLike) -> State:
@@ -265,8 +272,8 @@ class Motion(Results):
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
-        moving = ~(self._of(its.STATUS) == its.ARRESTED) & self._answered
-        last = float(np.min(self._duration[moving], initial=np.inf))
+        moving = (self._of(its.STATUS) != its.ARRESTED) & self._answered
+        last = float(np.min(choose(moving, self._duration, np.inf)))
         late = time[time > last]
         if late.size:
             end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
@@ -331,7 +338,7 @@ class Motion(Results):
         stands = np.ravel(time)[:, None] >= np.where(self._of(its.STATUS) == its.ARRESTED, self._duration, np.inf)
         rows["kinetic"] = np.where(stands, 0.0, rows["kinetic"])
         kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
-        return Energy(self._shaped(np.broadcast_to(unit * first, self._duration.shape)), kinetic, work, lost)
+        return Energy(self._shaped(np.broadcast_to(unit * first, self._lanes.count)), kinetic, work, lost)
 
     @cached_property
     def energy(self) -> Energy:

@@ -102,7 +102,8 @@ class Results:
         if np.ndim(which):
             return made(plan, lanes, {k: v[np.ravel(which)] for k, v in self._cells.items()}, [])
         log: list[Any] = []  # which many lanes do not keep
-        return made(plan, lanes, dict(zip(self._cells, lanes.solve(log)[[*self._cells]], strict=True)), log)
+        last = lanes.solve(log)[[*self._cells], 0].tolist()
+        return made(plan, lanes, dict(zip(self._cells, last, strict=True)), log)
 
     # --- tables ------------------------------------------------------------------------------------------------------
 

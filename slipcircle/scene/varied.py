@@ -76,6 +76,8 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
 
 def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
     """An arc or a section with other values, which were checked elsewhere, or will be."""
+    if all(values[name] is getattr(arc, name) for name in values):
+        return arc  # with all that is already known of it
     held = {f.name: getattr(arc, f.name) for f in fields(arc)}
     return Arc.unchecked(**{**held, **values}) if isinstance(arc, Arc) else replace(arc, **values)
 
