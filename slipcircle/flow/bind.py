@@ -139,7 +139,8 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
         _law(name, parameters, radius, time_scale, given, pieces, grown)
     with np.errstate(over="ignore"):
         first = {
-            "omega": velocity / radius * time_scale, "END_TIME": end_time / time_scale, "LIMIT": abs(weights.static_limit),
+            "omega": velocity / radius * time_scale, "END_TIME": end_time / time_scale,
+            "LIMIT": abs(weights.static_limit),
             # The steps of one scene cost next to nothing, whatever their order.
             "ORDER": order(min(accuracy, FINEST) if lanes == 1 else accuracy), "FACTOR": STEP, "CLOSE": np.inf,
             "FIRST_STOP": np.nan, "LIFT_TIME": np.nan,

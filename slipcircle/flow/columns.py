@@ -222,12 +222,11 @@ class Columns:
         radius = np.full(c.shape[1], np.inf)
         top = last.astype(np.intp)
         for register in registers:
-            size = np.log2(np.abs(r[register]))
+            first = np.log2(np.abs(r[register, :5]))
             for back in range(4):
-                n = np.maximum(top - back, 5)
-                n = np.minimum(n, len(size) - 1)
-                here = size[n, lanes]
-                reach = np.max([(size[k] - here) / (n - k) for k in range(5) if k < len(size)], axis=0)
+                n = np.minimum(np.maximum(top - back, 5), r.shape[1] - 1)
+                here = np.log2(np.abs(r[register, n, lanes]))
+                reach = ((first - here) / (n - np.arange(len(first))[:, None])).max(axis=0)
                 tells = ~np.isneginf(here) & ~np.isneginf(reach) & (n > 4)  # zeros, there or at first, tell nothing
                 radius = np.minimum(radius, np.where(tells, reach, np.inf))
         return np.asarray(c[its.FACTOR] * np.exp2(radius))

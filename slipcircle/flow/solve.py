@@ -19,7 +19,8 @@ from slipcircle.scene.section import Section
 from slipcircle.scene.varied import arc_with
 
 Floats = NDArray[np.float64]
-BLOCK = 16384  # lanes at once, so that what they need stays in the cache
+# Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
+BLOCK = 4000
 
 
 def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = None, log: its.Log | None = None,

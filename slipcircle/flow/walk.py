@@ -309,7 +309,7 @@ class Walker(Resting):
         k = np.flatnonzero(np.isfinite(at))
         if k.size:
             c = self.c
-            speed, gone, rate = (value(s[:, k], at[k]) for s in (omega, x, net))
+            speed, gone, rate = value(np.stack([omega[:, k], x[:, k], net[:, k]], axis=1), at[k])
             time = c[its.TIME, k] + at[k]
             better = speed > np.abs(c[its.PEAK_OMEGA, k])
             self._set_peak(k[better], time[better], gone[better], speed[better], rate[better])

@@ -68,7 +68,7 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
     if single:  # all at once, beside the motion itself
         times = np.repeat(SHARES[:, None] * own[0], 8, axis=1)
         samples = its.Samples(times, np.zeros((2 + len(bound.program.states), *times.shape)))
-    spread, unlike = np.zeros(1), cells[its.CLOSE] < UNDECIDED
+    spread, unlike = np.zeros(1), np.asarray(cells[its.CLOSE] < UNDECIDED)
     for which in [np.arange(8)] if single else np.arange(1, 8)[:, None]:
         other = walked(companions(bound, which), lanes.closed, samples)
         spread = np.fmax(spread, np.fmax.reduce(np.abs(_told(other) - own) / size))
@@ -77,7 +77,7 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
         off = np.abs(samples.states[:2] - samples.states[:2, :, :1]) / size[1:, None]
         spread = np.fmax(spread, np.fmax.reduce(off, axis=(0, 1)))
     if single:
-        spread, unlike = np.fmax.reduce(spread, keepdims=True), np.any(unlike)
+        spread, unlike = np.fmax.reduce(spread, keepdims=True), np.any(unlike, keepdims=True)
     likely = np.where(moves, np.maximum(TIMES * spread, LEAST), 0.0)
     return np.where(unlike, 1.0, np.minimum(likely, 1.0))
 

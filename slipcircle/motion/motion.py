@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 
 STATUSES = tuple(Status)
-RESTS, STAYS, _, TURNED, *_, INVALID = map(int, STATUSES)
+RESTS, STAYS, TURNED, INVALID = map(int, (Status.RESTS, Status.STAYS, Status.TURNED, Status.INVALID))
 _SURE = 1e-11  # an estimated error below which only the format limits what is known
 # The cells of which a motion is told.
 TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
