@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cedc3ec38aded4f0a42c61dbc34dcfedb9a040c74135b0e048925db264d4e16c
+# sha256 of the text below: e8cadfba3921823946c0e8abeb44126b4725f486ccd6a35f55acd5674aa65f04
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "ae03a53e346fb290cf9b982d2339260cda8c7b8857fd2cf0af4777d2b6f2bed4"  # of the compiled walk's source
+DIGEST = "31baa2d80b7878645e6fdb74082843a115699e3aa10d46220ae6e86e5feed011"  # of the compiled walk's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

@@ -143,7 +143,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
             "LIMIT": abs(weights.static_limit),
             # The steps of one scene cost next to nothing, whatever their order.
             "ORDER": order(min(accuracy, FINEST) if lanes == 1 else accuracy), "FACTOR": STEP, "CLOSE": np.inf,
-            "FIRST_STOP": np.nan, "LIFT_TIME": np.nan,
+            "LIFT_TIME": np.nan,
         }  # fmt: skip
     shaken = called.get("shaking", {})
     first["ONE_WAY"] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))

@@ -233,6 +233,11 @@ class Columns:
 
     # --- what is remembered -------------------------------------------------------------------------------------------
 
+    def look(self, rate: Floats) -> None:
+        """Where it is now may be where it is fastest."""
+        c = self.c
+        self._fastest(c[its.OMEGA], c[its.TIME], c[its.ROTATION] + c[its.DIRECTION] * c[its.X], rate)
+
     def _fastest(self, speed: Floats, time: Floats, rotation: Floats, rate: Floats, mask: Any = True) -> None:
         """A candidate for the greatest speed: the start of a phase, or the end of a step."""
         c = self.c
@@ -240,10 +245,10 @@ class Columns:
         c[its.PEAK_TIME, k], c[its.PEAK_ROTATION, k] = time[k], rotation[k]
         c[its.PEAK_OMEGA, k], c[its.PEAK_RATE, k] = (c[its.DIRECTION] * speed)[k], (c[its.DIRECTION] * rate)[k]
 
-    def _reach(self, mask: Any) -> None:
+    def _reach(self) -> None:
         c = self.c
         rotation = c[its.ROTATION] + c[its.DIRECTION] * c[its.X]
-        k = np.flatnonzero(mask & (np.abs(rotation) > np.abs(c[its.REACH_ROTATION])))
+        k = np.flatnonzero(np.abs(rotation) > np.abs(c[its.REACH_ROTATION]))
         c[its.REACH_TIME, k], c[its.REACH_ROTATION, k] = c[its.TIME, k], rotation[k]
 
     def _note(self, kind: int) -> None:

@@ -61,14 +61,10 @@ def _phase(lanes: Walker) -> None:
         _read(lanes, until, stops, state)
     c[its.X], c[its.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
     c[its.TIME] = np.where(stops, c[its.TIME] + until, c[its.END_TIME])
-    lanes._fastest(c[its.OMEGA], c[its.TIME], c[its.ROTATION] + c[its.DIRECTION] * c[its.X], rate, ~stops & ~endless)
-    lanes.on(stops, "stand")
     ends = ~stops & ~endless
-    last = (c[its.ROTATION] + c[its.DIRECTION] * c[its.X], c[its.DIRECTION] * c[its.OMEGA], c[its.DIRECTION] * rate)
-    for cell, value in zip((its.END_ROTATION, its.END_OMEGA, its.END_RATE), last, strict=True):
-        c[cell] = np.where(ends, value, c[cell])
-    lanes._reach(ends)
-    c[its.STATUS, ends] = its.ENDED
+    lanes.on(ends, "look", rate[ends])
+    lanes.on(stops, "stand")
+    lanes.on(ends, "end", rate[ends])
 
 
 def brake(lanes: Columns) -> Floats:

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 def value(series: Floats, at: Any) -> Floats:
@@ -35,6 +34,11 @@ def shifted(series: Floats, by: Floats) -> Floats:
         for k in range(len(found) - 2, first - 1, -1):
             found[k] += by * found[k + 1]
     return found
+
+
+def divided(series: Floats, now: Any) -> Floats:
+    """Divided by the time, where a root that is now is not to be found again."""
+    return np.where(now, np.vstack([series[1:], 0.0 * series[:1]]), series) if np.any(now) else series
 
 
 def first_root(series: Floats, h: Floats) -> Floats:

@@ -27,12 +27,10 @@ Floats = NDArray[np.float64]
 
 STATUSES = tuple(Status)
 RESTS, STAYS, TURNED, INVALID = map(int, (Status.RESTS, Status.STAYS, Status.TURNED, Status.INVALID))
-_SURE = 1e-11  # an estimated error below which only the format limits what is known
 # The cells of which a motion is told.
 TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
         its.PEAK_RATE, its.REACH_TIME, its.REACH_ROTATION, its.END_ROTATION, its.END_OMEGA, its.END_RATE,
         its.CLOSE, its.REST_SINCE, its.TURNS)  # fmt: skip
-BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
 ENERGIES = 21  # times at which the energy balance is looked at
 
 
@@ -40,6 +38,11 @@ def told(cells: Floats, single: bool) -> dict[int, Any]:
     """Of the cells of lanes those of which a motion is told, arrays or, of a single one, numbers."""
     rows = cells.take(TOLD, axis=0)
     return dict(zip(TOLD, rows[:, 0].tolist() if single else rows, strict=True))
+
+
+def _static(name: str) -> Any:
+    """A property: one of the statics of each lane."""
+    return property(lambda motion: motion._shaped(motion._lanes.statics[name]))
 
 
 class Motion(Results):
@@ -69,6 +72,8 @@ class Motion(Results):
         k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
     factor_of_safety : float
         Limit of resistance over drive at the start; infinite without a drive.
+    friction : float
+        The friction coefficient at the start.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
@@ -93,24 +98,21 @@ class Motion(Results):
             return np.reshape(values, self.shape)
         return np.ravel(values)[0].item() if isinstance(values, np.ndarray | np.generic) else values
 
-    def _of(self, cell: int) -> Any:
-        return self._cells[cell]
-
     # --- what became of it -------------------------------------------------------------------------------------------
 
     @cached_property
     def _states(self) -> Any:
         """The status of each lane."""
-        ended = self._of(its.STATUS)
+        ended = self._cells[its.STATUS]
         found = BECOMES[np.asarray(ended, np.intp)] if self.shape else int(BECOMES[int(ended)])
-        found = choose((found == RESTS) & (self._of(its.TURNS) > 0.0), TURNED, found)
-        found = choose((found <= TURNED) & (ended != its.STOPPED) & (self._of(its.PHASES) == 0.0), STAYS, found)
+        found = choose((found == RESTS) & (self._cells[its.TURNS] > 0.0), TURNED, found)
+        found = choose((found <= TURNED) & (ended != its.STOPPED) & (self._cells[its.PHASES] == 0.0), STAYS, found)
         return choose(self._lanes.invalid, INVALID, found)
 
     @property
     def stopped_at(self) -> Any:
         """Time at which the walk stopped, s, with an answer or without."""
-        return self._shaped(self._of(its.TIME) * self._lanes.time_scale)
+        return self._shaped(self._cells[its.TIME] * self._lanes.time_scale)
 
     @property
     def brake(self) -> Any:
@@ -120,7 +122,7 @@ class Motion(Results):
     @property
     def turnings(self) -> Any:
         """How often the mass has turned back."""
-        return self._shaped(np.asarray(self._of(its.TURNS), int))
+        return self._shaped(np.asarray(self._cells[its.TURNS], int))
 
     @cached_property
     def _answered(self) -> Any:
@@ -137,17 +139,17 @@ class Motion(Results):
 
     @property
     def moves(self) -> Any:
-        return self._shaped(self._answered & (self._of(its.PHASES) > 0.0))
+        return self._shaped(self._answered & (self._cells[its.PHASES] > 0.0))
 
     @property
     def arrested(self) -> Any:
-        return self._shaped(self._of(its.STATUS) == its.ARRESTED)
+        return self._shaped(self._cells[its.STATUS] == its.ARRESTED)
 
     @cached_property
     def _duration(self) -> Any:
         lanes = self._lanes
-        rest = self._of(its.REST_SINCE) * lanes.time_scale
-        return self._known(choose(self._of(its.STATUS) == its.ENDED, lanes.end_time, rest))
+        rest = self._cells[its.REST_SINCE] * lanes.time_scale
+        return self._known(choose(self._cells[its.STATUS] == its.ENDED, lanes.end_time, rest))
 
     def _known(self, values: Any) -> Any:
         """Values of lanes that have an answer, NaN of the others."""
@@ -167,9 +169,9 @@ class Motion(Results):
         radius, scale = self._lanes.radius, self._lanes.time_scale
         with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
             found = {
-                "reach": radius * self._of(its.REACH_ROTATION),
-                "run_out": radius * self._of(its.END_ROTATION),
-                "peak_velocity": radius * (self._of(its.PEAK_OMEGA) / scale),
+                "reach": radius * self._cells[its.REACH_ROTATION],
+                "run_out": radius * self._cells[its.END_ROTATION],
+                "peak_velocity": radius * (self._cells[its.PEAK_OMEGA] / scale),
             }
         return {n: self._shaped(self._known(v + 0.0)) for n, v in found.items()} | {"duration": self.duration}
 
@@ -187,8 +189,10 @@ class Motion(Results):
 
     @cached_property
     def peak(self) -> State:
-        at, lanes = self._of(its.PEAK_TIME), self._lanes
-        last = (at == self._of(its.END_TIME)) & (self._of(its.STATUS) == its.ENDED) | (self._of(its.PHASES) == 0.0)
+        at, lanes = self._cells[its.PEAK_TIME], self._lanes
+        last = (at == self._cells[its.END_TIME]) & (self._cells[its.STATUS] == its.ENDED) | (
+            self._cells[its.PHASES] == 0.0
+        )
         time = choose(last, self._duration, at * lanes.time_scale)
         if not self.shape and lanes.forced and 0.0 < time < self._duration:
             return self.at(time)  # of its rounded time: where a force leaps, as it is from then on
@@ -196,8 +200,8 @@ class Motion(Results):
 
     @cached_property
     def reach(self) -> State:
-        last = self._of(its.REACH_ROTATION) == self._of(its.END_ROTATION)
-        time = choose(last, self._duration, self._of(its.REACH_TIME) * self._lanes.time_scale)
+        last = self._cells[its.REACH_ROTATION] == self._cells[its.END_ROTATION]
+        time = choose(last, self._duration, self._cells[its.REACH_TIME] * self._lanes.time_scale)
         return self._state(time, its.REACH_ROTATION, its.END_OMEGA, its.END_RATE, last)
 
     @property
@@ -233,8 +237,8 @@ class Motion(Results):
     def _state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
         """A state of each lane from cells; of those that do not move, without speed and rate."""
         lanes, scale, radius = self._lanes, self._lanes.time_scale, self._lanes.radius
-        turn = self._known(self._of(rotation))
-        speed, gain = (self._known(choose(moving, self._of(cell), 0.0)) for cell in (omega, rate))
+        turn = self._known(self._cells[rotation])
+        speed, gain = (self._known(choose(moving, self._cells[cell], 0.0)) for cell in (omega, rate))
         stress = lanes.stress(time / scale, turn, speed)
         with np.errstate(over="ignore"):  # what overflows is refused
             turning = speed / scale
@@ -261,9 +265,9 @@ class Motion(Results):
         scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.time_scale, lanes.radius))
         over = np.ravel(time)[:, None] >= self._duration  # the end, whatever rounding makes of its time
         for row, cell in enumerate((its.END_ROTATION, its.END_OMEGA, its.END_RATE)):
-            rows[row] = np.where(over, self._of(cell), rows[row])
+            rows[row] = np.where(over, self._cells[cell], rows[row])
         rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
-        stress = lanes.stress_along(np.ravel(time), rows)
+        stress = lanes.outputs(np.ravel(time), rows)["pressing"] * self._stress_unit
         speed = omega / scale
         columns = (rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
         found = [np.reshape(np.broadcast_to(v, rotation.shape), shape)[()] for v in columns]
@@ -272,7 +276,7 @@ class Motion(Results):
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
-        moving = (self._of(its.STATUS) != its.ARRESTED) & self._answered
+        moving = (self._cells[its.STATUS] != its.ARRESTED) & self._answered
         last = float(np.min(choose(moving, self._duration, np.inf)))
         late = time[time > last]
         if late.size:
@@ -294,17 +298,20 @@ class Motion(Results):
         """One number of each lane at each time, (lanes, times), as the scene has its lanes."""
         return values.reshape(self.shape + time.shape)[()]
 
+    def _outputs_at(self, times: ArrayLike) -> tuple[Floats, dict[str, Floats]]:
+        """Times, and what the program gives there beside the states."""
+        time = self._times(times)
+        return time, self._lanes.outputs(np.ravel(time), self._rows(time))
+
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
-        time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("pressing", "normal"))
-        return self._along(time, (columns["pressing"] - columns["normal"]) * self._stress_unit)
+        time, found = self._outputs_at(times)
+        return self._along(time, (found["pressing"] - found["normal"]) * self._stress_unit)
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
         """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
-        time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("normal",))
-        return self._along(time, np.maximum(columns["normal"], 0.0) * self._stress_unit)
+        time, found = self._outputs_at(times)
+        return self._along(time, np.maximum(found["normal"], 0.0) * self._stress_unit)
 
     @property
     def _stress_unit(self) -> Floats:
@@ -312,9 +319,8 @@ class Motion(Results):
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where nothing presses on the slip surface; as for `at`."""
-        time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("mu", "normal"))
-        return self._along(time, np.where(columns["normal"] > 0.0, columns["mu"], 0.0))
+        time, found = self._outputs_at(times)
+        return self._along(time, np.where(found["normal"] > 0.0, found["mu"], 0.0))
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
@@ -335,7 +341,7 @@ class Motion(Results):
         rows, first = self._lanes.energies(np.ravel(time))
         unit = self._lanes.energy_unit
         shape = (*self.shape, *time.shape)
-        stands = np.ravel(time)[:, None] >= np.where(self._of(its.STATUS) == its.ARRESTED, self._duration, np.inf)
+        stands = np.ravel(time)[:, None] >= np.where(self._cells[its.STATUS] == its.ARRESTED, self._duration, np.inf)
         rows["kinetic"] = np.where(stands, 0.0, rows["kinetic"])
         kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
         return Energy(self._shaped(np.broadcast_to(unit * first, self._lanes.count)), kinetic, work, lost)
@@ -347,22 +353,9 @@ class Motion(Results):
 
     # --- at the start ------------------------------------------------------------------------------------------------
 
-    @property
-    def limit_friction(self) -> Any:
-        return self._shaped(self._lanes.statics["limit_friction"])
-
-    @property
-    def factor_of_safety(self) -> Any:
-        return self._shaped(self._lanes.statics["factor_of_safety"])
-
-    @property
-    def yield_coefficient(self) -> Any:
-        return self._shaped(self._lanes.statics["yield_coefficient"])
-
-    @property
-    def friction(self) -> Any:
-        """The friction coefficient at the start."""
-        return self._shaped(self._lanes.statics["friction"])
+    limit_friction, factor_of_safety, yield_coefficient, friction = map(
+        _static, ("limit_friction", "factor_of_safety", "yield_coefficient", "friction")
+    )
 
     # --- how well it is known ----------------------------------------------------------------------------------------
 
@@ -397,40 +390,3 @@ class Motion(Results):
             raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
         at = {"peak_velocity": self.peak.velocity, "run_out": self.run_out, "duration": self.duration}
         return sensitivity(self.plan.scene, self._lanes, at if self.moves else dict.fromkeys(at, 0.0))
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        found = list[str]()
-        times = self.lift_off
-        if times:
-            more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
-            said = times[:1] if more else times
-            found += [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
-        if self.error_estimate > self.plan.accuracy:
-            cause = "its numbers lie far apart"
-            if self.error_estimate < _SURE:
-                cause = "no result in float64 is sure to less"
-            elif len(self.phases) > 100:
-                cause = "the mass turns back many times"
-            elif abs(self.friction - self.limit_friction) < 1e-3 * abs(self.limit_friction):
-                cause = "the friction is next to its limit"
-            found.append(
-                f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
-                f"{self.plan.accuracy:.1e}; {cause}"
-            )
-        elif self.moves and self.energy_error_estimate > BALANCED:
-            found.append(
-                f"ill-conditioned: the energy is balanced to {self.energy_error_estimate:.1e} only, as what drives and "
-                "what resists are all but equal"
-            )
-        section = self.plan.scene.arc
-        depth = section.drowned(self.reach.rotation, self.end.rotation) if isinstance(section, Section) else 0.0
-        if depth > 1e-6 * self._lanes.radius:
-            found.append(f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water "
-                         "above it is left out")  # fmt: skip
-        if self.swings_back:
-            found.append(
-                f"the mass swings back: it reaches {abs(self.reach.displacement):.4g} m after {self.reach.time:.4g} s, "
-                f"farther than its run-out of {abs(self.run_out):.4g} m at the end"
-            )
-        return tuple(found)
