@@ -26,26 +26,16 @@ def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: objec
 
 
 def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
-    """Derive and prove everything, and return the text of `generated`; progress goes to stderr.
+    """Derive and prove everything: the text of `generated` by file; progress goes to stderr.
 
-    Parameters
-    ----------
-    anew : bool
-        Whether the shapes of all kernels are searched for; else only those that have no record.
-    trials : int, optional
-        How many shapes such a search may judge for one quantity.
-
-    Returns
-    -------
-    dict
-        Text by file name.
+    Shapes of kernels are searched for where there is no record of them, or ``anew`` for all, with so many ``trials``.
     """
     from derive.algebra import dynamics, growth, integrate, rules, slopes
     from derive.algebra.appendices import APPENDICES, simplify
     from derive.approximate import search, shapes
     from derive.declare.quantities import MOMENTS
     from derive.flow import operations
-    from derive.generate import write
+    from derive.generate import functions, write
 
     for moment in MOMENTS:
         told = "operations {0.operations[0]} -> {0.operations[1]}"
@@ -67,6 +57,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
     timed("slopes", "balance", "{0} claims proved", lambda: len(slopes.prove()))
     timed("arc", "slopes", "{0} claims proved", lambda: len(growth.prove_arc_growth(integrate.closed_forms())))
+    timed("rounded angles", "carried", "{0} claims proved", lambda: len(functions.prove_carried()))
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)
 

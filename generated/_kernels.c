@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "d56672948f8138ff657e9779a2b2524fa8a736b7c9db573cf4560e4575dcf74e"
+#define DIGEST "6a1fe3b0566ea6f3183fbc580fb19387f0dac82a91af4c8920cd9df77eea4aff"
 /* Ufunc loops of the certified kernels.
  *
  * Every program stands here once, as an inline function of one alpha. Loops around it are compiled for several
@@ -358,7 +358,7 @@ INLINE double radial_weight_amplitude_1e_6_fused(double alpha)
         -0x1.f40a4101ee07ep+2, 0x1.32c3a7d534520p-2);
     return p1 * alpha_2 / p2 * alpha;
 }
-#define radial_weight_amplitude_1e_6_fused_KIND short
+#define radial_weight_amplitude_1e_6_fused_KIND whole
 
 /* C_r = sin(alpha) - cos(alpha)**2*atanh(sin(alpha)), 0 <= alpha <= pi/2, float32, fused: proved within 0.505 ulp
  * (certificates/radial_weight_amplitude.json) */

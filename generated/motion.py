@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 75ccf41aa063e96d2002e58ba0e7fe3a443a49f0fd779b147a5548280881f462
+# sha256 of the text below: dca3a5551041e4137fdde84c3ebbcaedfd2cd401cb6e91cdb0ebf7de48d82a12
 """The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."""
 
 from typing import Any
@@ -15,11 +15,6 @@ __all__ = [
     "frozen_angular_acceleration",
     "frozen_arrest_time",
     "frozen_arrest_rotation",
-    "frozen_centripetal_angular_velocity",
-    "frozen_centripetal_rotation",
-    "frozen_centripetal_angular_acceleration",
-    "frozen_centripetal_arrest_time",
-    "frozen_centripetal_arrest_rotation",
 ]
 
 SERIES_1 = (0.5, 0.041666666666666664, 0.001388888888888889, 2.48015873015873e-05,
@@ -32,253 +27,7 @@ SERIES_2 = (1.0, 0.16666666666666666, 0.008333333333333333, 0.000198412698412698
         6.446950284384474e-26, 9.183689863795546e-29)
 
 
-def _frozen_angular_velocity(a: Array, omega_0: Array, t: Array) -> Array:
-    return omega_0 + a * t
-
-
-def frozen_angular_velocity(
-    a: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
-) -> Any:
-    """Angular velocity under a constant drive, without centripetal stress.
-
-    omega = omega_0 + a t
-
-    Parameters
-    ----------
-    a : array_like
-        Drive, (J_theta - mu J_r)/Theta* (3.17).
-    omega_0 : array_like
-        Initial angular velocity over sqrt(g/R).
-    t : array_like
-        Time over sqrt(R/g), not negative.
-    out : ndarray, optional
-        Where the result goes.
-    where : array_like of bool, optional
-        Lanes to compute; others keep what `out` holds (NaN without `out`).
-
-    Returns
-    -------
-    ndarray or scalar
-        Dimensionless. Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.
-
-    Notes
-    -----
-    Domain: t >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
-    Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (3.16) of the paper. Operations: 1 mul, 1 add.
-    """
-    return evaluate(
-        _frozen_angular_velocity,
-        lambda eps, a, omega_0, t: (
-            np.isfinite(a)
-            & np.isfinite(omega_0)
-            & ((t >= 0.0)
-            & np.isfinite(t))
-        ),
-        (1.0, 0.0, 0.0),
-        (a, omega_0, t),
-        out,
-        where,
-    )
-
-
-def _frozen_rotation(a: Array, omega_0: Array, t: Array) -> Array:
-    return (omega_0 + 0.5 * a * t) * t
-
-
-def frozen_rotation(
-    a: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
-) -> Any:
-    """Rotation under a constant drive, without centripetal stress.
-
-    phi = omega_0 t + a t**2/2
-
-    Parameters
-    ----------
-    a : array_like
-        Drive, (J_theta - mu J_r)/Theta* (3.17).
-    omega_0 : array_like
-        Initial angular velocity over sqrt(g/R).
-    t : array_like
-        Time over sqrt(R/g), not negative.
-    out : ndarray, optional
-        Where the result goes.
-    where : array_like of bool, optional
-        Lanes to compute; others keep what `out` holds (NaN without `out`).
-
-    Returns
-    -------
-    ndarray or scalar
-        Dimensionless. Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.
-
-    Notes
-    -----
-    Domain: t >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
-    Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (1.3) of the paper. Operations: 3 mul, 1 add.
-    """
-    return evaluate(
-        _frozen_rotation,
-        lambda eps, a, omega_0, t: (
-            np.isfinite(a)
-            & np.isfinite(omega_0)
-            & ((t >= 0.0)
-            & np.isfinite(t))
-        ),
-        (1.0, 0.0, 0.0),
-        (a, omega_0, t),
-        out,
-        where,
-    )
-
-
-def _frozen_angular_acceleration(a: Array, omega_0: Array, t: Array) -> Array:
-    return a
-
-
-def frozen_angular_acceleration(
-    a: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
-) -> Any:
-    """Angular acceleration under a constant drive, without centripetal stress.
-
-    d(omega)/dt = a
-
-    Parameters
-    ----------
-    a : array_like
-        Drive, (J_theta - mu J_r)/Theta* (3.17).
-    omega_0 : array_like
-        Initial angular velocity over sqrt(g/R).
-    t : array_like
-        Time over sqrt(R/g), not negative.
-    out : ndarray, optional
-        Where the result goes.
-    where : array_like of bool, optional
-        Lanes to compute; others keep what `out` holds (NaN without `out`).
-
-    Returns
-    -------
-    ndarray or scalar
-        Dimensionless. Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.
-
-    Notes
-    -----
-    Domain: t >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
-    Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (3.16) of the paper. Operations: .
-    """
-    return evaluate(
-        _frozen_angular_acceleration,
-        lambda eps, a, omega_0, t: (
-            np.isfinite(a)
-            & np.isfinite(omega_0)
-            & ((t >= 0.0)
-            & np.isfinite(t))
-        ),
-        (1.0, 0.0, 0.0),
-        (a, omega_0, t),
-        out,
-        where,
-    )
-
-
-def _frozen_arrest_time(a: Array, omega_0: Array) -> Array:
-    return -(omega_0 / a)
-
-
-def frozen_arrest_time(
-    a: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
-) -> Any:
-    """Time at which a braked motion stands still, without centripetal stress.
-
-    t = omega_0/(-a)
-
-    Parameters
-    ----------
-    a : array_like
-        Drive, (J_theta - mu J_r)/Theta* (3.17).
-    omega_0 : array_like
-        Initial angular velocity over sqrt(g/R).
-    out : ndarray, optional
-        Where the result goes.
-    where : array_like of bool, optional
-        Lanes to compute; others keep what `out` holds (NaN without `out`).
-
-    Returns
-    -------
-    ndarray or scalar
-        Dimensionless. Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.
-
-    Notes
-    -----
-    Domain: a < 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
-    Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (3.16) of the paper. Operations: 1 div, 1 neg.
-    """
-    return evaluate(
-        _frozen_arrest_time,
-        lambda eps, a, omega_0: (
-            ((a < 0.0)
-            & np.isfinite(a))
-            & ((omega_0 >= 0.0)
-            & np.isfinite(omega_0))
-        ),
-        (-1.0, 0.0),
-        (a, omega_0),
-        out,
-        where,
-    )
-
-
-def _frozen_arrest_rotation(a: Array, omega_0: Array) -> Array:
-    return -(0.5 / a * omega_0 * omega_0)
-
-
-def frozen_arrest_rotation(
-    a: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
-) -> Any:
-    """Rotation at which a braked motion stands still, without centripetal stress.
-
-    phi = omega_0**2/(-2 a)
-
-    Parameters
-    ----------
-    a : array_like
-        Drive, (J_theta - mu J_r)/Theta* (3.17).
-    omega_0 : array_like
-        Initial angular velocity over sqrt(g/R).
-    out : ndarray, optional
-        Where the result goes.
-    where : array_like of bool, optional
-        Lanes to compute; others keep what `out` holds (NaN without `out`).
-
-    Returns
-    -------
-    ndarray or scalar
-        Dimensionless. Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.
-
-    Notes
-    -----
-    Domain: a < 0, omega_0 >= 0; elsewhere NaN and NumPy's ``invalid`` flag.
-    Accuracy: at most 8 ulp times (1 + condition number) (sampled only: no certificate).
-    Source: eq. (1.3) of the paper. Operations: 2 mul, 1 div, 1 neg.
-    """
-    return evaluate(
-        _frozen_arrest_rotation,
-        lambda eps, a, omega_0: (
-            ((a < 0.0)
-            & np.isfinite(a))
-            & ((omega_0 >= 0.0)
-            & np.isfinite(omega_0))
-        ),
-        (-1.0, 0.0),
-        (a, omega_0),
-        out,
-        where,
-    )
-
-
-def _frozen_centripetal_angular_velocity(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
+def _frozen_angular_velocity(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
     k = np.sqrt(np.abs(a)) * np.sqrt(np.abs(b))
     x = np.minimum(t, 800.0 / np.maximum(1e-300, k)) * k
     z = np.sign(a) * np.sign(b) * x * x
@@ -300,7 +49,7 @@ def _frozen_centripetal_angular_velocity(a: Array, b: Array, omega_0: Array, t: 
     return np.where(t6, t5 / np.where(t6, y, 1.0), np.nan)
 
 
-def frozen_centripetal_angular_velocity(
+def frozen_angular_velocity(
     a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
         where: ArrayLike = True
 ) -> Any:
@@ -336,7 +85,7 @@ def frozen_centripetal_angular_velocity(
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
     """
     return evaluate(
-        _frozen_centripetal_angular_velocity,
+        _frozen_angular_velocity,
         lambda eps, a, b, omega_0, t: (
             np.isfinite(a)
             & np.isfinite(b)
@@ -351,7 +100,7 @@ def frozen_centripetal_angular_velocity(
     )
 
 
-def _frozen_centripetal_rotation(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
+def _frozen_rotation(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
     k = np.sqrt(np.abs(a)) * np.sqrt(np.abs(b))
     x = np.minimum(t, 800.0 / np.maximum(1e-300, k)) * k
     z = np.sign(a) * np.sign(b) * x * x
@@ -378,7 +127,7 @@ def _frozen_centripetal_rotation(a: Array, b: Array, omega_0: Array, t: Array) -
     return np.where(t5, np.where(t1, t6, np.where(t8, 1.0, np.log1p(t9) / t9) * G), np.nan)
 
 
-def frozen_centripetal_rotation(
+def frozen_rotation(
     a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
         where: ArrayLike = True
 ) -> Any:
@@ -414,7 +163,7 @@ def frozen_centripetal_rotation(
     select, 3 abs, 1 exp, 1 log, 1 log1p, 2 sign, 2 sqrt.
     """
     return evaluate(
-        _frozen_centripetal_rotation,
+        _frozen_rotation,
         lambda eps, a, b, omega_0, t: (
             np.isfinite(a)
             & np.isfinite(b)
@@ -429,7 +178,7 @@ def frozen_centripetal_rotation(
     )
 
 
-def _frozen_centripetal_angular_acceleration(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
+def _frozen_angular_acceleration(a: Array, b: Array, omega_0: Array, t: Array) -> Array:
     k = np.sqrt(np.abs(a)) * np.sqrt(np.abs(b))
     x = np.minimum(t, 800.0 / np.maximum(1e-300, k)) * k
     z = np.sign(a) * np.sign(b) * x * x
@@ -451,7 +200,7 @@ def _frozen_centripetal_angular_acceleration(a: Array, b: Array, omega_0: Array,
     return np.where(t4, t5, np.nan)
 
 
-def frozen_centripetal_angular_acceleration(
+def frozen_angular_acceleration(
     a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, t: ArrayLike, /, out: NDArray[Any] | None = None, *,
         where: ArrayLike = True
 ) -> Any:
@@ -487,7 +236,7 @@ def frozen_centripetal_angular_acceleration(
     select, 2 abs, 1 exp, 2 sign, 2 sqrt.
     """
     return evaluate(
-        _frozen_centripetal_angular_acceleration,
+        _frozen_angular_acceleration,
         lambda eps, a, b, omega_0, t: (
             np.isfinite(a)
             & np.isfinite(b)
@@ -502,7 +251,7 @@ def frozen_centripetal_angular_acceleration(
     )
 
 
-def _frozen_centripetal_arrest_time(a: Array, b: Array, omega_0: Array) -> Array:
+def _frozen_arrest_time(a: Array, b: Array, omega_0: Array) -> Array:
     t1 = np.sqrt(b)
     t2 = np.sqrt(-a)
     t3 = np.abs(t1 * omega_0) / np.abs(t2) < 8.673617379884035e-19
@@ -510,7 +259,7 @@ def _frozen_centripetal_arrest_time(a: Array, b: Array, omega_0: Array) -> Array
     return -(np.where(t3, 1.0, np.arctan(t4) / t4) / a * omega_0)
 
 
-def frozen_centripetal_arrest_time(
+def frozen_arrest_time(
     a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
 ) -> Any:
     """Time at which a braked motion stands still.
@@ -542,7 +291,7 @@ def frozen_centripetal_arrest_time(
     Source: eq. (3.20) of the paper. Operations: 3 mul, 4 div, 2 neg, 1 less, 2 select, 2 abs, 1 arctan, 2 sqrt.
     """
     return evaluate(
-        _frozen_centripetal_arrest_time,
+        _frozen_arrest_time,
         lambda eps, a, b, omega_0: (
             ((a < 0.0)
             & np.isfinite(a))
@@ -558,14 +307,14 @@ def frozen_centripetal_arrest_time(
     )
 
 
-def _frozen_centripetal_arrest_rotation(a: Array, b: Array, omega_0: Array) -> Array:
+def _frozen_arrest_rotation(a: Array, b: Array, omega_0: Array) -> Array:
     t1 = b / a
     t2 = np.abs(t1) * omega_0 * omega_0 < 8.673617379884035e-19
     t3 = np.where(t2, 1.0, -(t1 * omega_0 * omega_0))
     return -(0.5 * np.where(t2, 1.0, np.log1p(t3) / t3) / a * omega_0 * omega_0)
 
 
-def frozen_centripetal_arrest_rotation(
+def frozen_arrest_rotation(
     a: ArrayLike, b: ArrayLike, omega_0: ArrayLike, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True
 ) -> Any:
     """Rotation at which a braked motion stands still.
@@ -597,7 +346,7 @@ def frozen_centripetal_arrest_rotation(
     Source: eq. (4.3) of the paper. Operations: 7 mul, 3 div, 2 neg, 1 less, 2 select, 1 abs, 1 log1p.
     """
     return evaluate(
-        _frozen_centripetal_arrest_rotation,
+        _frozen_arrest_rotation,
         lambda eps, a, b, omega_0: (
             ((a < 0.0)
             & np.isfinite(a))

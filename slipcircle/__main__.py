@@ -158,7 +158,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
                           help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20")  # fmt: skip
     back.add_argument("--field", action="append", metavar="KEY[=LOW:HIGH]", help="what is looked for, a scene "
                       "file's key, by default friction.angle_deg, and between which values; several for several "
-                      "observations")  # fmt: skip
+                      "observations; a point's coordinate by its number from 0: ground.points_m.3.y")  # fmt: skip
     back.add_argument("--plot", metavar="FILE", help="draw what was observed over the fields; .png, .svg, .pdf or .jpg")
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
@@ -379,8 +379,8 @@ def _sensitivity(options: argparse.Namespace) -> None:
         ["by", "value", *(words(n, unit) for n, unit in found.outputs.items())], tables.sensitivity_rows(found), name,
         "change per unit of the key, and in brackets in per cent per per cent of it",
     )  # fmt: skip
-    if not motion.moves:
-        _say(f"{name}: does not move, so that small changes change nothing")
+    for warning in found.warnings:
+        _say(f"{name}: {warning}")
 
 
 # --- about itself ----------------------------------------------------------------------------------------------------

@@ -215,28 +215,12 @@ def arrest_rotation(a: mpf, b: mpf, omega_0: mpf) -> mpf:
     return (mpmath.log(b * omega_0**2 - a) - mpmath.log(-a)) / (2 * b)
 
 
-CENTRIPETAL: dict[str, Callable[..., mpf]] = {
-    "frozen_centripetal_angular_velocity": angular_velocity,
-    "frozen_centripetal_rotation": rotation,
-    "frozen_centripetal_angular_acceleration": angular_acceleration,
-    "frozen_centripetal_arrest_time": arrest_time,
-    "frozen_centripetal_arrest_rotation": arrest_rotation,
-}
-# Without the centripetal term b is zero.
-MOTION: dict[str, Callable[..., mpf]] = CENTRIPETAL | {
-    "frozen_angular_velocity": lambda a, w, t: angular_velocity(a, mpf(0), w, t),
-    "frozen_rotation": lambda a, w, t: rotation(a, mpf(0), w, t),
-    "frozen_angular_acceleration": lambda a, w, t: angular_acceleration(a, mpf(0), w, t),
-    "frozen_arrest_time": lambda a, w: arrest_time(a, mpf(0), w),
-    "frozen_arrest_rotation": lambda a, w: arrest_rotation(a, mpf(0), w),
-}
-
-
-# Functions of the friction laws that have a hard case.
-LAWS: dict[str, Callable[..., mpf]] = {
-    "drop_exponential": lambda slip, more, peak, residual, length: (
-        (peak - residual) * (mpmath.exp(-slip / length) - mpmath.exp(-(slip + more) / length))
-    ),
+MOTION: dict[str, Callable[..., mpf]] = {
+    "frozen_angular_velocity": angular_velocity,
+    "frozen_rotation": rotation,
+    "frozen_angular_acceleration": angular_acceleration,
+    "frozen_arrest_time": arrest_time,
+    "frozen_arrest_rotation": arrest_rotation,
 }
 _STEP = mpf(2) ** -90  # relative, for the derivatives: 27 digits
 
@@ -247,7 +231,7 @@ def motion(name: str, *arguments: float) -> Reference | None:
 
     The working precision grows until two of them agree.
     """
-    function = (MOTION | LAWS)[name]
+    function = MOTION[name]
     previous: Reference | None = None
     # Small arguments cost as many digits as their product is below 1: log(1 + tiny). None is silently lost.
     start = 120 + sum(int(2 * abs(np.log10(abs(x)))) for x in arguments if x)

@@ -160,7 +160,7 @@ def test_every_repair_is_needed(appendix: Appendix) -> None:
     integral = quadrature(simplify(appendix).integrand, *PAPER, 15)
     for place in repairs(appendix):
         if unreadable(appendix, place):
-            with pytest.raises(ValueError, match=r"without partner|never closed"):
+            with pytest.raises(ValueError, match="without partner"):
                 parse(appendix, (place,))
         else:  # can be read, but is not the integral
             assert abs(evaluate(parse(appendix, (place,)), *PAPER).real / integral - 1) > 1e-2
@@ -185,7 +185,7 @@ def test_final_division_is_of_the_whole_bracket(appendix: Appendix) -> None:
 def test_unknown_notation_is_refused() -> None:
     with pytest.raises(ValueError, match="unknown notation"):
         parse(replace(APPENDIX_I, printed="1 + x?"))
-    with pytest.raises(ValueError, match="1 brackets are never closed"):
+    with pytest.raises(ValueError, match="without partner"):
         parse(replace(APPENDIX_I, printed="(1 + sa"))
 
 

@@ -2,6 +2,7 @@
 
 import json
 import math
+from fractions import Fraction
 
 import numpy as np
 import oracle
@@ -10,8 +11,8 @@ from test_motion_formulas import BOUND as MOTION_BOUND
 
 from derive.__main__ import main
 from derive.algebra import dynamics
-from derive.judge.hard import CASES, HardCase, Result, measured, report
-from generated import _compiled, kernels, laws, motion
+from derive.judge.hard import CASES, HardCase, Result, drive, measured, report
+from generated import _compiled, flow, kernels, motion
 
 
 @pytest.fixture(scope="module")
@@ -22,9 +23,15 @@ def results() -> list[Result]:
 @pytest.mark.parametrize("case", CASES, ids=lambda c: f"{c.function}{c.arguments}")
 def test_case(case: HardCase) -> None:
     """Within the function's own bound, by quadrature of its definition or by the equation of motion; no warning."""
-    module = next(m for m in (kernels, motion, laws) if case.function in m.__all__)
-    # The bare text of `laws` runs where underflow is silent, as it is by NumPy's default.
-    with np.errstate(all="raise", under="ignore" if module is laws else "raise"):
+    if case.function == "drive":
+        press, mu, limit = map(Fraction, case.arguments)
+        assert (
+            oracle.ulps(drive(flow.FRAGMENTS["balance"].scalar, *case.arguments), oracle.exact(press * (limit - mu)))
+            <= 1
+        )
+        return
+    module = kernels if case.function in kernels.__all__ else motion
+    with np.errstate(all="raise"):
         value = float(getattr(module, case.function)(*case.arguments))
     if module is not kernels:
         reference = oracle.motion(case.function, *case.arguments)
@@ -38,8 +45,16 @@ def test_case(case: HardCase) -> None:
         assert oracle.ulps(value, oracle.kernel(case.function, *case.arguments)) <= 16
 
 
+def test_a_wrong_cell_is_seen_next_to_the_limit() -> None:
+    """The limit friction as a quotient of sums, in place of the number that is given."""
+    rows = flow.FRAGMENTS["balance"].scalar
+    wrong = [(*row[:3], "limit_0", "limit_0") if row[1] == "limit" else row for row in rows]
+    case = next(c for c in CASES if c.function == "drive")
+    assert drive(wrong, *case.arguments) != drive(rows, *case.arguments)
+
+
 def test_every_kernel_and_motion_formula_has_one() -> None:
-    wanted = {*kernels.__all__, *(f.name for f in dynamics.FORMS), *oracle.LAWS}
+    wanted = {*kernels.__all__, *(f.name for f in dynamics.FORMS), "drive"}
     assert wanted == {c.function for c in CASES}
 
 

@@ -15,6 +15,7 @@ from slipcircle import Scene, load, plan, solve
 from slipcircle.__main__ import main
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import CLOSED_IN_TIME, FLOW
+from slipcircle.scene.varied import other_way
 from slipcircle.studies.ladder import ladder
 
 ARC = load("vaiont").arc
@@ -99,7 +100,7 @@ def test_none_of_the_methods_imports_scipy() -> None:
     subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
 
 
-@pytest.mark.parametrize("name", ["vaiont", "wet-slope", "vaiont-softening"])
+@pytest.mark.parametrize("name", ["vaiont", "wet-slope", "vaiont-softening", "valley-side"])
 def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
     full = solve(load(name))
     rungs = ladder(full.plan.scene)
@@ -112,6 +113,17 @@ def test_the_ladder_climbs_to_the_fullest_scene(name: str) -> None:
     last = rungs[-1]
     assert (last.run_out, last.peak_velocity, last.duration) == (full.run_out, full.peak.velocity, full.duration)
     assert last.difference == 0.0
+
+
+def test_a_water_level_goes_with_its_section_whatever_else_changes() -> None:
+    """The level is the section's, the pressure an effect: turning a record around or leaving effects out keeps both."""
+    pulse = {"pulse": "sine", "amplitude": 0.2, "duration": 1.0}
+    shaken = replace(load("valley-side"), effects={"rotation": {}, "shaking": pulse})
+    assert "pore_pressure" in shaken.called
+    both = solve(shaken), solve(other_way(shaken))
+    assert both[0].plan.effects == both[1].plan.effects
+    assert both[0].run_out != both[1].run_out
+    assert solve(other_way(other_way(shaken))).run_out == both[0].run_out
 
 
 def test_each_step_of_the_ladder_leaves_out_what_matters_least() -> None:

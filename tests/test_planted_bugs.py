@@ -87,8 +87,8 @@ BUGS = (
     Bug("swapped branches, a b t**2 = 1", ROTATION, r"(t\d+) = 1\.0 < z", r"\1 = 1.0 >= z", moves_right),
     Bug("a sign, omega_0**2", ACCELERATION, r"a - (\w+) \* omega_0", r"a + \1 * omega_0", moves_right),
     Bug("the pole overlooked", VELOCITY, r"(t\d+) = 0\.0 < np\.minimum\(y, .*\)$", r"\1 = 1e9 > y", ends),
-    Bug("half the arrest", "frozen_centripetal_arrest_rotation", r"-\(0\.5 \* ", "-(", moves_right),
-    Bug("t for -t", "frozen_arrest_time", r"-\(omega_0 / a\)", "omega_0 / a", moves_right),
+    Bug("half the arrest", "frozen_arrest_rotation", r"-\(0\.5 \* ", "-(", moves_right),
+    Bug("t for -t", "frozen_arrest_time", r"-\(", "(", moves_right),
 )
 
 

@@ -21,6 +21,7 @@ from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
 from slipcircle import Motion, load, solve
 from slipcircle.__main__ import main
+from slipcircle.outputs import plots
 from slipcircle.studies.ladder import ladder
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -48,19 +49,52 @@ def test_proved_bounds_of_the_readme() -> None:
     assert f"proved to {BOUNDS['polar_moment']['1e-6']['fused'][0]}" in TEXT
 
 
+(SCENE,) = (text for kind, text in BLOCKS if kind == "toml")
+
+
+def run(path: Path, capsys: pytest.CaptureFixture[str], text: str, *options: str) -> dict[str, str]:
+    """Write a scene file and run it: what its table tells."""
+    path.write_text(text, encoding="utf-8")
+    assert main(["run", str(path), *options]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    return dict(re.split(r"\s{2,}", line, maxsplit=1) for line in lines if re.search(r"\S\s{2,}\S", line))
+
+
 def test_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The file as it stands in the README: it runs, is planned, and every effect and law of the README exists."""
-    (toml,) = (text for kind, text in BLOCKS if kind == "toml")
+    """The file as it stands in the README, and with the arc of its comments: they run, and every effect is named."""
     path = tmp_path / "my-slope.toml"
-    path.write_text(toml, encoding="utf-8")
-    motion = solve(load(str(path)))
-    assert motion.moves
-    assert motion.arrested
-    assert motion.plan.effects == tuple(e for e in EFFECTS if e in tomllib.loads(toml))
-    assert all(f"[{e}]" in toml for e in motion.plan.left_out)  # in its last comment
-    assert main(["run", str(path)]) == 0
-    assert main(["plan", "--ladder", str(path)]) == 0
-    assert "my-slope" in capsys.readouterr().out
+    soil = SCENE[SCENE.index("[friction]") : SCENE.index("# [arc]")]
+    of_arc = "".join(line[2:] for line in SCENE.splitlines(True) if re.match(r"# (\w+ = |\[\w+\] *(#|$))", line))
+    for text in (SCENE, of_arc + soil):
+        told = run(path, capsys, text)
+        assert (told["moves"], told["comes to rest"]) == ("yes", "yes")
+        motion = solve(load(str(path)))
+        called = {"pore_pressure" if table == "water" else table for table in tomllib.loads(text)}
+        assert motion.plan.effects == tuple(e for e in EFFECTS if e in called)
+        assert all(f"[{e}]" in SCENE for e in motion.plan.left_out)  # in its comments
+        assert main(["plan", "--ladder", str(path)]) == 0
+        assert "my-slope" in capsys.readouterr().out
+
+
+def test_from_a_profile_to_a_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One command tells of a slope in metres its factors, speed, run-out and where the toe rests, and draws them."""
+    path, picture = tmp_path / "my-slope.toml", tmp_path / "my-slope.png"
+    told = run(path, capsys, SCENE, "--plot", str(picture))
+    assert all(told[n] for n in ("peak velocity", "duration", "factor of safety by Bishop's simplified method"))
+
+    def place(*names: str) -> complex:
+        return complex(*(float(x) for name in names for x in re.findall(r"[\d.]+", told[name])))
+
+    centre, start = place("centre"), place("lower end of the slip surface, x and y")
+    toe = place("x of the toe at the end", "y of the toe at the end")
+    turned = place("run-out along the arc").real / place("radius").real  # clockwise, as it slides to the left
+    assert abs(centre + (start - centre) * np.exp(-1j * turned) - toe) < 0.02  # of figures with two decimals
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    axes = plots.overview(solve(load(str(path)))).axes
+    (section,) = (ax for ax in axes if ax.get_xlabel() == "$x$ (m)")
+    assert section.get_aspect() == 1.0  # true scale
+    drawn = [p for line in section.lines for p in np.asarray(line.get_xydata()).tolist()]
+    assert all(p in drawn for p in tomllib.loads(SCENE)["ground"]["points_m"][1:3])
 
 
 def test_ladder_of_the_readme() -> None:

@@ -8,7 +8,7 @@ from mpmath import mpf
 
 from derive.algebra import rules
 from derive.algebra.integrate import derive
-from derive.algebra.remainders import Expm1, Log1p, Remainder, taylor, unfold
+from derive.algebra.remainders import Log1p, Remainder, taylor, unfold
 from derive.check.proof import ProofError
 from derive.code import measure
 from derive.code.program import program
@@ -79,21 +79,6 @@ def test_a_wrong_head_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rules, "taylor", lambda f: tuple(c * (1 + alpha / 10**6) for c in taylor(f)))
     with pytest.raises(ProofError, match="rule heads"):
         rules.heads(sp.cosh(t), {sp.cosh(t): 2})
-
-
-def test_a_fall_is_a_product() -> None:
-    """The larger of two exponentials, or a common denominator, is pulled out: no difference of like numbers is left."""
-    slip, more, length = sp.symbols("slip more length", positive=True)
-    assert rules.fall(sp.exp(-slip / length), slip, more) == -sp.exp(-slip / length) * Expm1(-more / length)
-    found = rules.fall(1 / (1 + slip / length) ** 2, slip, more)
-    assert not any(term.could_extract_minus_sign() for total in found.atoms(sp.Add) for term in total.args)
-
-
-def test_a_wrong_fall_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    right = sp.factor
-    monkeypatch.setattr(sp, "factor", lambda e: right(e) * (1 + alpha / 10**6))
-    with pytest.raises(ProofError, match="fall of exp"):
-        rules.fall(sp.exp(-t), t, alpha)
 
 
 REMAINDERS = [

@@ -89,14 +89,9 @@ def test_the_factor_is_that_of_the_paper_along_the_circle(ratio: float) -> None:
 
 
 def test_what_is_not_solved_is_told() -> None:
-    many = Section(GROUND, [[29.5, 53.6], [29.5, 53.7]], [28.6, 28.7], 20e3, between=(29.0, 60.0))
-    with pytest.raises(ValueError, match="must be one section"):
-        Scene(many, 0.3)
     deep = Section([[-10, 10], [0, 0], [10, 10]], [0.2, 2.0], 4.0, 20e3)
     with pytest.raises(ValueError, match="half a circle"):
         Scene(deep, 0.3)
-    with pytest.raises(ValueError, match="of an Arc only"):
-        solve(Scene(body(), 0.3, ["rotation"])).sensitivity()
     with pytest.raises(AttributeError, match="of a Section only"):
         solve(Scene(Arc(60.0, 4.0, 5.0, 2e4), 0.9)).journey  # noqa: B018
 

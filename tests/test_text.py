@@ -78,5 +78,5 @@ def test_a_sentence_keeps_its_symbols(words: str, found: str) -> None:
 
 
 def test_every_operation_of_a_certified_program_has_a_meaning_and_c() -> None:
-    kinds = {op.name for v in FITTED for op in v.program.ops} - {"input", "const"}
+    kinds = {op.kind for v in FITTED for op in v.program.ops} - {"input", "const"}
     assert all(operations.OPERATIONS[k].meaning is not None and operations.OPERATIONS[k].c for k in kinds)

@@ -115,28 +115,18 @@ def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> sp.Expr:
         If a bracket has no partner, or a character is not of the notation.
     """
     text = mended_text(appendix, leave)
+    if unknown := set(re.sub(r"arctanh|[a-zA-Z][12a]|[MN]", "", text)) - set("0123456789 +-/^(){}"):
+        raise ValueError(f"Appendix {appendix.name}: unknown notation {unknown}")
     for short, full in SHORT.items():
         text = re.sub(rf"\b{short}\b", full, text)
-    tokens = re.findall(r"[a-z]+(?:_\d)?|\d+|[-+/^(){}]", text)
-    if "".join(tokens) != text.replace(" ", ""):
-        raise ValueError(f"Appendix {appendix.name}: unknown notation")
-    source, still_open, before = "", "", "("
-    for token in tokens:
-        if token in "({":
-            still_open += token
-        elif token in ")}":
-            if still_open[-1:] != {")": "(", "}": "{"}[token]:
-                raise ValueError(f"Appendix {appendix.name}: '{token}' without partner")
-            still_open = still_open[:-1]
-        # Two neighbours that are both operands are a product.
-        if before not in {"sin", "cos", "arctanh"} and before not in "+-/^({" and token not in "+-/^)}":
-            source += "*"
-        source += {"{": "(", "}": ")", "^": "**"}.get(token, token)
-        before = token
-    if still_open:
-        raise ValueError(f"Appendix {appendix.name}: {len(still_open)} brackets are never closed")
+    brackets = re.sub("[^(){}]", "", text)
+    for _ in brackets:
+        brackets = brackets.replace("()", "").replace("{}", "")
+    if brackets:
+        raise ValueError(f"Appendix {appendix.name}: brackets without partner: {brackets}")
+    text = re.sub(r"(?<=[\w)}]) (?=[\w({])", "*", text)  # two neighbours that are both operands are a product
     names = {"theta_1": theta_1, "theta_2": theta_2, "alpha": alpha, "arctanh": sp.atanh}
-    return sp.parse_expr(source, local_dict=names)
+    return sp.parse_expr(text.translate(str.maketrans("{}", "()")).replace("^", "**"), local_dict=names)
 
 
 def unreadable(appendix: Appendix, repair: Repair) -> bool:

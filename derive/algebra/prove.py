@@ -25,13 +25,13 @@ def prove_zero(expression: sp.Expr, claim: str) -> None:
 
 
 def trig_normal(expression: sp.Expr) -> sp.Expr:
-    """Canonical form of a rational function in sines and cosines: sin**2 -> 1 - cos**2, then cancel."""
+    """Canonical form of a rational function in sines, cosines and artanh: sin**2 -> 1 - cos**2, then cancel."""
     expression = sp.expand_trig(expression)
-    swaps = {f: sp.Dummy(str(f)) for f in sorted(expression.atoms(sp.sin, sp.cos), key=sp.default_sort_key)}
+    swaps = {f: sp.Dummy(str(f)) for f in sorted(expression.atoms(sp.sin, sp.cos, sp.atanh), key=sp.default_sort_key)}
     relations = [
         swaps[sp.sin(x)] ** 2 + swaps[sp.cos(x)] ** 2 - 1
-        for x in sorted({f.args[0] for f in swaps}, key=sp.default_sort_key)
-        if sp.sin(x) in swaps and sp.cos(x) in swaps
+        for x in (f.args[0] for f in swaps if isinstance(f, sp.sin))
+        if sp.cos(x) in swaps
     ]
     sines = [swaps[f] for f in swaps if isinstance(f, sp.sin)]
     cosines = [swaps[f] for f in swaps if isinstance(f, sp.cos)]

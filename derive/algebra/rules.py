@@ -13,7 +13,7 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.prove import prove_zero, refute
-from derive.algebra.remainders import Expm1, HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
+from derive.algebra.remainders import HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
@@ -91,7 +91,7 @@ def stable(closed: sp.Expr) -> StableForm:
     their sum.
     """
     expression = sp.expand(sp.expand_trig(closed))
-    power = _order_of_sum(expression)
+    power = int(closed.leadterm(alpha)[1])
     steps = []
     for rule in RULES if min(_orders(expression)) < power else RULES[1:]:
         start, before = time.perf_counter(), expression
@@ -137,19 +137,6 @@ def _lowest(polynomial: sp.Expr) -> int:
     return min(m[0] for m in sp.Poly(polynomial, TAU).monoms())
 
 
-def _order_of_sum(expression: sp.Expr) -> int:
-    """With which power of alpha the expression vanishes at 0, by its series in tau: alpha = 2 arctan(tau)."""
-    terms = {
-        s: sp.Poly(2 * sum(c * TAU**k for k, c in enumerate(taylor(f(X))[:16])), TAU)
-        for s, f in ((alpha, sp.atan), (_H, sp.atanh))
-    }
-    over, under = sp.fraction(sp.together(_in_tau(expression)))
-    total = sp.Poly(0, TAU)
-    for (in_angle, in_artanh), c in sp.Poly(over, alpha, _H).terms():
-        total += terms[alpha] ** in_angle * terms[_H] ** in_artanh * sp.Poly(c, TAU)
-    return min(m[0] for m in total.monoms()) - _lowest(under)
-
-
 def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
     """The expression over alpha**power, for computing.
 
@@ -186,24 +173,6 @@ def heads(expression: sp.Expr, orders: Mapping[sp.Expr, int]) -> sp.Expr:
     return result
 
 
-def fall(function: sp.Expr, x: sp.Symbol, more: sp.Symbol) -> sp.Expr:
-    """R5: function(x) - function(x + more) without cancellation, proved.
-
-    Each exponential that decays is one symbol while the difference is factored, so that the larger is pulled out of
-    the difference of two; what is left of it is an Expm1.
-    """
-    difference = function - function.subs(x, x + more)
-    difference = difference.replace(sp.exp, lambda e: sp.expand_power_exp(sp.exp(sp.expand(e))))
-    kept = {e: sp.Dummy(positive=True) for e in sorted(difference.atoms(sp.exp), key=sp.default_sort_key)}
-    back = {symbol: e for e, symbol in kept.items()}
-    result = sp.factor(difference.subs(kept))
-    for symbol, e in back.items():
-        result = result.subs({symbol - 1: Expm1(e.exp), 1 - symbol: -Expm1(e.exp)})
-    result = result.subs(back)
-    prove_zero(sp.expand_power_exp(sp.expand(unfold(result) - difference)), f"the fall of {function}")
-    return result
-
-
 def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:
     """Prove two forms equal on (0, pi/2).
 
@@ -211,6 +180,7 @@ def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:
     2 artanh(tau), proved by their derivatives and their common value at 0.
     """
     prove_zero(sp.diff(sp.atanh(_SINE) - 2 * sp.atanh(TAU), TAU), "artanh(sin alpha) = 2 artanh(tan(alpha/2))")
+    prove_zero(_in_tau(unfold(HalfTan(alpha).lower())) - TAU, "tan(alpha/2) as it is computed")
 
     def plain(e: sp.Expr) -> sp.Expr:
         e = sp.expand_trig(unfold(e)).subs(sp.tan(alpha / 2), TAU)

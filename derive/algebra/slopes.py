@@ -42,7 +42,6 @@ X, Y, E_X, E_Y, ANGLE, G = sp.symbols("x y e_x e_y angle g", real=True)
 _P, _T, _T1, _T2, _PHI = sp.symbols("p t t1 t2 phi", real=True)
 _LOG = sp.Symbol("L", real=True)  # artanh(t2/r2) - artanh(t1/r1)
 _TAU = sp.symbols("tau_x tau_y", real=True)
-_NORMAL = (_TAU[1], -_TAU[0])  # from the centre to the line, where p > 0
 
 
 def _rho(t: sp.Expr) -> sp.Expr:
@@ -51,17 +50,8 @@ def _rho(t: sp.Expr) -> sp.Expr:
 
 def _split(weight: sp.Expr) -> tuple[int, sp.Expr]:
     """n and the direction of a weight r**(n - 1) direction(theta), whose integral over r from 0 is r**n/n direction."""
-    inner = antiderivative(weight, r)
-    n = int(sp.degree(inner, r))
-    direction = sp.simplify(n * inner / r**n)
-    prove_zero(direction * r**n / n - inner, f"inner integral of {weight}")
-    return n, direction
-
-
-def _on_line(direction: sp.Expr) -> sp.Expr:
-    """The direction of a point of the edge's line, whose polar angle is theta."""
-    cos, sin = ((_P * n + _T * tau) / _rho(_T) for n, tau in zip(_NORMAL, _TAU, strict=True))
-    return direction.subs({sp.cos(theta): cos, sp.sin(theta): sin})
+    n = int(sp.degree(weight, r)) + 1
+    return n, weight / r ** (n - 1)
 
 
 def triangles() -> dict[str, sp.Expr]:
@@ -69,10 +59,13 @@ def triangles() -> dict[str, sp.Expr]:
 
     Inner integral, parameter t, term by term over t from t1 to t2; each whole is differentiated back.
     """
+    # A point of the edge's line: (tau_y, -tau_x) points from the centre to the line, where p > 0.
+    x, y = _P * _TAU[1] + _T * _TAU[0], -_P * _TAU[0] + _T * _TAU[1]
     found = {}
     for name, weight in WEIGHTS.items():
         n, direction = _split(weight)
-        integrand = sp.expand(sp.simplify(_rho(_T) ** n / n * _on_line(direction) * _P / _rho(_T) ** 2))
+        direction = direction.subs({sp.cos(theta): x / _rho(_T), sp.sin(theta): y / _rho(_T)})
+        integrand = sp.expand(sp.simplify(_rho(_T) ** n / n * direction * _P / _rho(_T) ** 2))
         form = sp.Integer(0)
         for term in sp.Add.make_args(integrand):
             factor, rest = term.as_independent(_T)

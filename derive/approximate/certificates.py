@@ -14,7 +14,6 @@ from flint import arb, ctx
 
 from derive.approximate.programs import Variant
 from derive.check import certify, truth
-from derive.check.certify import Worst
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.code import exact
 from derive.code.arithmetic import Floats
@@ -23,9 +22,10 @@ from derive.code.arithmetic import Floats
 def plain(variant: Variant) -> Record:
     """What is certified of a variant, as plain data: floats in hexadecimal, no bounds yet."""
     operations = [
-        [op.kind, list(op.args), op.value.hex() if isinstance(op.value, float) else op.value]
+        ["call", list(op.args), op.kind] if op.kind in ("log", "exponent", "significand")
+        else [op.kind, list(op.args), op.value.hex() if isinstance(op.value, float) else op.value]
         for op in variant.program.ops
-    ]
+    ]  # fmt: skip
     record: Record = {
         "kernel": variant.kernel, "definition": list(variant.definition), "tier": variant.tier, "form": variant.form,
         "output": variant.program.outputs[0], "operations": operations,
@@ -46,14 +46,16 @@ def certified(variant: Variant) -> Record:
     ProofError
         If a bound is above what the tier promises.
     """
-    record = plain(variant)
-    bounds, boxes = certify.establish(record)
-    record["bound"] = round_up(bounds.whole)
-    record["bound_to_quarter_pi"] = round_up(bounds.quarter)
+    record, places = plain(variant), []
+    for claim, parts in certify.by_claim(record).items():
+        bound, worst_of_claim = certify.halve(record, parts, halvings=750)
+        record[claim] = round_up(bound)
+        places += worst_of_claim
+    record["bound"] = max(record["bound"], record["bound_to_quarter_pi"])
     record["bound_underflow"] = round_up(certify.below_underflow(record, record["bound"]))
     check_goals(record)
     if variant.form != "numpy":  # whose logarithm is not the same everywhere
-        alpha, error = worst(variant, boxes)
+        alpha, error = worst(variant, places)
         record["witness"] = {"alpha": alpha.hex(), "error": round_up(error)}
     return record
 
@@ -91,7 +93,7 @@ def errors(variant: Variant, alpha: Floats) -> list[float]:
     return found
 
 
-def worst(variant: Variant, boxes: Iterable[Worst]) -> tuple[float, float]:
+def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[float, float]:
     """The worst input that a search from the worst boxes of the proof finds, and its error.
 
     Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
@@ -106,8 +108,6 @@ def worst(variant: Variant, boxes: Iterable[Worst]) -> tuple[float, float]:
         k = max(range(len(found)), key=found.__getitem__)
         return float(alpha[k]), found[k]
 
-    # A window of the proof stands for every power of two: here it is taken at alpha near 2**-10.
-    places = [(box.lower * 2.0**-10, box.upper * 2.0**-10) if box.window else (box.lower, box.upper) for box in boxes]
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
     alpha, error = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
     for step in (2.0**k for k in range(30, -1, -2)):

@@ -5,9 +5,13 @@ on every machine; only then are coefficients rounded to doubles. Nothing here pr
 program's, of the rounded coefficients.
 """
 
+import math
+import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
+from itertools import accumulate
 from typing import Any
 
 import sympy as sp
@@ -48,13 +52,8 @@ def evaluate(expression: sp.Expr, x: Any) -> Any:
     if expression is sp.pi:
         return arb.pi()
     parts = [evaluate(part, x) for part in expression.args]
-    if isinstance(expression, sp.Add):
-        return sum(parts[1:], parts[0])
-    if isinstance(expression, sp.Mul):
-        product = parts[0]
-        for part in parts[1:]:
-            product = product * part
-        return product
+    if isinstance(expression, (sp.Add, sp.Mul)):
+        return reduce(operator.add if expression.is_Add else operator.mul, parts)
     if isinstance(expression, sp.Pow) and expression.exp.is_Integer:
         return parts[0] ** int(expression.exp)
     if isinstance(expression, (sp.sin, sp.cos, sp.atanh)):
@@ -103,10 +102,7 @@ def sample(function: Function, weight: Callable[[arb, arb], arb], points: Sequen
 
 def horner(coefficients: Sequence[arb], x: arb) -> arb:
     """The polynomial at x."""
-    total = arb(0)
-    for c in reversed(coefficients):
-        total = total * x + c
-    return total
+    return reduce(lambda total, c: total * x + c, reversed(coefficients), arb(0))
 
 
 def minimax(
@@ -126,36 +122,31 @@ def minimax(
     """
     with ctx.workprec(BITS):
         most = max(above, below, logs[1] if logs else 0)
-        powers = [[arb(1)] for _ in samples.points]
-        for row, x in zip(powers, samples.points, strict=True):
-            while len(row) <= most:
-                row.append((row[-1] * x).mid())
+        powers = [[*accumulate([x] * most, lambda p, x: (p * x).mid(), initial=arb(1))] for x in samples.points]
         basis = [row[: above + 1] for row in powers]
         if logs:
             basis = [row + [(l * p).mid() for p in row[: logs[1] + 1]] for row, l in zip(basis, logs[0], strict=True)]
         elif below:
             basis = [row + [(-f * p).mid() for p in all_[1 : below + 1]]
                      for row, f, all_ in zip(basis, samples.values, powers, strict=True)]  # fmt: skip
-        count, unknowns = len(samples.points), len(basis[0]) + 1
+        count, unknowns, matrix = len(samples.points), len(basis[0]) + 1, arb_mat(basis)
         chosen = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
         under = [arb(1)] * count
-        best: tuple[float, list[arb]] | None = None
+        best: tuple[float, list[arb]] = math.inf, []
         for _ in range(_ROUNDS):
             for _ in range(6 if below else 1):
                 found, level = _levelled(samples, chosen, basis, under)
                 if below:
                     under = [horner([arb(1), *found[above + 1 :]], x).mid() for x in samples.points]
-            errors = [
-                (w * (sum((c * p for c, p in zip(found, row, strict=True)), arb(0)) - f) / u).mid()
-                for row, f, w, u in zip(basis, samples.values, samples.weights, under, strict=True)
-            ]
+            fitted = (matrix * arb_mat([[c] for c in found])).entries()
+            errors = [(w * (p - f) / u).mid()
+                      for p, f, w, u in zip(fitted, samples.values, samples.weights, under, strict=True)]  # fmt: skip
             worst = max(abs(float(e)) for e in errors)
-            if best is None or worst < best[0]:
-                best = (worst, found)
+            if worst < best[0]:
+                best = worst, found
             if worst <= 1.02 * abs(float(level)):
                 break
             chosen = _exchange(errors, unknowns, chosen)
-        assert best is not None
         worst, found = best
         second = found[above + 1 :]
         return found[: above + 1], second if logs else [arb(1), *second], worst
@@ -168,8 +159,8 @@ def _levelled(
     rows = [[*basis[i], (-1) ** sign * (under[i] / samples.weights[i]).mid()] for sign, i in enumerate(chosen)]
     right = arb_mat([[samples.values[i]] for i in chosen])
     solved = arb_mat(rows).solve(right, algorithm="approx")
-    found = [solved[k, 0].mid() for k in range(len(rows))]
-    return found[:-1], found[-1]
+    *found, level = (x.mid() for x in solved.entries())
+    return found, level
 
 
 def _exchange(errors: list[arb], wanted: int, chosen: list[int]) -> list[int]:

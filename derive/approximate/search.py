@@ -54,7 +54,7 @@ TRIALS = 40  # shapes judged at most, for one quantity
 def bound(variant: Variant) -> float:
     """The bound that can be proved of a variant's error between FROM and TO."""
     record = certificates.plain(variant)
-    return certify.halve(record, list(certify.patches(record, FROM, TO)), HALVINGS)[0]
+    return certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)[0]
 
 
 def kept(variants: Sequence[Variant]) -> bool:
@@ -106,7 +106,6 @@ def rises(closed: sp.Expr, seam: float) -> bool:
 def baseline(closed: sp.Expr, seam: float) -> Far:
     """The baseline whose operations leave the least, by an estimate of half an ulp each, over ulp(F)."""
     about, values = end(closed), _values(closed, seam)
-    assert about is not None
     ulps, first = (3 if about.log else 1), float(about.first)
     found = []
     for slope in SLOPES:
@@ -139,7 +138,7 @@ def started(kernel: Kernel, seam: float) -> Best:
     """Pieces for a seam, of what an estimate prefers."""
     found = []
     for closed in kernel.closed:
-        if end(closed) is None:
+        if not end(closed).serves:
             found.append(Pieces(HALF_PI, count_near(closed, HALF_PI), KEPT))
         else:
             far = with_degree(closed, baseline(closed, seam), seam)
@@ -164,9 +163,8 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
         moves = [replace(part, count=part.count + more) for more in (-1, 1)]
         moves += [replace(part, kept=part.kept + more) for more in (-1, 1) if 2 <= part.kept + more < part.count - 2]
         if far := part.far:
-            about, changed = end(closed), []
-            assert about is not None
-            changed += [replace(far, degree=far.degree + more) for more in (-1, 1)]
+            about = end(closed)
+            changed = [replace(far, degree=far.degree + more) for more in (-1, 1)]
             changed += [replace(far, line=far.line + more / 128) for more in (-4, -1, 1, 4)]
             changed += [] if about.odd else [replace(far, bend=far.bend + more / 8) for more in (-1, 1)]
             changed += [replace(far, scale=3 - far.scale)] if about.log else []
@@ -210,7 +208,7 @@ def refined(kernel: Kernel, rising: bool, trials: int) -> Best | None:
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
     seams = [seam for seam in SEAMS if not rising or rises(kernel.closed[0], seam)]
-    for seam in seams[-9:] if any(end(closed) for closed in kernel.closed) else SEAMS[:1]:
+    for seam in seams[-9:] if any(end(closed).serves for closed in kernel.closed) else SEAMS[:1]:
         judge(started(kernel, seam))
     done: set[Best] = set()
     while left := [shape for shape in ranked()[:2] if shape not in done]:

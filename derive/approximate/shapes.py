@@ -116,11 +116,12 @@ class End:
     odd: bool
     first: Fraction
     log: int
+    serves: bool = True  # not if the form is neither odd nor even
 
 
 @cache
-def end(closed: sp.Expr) -> End | None:
-    """Expand about pi/2; None if the form is neither odd nor even there."""
+def end(closed: sp.Expr) -> End:
+    """Expand about pi/2."""
     b, h = sp.Dummy("b", real=True), sp.Dummy("h", real=True)
     form = sp.expand(sp.expand_trig(closed.subs(alpha, sp.pi / 2 - b).subs(sp.atanh(sp.cos(b)), h)))
     smooth, logs = form.coeff(h, 0), form.coeff(h, 1)
@@ -133,7 +134,7 @@ def end(closed: sp.Expr) -> End | None:
                 series = evaluate(logs, x) if logs != 0 else x
                 log = next(k for k in range(truth.TERMS) if series[k] != 0) if logs != 0 else 0
                 return End(odd, Fraction(int(first.p), int(first.q)), log)
-    return None
+    return End(False, Fraction(0), 0, serves=False)
 
 
 # --- shapes --------------------------------------------------------------------------------------------------------
@@ -180,7 +181,7 @@ def records() -> dict[tuple[str, ...], Shape]:
     """The shapes that were found before, by definition; what is found in this run joins them."""
     found = {}
     for key, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
-        best = [Pieces(p["seam"], p["count"], p["kept"], Far(**p["far"]) if p["far"] else None) for p in known["best"]]
+        best = [Pieces(**p | {"far": p["far"] and Far(**p["far"])}) for p in known["best"]]
         found[tuple(key.split(" / "))] = Shape(tuple(best), tuple(map(tuple, known["cheap"])))
     return found
 
@@ -259,7 +260,6 @@ class FarFit:
 def powers(closed: sp.Expr, far: Far) -> tuple[int, int]:
     """The power of b in front of what the baseline leaves, and half the power of b in front of Q."""
     shape = end(closed)
-    assert shape is not None
     taken = shape.first == -Fraction(far.slope) if shape.odd else shape.first == -Fraction(far.bend)
     power = (1 if shape.odd else 2) + 2 * (taken and (not shape.log or shape.log >= (3 if shape.odd else 4)))
     return power, (shape.log - power) // 2 if shape.log else 0
@@ -268,7 +268,6 @@ def powers(closed: sp.Expr, far: Far) -> tuple[int, int]:
 def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float, float]:
     """What the baseline leaves over b**power as a function of b**2, for the least relative error; constant and tilt."""
     shape, (power, _) = end(closed), powers(closed, far)
-    assert shape is not None
     with ctx.workprec(GUARD):
         there = at(closed, exact(HALF_PI))
         constant = nearest(there - exact(far.slope) * exact(HALF_PI) - exact(far.line))
@@ -294,7 +293,7 @@ def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float,
 def far_minimax(closed: sp.Expr, far: Far, samples: Samples) -> tuple[list[arb], list[arb], float, list[arb]]:
     """R and Q as they are fitted together, their error, and b**(2 shift) ln(scale b) at the points."""
     _, shift = powers(closed, far)
-    if not end(closed).log:  # type: ignore[union-attr]
+    if not end(closed).log:
         over, _, error = minimax(samples, far.degree)
         return over, [], error, []
     with ctx.workprec(GUARD):

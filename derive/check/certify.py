@@ -196,19 +196,6 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
 # --- the proof -----------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Bounds:
-    """Bounds on the error: on the whole domain from UNDERFLOW on, up to pi/4 only, and below UNDERFLOW.
-
-    Tiers best and float32: in ulp of the exact value, and the ulp is never less than the format's least number. Tiers
-    1e-10 and 1e-6: relative, and below UNDERFLOW in units of (whole times the exact value + 2**-1074).
-    """
-
-    whole: float
-    quarter: float
-    underflow: float
-
-
 def ulp(x: float, bits: int) -> float:
     """Unit in the last place of an exact value x >= 0, exponents unbounded: the smaller one at a power of two."""
     mantissa, exponent = math.frexp(x)
@@ -283,13 +270,46 @@ def check_zero(record: Record) -> None:
         raise rejected("zero", record, f"{value} at alpha = 0", 0)
 
 
-def prove(record: Record) -> Bounds:
-    """Prove what the record claims, on the whole domain.
+def by_claim(record: Record) -> dict[str, list[Patch]]:
+    """The patches that each claim is about: beyond pi/4, and up to it."""
+    found: dict[str, list[Patch]] = {"bound": [], "bound_to_quarter_pi": []}
+    for part in patches(record):
+        found["bound_to_quarter_pi" if part.top or part.upper <= QUARTER else "bound"].append(part)
+    return found
 
-    Returns
-    -------
-    Bounds
-        The proved bounds, not above the claimed ones.
+
+def halve(
+    record: Record, parts: list[Patch], wanted: float = 0.0, halvings: float = math.inf
+) -> tuple[float, list[tuple[float, float]]]:
+    """What can be proved on these patches, and where they are worst: at most 16 boxes of alpha, the worst first.
+
+    The worst box is halved, again and again, until the bound is within ``wanted``, or so often, or as long as the box
+    is more than next to nothing.
+    """
+    boxes = [(-error(record, x, x.lower, x.upper), number, x.lower, x.upper) for number, x in enumerate(parts)]
+    heapq.heapify(boxes)
+    while boxes and -boxes[0][0] > wanted and halvings > 0:
+        _, number, lower, upper = boxes[0]
+        middle = (lower + upper) / 2
+        narrow = halvings == math.inf and upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53)
+        if narrow or not lower < middle < upper:
+            break
+        heapq.heapreplace(boxes, (-error(record, parts[number], lower, middle), number, lower, middle))
+        heapq.heappush(boxes, (-error(record, parts[number], middle, upper), number, middle, upper))
+        halvings -= 1
+    worst = heapq.nsmallest(16, {box[1]: box for box in sorted(boxes, reverse=True)}.values())
+    # A window stands for every power of two: it is told at alpha near 2**-10.
+    scales = [2.0**-10 if parts[number].top else 1.0 for _, number, _, _ in worst]
+    places = [(a * s, b * s) for (_, _, a, b), s in zip(worst, scales, strict=True)]
+    return max((-size for size, *_ in boxes), default=0.0), places
+
+
+def prove(record: Record) -> float:
+    """Prove what the record claims, on the whole domain; the bound that was proved, which is not above the claimed one.
+
+    ``bound`` is claimed from UNDERFLOW on, ``bound_to_quarter_pi`` up to pi/4 only, ``bound_underflow`` below. Of the
+    tiers best and float32 they are in ulp of the exact value, and the ulp is never less than the format's least number;
+    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074).
 
     Raises
     ------
@@ -301,83 +321,24 @@ def prove(record: Record) -> Bounds:
     if record["assumptions"] != assumptions(record):
         raise rejected("assumptions", record, record["assumptions"], assumptions(record))
     try:
-        bounds = _prove(record)
+        if record["tier"] not in TIERS:
+            raise ValueError(f"no tier is called {record['tier']}")
+        if any(not 0 <= a < i for i, (_, args, _) in enumerate(record["operations"]) for a in args):
+            raise ValueError("an operation uses a later one")
+        check_zero(record)
+        proved = []
+        for claim, parts in by_claim(record).items():
+            wanted = min(record["bound"], record[claim])
+            found, places = halve(record, parts, wanted)
+            if not found <= wanted:
+                raise rejected("bound", record, f"{found:.4g}, alpha near {places[0][0]!r}", f"at most {wanted}")
+            proved.append(found)
+        underflow = below_underflow(record, record["bound"])
+        if not underflow <= record["bound_underflow"]:
+            raise rejected("underflow", record, f"{underflow:.4g}", f"at most {record['bound_underflow']}")
         check_goals(record)
-        return bounds
+        return max(proved)
     except Unbounded as fault:
         raise rejected("bound", record, f"none, {fault}", record["bound"]) from fault
     except (ArithmeticError, LookupError, TypeError, Undecided, ValueError) as fault:
         raise rejected("program", record, f"{type(fault).__name__}: {fault}", "operations with a meaning") from fault
-
-
-def _prove(record: Record) -> Bounds:
-    if record["tier"] not in TIERS:
-        raise ValueError(f"no tier is called {record['tier']}")
-    if any(not 0 <= a < i for i, (_, args, _) in enumerate(record["operations"]) for a in args):
-        raise ValueError("an operation uses a later one")
-    check_zero(record)
-    proved = {"bound": 0.0, "bound_to_quarter_pi": 0.0}
-    for part in patches(record):
-        claim = claimed(part)
-        todo = [(part.lower, part.upper)]
-        while todo:
-            lower, upper = todo.pop()
-            found = error(record, part, lower, upper)
-            if found <= record[claim]:
-                proved[claim] = max(proved[claim], found)
-                continue
-            middle = (lower + upper) / 2
-            if not lower < middle < upper or upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53):
-                where = f"at {'s ' if part.top else ''}{lower!r}, s any small power of two" if part.top else repr(lower)
-                raise rejected("bound", record, f"{found:.4g}, alpha near {where}", f"at most {record[claim]}")
-            todo += [(lower, middle), (middle, upper)]
-    underflow = below_underflow(record, record["bound"])
-    if not underflow <= record["bound_underflow"]:
-        raise rejected("underflow", record, f"{underflow:.4g}", f"at most {record['bound_underflow']}")
-    return Bounds(max(proved.values()), proved["bound_to_quarter_pi"], underflow)
-
-
-def claimed(part: Patch) -> str:
-    """The claim that covers a patch."""
-    return "bound_to_quarter_pi" if part.top or part.upper <= QUARTER else "bound"
-
-
-@dataclass(frozen=True)
-class Worst:
-    """A box on which the bound is largest: of alpha, or of xi in a window."""
-
-    lower: float
-    upper: float
-    window: bool
-
-
-def establish(record: Record, halvings: int = 750) -> tuple[Bounds, list[Worst]]:
-    """Find bounds that can be proved: the worst box is halved, again and again. With them the patches' worst boxes."""
-    found, worst = {"bound": 0.0, "bound_to_quarter_pi": 0.0}, []
-    every = list(patches(record))
-    for claim in found:
-        found[claim], boxes = halve(record, [part for part in every if claimed(part) == claim], halvings)
-        worst += boxes
-    whole = max(found.values())
-    return Bounds(whole, found["bound_to_quarter_pi"], below_underflow(record, whole)), worst
-
-
-def halve(record: Record, every: list[Patch], halvings: int) -> tuple[float, list[Worst]]:
-    """What can be proved on these patches, and their worst boxes."""
-    heap = [
-        (-error(record, part, part.lower, part.upper), number, part.lower, part.upper)
-        for number, part in enumerate(every)
-    ]
-    heapq.heapify(heap)
-    for _ in range(halvings if heap else 0):
-        _, number, lower, upper = heap[0]
-        middle = (lower + upper) / 2
-        if not lower < middle < upper:
-            break
-        halves = ((lower, middle), (middle, upper))
-        entries = [(-error(record, every[number], a, b), number, a, b) for a, b in halves]
-        heapq.heapreplace(heap, entries[0])
-        heapq.heappush(heap, entries[1])
-    of_patch = {number: (size, number, lower, upper) for size, number, lower, upper in sorted(heap, reverse=True)}
-    worst = heapq.nsmallest(16, of_patch.values())
-    return -heap[0][0] if heap else 0.0, [Worst(a, b, every[number].top > 0) for _, number, a, b in worst]

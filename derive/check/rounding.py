@@ -19,7 +19,7 @@ from derive.check.truth import ball, working
 ROUNDING_BITS = 80  # precision of the balls
 UP, DOWN = 1 + 2.0**-40, 1 - 2.0**-40  # more than all roundings of the float arithmetic done on bounds
 TINY = 2.0**-1074
-PRODUCTS = ("mul", "div", "fma", "error", "sqrt", "log")  # what may underflow; sums are exact there
+PRODUCTS = ("mul", "div", "fma", "error", "log")  # what may underflow; sums are exact there
 
 
 class Undecided(Exception):
@@ -49,19 +49,19 @@ class Node(NamedTuple):
 
 
 Tape = tuple[Node, ...]
-Line = tuple[Fraction, Fraction]  # slope and value at 0 of an affine function of alpha
+Line = tuple[Fraction, Fraction]  # values of an affine function of alpha at both ends of the box
 
 
 # What an operation computes, of balls or of series, and its derivatives by its operands, None for 1, from its value
 # and these.
 VALUE: dict[str, Callable[..., Any]] = {
     "fma": lambda a, b, c: a * b + c, "mul": operator.mul, "add": operator.add, "sub": operator.sub,
-    "div": operator.truediv, "neg": operator.neg, "log": lambda a: a.log(), "sqrt": lambda a: a.sqrt(),
+    "div": operator.truediv, "neg": operator.neg, "log": lambda a: a.log(),
 }  # fmt: skip
 SLOPES: dict[str, Callable[..., tuple[Any, ...]]] = {
     "fma": lambda y, a, b, c: (b, a, None), "mul": lambda y, a, b: (b, a), "add": lambda y, a, b: (None, None),
     "sub": lambda y, a, b: (None, -1), "div": lambda y, a, b: (1 / b, -y / b), "neg": lambda y, a: (-1,),
-    "log": lambda y, a: (1 / a,), "sqrt": lambda y, a: (1 / (2 * a.sqrt()),),
+    "log": lambda y, a: (1 / a,),
 }  # fmt: skip
 
 
@@ -182,15 +182,13 @@ class _Specialise:
         if kind == "const":
             return self.put(Node("const", (), float.fromhex(value)))
         if kind == "select":
-            return self.visit(args[1] if self.less(*self.operations[args[0]]) else args[2])
+            comparison, compared, _ = self.operations[args[0]]
+            if comparison != "less":
+                raise ValueError("select needs a comparison")
+            return self.visit(args[1 if self.less(*map(self.visit, compared)) else 2])
         nodes = tuple(self.visit(a) for a in args)
-        if kind in ("min", "max"):
-            (low, high), (other_low, other_high) = (self.range(n) for n in nodes)
-            if high <= other_low:
-                return nodes[0 if kind == "min" else 1]
-            if other_high <= low:
-                return nodes[1 if kind == "min" else 0]
-            raise Undecided(kind)
+        if kind == "max":
+            return nodes[self.less(*nodes)]
         if kind == "call" and value in ("exponent", "significand"):
             k = self.exponent(nodes[0])
             if value == "exponent":
@@ -201,21 +199,17 @@ class _Specialise:
             raise ValueError(f"no rule for the operation {node.kind}")
         return self.put(self.compensation(node) or node)
 
-    def less(self, kind: str, args: Sequence[int], _: Any) -> bool:
-        if kind != "less":
-            raise ValueError("select needs a comparison")
-        (low, high), (other_low, other_high) = (self.range(self.visit(a)) for a in args)
-        if high < other_low:
-            return True
-        if low >= other_high:
-            return False
-        raise Undecided(kind)
+    def less(self, i: int, j: int) -> bool:
+        """Whether one node is below another on the whole range, or nowhere."""
+        (low, high), (other_low, other_high) = self.range(i), self.range(j)
+        if low < other_high and not high < other_low:
+            raise Undecided("less")
+        return high < other_low
 
     def range(self, i: int) -> tuple[Fraction, Fraction]:
         """All values of a node lie between these."""
         if (line := self.affine[i]) is not None:
-            first, second = (line[0] * x + line[1] for x in self.ends)
-            return min(first, second), max(first, second)
+            return min(line), max(line)
         if not self.values[i].is_finite():
             raise Unbounded("a comparison with an unbounded number")
         return _fraction(self.values[i].lower()), _fraction(self.values[i].upper())
@@ -239,8 +233,7 @@ class _Specialise:
         rounds = not exact and node.kind not in ("x", "const", "neg")
         marked = node._replace(rounds=rounds)
         if line is not None and not rounds:
-            low, high = sorted(line[0] * x + line[1] for x in self.ends)
-            value, bound = ball(_arb(low), _arb(high)), 0.0
+            value, bound = ball(_arb(min(line)), _arb(max(line))), 0.0
         else:
             line, value = None, _operate(marked, self.values, self.noise)
             bound = _rounding(marked, value, self.values)
@@ -257,10 +250,10 @@ class _Specialise:
         kind, args = node.kind, node.args
         if kind == "x":
             grid = math.frexp(float(self.ends[0]))[1] - 53 if self.ends[0] else -1074
-            return (Fraction(1), Fraction(0)), max(grid, -1074), True
+            return self.ends, max(grid, -1074), True
         if kind == "const":
             c = Fraction(node.value)
-            return (Fraction(0), c), _trailing(c), True
+            return (c, c), _trailing(c), True
         if kind == "error":
             return None, -1074, len(args) == 1  # the error of a product is a double, that of an fma is not
         if kind not in ("neg", "add", "sub", "mul", "fma"):
@@ -270,42 +263,31 @@ class _Specialise:
         line = self._line(kind, [self.affine[a] for a in args])
         size: Fraction | float
         if line is not None:
-            size = max(abs(line[0] * x + line[1]) for x in self.ends)
+            size = max(map(abs, line))
         else:
             size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
-        turned = kind == "neg" or (kind == "mul" and any(map(self._power_of_two, args)))
+        scales = [c.kind == "const" and math.frexp(abs(c.value))[0] == 0.5 for c in (self.tape[a] for a in args)]
+        turned = kind == "neg" or (kind == "mul" and any(scales))
         return line if grid >= -1074 else None, grid, turned or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
 
     @staticmethod
     def _line(kind: str, lines: Sequence[Line | None]) -> Line | None:
-        """The affine form of a result, if there is one."""
+        """The affine form of a result, if there is one: of products, one factor is constant."""
         known = [line for line in lines if line]
-        if len(known) < len(lines):
+        if len(known) < len(lines) or (kind in ("mul", "fma") and all(a != b for a, b in known[:2])):
             return None
-        (a, b), *others = known
-        match kind, others:
-            case "neg", _:
-                return -a, -b
-            case "add" | "sub", [(c, d)]:
-                return (a + c, b + d) if kind == "add" else (a - c, b - d)
-            case _, [(c, d), *rest] if not (a and c):
-                e, f = rest[0] if rest else (Fraction(0), Fraction(0))
-                return a * d + b * c + e, b * d + f
-        return None
-
-    def _power_of_two(self, i: int) -> bool:
-        return self.tape[i].kind == "const" and math.frexp(abs(self.tape[i].value))[0] == 0.5
+        first, second = (VALUE[kind](*ends) for ends in zip(*known, strict=True))
+        return first, second
 
     def compensation(self, node: Node) -> Node | None:
         """The node as the rounding error of another one, if that is what it computes."""
         kind, args = node.kind, node.args
-        if kind == "fma":  # a b - p with p = a b rounded, or p - a b
+        if kind == "fma":
             a, b, c = args
-            if self.tape[c].kind == "neg" and self._is_product(p := self.tape[c].args[0], a, b):
-                return Node("error", (p,), -1.0)
-            for first, second in ((a, b), (b, a)):
-                if self.tape[first].kind == "neg" and self._is_product(c, self.tape[first].args[0], second):
-                    return Node("error", (c,), 1.0)
+            if self.tape[c].kind == "neg":  # a b - p with p = a b rounded
+                (p,) = self.tape[c].args
+                if self.tape[p].kind == "mul" and sorted(self.tape[p].args) == sorted((a, b)):
+                    return Node("error", (p,), -1.0)
             if self.tape[c].kind == "sub":  # a b + (d - s) with s = d + a b: minus the error of s, rounded
                 d, s = self.tape[c].args
                 if self.tape[s].kind == "fma" and self.tape[s].args in ((a, b, d), (b, a, d)):
@@ -315,9 +297,6 @@ class _Specialise:
             if self.tape[s].kind == "add" and self.tape[s].args in ((a, b), (b, a)):
                 return Node("error", (s, args[1]), -1.0)
         return None
-
-    def _is_product(self, p: int, *factors: int) -> bool:
-        return self.tape[p].kind == "mul" and sorted(self.tape[p].args) == sorted(factors)
 
 
 def _arb(x: Fraction) -> arb:

@@ -3,16 +3,16 @@
 import time
 from concurrent.futures import ProcessPoolExecutor
 
-from derive.check.certify import Bounds, prove
+from derive.check.certify import prove
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, Record, read
 
 
-def judge(record: Record) -> tuple[Record, Bounds | ProofError, float]:
+def judge(record: Record) -> tuple[Record, float | ProofError, float]:
     """A record, what came of its proof, and the seconds that it took."""
     start = time.perf_counter()
     try:
-        result: Bounds | ProofError = prove(record)
+        result: float | ProofError = prove(record)
     except ProofError as refusal:
         result = refusal
     return record, result, time.perf_counter() - start
@@ -31,7 +31,7 @@ def prove_all(processes: int = 2) -> bool:
                 print(f"{name} REJECTED: {result}")
             else:
                 claimed_too = f"{record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
-                print(f"{name} {result.whole:>9.4g} {claimed_too}  {TIERS[record['tier']].unit:<14} {seconds:>7.2f}")
+                print(f"{name} {result:>9.4g} {claimed_too}  {TIERS[record['tier']].unit:<14} {seconds:>7.2f}")
     print(f"{len(records)} certificates, {'all proved' if accepted else 'NOT all proved'}, ", end="")
     print(f"{time.perf_counter() - start:.1f} s with {processes} processes")
     return accepted

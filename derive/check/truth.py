@@ -20,7 +20,8 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
+from operator import truediv
 from typing import Any
 
 from flint import arb, arb_poly, arb_series, ctx, fmpq, fmpq_series
@@ -72,14 +73,12 @@ def value(definition: Definition, alpha: arb) -> arb:
     """What a definition says at a ball 0 < alpha < pi/2, at the precision in force; it cancels near 0."""
     s, c = alpha.sin_cos()
     h = -((arb.pi() / 2 - alpha) / 2).tan().log()
-    found = [exactly(statement, alpha, s, c, h) for statement in definition]
-    return found[0] / found[1] if len(found) > 1 else found[0]
+    return reduce(truediv, (exactly(statement, alpha, s, c, h) for statement in definition))
 
 
 def limit(definition: Definition) -> arb:
     """Its value at pi/2: what the logarithm is multiplied by vanishes there."""
-    found = [exactly(statement, arb.pi() / 2, arb(1), arb(0), arb(0)) for statement in definition]
-    return found[0] / found[1] if len(found) > 1 else found[0]
+    return reduce(truediv, (exactly(statement, arb.pi() / 2, arb(1), arb(0), arb(0)) for statement in definition))
 
 
 def _taylor(statement: str, centre: arb) -> list[arb]:

@@ -6,6 +6,7 @@ odd), and of fractions where a part would underflow.
 """
 
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +16,8 @@ Floats = NDArray[np.float64]
 _SAFE = 2.0**-900  # a product of this size has an error term far above the subnormal numbers
 
 
-def two_sum(a: Floats, b: Floats) -> tuple[Floats, Floats]:
-    """fl(a + b) and what it lost."""
+def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
+    """fl(a + b) and what it lost; also of operations that are collected for a program."""
     total = a + b
     of_b = total - a
     return total, (a - (total - of_b)) + (b - of_b)

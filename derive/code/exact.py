@@ -4,7 +4,7 @@ import numpy as np
 
 from derive.code.arithmetic import Floats
 from derive.code.operations import OPERATIONS
-from derive.code.program import Program
+from derive.code.program import Op, Program, walk
 
 
 def run(program: Program, alpha: Floats) -> Floats:
@@ -16,16 +16,14 @@ def run(program: Program, alpha: Floats) -> Floats:
         For an operation that is not rounded exactly everywhere, such as NumPy's logarithm.
     """
     alpha = np.ascontiguousarray(alpha, dtype=np.float64)
-    values: list[Floats] = []
+
+    def make(op: Op, operands: list[Floats]) -> Floats:
+        if op.kind == "const":
+            return np.full(alpha.shape, op.value, dtype=np.float64)
+        if (meaning := OPERATIONS[op.kind].meaning) is None:
+            raise ValueError(f"no exact meaning of {op.kind}")
+        return np.asarray(meaning(*operands))
+
     with np.errstate(under="ignore"):
-        for op in program.ops:
-            if op.kind == "input":
-                values.append(alpha)
-            elif op.kind == "const":
-                values.append(np.full(alpha.shape, float(op.value or 0.0)))
-            else:
-                meaning = OPERATIONS[op.name].meaning
-                if meaning is None:
-                    raise ValueError(f"no exact meaning of {op.name}")
-                values.append(meaning(*(values[i] for i in op.args)))
-    return values[program.outputs[0]]
+        (result,) = walk(program, dict.fromkeys(program.inputs, alpha), make)
+    return result

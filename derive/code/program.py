@@ -4,19 +4,21 @@ An operation names its operands by index. Constants are the doubles nearest to t
 The order of operations follows from the expression alone, never from a hash.
 """
 
+import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
-from typing import Literal, get_args
+from typing import Any, TypeVar
 
 import mpmath
+import numpy as np
 import sympy as sp
+from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
-
-Kind = Literal["input", "const", "add", "sub", "mul", "div", "neg", "min", "max", "less", "select", "fma", "call"]
-KINDS = get_args(Kind)
+from derive.code.arithmetic import two_sum
+from derive.code.operations import OPERATIONS
 
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
@@ -26,16 +28,11 @@ CALLS = {
 
 @dataclass(frozen=True, slots=True)
 class Op:
-    """One operation: its kind, its operands' indices, and the input's or call's name or the constant's value."""
+    """One operation, of `OPERATIONS`, an input or a constant; its operands' indices; the input's name or the value."""
 
-    kind: Kind
+    kind: str
     args: tuple[int, ...] = ()
     value: str | float | None = None
-
-    @property
-    def name(self) -> str:
-        """In the table of operations."""
-        return str(self.value) if self.kind == "call" else self.kind
 
 
 @dataclass(frozen=True)
@@ -50,60 +47,95 @@ class Program:
 
     def operations(self) -> Counter[str]:
         """How many operations of each kind it takes; inputs and constants are free."""
-        return Counter(op.name for op in self.ops if op.kind not in ("input", "const"))
+        return Counter(op.kind for op in self.ops if op.kind not in ("input", "const"))
 
 
-@dataclass
-class _Builder:
-    inputs: tuple[str, ...]
-    ops: list[Op] = field(default_factory=list)
-    index: dict[Op, int] = field(default_factory=dict)
-    done: dict[sp.Basic, int] = field(default_factory=dict)
+T = TypeVar("T")
 
-    def put(self, kind: Kind, *args: int, value: str | float | None = None) -> int:
-        """Append an operation, or find the equal one that is there."""
-        op = Op(kind, args, value)
+
+def walk(p: Program, inputs: Mapping[str, T], make: Callable[[Op, list[T]], T]) -> list[T]:
+    """The outputs of a program, of what ``make`` gives for an operation and its operands."""
+    done: list[T] = []
+    for op in p.ops:
+        done.append(inputs[str(op.value)] if op.kind == "input" else make(op, [done[i] for i in op.args]))
+    return [done[i] for i in p.outputs]
+
+
+class Builder:
+    """Collects operations, as they are done with `Value`; equal ones are one."""
+
+    def __init__(self) -> None:
+        self.ops: list[Op] = []
+        self.index: dict[Op, int] = {}
+
+    def put(self, kind: str, *operands: Any, value: str | float | None = None) -> "Value":
+        """Append an operation on values and numbers, or find the equal one that is there."""
+        args = tuple(self.value(x).place for x in operands)
         key = Op(kind, args, value.hex() if isinstance(value, float) else value)  # nan and -0.0 are keys too
         if key not in self.index:
             self.index[key] = len(self.ops)
-            self.ops.append(op)
-        return self.index[key]
+            self.ops.append(Op(kind, args, value))
+        return Value(self, self.index[key])
 
-    def const(self, value: sp.Expr) -> int:
+    def value(self, x: Any) -> "Value":
+        """A number becomes a constant."""
+        return x if isinstance(x, Value) else self.put("const", value=float(x))
+
+    def inline(self, p: Program, inputs: Mapping[str, "Value"]) -> list["Value"]:
+        """Append the operations of a program; its outputs."""
+        return walk(p, inputs, lambda op, operands: self.put(op.kind, *operands, value=op.value))
+
+
+# What NumPy calls each operation; the logarithm and the like have no exact meaning, and their own name.
+_NAMES = {operation.meaning or getattr(np, name): name for name, operation in OPERATIONS.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class Value(NDArrayOperatorsMixin):
+    """What an operation gives: Python's operators and NumPy's functions of it are operations again."""
+
+    builder: Builder
+    place: int
+
+    def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Value":
+        if function is np.greater:  # Python turns 1.0 < x around
+            function, operands = np.less, operands[::-1]
+        return self.builder.put(_NAMES[function], *operands)
+
+    def __array_function__(self, function: Any, _: Any, operands: Any, named: Any) -> "Value":
+        return self.builder.put(_NAMES[function], *operands)
+
+
+class _Lowering(Builder):
+    """SymPy's expressions become operations."""
+
+    def __init__(self, inputs: tuple[str, ...]) -> None:
+        super().__init__()
+        self.inputs = inputs
+        self.done: dict[sp.Basic, Value] = {sp.Symbol(x, real=True): self.put("input", value=x) for x in inputs}
+
+    def const(self, value: sp.Expr) -> Value:
         if value is sp.nan:
-            return self.put("const", value=float("nan"))
+            return self.value(math.nan)
         if isinstance(value, sp.Rational):
-            return self.put("const", value=int(value.p) / int(value.q))  # correctly rounded by Python
+            return self.value(int(value.p) / int(value.q))  # correctly rounded by Python
         with mpmath.workprec(300):
-            return self.put("const", value=float(mpmath.mpf(sp.N(value, 80)._mpf_)))
+            return self.value(mpmath.mpf(sp.N(value, 80)._mpf_))
 
-    def inline(self, p: Program) -> int:
-        """Append the operations of a program of one output; its inputs are symbols that are known here."""
-        place: list[int] = []
-        for op in p.ops:
-            if op.kind == "input":
-                place.append(self.done[sp.Symbol(str(op.value), real=True)])
-            else:
-                place.append(self.put(op.kind, *(place[i] for i in op.args), value=op.value))
-        return place[p.outputs[0]]
-
-    def put_call(self, name: str, *args: int) -> int:
-        return self.put("call", *args, value=name)
-
-    def add(self, expression: sp.Basic) -> int:
+    def add(self, expression: sp.Basic) -> Value:
         if expression not in self.done:
             self.done[expression] = self._add(expression)
         return self.done[expression]
 
-    def _add(self, e: sp.Basic) -> int:
+    def _add(self, e: sp.Basic) -> Value:
         if isinstance(e, sp.Symbol):
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
         if e is sp.nan or (e.is_number and not e.has(sp.Function)):
             return self.const(e)
         if isinstance(e, RoundingError):
-            return self._rounding_error(*(self.add(x) for x in e.args))
+            return self.value(two_sum(*map(self.add, e.args))[1])
         if isinstance(e, Primitive):
-            return self.put_call(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
+            return self.put(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
         if isinstance(e, sp.Add):
@@ -118,22 +150,22 @@ class _Builder:
         if isinstance(e, (sp.Min, sp.Max)):
             return self._joined("min" if isinstance(e, sp.Min) else "max", sorted(e.args, key=_order))
         if type(e) in CALLS:
-            return self.put_call(CALLS[type(e)], self.add(e.args[0]))
+            return self.put(CALLS[type(e)], self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
-    def _sum(self, e: sp.Add) -> int:
+    def _sum(self, e: sp.Add) -> Value:
         plus = [x for x in sorted(e.args, key=_order) if not x.could_extract_minus_sign()]
         minus = [x for x in sorted(e.args, key=_order) if x.could_extract_minus_sign()]
-        result = self.add(plus[0]) if plus else self.put("neg", self.add(-minus.pop(0)))
+        result = self.add(plus[0]) if plus else -self.add(-minus.pop(0))
         for x in plus[1:]:
-            result = self.put("add", result, self.add(x))
+            result = result + self.add(x)
         for x in minus:
-            result = self.put("sub", result, self.add(-x))
+            result = result - self.add(-x)
         return result
 
-    def _product(self, e: sp.Mul) -> int:
+    def _product(self, e: sp.Mul) -> Value:
         if e.could_extract_minus_sign():
-            return self.put("neg", self.add(-e))
+            return -self.add(-e)
         over, under, powers = [], [], []
         for x in sorted(e.args, key=_order):
             if isinstance(x, sp.Rational) and x.p == 1 and x.q & (x.q - 1):
@@ -147,44 +179,38 @@ class _Builder:
         # Powers of an input come last, one factor at a time, so that a result underflows once or not at all.
         factors = over + powers if over else powers or [sp.Integer(1)]
         head = self._joined("mul", factors[: len(over)] or factors[:1])
-        result = self.put("div", head, self._joined("mul", under)) if under else head
+        result = head / self._joined("mul", under) if under else head
         for x in factors[len(over) or 1 :]:
-            result = self.put("mul", result, self.add(x))
+            result = result * self.add(x)
         return result
 
-    def _joined(self, kind: Kind, parts: Sequence[sp.Expr]) -> int:
+    def _joined(self, kind: str, parts: Sequence[sp.Expr]) -> Value:
         """All of them by one operation, from the left."""
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
-    def _rounding_error(self, x: int, y: int) -> int:
-        total = self.put("add", x, y)
-        of_y = self.put("sub", total, x)
-        of_x = self.put("sub", total, of_y)
-        return self.put("add", self.put("sub", x, of_x), self.put("sub", y, of_y))
-
-    def _horner(self, e: Horner) -> int:
+    def _horner(self, e: Horner) -> Value:
         x, *coefficients = e.args
         at, result = self.add(x), self.const(coefficients[-1])
         for c in reversed(coefficients[:-1]):
-            result = self.put("add", self.put("mul", result, at), self.const(c))
+            result = result * at + self.const(c)
         return result
 
-    def _power(self, base: sp.Expr, exponent: sp.Expr) -> int:
+    def _power(self, base: sp.Expr, exponent: sp.Expr) -> Value:
         if exponent.could_extract_minus_sign():
-            return self.put("div", self.const(sp.Integer(1)), self.add(base**-exponent))
+            return self.value(1.0) / self.add(base**-exponent)
         if exponent == sp.Rational(1, 2):
-            return self.put_call("sqrt", self.add(base))
+            return self.put("sqrt", self.add(base))
         if exponent.is_Rational and exponent.q == 2:
-            root = self.put_call("sqrt", self.add(base))
-            return self.put("mul", self.add(base ** ((exponent.p - 1) // 2)), root)
+            root = self.put("sqrt", self.add(base))
+            return self.add(base ** ((exponent.p - 1) // 2)) * root
         if not exponent.is_Integer:
             raise ValueError(f"no operation for the power {base}**{exponent}")
         n, result, square = int(exponent), None, self.add(base)
         while n:  # binary powering; `pow` is slow and a library call
             if n & 1:
-                result = square if result is None else self.put("mul", result, square)
+                result = square if result is None else result * square
             n >>= 1
-            square = self.put("mul", square, square) if n else square
+            square = square * square if n else square
         assert result is not None
         return result
 
@@ -214,16 +240,17 @@ def program(
     ValueError
         If an expression holds another symbol, or an operation that no emitter knows.
     """
-    builder = _Builder(inputs)
-    for x in inputs:
-        builder.done[sp.Symbol(x, real=True)] = builder.put("input", value=x)
+    low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
-        index = builder.inline(value) if isinstance(value, Program) else builder.add(value)
-        builder.done = {e: i for e, i in builder.done.items() if not e.has(symbol)} | {symbol: index}
-    results = tuple(builder.add(e) for e in outputs)
-    names = {builder.done[symbol]: symbol.name for symbol in let or {} if symbol in builder.done}
+        if isinstance(value, Program):
+            (result,) = low.inline(value, {e.name: v for e, v in low.done.items() if isinstance(e, sp.Symbol)})
+        else:
+            result = low.add(value)
+        low.done = {e: v for e, v in low.done.items() if not e.has(symbol)} | {symbol: result}
+    results = tuple(low.add(e).place for e in outputs)
+    names = {low.done[symbol].place: symbol.name for symbol in let or {} if symbol in low.done}
     # Of a `let`, a part may not be used.
-    return without_dead(Program(name, inputs, tuple(builder.ops), results, names))
+    return without_dead(Program(name, inputs, tuple(low.ops), results, names))
 
 
 def without_dead(p: Program) -> Program:

@@ -8,14 +8,11 @@ import textwrap
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, cast
-
-import numpy as np
-from numpy.lib.mixins import NDArrayOperatorsMixin
+from typing import Any
 
 from derive.check.proof import ProofError
 from derive.code.operations import OPERATIONS
-from derive.code.program import KINDS, Kind, Op, Program
+from derive.code.program import Builder, Program
 
 WIDTH = 116  # of a statement, its indent included
 INLINE = 72  # a value that is used once is written where it is used, up to this length
@@ -98,10 +95,10 @@ class _Text:
                 self._name(x)
             numbers = ", ".join(language.number(c) for c in coefficients)
             return language.polynomial.format(x=self.text[x][0], degree=len(coefficients) - 1, coefficients=numbers), 9
-        operation = OPERATIONS[op.name]
+        operation = OPERATIONS[op.kind]
         template = getattr(operation, language.templates)
         if not template:
-            raise ValueError(f"{op.name} has no place in {language.templates}")
+            raise ValueError(f"{op.kind} has no place in {language.templates}")
 
         def shown() -> str:
             operands = (self.text[a] for a in op.args)
@@ -206,65 +203,17 @@ def statements(program: Program, language: Language, parts: Sequence[Part] = ())
 
 
 @dataclass
-class Recorder:
-    """Operations as they are done; equal ones are one."""
-
-    ops: dict[Op, int] = field(default_factory=dict)
-
-    def put(self, kind: Kind, *args: Any, value: str | float | None = None) -> "Recorded":
-        """An operation on what was recorded, or on numbers."""
-        places = tuple(self.number(x).place for x in args)
-        key = Op(kind, places, value.hex() if isinstance(value, float) else value)
-        return Recorded(self, self.ops.setdefault(key, len(self.ops)))
-
-    def operate(self, name: str, *operands: Any) -> "Recorded":
-        """One of `OPERATIONS`."""
-        return self.put(cast(Kind, name), *operands) if name in KINDS else self.put("call", *operands, value=name)
-
-    def number(self, x: Any) -> "Recorded":
-        """A number becomes a constant."""
-        return x if isinstance(x, Recorded) else self.put("const", value=float(x))
-
-    def replay(self, program: Program) -> list[int]:
-        """The places of a program's outputs."""
-        done: list[Recorded] = []
-        for op in program.ops:
-            done.append(self.put(op.kind, *(done[i] for i in op.args), value=op.value))
-        return [done[i].place for i in program.outputs]
-
-
-# What NumPy calls each operation; the logarithm and the like have no exact meaning, and their own name.
-_NAMES = {operation.meaning or getattr(np, name): name for name, operation in OPERATIONS.items()}
-
-
-@dataclass(frozen=True, eq=False)
-class Recorded(NDArrayOperatorsMixin):
-    """An operand that records what Python's operators and NumPy's functions are asked to do with it."""
-
-    recorder: Recorder
-    place: int
-
-    def __array_ufunc__(self, function: Any, _: str, *operands: Any) -> "Recorded":
-        if function is np.greater:  # Python turns 1.0 < x around
-            function, operands = np.less, operands[::-1]
-        return self.recorder.operate(_NAMES[function], *operands)
-
-    def __array_function__(self, function: Any, _: Any, operands: Any, named: Any) -> "Recorded":
-        return self.recorder.operate(_NAMES[function], *operands)
-
-
-@dataclass
 class Reader:
     """Text that was written, run on operands that record; what is read once is there to be called."""
 
     scope: dict[str, Any]
-    recorder: Recorder = field(default_factory=Recorder)
+    builder: Builder = field(default_factory=Builder)
 
     def check(self, program: Program, name: str, text: str) -> None:
         """Raise `ProofError` unless the text, a function of Python, does the program's operations and no others."""
         exec(text, self.scope)
-        given = self.scope[name](*(self.recorder.put("input", value=x) for x in program.inputs))
-        given = given if isinstance(given, tuple) else (given,)
-        done = [self.recorder.number(x).place for x in given]
-        if done != (wanted := self.recorder.replay(program)):
+        inputs = {x: self.builder.put("input", value=x) for x in program.inputs}
+        given = self.scope[name](*inputs.values())
+        done = [self.builder.value(x).place for x in (given if isinstance(given, tuple) else (given,))]
+        if done != (wanted := [x.place for x in self.builder.inline(program, inputs)]):
             raise ProofError(f"{name}: text that was written", f"operations {done}", f"{wanted}, those of its program")

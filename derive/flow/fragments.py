@@ -268,7 +268,6 @@ def balance() -> Fragment:
         low.moving = {**low.moving, cell(name): (cell(f"{name}_0"), series(f"d{name}"))}
     for name in (*QUANTITIES, "mu"):
         low.put("lin", name, f"{name}_0", (("=1.0", f"d{name}"),))
-    low.put("lin", "pressing", "pressing_0", (("=1.0", "dpressing"),))
     static, increment = low.split(driving - resisting - FRICTION)
     low.register(increment, "dnet")
     low.put("lin", "net", "drive", (("=1.0", "dnet"),))

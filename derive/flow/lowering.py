@@ -227,7 +227,7 @@ class Lowering:
                 names[index] = str(op.value) if op.kind == "input" else f"={op.value!r}"
             else:
                 names[index] = next((n for n, i in outputs.items() if i == index), f"{self.name}.t{index}")
-        operations = [(str(op.value) if op.kind == "call" else op.kind, names[i], *(names[j] for j in op.args))
+        operations = [(op.kind, names[i], *(names[j] for j in op.args))
                  for i, op in enumerate(p.ops) if op.kind not in ("input", "const")]  # fmt: skip
         return (*operations, *(("set", n, names[i]) for n, i in outputs.items() if names[i] != n))
 

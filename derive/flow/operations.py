@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Expm1, Log1p, Select
+from derive.algebra.remainders import Expm1, Log1p, Select, unfold
 
 n, k = sp.symbols("n k", integer=True)
 A, B, Q, X, Z, E, H, P, S, V, L = (sp.IndexedBase(x) for x in "abqxzehpsvl")
@@ -68,24 +68,23 @@ def prove(order: int = 6) -> list[str]:
     for o in OPERATIONS.values():
         highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
         coefficients = {x: sp.symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
+        # About a later moment a series has other coefficients, da_i/dt = (i + 1) a_(i+1), and so has its function.
+        rates = {c[i]: (i + 1) * c[i + 1] for c in coefficients.values() for i in range(highest)} | {_t: 1}
         if Z in o.arguments:  # 1 + z begins with a positive number
-            coefficients[Z] = (sp.Symbol("y", positive=True) - 1, *coefficients[Z][1:])
+            y, (z, *others) = sp.Symbol("y", positive=True), coefficients[Z]
+            coefficients[Z], rates[y] = (y - 1, *others), rates[z]
         if Q in o.arguments:  # the other argument's times its order
             coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-        inner = {x: sum(c * _t**i for i, c in enumerate(cs)) for x, cs in coefficients.items()}
+        known = {e: c for x, cs in coefficients.items() for e, c in zip((x, sp.Derivative(x, _t)), cs, strict=False)}
         for x, means in zip(o.results, o.means, strict=True):
-            whole, found = means.subs(inner).doit(), []
-            for i in range(highest + 1):
-                found.append(whole.subs(_t, 0) / sp.factorial(i))
-                whole = sp.diff(whole, _t)
-            coefficients[x] = tuple(found)
-        claim = f"{o.name}: its first coefficients"
-        for x, start in zip(o.results, o.start, strict=True):
-            _vanishes(at(start, coefficients) - coefficients[x][0], claim)
-        for i in range(1, highest + 1):
-            claim = f"{o.name}: coefficient {i}"
-            for x, step in zip(o.results, o.step, strict=True):
-                _vanishes(at(step.subs(n, i).doit(), coefficients) - coefficients[x][i], claim)
+            found = [means.xreplace(known)]
+            for i in range(highest):
+                found.append(sp.expand(sum(rate * sp.diff(found[-1], a) for a, rate in rates.items()) / (i + 1)))
+            coefficients[x] = tuple(c.subs(_t, 0) for c in found)
+        for i in range(highest + 1):
+            for x, start, step in zip(o.results, o.start, o.step, strict=True):
+                given = at(step.subs(n, i).doit() if i else start, coefficients)
+                prove_zero(sp.expand(unfold(given) - coefficients[x][i]), f"{o.name}: coefficient {i}")
         claims.append(f"{o.name}: {highest + 1} coefficients")
     return claims
 
@@ -93,11 +92,6 @@ def prove(order: int = 6) -> list[str]:
 def at(e: sp.Expr, coefficients: Mapping[sp.IndexedBase, Sequence[Any]]) -> sp.Expr:
     """An expression with the coefficients that it names."""
     return e.xreplace({x: coefficients[x.base][int(x.indices[0])] for x in e.atoms(sp.Indexed)})
-
-
-def _vanishes(e: sp.Expr, claim: str) -> None:
-    e = sp.powsimp(sp.expand(sp.expand(e.rewrite(sp.exp)), power_exp=True))
-    prove_zero(sp.together(e), claim)
 
 
 def first(

@@ -1,7 +1,7 @@
 """The text that runs the operations of a program: in C over vectors of lanes, and in NumPy over arrays of lanes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import sympy as sp
 
@@ -9,26 +9,19 @@ from derive.flow.fragments import CELLS
 from derive.flow.operations import OPERATIONS, SCALARS, Operation, k, n
 
 
-@dataclass(frozen=True)
-class _Sum:
-    """A sum of an operation's step: of weight a[k] b[n - k] from k = first to n - short."""
+class _Sum(NamedTuple):
+    """A sum of an operation's step: of weight a[k] b[n - k] from k = first to n - short.
+
+    The weight is text, with a times sign, or nothing. Of a symmetric sum the second half repeats the first.
+    """
 
     name: str
-    weight: sp.Expr
-    a: sp.Indexed
-    b: sp.Indexed
+    weight: str
+    a: str
+    b: str
     first: int
     short: int
-
-    @property
-    def symmetric(self) -> bool:
-        """Whether its second half repeats the first."""
-        return self.a.base == self.b.base and self.weight == 1
-
-    @property
-    def factor(self) -> str:
-        """The weight as text, with a times sign, where there is one."""
-        return "" if self.weight == 1 else f"{_text(self.weight, {})} * "
+    symmetric: bool
 
 
 def _sums(o: Operation) -> dict[sp.Sum, _Sum]:
@@ -38,8 +31,10 @@ def _sums(o: Operation) -> dict[sp.Sum, _Sum]:
         ((_, first, last),) = total.limits
         parts = {x: x.base if isinstance(x, sp.Pow) else x for x in sp.Mul.make_args(total.function)}
         series = {x: base for x, base in parts.items() if isinstance(base, sp.Indexed)}
-        a, b = sorted((*series.values(), *series.values())[:2], key=lambda x: x.indices != (k,))
-        found[total] = _Sum(f"sum{i}", sp.cancel(total.function / sp.Mul(*series)), a, b, int(first), int(n - last))
+        a, b = (str(x.base) for x in sorted((*series.values(), *series.values())[:2], key=lambda x: x.indices != (k,)))
+        weight = sp.cancel(total.function / sp.Mul(*series))
+        factor = "" if weight == 1 else f"{_text(weight, {})} * "
+        found[total] = _Sum(str(i), factor, a, b, int(first), int(n - last), a == b and not factor)
     return found
 
 
@@ -71,7 +66,7 @@ def _text(e: sp.Expr, known: Mapping[sp.Expr, str]) -> str:
 
 def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[str], list[str]]:
     """Statements for order 0, functions first, and for order n, whose sums have their names."""
-    known: dict[sp.Expr, str] = {total: s.name for total, s in _sums(o).items()}
+    known: dict[sp.Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
     found = {f for e in o.start for f in e.atoms(sp.Function)}
     start = []
     for i, f in enumerate(sorted(found, key=lambda f: (len(f.atoms(sp.Function)), str(f)))):
@@ -100,16 +95,13 @@ def _c_sums(o: Operation) -> list[str]:
     if not sums:
         return []
     below = "(n + 1) / 2" if sums[0].symmetric else f"n + {1 - sums[0].short}"
-    parts = [s.name.replace("sum", "part") for s in sums]
-    adds = (f"{p}[j] += {s.factor}{s.a.base}[k] * {s.b.base}[n - k]" for p, s in zip(parts, sums, strict=True))
-    lines = [
-        f"V {', '.join(f'{p}[2] = {{{{0}}}}' for p in parts)};",
-        f"OVER({sums[0].first}, {below}, {'; '.join(adds)});",
-    ]
-    for p, s in zip(parts, sums, strict=True):
-        lines.append(f"V {s.name} = {'2.0 * ' if s.symmetric else ''}({p}[0] + {p}[1]);")
+    adds = "; ".join(f"part{s.name}[j] += {s.weight}{s.a}[k] * {s.b}[n - k]" for s in sums)
+    parts = ", ".join(f"part{s.name}[2] = {{{{0}}}}" for s in sums)
+    lines = [f"V {parts};", f"OVER({sums[0].first}, {below}, {adds});"]
+    for s in sums:
+        lines.append(f"V sum{s.name} = {'2.0 * ' if s.symmetric else ''}(part{s.name}[0] + part{s.name}[1]);")
         if s.symmetric:
-            lines.append(f"if (n % 2 == 0) {s.name} += {s.a.base}[n / 2] * {s.a.base}[n / 2];")
+            lines.append(f"if (n % 2 == 0) sum{s.name} += {s.a}[n / 2] * {s.a}[n / 2];")
     return lines
 
 
@@ -210,14 +202,13 @@ _SCALARS: dict[str, Any] = {{
 
 
 def _numpy_sum(s: _Sum) -> list[str]:
-    a, b, last = s.a.base, s.b.base, f"n - {s.short}" if s.short else "n"
+    name, last = f"sum{s.name}", f"n - {s.short}" if s.short else "n"
     if s.symmetric:
-        return [f"{s.name} = 2.0 * _over({a}, {a}, n, {s.first}, (n - 1) // 2)",
-                f"{s.name} += {a}[n // 2] ** 2 if n % 2 == 0 else 0.0"]  # fmt: skip
-    if s.weight == 1:
-        return [f"{s.name} = _over({a}, {b}, n, {s.first}, {last})"]
-    return ["k = np.arange(n + 1.0)[:, None]",
-            f"{s.name} = _over({s.factor}{a}[: n + 1], {b}, n, {s.first}, {last})"]  # fmt: skip
+        return [f"{name} = 2.0 * _over({s.a}, {s.a}, n, {s.first}, (n - 1) // 2)",
+                f"{name} += {s.a}[n // 2] ** 2 if n % 2 == 0 else 0.0"]  # fmt: skip
+    first = f"{s.weight}{s.a}[: n + 1]" if s.weight else s.a
+    total = f"{name} = _over({first}, {s.b}, n, {s.first}, {last})"
+    return ["k = np.arange(n + 1.0)[:, None]", total] if s.weight else [total]
 
 
 def _numpy_function(o: Operation) -> str:

@@ -7,10 +7,9 @@ result d of an operation on cells a, b and e it is ``d'``, made of these and of 
 import sympy as sp
 
 from derive.algebra.remainders import Select
-from derive.flow.lowering import Increment, Lowering, cell, total
+from derive.flow.lowering import Lowering, cell, series
 from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
 
-ONE = sp.Integer(1)
 Template = tuple[tuple[object, ...], ...]
 
 
@@ -46,27 +45,19 @@ def of_series() -> dict[str, Template]:
 def _of_series(o: Operation) -> Template:
     if o.name == "tim":  # linear in its argument
         return (("tim", "q'", "a'"),)
-    low = Lowering("*", {})
     symbols = {x: cell(str(x)) for x in (*o.results, *o.arguments)}
+    tangents = {x: cell(f"{x}'") for x in (*o.arguments, *o.numbers)}
+    registers = (*symbols.values(), *_HELPERS, *(tangents[x] for x in o.arguments))
+    low = Lowering("*", {x: (sp.Integer(0), series(str(x))) for x in registers})
     for result, means in zip(o.results, o.means, strict=True):
-        increment: Increment = {}
-        for x in (*o.arguments, *o.numbers):
+        change = sp.Integer(0)
+        for x, tangent in tangents.items():
             slope = sp.diff(means.xreplace(symbols), symbols.get(x, x))
             for function, register in _KNOWN.items():
                 slope = slope.subs(function, register)
             for helper, operation in _HELPERS.items():
                 if helper in slope.free_symbols - {*symbols.values()}:
                     low.put(*operation)
-            for term in sp.Add.make_args(sp.expand(slope)):
-                powers = term.as_powers_dict()
-                names = [str(y) for y, power in powers.items() if isinstance(y, sp.Symbol) and y != POWER
-                         for _ in range(int(power))]  # fmt: skip
-                number = sp.Mul(*(y**power for y, power in powers.items() if y == POWER or y.is_Number))
-                if x in o.arguments:
-                    names.append(f"{x}'")
-                increment = total(
-                    (ONE, increment),
-                    (ONE, {tuple(sorted(names)): number * (ONE if x in o.arguments else cell(f"{x}'"))}),
-                )
-        low.put("lin", f"{result}'", "", low.sum(increment))
+            change += slope * tangent
+        low.put("lin", f"{result}'", "", low.sum(low.split(sp.expand(change))[1]))
     return tuple(low.series)

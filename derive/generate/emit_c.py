@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from derive.approximate.programs import Code, Variant, logarithm
+from derive.approximate.search import DIVISION
 from derive.code import emit
 from derive.code.emit import identifier
 from derive.code.operations import OPERATIONS
@@ -38,13 +39,12 @@ class CText:
     def __init__(self, form: str) -> None:
         self.reader = Reader({"hexadecimal": float.fromhex})
         calls = {name: x.c.partition("(")[0] for name, x in OPERATIONS.items()}
-        self.reader.scope |= {c: partial(self.reader.recorder.operate, x) for x, c in calls.items() if c.isidentifier()}
+        self.reader.scope |= {c: partial(self.reader.builder.put, x) for x, c in calls.items() if c.isidentifier()}
         self.reader.scope |= {f"POLY{degree}": self._polynomial for degree in range(1, MOST)}
         if form == "plain":
             self.reader.scope["FMA"] = lambda a, b, c: a * b + c
-        code = Code(form)
-        b = code.put("input", value="b")
-        part = Part(f"logarithm_{form}", replace(code.program("logarithm", logarithm(code, b)), inputs=("b",)))
+        code = Code(form, "b")
+        part = Part(f"logarithm_{form}", code.program("logarithm", logarithm(code, code.x)))
         self.text = "/* ln b of a b >= 0; at 0 something finite, which a factor 0 waits for. */\n"
         self.parts: list[Part] = []
         self.text += self.body(part.name, part.program)
@@ -70,7 +70,8 @@ class CText:
         """Those of a program, one for each of its pieces if it has two, and what kind of loop suits it."""
         pieces = seam(program)
         if not pieces:
-            kind = "short" if sum(program.operations().values()) <= SHORT else "whole"
+            counts = program.operations()
+            kind = "short" if sum(counts.values()) + DIVISION * counts["div"] <= SHORT else "whole"
             return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
         at, *outputs = pieces
         parts = [Part(f"{name}_{side}", without_dead(replace(program, outputs=(output,))))

@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterable, Mapping
-from functools import cache
 
 import sympy as sp
 
@@ -10,8 +9,9 @@ from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
 from derive.algebra.growth import arc_growth
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
+from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import fall, stable
+from derive.algebra.rules import prove_equal, stable
 from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
@@ -20,8 +20,6 @@ from derive.declare.effects import (
     EFFECTS,
     LAWS,
     LIMITS,
-    MORE,
-    SLIP,
     VALUE,
     Effect,
     Law,
@@ -136,11 +134,45 @@ def _turned(function: type[sp.Function]) -> sp.Expr:
     return function(theta_m) + _EPSILON * sp.diff(function(theta_m), theta_m)
 
 
+# (C_theta/C_r) tan(psi); alpha's rounding error is left out, as the quotient is O(1) with a slope of O(alpha).
+_LIMIT = _KERNEL * _turned(sp.cos) / _turned(sp.sin)
+
+
+def _direction(d: Derivation) -> sp.Expr:
+    """In theta_m."""
+    return d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
+
+
+def _carried(d: Derivation) -> sp.Expr:
+    """J_r or J_theta with the rounding errors of alpha and theta_m carried to first order."""
+    sign, direction = _direction(d).as_coeff_Mul()
+    return sign * (_KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form) * _turned(type(direction))
+
+
+def prove_carried() -> list[str]:
+    """Prove that these are of the exact angles, to first order in what the rounding of alpha and theta_m takes."""
+    claims = []
+    for angle, lost in (errors := {alpha: _DELTA, theta_m: _EPSILON}).items():
+        claims.append(f"{angle}: the sum of which {lost} is lost")
+        rounded = _ENDS[angle].replace(sp.Min, lambda *x: next(y for y in x if not y.is_number))
+        prove_zero(rounded - _ENDS[lost].replace(RoundingError, lambda x, y: x + y), claims[-1])
+    ratio, cotangent = sp.Function("ratio")(alpha), sp.cos(theta_m) / sp.sin(theta_m)
+    turned = [d for d in map(derive, MOMENTS) if d.moment.amplitude]
+    whole = {d.moment.name: (_carried(d), d.amplitude, _direction(d)) for d in turned}
+    for name, (form, kernel, direction) in (whole | {"limit_friction": (_LIMIT, ratio, cotangent)}).items():
+        claims.append(f"{name}: of the exact angles, to first order")
+        carried = {x: e for x, e in errors.items() if form.has(e)}
+        difference = form.subs(_KERNEL, kernel) - (kernel * direction).subs({x: x + e for x, e in carried.items()})
+        for zero in (difference, *(sp.diff(difference, e) for e in carried.values())):
+            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), sp.Integer(0), claims[-1])
+    return claims
+
+
 def _limit_friction() -> Function:
     """J_theta/J_r = (C_theta/C_r) tan(psi), from reduced functions."""
     let = _ENDS | {_KERNEL: _tiers("weight_moment_per_radial_weight")["best"]}
     return Function(
-        program("limit_friction", ("theta_1", "theta_2"), _KERNEL * _turned(sp.cos) / _turned(sp.sin), let=let),
+        program("limit_friction", ("theta_1", "theta_2"), _LIMIT, let=let),
         "mu_eq: friction coefficient at limit equilibrium.",
         "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
         f"eq. (3.21) of {PAPER}", _ARC, "mu_eq.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), ACCURACY,
@@ -151,11 +183,8 @@ def _weight(d: Derivation) -> Function:
     """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
     assert d.moment.amplitude
     name, symbol = d.moment.amplitude
-    sign, direction = d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m).as_coeff_Mul()
-    amplitude = _KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form
-    let = _ENDS | {_KERNEL: _tiers(name)["best"]}
     return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), sign * amplitude * _turned(type(direction)), let=let),
+        program(d.moment.name, ("theta_1", "theta_2"), _carried(d), let=_ENDS | {_KERNEL: _tiers(name)["best"]}),
         f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
         f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
@@ -168,11 +197,14 @@ def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
     found = []
     for form in dynamics.FORMS:
-        words = tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs)
+        names = tuple(x.name for x in form.inputs)
+        domain = ", ".join(f"{x} {limit}" for x, limit in form.limits.items())
+        ride = "t" in names
         found.append(Function(
-            program(form.name, tuple(x.name for x in form.inputs), form.result, let=form.let), form.summary,
-            form.formula, f"eq. ({form.equation}) of {PAPER}", words, "Dimensionless.", form.domain, form.inside,
-            form.safe, dynamics.ACCURACY,
+            program(form.name, names, form.result, let=form.let), form.summary, form.formula,
+            f"eq. ({form.equation}) of {PAPER}", tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
+            "Dimensionless.", domain + (", until the solution runs to infinity" if ride else ""), form.inside,
+            (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0), dynamics.ACCURACY,
         ))  # fmt: skip
     return found
 
@@ -207,22 +239,15 @@ def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
     return [(program("arc_growth", ("alpha",), *arc_growth(closed), let=_CLIP), words)]
 
 
-@cache
 def laws() -> list[tuple[Program, str]]:
-    """Each friction law that has a formula and, of a law of slip, how far it falls."""
+    """Each friction law that has a formula."""
+    order = ("slip", "speed", *(p.name for law in LAWS for p in law.parameters))
     found = []
     for law in LAWS:
         if law.coefficient is not None:
-            found.append(_law(f"friction_{law.name}", law, law.coefficient, f"friction: {law.help}"))
-            if "slip" in law.depends_on:
-                drop = fall(law.coefficient, SLIP, MORE)
-                found.append(_law(f"drop_{law.name}", law, drop, "its fall over `more` slip, from `slip`"))
+            inputs = sorted((x.name for x in law.coefficient.free_symbols), key=order.index)
+            found.append((program(f"friction_{law.name}", tuple(inputs), law.coefficient), f"friction: {law.help}"))
     return found
-
-
-def _law(name: str, law: Law, form: sp.Expr, words: str) -> tuple[Program, str]:
-    order = ("slip", "more", "speed", *(p.name for p in law.parameters))
-    return program(name, tuple(sorted((x.name for x in form.free_symbols), key=order.index)), form), words
 
 
 def effects_module() -> str:

@@ -1,9 +1,5 @@
 """The text of `generated/slopes.py`: programs for real slopes, each with its docstring."""
 
-from typing import NamedTuple
-
-import sympy as sp
-
 from derive.algebra import slopes
 from derive.algebra.slopes import NODES, REACH, WEIGHTS
 from derive.code import emit
@@ -32,64 +28,56 @@ _WORDS = {
 }
 
 
-class Words(NamedTuple):
-    """What a function's docstring says besides its inputs."""
-
-    summary: str
-    formula: str
-    returns: str
-    note: str = ""
-
-
 _LISTED = ", ".join(WEIGHTS)
+# Of each function what its docstring says besides its inputs: summary, formula, returns and a note.
 _TEXTS = {
-    "closed": Words(
+    "closed": (
         "Integrals over the ring between an edge and the arc under it: sector minus triangle.",
         "Of r dr dtheta, then of its products with r and r^2, with (cos, sin)(theta), and with r (cos, sin)(theta).",
         f"{_LISTED}, all over powers of R.",
         f"Accurate where the edge is longer than {REACH} (r1 + r2); `rings` elsewhere.",
     ),
-    "rings": Words(
+    "rings": (
         "What the integrals over a ring grow by along its edge, over P1 x e: for quadrature over s from 0 to 1.",
         "(1 - rho^n)/(n rho^2) for n = 2, 3, 4, then (1 - rho^n)/(n rho^3) for n = 2, 3, to be times the point itself.",
         "area, polar, inertia, radial, moment.",
         f"With g = (1-s) g1 + s g2 + s (1-s) d^2 and Gauss' rule of {NODES} nodes: accurate however thin the ring, "
         f"where the edge is at most {REACH} (r1 + r2) long.",
     ),
-    "head": Words(
+    "head": (
         "Integral over beta of the height of a line above the arc.",
         "offset beta - slope cos(beta) + sin(beta), up to a constant.",
         "Over R.",
     ),
-    "drive": Words(
+    "drive": (
         "Driving moment of the slices about the centre, over dbeta and gamma R^3.",
         "Weight and k_h times it, at half the slice's height.",
         "Positive down-slope.",
     ),
-    "ordinary_normal": Words(
+    "ordinary_normal": (
         "Effective normal stress of the ordinary method (Fellenius), over gamma R.",
         "The forces between slices have no component along the radius: N' = W (cos a - k_h sin a) - u l.",
         "May be negative.",
     ),
-    "bishop_strength": Words(
+    "bishop_strength": (
         "Strength of Bishop's simplified method times its lever, over gamma R.",
         "(c + mu (h - u)) cos(beta).",
         "Strength is this over `bishop_lever`.",
     ),
-    "bishop_lever": Words(
+    "bishop_lever": (
         "m_alpha of Bishop's simplified method.", "cos(beta) - sin(beta) mu/F.", "Below 0.05 the method is of no use."
     ),
-    "bishop_normal": Words(
+    "bishop_normal": (
         "Effective normal stress of Bishop's simplified method, over gamma R.",
         "From the vertical balance of a slice that carries no vertical force to its neighbours.",
         "May be negative.",
     ),
-    "radial_weight": Words(
+    "radial_weight": (
         "Weight along the radius (2.23) by strips above the arc, over dbeta and gamma R^2.",
         "Integral of the cosine of a point's angle from straight below the centre, over a strip.",
         "Its integral over the arc is J_r, of the paper's mean normal stress.",
     ),
-    "radial_tilt": Words(
+    "radial_tilt": (
         "What a unit of k_h adds to `radial_weight`.",
         "Integral of the sine of a point's angle from straight below the centre, over a strip.",
         "Its integral over the arc is dJ_r/dpsi.",
@@ -99,10 +87,10 @@ _TEXTS = {
 
 def programs() -> list[Program]:
     """The functions of `generated/slopes.py`."""
-    expressions: dict[str, tuple[sp.Expr, ...]] = {"closed": slopes.closed(), "rings": slopes.rings()}
-    expressions |= {"head": (slopes.head(),)} | {name: (form,) for name, form in slopes.slices().items()}
+    several = {"closed": slopes.closed(), "rings": slopes.rings()}
+    one = {"head": slopes.head()} | slopes.slices()
     found = []
-    for name, outputs in expressions.items():
+    for name, outputs in (several | {name: (form,) for name, form in one.items()}).items():
         free = {s.name for e in outputs for s in e.free_symbols}
         found.append(program(name, tuple(n for n in _WORDS if n in free), *outputs))
     return found
@@ -114,12 +102,11 @@ def module() -> str:
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
         f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"
     )
-    return emit.plain_module(TITLE, [(p, _doc(p, _TEXTS[p.name])) for p in programs()], constants)
+    return emit.plain_module(TITLE, [(p, _doc(p, *_TEXTS[p.name])) for p in programs()], constants)
 
 
-def _doc(p: Program, words: Words) -> str:
+def _doc(p: Program, summary: str, formula: str, returned: str, *notes: str) -> str:
     inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
-    returns = "tuple of ndarray" if len(p.outputs) > 1 else "float or ndarray", words.returns
+    returns = "tuple of ndarray" if len(p.outputs) > 1 else "float or ndarray", returned
     cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
-    notes = (words.note, cost) if words.note else (cost,)
-    return emit.numpydoc(words.summary, words.formula, inputs, returns, *notes, width=114)
+    return emit.numpydoc(summary, formula, inputs, returns, *notes, cost, width=114)

@@ -27,7 +27,7 @@ MEND = "python -m derive"
 KERNELS = "Moments, weights and quotients of the arc, from their definitions."
 MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
 GROWTH = "How the moments of an arc grow with its half angle."
-LAWS = "The friction laws that have a formula, and how far they fall over a slip."
+LAWS = "The friction laws that have a formula."
 STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
 PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
@@ -153,13 +153,7 @@ def present(folder: Path = FOLDER) -> dict[str, str]:
 
 
 def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
-    """Write the files that differ, each by a temporary file that replaces it, and remove the ones that are not wanted.
-
-    Returns
-    -------
-    list of str
-        Names of the files that changed.
-    """
+    """Write the files that differ, by a temporary file that replaces each, and remove the unwanted; names of both."""
     folder.mkdir(exist_ok=True)
     there = present(folder)
     changed = [name for name in sorted(wanted.keys() | there.keys()) if wanted.get(name) != there.get(name)]

@@ -127,22 +127,13 @@ _balance = cache(dynamics.balance)
 
 
 def step(equation: str) -> sp.Expr:
-    """Right-hand side of a derived equation of motion, with (2.20) and (2.24) put in, for a mass that turns."""
-    form = _balance()[equation].rhs.subs(sp.Symbol("sigma_star"), _balance()["2.20"].rhs)
-    known = {sp.Symbol("A"): polar / LEVER, dynamics.lam: LEVER, dynamics.j_r: j_r, dynamics.j_theta: j_theta}
-    return form.subs(known)
+    """A derived form of the balance, for a mass that turns."""
+    return _balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
 
 
 def momentum() -> Pair:
     """Both sides of (3.8), over ell rho."""
-    left, right = (sp.expand(x / (ell * rho)).subs(dynamics.j_theta, j_theta) for x in _balance()["3.8"].args)
-    return left, right
-
-
-def mean() -> sp.Expr:
-    """Mean normal stress, by (2.10), in dimensionless integrals."""
-    speed = omega_star * sp.sqrt(g / R)
-    return rho * (g * R**2 * j_r + speed**2 * R**3 * polar) / (2 * alpha * R)
+    return sp.expand(step("3.8 left") / (ell * rho)), sp.expand(step("3.8") / (ell * rho))
 
 
 def lever() -> sp.Expr:

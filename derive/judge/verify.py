@@ -155,13 +155,7 @@ UNEXPLAINED = ("wrong", "cause not found")
 
 
 def judge(claim: Claim) -> Row:
-    """Judge one claim, a function of the claim alone.
-
-    Parameters
-    ----------
-    claim : Claim
-        From `derive.judge.paper.CLAIMS`, or changed by `dataclasses.replace`.
-    """
+    """Judge one claim, a function of the claim alone."""
     kinds = {"number": _number, "range": _range, "appendix": _appendix}
     with mp.workdps(_DIGITS):
         computed, verdict, cause = kinds.get(claim.kind, _form)(claim)
@@ -313,13 +307,7 @@ def counts(judged: Iterable[Row]) -> str:
 
 
 def report(form: str = "text") -> str:
-    """Judge the paper and return the text.
-
-    Parameters
-    ----------
-    form : {"text", "json", "markdown"}
-        For a terminal of 100 columns, for a program, or for a colleague.
-    """
+    """Judge the paper: as "text" for a terminal of 100 columns, as "json", or as "markdown" for a colleague."""
     return {"text": _text, "json": _json, "markdown": _markdown}[form](rows())
 
 

@@ -175,7 +175,7 @@ def slide(name: str) -> Subject:
     """A formula of the frozen slide from rest, over drive a, brake b and time t."""
     points = np.array([[0.24, 0.19, 1e-8], [0.24, 0.19, 1e-4], [0.24, 0.19, 2.4], [0.24, 1e-12, 2.4],
                        [0.24, 0.19, 100.0], [0.24, 0.19, 1e4], [1e-12, 0.19, 2.4]]).T  # fmt: skip
-    from_rest = getattr(motion, f"frozen_centripetal_{name}")
+    from_rest = getattr(motion, f"frozen_{name}")
 
     def exact(kind: str) -> Reference:
         mp = multiprecision(90)

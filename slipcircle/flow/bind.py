@@ -1,7 +1,7 @@
 """A scene's numbers as the flow takes them: its program, the tables of its functions, and the cells of its lanes."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from typing import Any, NamedTuple
 
@@ -129,7 +129,8 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
                 continue
             value = called[effect].get(p.name, 0.0)
             if callable(value) and p.kind == "rotation":
-                pieces[p.symbol] = _under_water(arc, effects), 1.0, p.dimensionless(1.0, scales | own)
+                assert isinstance(arc, Section)
+                pieces[p.symbol] = under_water(arc, turns(effects)), 1.0, p.dimensionless(1.0, scales | own)
             elif callable(value):
                 factor = factor_of(effect, called[effect], p.name)
                 pieces[p.symbol] = in_time(value), time_scale, p.dimensionless(factor, scales | own)
@@ -162,19 +163,33 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     return Bound(program, data, cells, time_scale, functions, joined)
 
 
-def _under_water(section: Any, effects: tuple[str, ...]) -> tables.Data:
-    """The mean pore pressure under a section's water level, Pa, at all rotations until its weight presses no more."""
-    if not any(EFFECTS[e].turns for e in effects):
-        still = np.zeros((1, tables.TERMS, *section.shape))
-        still[0, 0] = section.mean_pressure()
-        return tables.Data(np.zeros(1), still, np.zeros(1))
-    weights = section.weights
-    upright = np.arctan2(weights.press, weights.press_slope)  # J_r cos phi - J_r' sin phi falls to zero
-    kinks = np.moveaxis(section.pressure_kinks, -1, 0)
-    if section.shape:
-        return tables.turning(section.mean_pressure, kinks, upright - np.pi, upright)
-    most, kinks = np.reshape(upright, 1), kinks[:, None]
-    found = tables.turning(lambda turn: section.mean_pressure(turn[..., 0])[..., None], kinks, most - np.pi, most)
+def turns(effects: Iterable[str]) -> bool:
+    """Whether an effect lets the mass turn."""
+    return any(EFFECTS[e].turns for e in effects)
+
+
+def under_water(section: Section, turning: bool, others: Any = None, count: int = 1) -> tables.Data:
+    """The mean pore pressure under a section's water level, Pa, at all rotations until its weight presses no more.
+
+    Or, of a single section, so many other functions of the rotation that have their kinks where it has its.
+    """
+    shape = section.shape or (count,)
+
+    def pressure(turn: Any) -> Any:
+        return section.mean_pressure(turn) if section.shape else section.mean_pressure(turn[..., 0])[..., None]
+
+    function = others or pressure
+    if turning:
+        kinks, weights = np.moveaxis(section.pressure_kinks, -1, 0), section.weights
+        most = np.broadcast_to(np.arctan2(weights.press, weights.press_slope), shape)  # J_r cos - J_r' sin falls to 0
+        kinks = np.broadcast_to(kinks if section.shape else kinks[:, None], (len(kinks), *shape))
+        found = tables.turning(function, kinks, most - np.pi, most)
+    else:
+        still = np.zeros((1, tables.TERMS, *shape))
+        still[0, 0] = function(np.zeros(shape))
+        found = tables.Data(np.zeros((1, *shape)), still, np.zeros(1))
+    if section.shape or others:
+        return found
     return found._replace(breaks=found.breaks[:, 0], coefficients=found.coefficients[..., 0])
 
 
@@ -225,7 +240,7 @@ def _law(name: str, parameters: Mapping[str, Any], radius: Any, time_scale: Any,
 
 def _first_only(effects: tuple[str, ...], parts: Any, given: Mapping[str, Any]) -> Any:
     """1 where nothing ever brings the mass to rest, 2 where water or heat may carry it: it is followed to its stop."""
-    if not any(EFFECTS[e].turns for e in effects):
+    if not turns(effects):
         return 0.0
     name, parameters = parts[0]
     free = parameters["coefficient"] == 0.0 if (name, len(parts)) == ("constant", 1) else False

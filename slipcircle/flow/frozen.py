@@ -37,11 +37,9 @@ def _phase(lanes: Walker) -> None:
     """One phase, up to its standstill or its end."""
     c, p = lanes.c, lanes.program
     c[its.STEPS] += 1.0
-    a, b, omega = c[p.roles["cell_drive"]].copy(), brake(lanes), c[its.OMEGA].copy()
-    braked = bool(np.any(b != 0.0))
-    prefix, of = ("frozen_centripetal", (a, b, omega)) if braked else ("frozen", (a, omega))
-    stop, gone = (np.asarray(getattr(formulas, f"{prefix}_arrest_{n}")(*of)) for n in ("time", "rotation"))
-    stop = np.where(a < 0.0, stop, np.inf)
+    of = (c[p.roles["cell_drive"]].copy(), brake(lanes), c[its.OMEGA].copy())
+    stop, gone = (np.asarray(getattr(formulas, f"frozen_arrest_{n}")(*of)) for n in ("time", "rotation"))
+    stop = np.where(of[0] < 0.0, stop, np.inf)
     left = c[its.END_TIME] - c[its.TIME]
     stops = stop < left
     until = np.where(stops, stop, left)
@@ -51,11 +49,11 @@ def _phase(lanes: Walker) -> None:
 
     def state(t: Any) -> tuple[Any, Any, Any]:
         names = ("rotation", "angular_velocity", "angular_acceleration")
-        return tuple(getattr(formulas, f"{prefix}_{n}")(*of, t) for n in names)
+        return tuple(getattr(formulas, f"frozen_{n}")(*of, t) for n in names)
 
     x, speed, rate = state(until)
     # At the start, by the same formula.
-    fastest = (c[its.PEAK_TIME] == c[its.TIME]) & (np.abs(c[its.PEAK_OMEGA]) == omega)
+    fastest = (c[its.PEAK_TIME] == c[its.TIME]) & (np.abs(c[its.PEAK_OMEGA]) == of[2])
     c[its.PEAK_RATE] = np.where(fastest, c[its.DIRECTION] * state(np.zeros_like(until))[2], c[its.PEAK_RATE])
     if lanes.samples is not None:
         _read(lanes, until, stops, state)

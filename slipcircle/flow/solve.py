@@ -102,13 +102,14 @@ class Lanes:
     def taken(self, which: Any) -> "Lanes":
         """Some of the lanes, by an index of them in their order."""
 
-        def cut(value: Any) -> Any:
+        def cut(value: Any, axes: int = 0) -> Any:
             if isinstance(value, Mapping):
                 return {n: cut(v) for n, v in value.items()}
-            return value[which] if isinstance(value, np.ndarray) and value.shape == (self.count,) else value
+            by_lane = isinstance(value, np.ndarray) and value.ndim == axes + 1 and len(value) == self.count
+            return value[which] if by_lane else value
 
         given = {f.name: cut(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = arc_with(self.arc, {n: cut(getattr(self.arc, n)) for n in self.arc.quantities})
+        arc = arc_with(self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()})
         return Lanes(**given | {"arc": arc, "count": np.arange(self.count)[which].size})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:

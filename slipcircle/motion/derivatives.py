@@ -6,6 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.scene.numbers import Number
+
 Floats = NDArray[np.float64]
 
 
@@ -18,11 +20,15 @@ class Sensitivity:
     outputs : mapping
         Unit of each row: peak_velocity, run_out, duration; signed as `Motion` gives them.
     parameters : mapping
-        Unit of each column: friction, theta_1, ..., and the effects' parameters as ``effect.parameter``.
+        Unit of each column: friction, theta_1, ``ground.3.y``, ..., of effects ``effect.parameter``.
     at : dict of float
         Value of each output and each parameter.
     values : ndarray
         d(output)/d(parameter), SI units and radians.
+    keys : mapping of Number
+        Of each parameter, as a scene file has it.
+    warnings : tuple of str
+        What to know before the values are used.
     elasticities : ndarray
         (parameter/output) d(output)/d(parameter): per cent for a per cent; NaN where the output is zero.
     """
@@ -31,6 +37,8 @@ class Sensitivity:
     parameters: Mapping[str, str]
     at: Mapping[str, float]
     values: Floats
+    keys: Mapping[str, Number]
+    warnings: tuple[str, ...] = ()
 
     @property
     def elasticities(self) -> Floats:

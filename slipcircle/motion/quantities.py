@@ -37,6 +37,8 @@ class Quantity:
         Whether it is a result of the solution, which `Motion.error_estimate` is about.
     key : bool
         Whether it stands in every table; the others are asked for.
+    point : bool
+        Whether it is x and y.
     """
 
     name: str
@@ -46,10 +48,16 @@ class Quantity:
     degrees: bool = False
     solved: bool = False
     key: bool = False
+    point: bool = False
 
     def read(self, motion: Any) -> Any:
         """The value, in SI units; an array where the motion is an ensemble's."""
         return attrgetter(self.path)(motion)
+
+    def columns(self, motion: Any) -> dict[str, Any]:
+        """The same by name; of points x and y, each by its own."""
+        value = self.read(motion)
+        return {f"{self.name}_{x}": value[..., k] for k, x in enumerate("xy")} if self.point else {self.name: value}
 
     def at(self, motion: Any, times: NDArray[np.float64]) -> NDArray[np.float64]:
         """The values of a quantity over time."""
@@ -62,7 +70,7 @@ class Quantity:
         value = self.read(motion)
         if isinstance(value, bool):
             return "yes" if value else "no"
-        if np.ndim(value):  # a point
+        if self.point:
             return f"{', '.join(map(shown, np.asarray(value).tolist()))} {self.unit}"
         value, unit = self.seen(value)
         return f"{shown(value, digits_left(motion.error_estimate) if self.solved else DIGITS)} {unit}".rstrip()
@@ -106,9 +114,9 @@ JOURNEY: tuple[Quantity, ...] = (
     Quantity("mass_per_metre", "kg/m", "mass per metre of width", "plan.scene.arc.mass_per_metre"),
     Quantity("chord", "m", "chord of the slip circle under the mass", "plan.scene.arc.chord"),
     Quantity("depth", "m", "greatest thickness of the mass", "plan.scene.arc.depth"),
-    Quantity("entry", "m", "upper end of the slip surface, x and y", "plan.scene.arc.entry"),
-    Quantity("exit", "m", "lower end of the slip surface, x and y", "plan.scene.arc.exit"),
-    Quantity("centroid", "m", "centroid at the start, x and y", "plan.scene.arc.centroid"),
+    Quantity("entry", "m", "upper end of the slip surface, x and y", "plan.scene.arc.entry", point=True),
+    Quantity("exit", "m", "lower end of the slip surface, x and y", "plan.scene.arc.exit", point=True),
+    Quantity("centroid", "m", "centroid at the start, x and y", "plan.scene.arc.centroid", point=True),
     Quantity("toe_run_out", "m", "horizontal run-out of the toe", "journey.run_out", solved=True),
     Quantity("toe_x", "m", "x of the toe at the end", "journey.toe_x", solved=True),
     Quantity("toe_y", "m", "y of the toe at the end", "journey.toe_y", solved=True),

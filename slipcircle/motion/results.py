@@ -128,7 +128,7 @@ class Results:
             at = np.asarray(times, dtype=np.float64)
             return {name: q.at(self, at) for name, q in HISTORY.items()}
         found = {n: self._full(v) for n, v in self.plan.scene.numbers.items() if np.ndim(v)}
-        found |= {q.name: self._full(q.read(self)) for q in results(self)}
+        found |= {n: self._full(v) for q in results(self) for n, v in q.columns(self).items()}
         if not self.shape:
             return found | {"status": self.status.name, "reason": self.reason}
         return found | {"status": self._named("name"), "reason": self.reason}

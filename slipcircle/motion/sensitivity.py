@@ -13,18 +13,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS, LAWS
-from generated.flow import PIECES
-from generated.growth import arc_growth
 from slipcircle.flow import cells as its
 from slipcircle.flow.bind import law_parts
 from slipcircle.flow.polynomials import shifted, slopes, value
 from slipcircle.flow.program import Program, Table
 from slipcircle.flow.solve import Lanes, walked
-from slipcircle.flow.tables import Data, of_law
+from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 from slipcircle.motion.derivatives import Sensitivity
+from slipcircle.motion.seeds import Seeds
+from slipcircle.scene.numbers import named
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
+from slipcircle.scene.transport import telling, through_vertex
 
 Floats = NDArray[np.float64]
 
@@ -38,21 +39,28 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     Notes
     -----
     Angles are left out where the arc's coefficients are given instead of computed, and the initial velocity where the
-    mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill.
+    mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
+    they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    if isinstance(scene.arc, Section):
-        raise ValueError("sensitivity: of an Arc only; those of a Section's coordinates are not derived")
     parameters = _parameters(scene)
     values = np.zeros((len(OUTPUTS), len(parameters)))
     if any(outputs.values()):
         values[:] = _followed(lanes, list(parameters))
     at = dict(outputs) | {n: v for n, (_, v) in parameters.items()}
-    return Sensitivity(OUTPUTS, {n: unit for n, (unit, _) in parameters.items()}, at, values)
+    keys = named(scene.friction, scene.arc)
+    units = {n: unit for n, (unit, _) in parameters.items()}
+    said = [] if any(outputs.values()) else ["does not move, so that small changes change nothing"]
+    if isinstance(scene.arc, Section) and through_vertex(scene.arc):
+        said.append("the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
+                    "are those towards the side on which it lies outside the mass")  # fmt: skip
+    return Sensitivity(OUTPUTS, units, at, values, {n: keys[n] for n in parameters}, tuple(said))
 
 
 def _parameters(scene: Scene) -> dict[str, tuple[str, float]]:
     """Unit and value of each free parameter."""
-    units: dict[str, str] = {"friction": "", **ARC, "initial_velocity": "m/s"}
+    arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC
+    units: dict[str, str] = {"friction": "", **{n: ARC.get(n, "m") for n in arc}, "initial_velocity": "m/s"}
+    units.pop("width", None)
     for name, _ in law_parts(scene.friction):
         if name in LAWS:
             units |= {f"friction.{p.name}": p.unit for p in LAWS[name].parameters}
@@ -71,113 +79,9 @@ def _parameters(scene: Scene) -> dict[str, tuple[str, float]]:
 _HEATS = tuple(e for e, effect in EFFECTS.items() if "history" in effect.depends_on)
 
 
-class _Seeds:
-    """How the numbers of a program change with each parameter of the scene."""
-
-    def __init__(self, lanes: Lanes, names: Sequence[str]) -> None:
-        self.lanes, self.names = lanes, names
-        arc = lanes.arc
-        alpha = float(arc.half_angle)
-        alpha_dot = (self.one("theta_2") - self.one("theta_1")) / 2
-        dip_dot = -arc.facing * (self.one("theta_1") + self.one("theta_2")) / 2
-        radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
-        unit_weight = self.relative("unit_weight", arc.unit_weight)
-        weight, radial, polar, level, inertia = (float(g) for g in arc_growth(alpha))
-        self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
-        c, at = lanes.bound.cells[:, 0], {n: k for k, n in enumerate(lanes.bound.program.cells)}
-        fall, press, fall_slope, press_slope = (float(c[at[n]]) for n in _COMPONENTS)
-        self.inputs = {
-            "fall": fall * weight * alpha_dot + fall_slope * dip_dot,
-            "fall_slope": fall_slope * weight * alpha_dot - fall * dip_dot,
-            "press": press * radial * alpha_dot + press_slope * dip_dot,
-            "press_slope": press_slope * radial * alpha_dot - press * dip_dot,
-            "polar": c[at["polar"]] * polar * alpha_dot, "level": c[at["level"]] * level * alpha_dot,
-        }  # fmt: skip
-        # (2.13): sigma_ref = unit weight * R (1 - cos alpha)
-        self.growths = {
-            "half_angle": alpha_dot / alpha, "gravity": gravity, "Theta": inertia / alpha * alpha_dot, "radius": radius,
-            "reference_stress": unit_weight + radius + alpha_dot / math.tan(alpha / 2),
-            "density": unit_weight - gravity, "cover": 0.0 * radius,
-        }  # fmt: skip
-        self.tables: dict[str, tuple[Any, Any, list[Data] | None]] = {}  # growth of scale, of factor; data by parameter
-        self._effects(c, at)
-        self._laws(c, at)
-        self.omega = c[its.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
-
-    def one(self, name: str) -> Floats:
-        return np.array([float(n == name) for n in self.names])
-
-    def relative(self, name: str, at: Any) -> Floats:
-        return self.one(name) / float(at) if float(at) else self.one(name) * 0.0
-
-    def _effects(self, c: Floats, at: Mapping[str, int]) -> None:
-        arc: Any = self.lanes.arc
-        scales = {
-            "half_angle": float(arc.half_angle), "gravity": float(arc.gravity), "radius": float(arc.radius),
-            "reference_stress": float(arc.reference_stress), "Theta": float(arc.dimensionless.moment_of_inertia),
-            "density": float(arc.unit_weight) / float(arc.gravity), "cover": float(arc.weights.cover),
-        }  # fmt: skip
-        for effect, given in self.lanes.called.items():
-            own = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
-            numbers = {n: float(v) for n, v in own.items() if not callable(v)}
-            growths = self.growths | {n: self.relative(f"{effect}.{n}", v) for n, v in numbers.items()}
-            for p in EFFECTS[effect].parameters:
-                if not p.symbol:
-                    continue
-                # What makes a parameter dimensionless is a product of powers: each is told by doubling what it is of.
-                growth = 0.0 * self.time_growth
-                unit = p.dimensionless(1.0, scales | numbers)
-                for name, amount in (scales | numbers).items():
-                    if name == p.name or not amount:
-                        continue
-                    doubled = p.dimensionless(1.0, scales | numbers | {name: 2 * amount})
-                    growth = growth + round(2 * math.log2(doubled / unit)) / 2 * growths[name]
-                amount = given.get(p.name, 0.0)
-                if callable(amount):
-                    self.tables[p.symbol] = (self.time_growth, growth, None)
-                    continue
-                power = 1.0 if not amount else round(2 * math.log2(p.dimensionless(2.0, scales | numbers) / unit)) / 2
-                value_dot = growth * p.dimensionless(amount, scales | numbers) if amount else 0.0 * growth
-                whole = p.dimensionless(amount, scales | numbers) if amount else unit
-                self.inputs[p.symbol] = value_dot + whole * power / (amount or 1.0) * self.one(f"{effect}.{p.name}")
-
-    def _laws(self, c: Floats, at: Mapping[str, int]) -> None:
-        for name, given in law_parts(self.lanes.friction):
-            if name == "callable":
-                self.tables[name] = (self.radius_growth, 0.0 * self.time_growth, None)
-                continue
-            law = LAWS[name]
-            growth = {"m": self.radius_growth, "m/s": self.speed_growth, "": 0.0 * self.time_growth}
-            if name in PIECES:
-                over = PIECES[name][0]
-                length = self.radius_growth - self.relative(f"friction.{over}", given[over])
-                plain = [n.removeprefix("friction.") for n in self.names]
-                data = [_changed(name, given, n if n in given and n != over else "") for n in plain]
-                self.tables[name] = (length, 0.0 * length, data)
-            elif law.parameters[0].kind == "list":
-                scale = {"slip": self.radius_growth, "speed": self.speed_growth, "time": self.time_growth}
-                self.tables[name] = (scale[law.depends_on[0]], 0.0 * self.time_growth, None)
-            else:
-                for p in law.parameters:
-                    cell = c[at[f"{name}.{p.name}"]] if f"{name}.{p.name}" in at else 0.0
-                    own = self.one("friction" if name == "constant" else f"friction.{p.name}")
-                    per = cell / float(given[p.name]) if float(given[p.name]) else 1.0
-                    self.inputs[f"{name}.{p.name}"] = own * per - cell * growth[p.unit]
-
-
-def _changed(name: str, given: Mapping[str, Any], parameter: str) -> Data:
-    """How the pieces of a law change with a coefficient, in which they are linear."""
-    numbers = {n: float(v) for n, v in given.items()}
-    up, down = (of_law(name, numbers | ({parameter: numbers[parameter] + by} if parameter else {})) for by in (1, -1))
-    return up._replace(coefficients=(up.coefficients - down.coefficients) / 2)
-
-
-_COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
-
-
 def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     """Rows: peak velocity, run-out, duration; a column for each parameter."""
-    seeds = _Seeds(lanes, names)
+    seeds = Seeds(lanes, names)
     bound = lanes.bound.asking(directions=1)
     bound = bound._replace(cells=np.repeat(bound.cells, len(names), axis=1))
     places, (tangent,) = bound.program.places, bound.program.tangents
@@ -211,7 +115,7 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
 class _Walk(Walker):
     """One motion on its way with its derivatives: lanes that are alike but for the direction of theirs."""
 
-    def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, seeds: _Seeds) -> None:
+    def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, seeds: Seeds) -> None:
         super().__init__(program, tables, cells, None, np.arange(cells.shape[1]))
         self.seeds, (self.tangent,) = seeds, program.tangents
         self.none = np.zeros(cells.shape[1])
@@ -250,8 +154,12 @@ class _Walk(Walker):
             self.put(at + its.VALUE, dots[0] + self._local(slot, data)[1:2, 0].sum() * self.event_dot)
             return
         piece = int(c[at + its.PIECE, 0])
-        slips = slot.kind == "slip"
-        if slips:
+        slips, per = slot.kind == "slip", 1.0
+        if slot.kind == "rotation":
+            local, moved = float((c[its.ROTATION] - data.begins(np.array([piece])))[0]), self.dot(its.ROTATION)
+            per = c[its.DIRECTION, 0]
+        elif slips:
+            per = scale
             local = max(c[its.SLIP, 0] * scale - data.breaks[piece], 0.0)
             moved = self.dot(its.SLIP) * scale + c[its.SLIP, 0] * scale * scale_growth
         elif piece:
@@ -262,7 +170,7 @@ class _Walk(Walker):
         terms = shifted(data.polynomial(np.array([piece])), np.array([local]))[:, 0]
         terms = np.append(terms, 0.0)
         for j in range(slot.degree + 1):
-            unit = scale**j if slips else 1.0
+            unit = per**j
             here = terms[j] if j < len(terms) else 0.0
             more = (j + 1) * terms[j + 1] if j + 1 < len(terms) else 0.0
             dots = factor * unit * (here * (factor_growth + (j * scale_growth if slips else 0.0)) + more * moved)
@@ -347,7 +255,9 @@ class _Walk(Walker):
             scale_growth = self.seeds.tables[slot.name][0]
             piece = int(c[slot.cells + its.PIECE, 0]) + (k % 2 == 0)
             edge = data.breaks[piece] / c[slot.cells + its.SCALE, 0]
-            if slot.kind == "slip":
+            if slot.kind == "rotation":
+                event_dot = self.none  # the pressure and its derivatives go on smoothly
+            elif slot.kind == "slip":
                 event_dot = (-edge * scale_growth - self.dot(its.SLIP) - self.dot(its.X)) / c[its.OMEGA, 0]
             else:
                 event_dot = (-edge * scale_growth - self.dot(its.OMEGA)) / float(rate[0])

@@ -73,13 +73,15 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
                      invalid)  # fmt: skip
     count = math.prod(scene.shape)
 
-    def flat(value: Any) -> Any:
-        if not np.ndim(value):
-            return value
-        return np.ascontiguousarray(np.broadcast_to(np.asarray(value, np.float64), scene.shape).reshape(-1))
+    def flat(given: Any, axes: int = 0) -> Any:
+        if np.ndim(given) <= axes:
+            return given
+        value = np.asarray(given, np.float64)
+        own = value.shape[value.ndim - axes :]
+        return value if value.shape == (count, *own) else np.broadcast_to(value, (*scene.shape, *own)).reshape(-1, *own)
 
     numbers = scene.numbers
-    arc = arc_with(scene.arc, {n: flat(getattr(scene.arc, n)) for n in scene.arc.quantities})
+    arc = arc_with(scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()})
     called = {
         e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
     }

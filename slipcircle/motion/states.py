@@ -31,7 +31,7 @@ _REASONS = {
     "UPRIGHT": "the chord stands upright, and the mass would hang over",
     "ENDLESS": "it never rests, or turns back too often",
     "FAILED": "its numbers overflow",
-    "INVALID": "its numbers are no scene, such as an angle below its bound",
+    "INVALID": "its numbers are no scene, such as an angle below its bound, or a circle that misses the ground",
 }
 
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)

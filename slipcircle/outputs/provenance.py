@@ -14,7 +14,7 @@ from slipcircle.scene.friction import RATE_LAWS
 from slipcircle.scene.keys import Key, Table, tables_of
 from slipcircle.scene.scene import Scene
 
-_SI = dict(zip(QUANTITIES, ("m", "rad", "rad", "N/m^3", "m/s^2", "m"), strict=True))
+_SI = dict(zip((*QUANTITIES, "ground", "centre", "level"), ("m", "rad", "rad", "N/m^3", "m/s^2", *"mmmm"), strict=True))
 
 
 class Input(NamedTuple):
@@ -97,7 +97,7 @@ def comments(file: str) -> dict[str, str]:
 
 
 def _of_scene(scene: Scene) -> Iterator[Input]:
-    for name in scene.arc.quantities:
+    for name in [n for n in scene.arc.quantities if getattr(scene.arc, n) is not None]:
         yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name], "", "")
     for name, coefficient in (scene.arc.given or {}).items():
         yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given", "")

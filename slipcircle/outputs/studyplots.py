@@ -117,10 +117,8 @@ def tornado(
     -------
     matplotlib axis
     """
-    from slipcircle.scene.numbers import keyed
-
     _known("tornado", "output", output, table.outputs)
-    keys = keyed()
+    keys = table.keys
     if changes is not None:
         for changed in changes:
             _known("tornado", "changes", changed, [keys[n].key for n in table.parameters])

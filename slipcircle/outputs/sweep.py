@@ -33,7 +33,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--samples", type=_count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6")
     what.add_argument("--grid", action="append", metavar="KEY=FROM:TO:COUNT", help="solve at these values, or at "
-                      "KEY=A,B,C; all combinations where given more than once: friction.angle_deg=8:12:41")  # fmt: skip
+                      "KEY=A,B,C; all combinations where given more than once: friction.angle_deg=8:12:41; a point's "
+                      "coordinate by its number from 0: ground.points_m.3.y=20:30:5")  # fmt: skip
     parser.add_argument("--uncertain", action="append", default=[], metavar="KEY=NAME:A:B", help="a distribution in "
                         "place of the file's number: friction.angle_deg=normal:10:1")  # fmt: skip
     parser.add_argument("--correlation", action="append", default=[], metavar="KEY,KEY=R", help="of two uncertain "

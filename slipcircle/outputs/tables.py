@@ -139,14 +139,13 @@ def ladder_rows(rungs: Iterable[Rung]) -> list[list[str]]:
 
 def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:
     """Derivatives as JSON holds them: matrices of outputs by parameters in their order; null for what has no value."""
-    return plain(vars(found) | {"elasticities": found.elasticities})
+    keys = {name: number.key for name, number in found.keys.items()}
+    return plain(vars(found) | {"keys": keys, "elasticities": found.elasticities})
 
 
 def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
     """Derivatives as rows of a table, per unit of the key that a scene file has for each parameter."""
-    from slipcircle.scene.numbers import keyed
-
-    rows, keys = [["", "", *(shown(found.at[n]) for n in found.outputs)]], keyed()
+    rows, keys = [["", "", *(shown(found.at[n]) for n in found.outputs)]], found.keys
     for k, name in enumerate(found.parameters):
         of = keys[name]
         value = of.from_si(found.at[name])

@@ -70,7 +70,7 @@ class Arc:
     gravity: ArrayLike = 9.81
     width: ArrayLike = 1.0
     given: Mapping[str, float] | None = None
-    quantities: ClassVar[tuple[str, ...]] = QUANTITIES
+    quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
@@ -89,14 +89,6 @@ class Arc:
             found += [f"given.{n}: must be one number" for n in bounds if np.ndim(self.given[n])]
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
-
-    @staticmethod
-    def unchecked(**values: Any) -> Arc:
-        """An arc of values that were checked elsewhere, or will be."""
-        arc = object.__new__(Arc)
-        for f in fields(Arc):
-            object.__setattr__(arc, f.name, values.get(f.name, f.default))
-        return arc
 
     def _geometry_mistakes(self) -> list[str]:
         first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))

@@ -214,24 +214,32 @@ def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any], Any], Fl
     low = np.arcsin(np.clip(parts.x, -1.0, 1.0))
     high = np.where(mine, np.arcsin(np.clip(parts.x + parts.e_x, -1.0, 1.0)), low)
 
-    def at(beta: Any) -> Any:
-        return slopes.head(np.sin(beta), np.cos(beta), beta, offset, slope)
+    def at(beta: Any, of: Any = ...) -> Any:
+        return slopes.head(np.sin(beta), np.cos(beta), beta, offset[of], slope[of])
 
-    base = at(low)
+    base, lanes = at(low), np.arange(len(low))
+    whole = at(high) - base
+    before = np.cumsum(whole, axis=1) - whole
 
     def integral(beta: Any) -> Any:
-        """From far left to beta, (..., n) in and out."""
-        return (at(np.clip(np.asarray(beta)[..., None], low, high)) - base).sum(axis=-1)
+        """From far left to beta, (..., n) in and out: of all lines before the one above beta, and of a part of that."""
+        k = np.maximum(np.count_nonzero(low <= np.asarray(beta)[..., None], axis=-1) - 1, 0)
+        of = (lanes, k)
+        return before[of] + (at(np.clip(beta, low[of], high[of]), of) - base[of])
 
     return integral, np.concatenate([low, high], axis=1)
 
 
 def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any], Any], Floats]:
-    """A water level, which goes on horizontally beyond its ends, and its `heads` over the arcs of circles."""
-    low, high = float((centre[:, 0] - 2 * radius).min()), float((centre[:, 0] + 2 * radius).max())
-    first, last = [[min(low, level[0, 0] - 1.0), level[0, 1]]], [[max(high, level[-1, 0] + 1.0), level[-1, 1]]]
-    line = np.concatenate([first, level, last])
-    parts = cut(line[None], centre, radius)
+    """A water level (W, 2), or one for each circle, and its `heads` over the arcs; it goes on horizontally."""
+    low, high = centre[:, 0] - 2 * radius, centre[:, 0] + 2 * radius
+    if level.ndim == 2:
+        low, high = low.min(), high.max()
+    first, last = level[..., :1, :].copy(), level[..., -1:, :].copy()
+    first[..., 0, 0] = np.minimum(low, first[..., 0, 0] - 1.0)
+    last[..., 0, 0] = np.maximum(high, last[..., 0, 0] + 1.0)
+    line = np.concatenate([first, level, last], axis=-2)
+    parts = cut(line.reshape(-1, *line.shape[-2:]), centre, radius)
     return line, *heads(parts, (parts.e_x != 0.0) | (parts.e_y != 0.0))
 
 

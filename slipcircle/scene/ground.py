@@ -1,5 +1,6 @@
 """Grounds and circles as people give them, and what is wrong with them."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -32,40 +33,55 @@ def line_mistakes(name: str, given: Any) -> list[str]:
     return []
 
 
-def pond_mistakes(ground: Floats, level: Floats) -> list[str]:
-    """A sentence where the water level stands above the ground, within both."""
-    x = np.concatenate([ground[:, 0], level[:, 0]])
-    x = x[(x >= max(ground[0, 0], level[0, 0])) & (x <= min(ground[-1, 0], level[-1, 0]))]
-    if not x.size:
-        return ["level: lies beside the ground; it must reach over it"]
-    # On a scarp the ground is its lower end or its upper one: the water is judged by the upper.
-    over = np.interp(x, level[:, 0], level[:, 1]) - np.maximum(
-        np.interp(x, ground[:, 0], ground[:, 1]), -np.interp(-x, -ground[::-1, 0], -ground[::-1, 1])
-    )
-    k = int(np.argmax(over))
-    if over[k] > 1e-9 * float(np.ptp(ground)):
-        return [f"level: stands {over[k]:.4g} m above the ground at x = {x[k]:.10g}; ponds are not yet possible"]
-    return []
+def _upper(lines: Floats, x: Floats) -> Floats:
+    """Heights of lines (n, V, 2) at x (n, M), the upper one on a scarp; -inf beyond their ends."""
+    (x1, y1), (x2, y2) = (np.moveaxis(ends[:, None], -1, 0) for ends in (lines[:, :-1], lines[:, 1:]))
+    at = x[..., None]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(x2 > x1, (at - x1) / (x2 - x1), y2 > y1)
+    return np.asarray(np.where((x1 <= at) & (at <= x2), y1 + share * (y2 - y1), -np.inf).max(axis=-1))
 
 
-def grounds_mistakes(ground: Any) -> list[str]:
-    """What is wrong with one ground, or with the first of many that is."""
+def ponds(grounds: Floats, levels: Floats) -> tuple[NDArray[np.bool_], Callable[[int], str]]:
+    """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
+    n = max(len(grounds), len(levels))
+    x = np.concatenate([np.broadcast_to(line[..., 0], (n, line.shape[1])) for line in (grounds, levels)], axis=1)
+    ground, level = _upper(grounds, x), _upper(levels, x)
+    both = np.isfinite(ground) & np.isfinite(level)
+    over = np.where(both, level, -np.inf) - np.where(both, ground, 0.0)
+
+    def said(k: int) -> str:
+        at = int(np.argmax(over[k]))
+        if not both[k].any():
+            return "level: lies beside the ground; it must reach over it"
+        return f"level: stands {over[k, at]:.4g} m above the ground at x = {x[k, at]:.10g}; ponds are not yet possible"
+
+    return ~both.any(axis=1) | (over.max(axis=1) > 1e-9 * np.ptp(grounds, axis=(1, 2))), said
+
+
+def lines_wrong(lines: Floats) -> NDArray[np.bool_]:
+    """Which of many lines (n, V, 2) `line_mistakes` has something to say of."""
+    with np.errstate(invalid="ignore"):
+        step = np.diff(lines, axis=1)
+    bad = ~(np.abs(lines) < FAR).all(axis=(1, 2)) | (step[..., 0] < 0.0).any(axis=1)
+    return np.asarray(bad | (step == 0.0).all(axis=2).any(axis=1) | (lines[:, 0, 0] == lines[:, -1, 0]))
+
+
+def lines_mistakes(name: str, given: Any) -> list[str]:
+    """What is wrong with one line, or with the first of many that is."""
     try:
-        points = np.asarray(ground)
+        points = np.asarray(given)
     except ValueError:
         points = np.asarray(None)
-    if points.dtype.kind not in "iuf" or points.ndim <= 2 or points.shape[-1] != 2:
-        return line_mistakes("ground", ground)
+    if points.dtype.kind not in "iuf" or points.ndim <= 2 or points.shape[-1] != 2 or points.shape[-2] < 2:
+        return line_mistakes(name, given)
     many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
-    with np.errstate(invalid="ignore"):
-        step = np.diff(many, axis=1)
-    bad = (
-        ~(np.abs(many) < FAR).all(axis=(1, 2))
-        | (step[..., 0] < 0.0).any(axis=1)
-        | (step == 0.0).all(axis=2).any(axis=1)
-    )
-    bad |= many[:, 0, 0] == many[:, -1, 0]
-    return line_mistakes("ground", many[int(np.argmax(bad))]) if bad.any() else []
+    bad = lines_wrong(many)
+    if not bad.any():
+        return []
+    k = int(np.argmax(bad))
+    lane = ", ".join(str(i) for i in np.unravel_index(k, points.shape[:-2]))
+    return [f"lane [{lane}]: {said}" for said in line_mistakes(name, many[k])]
 
 
 def simple_slope(

@@ -1,21 +1,22 @@
 """The numbers of a scene that may vary: found by their keys in a scene file, in its units, and put into scenes.
 
 A grid, an uncertain number, a back-analysis and a derivative name a number in the same way: by its key
-(``friction.angle_deg``), or in SI units by its name in `Scene.numbers` (``friction``).
+(``friction.angle_deg``), or in SI units by its name in `Scene.numbers` (``friction``). A coordinate has the key of the
+list that it stands in, the number of its point from 0, and x or y: ``ground.points_m.3.y``, in SI units ``ground.3.y``.
 """
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from generated.effects import LAWS
 from slipcircle.base.distributions import distribution_mistakes, made
 from slipcircle.scene.friction import law_names
+from slipcircle.scene.ground import FAR
 from slipcircle.scene.keys import Table, tables_of
 
 
@@ -35,6 +36,8 @@ class Number:
         Its open bounds, in the key's unit, and whether the lower one is allowed as well.
     per_unit, tangent
         SI units in the key's unit; or whether the key is the angle of a coefficient, in degrees.
+    si : str
+        Unit of the name.
     """
 
     key: str
@@ -45,6 +48,13 @@ class Number:
     closed: bool = False
     per_unit: float = 1.0
     tangent: bool = False
+    si: str = ""
+
+    @property
+    def plain(self) -> "Number":
+        """The same in SI units, by its name."""
+        low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
+        return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
 
     def to_si(self, values: Any) -> Any:
         """Values in the key's unit as the scene has them."""
@@ -69,48 +79,106 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
                 name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
                 shown, limits = f"{path}.{k}".lstrip("."), key.limits
                 low, high = limits.get("gt", limits.get("ge", -math.inf)), limits.get("lt", math.inf)
-                found[shown] = Number(shown, name, key.unit, low, high, "ge" in limits, key.per_unit, key.tangent)
+                found[shown] = Number(shown, name, key.unit, low, high, "ge" in limits, key.per_unit, key.tangent,
+                                      key.si)  # fmt: skip
     return found
 
 
-def numbers_of(friction: Any) -> dict[str, Number]:
-    """The numbers of a scene with this friction by their keys, and then by their names, in SI units."""
+_POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "water.level_m"}  # where files have them
+_RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
+
+
+def places(arc: Any, field: str) -> dict[str, tuple[Any, ...]]:
+    """The numbers of one of its fields: each by its name, with its place in the axes of one section."""
+    value, axes = getattr(arc, field), arc.quantities[field]
+    if not axes or value is None:
+        return {} if value is None else {field: ()}
+    return {".".join((field, *map(str, at[:-1]), "xy"[at[-1]])): at for at in np.ndindex(np.shape(value)[-axes:])}
+
+
+def lengths(arc: Any) -> set[str]:
+    """The coordinates and radii of a section, which are as large as it is far from the origin, or flat."""
+    return {n for field in ("radius", *_POINTS) for n in places(arc, field)} if "ground" in arc.quantities else set()
+
+
+def numbers_in(arc: Any) -> dict[str, Any]:
+    """The numbers of an arc or a section by name: each a number, or an array of one a lane."""
+    found: dict[str, Any] = {}
+    for field, axes in arc.quantities.items():
+        value = getattr(arc, field)
+        lanes: Any = np.asarray(value) if axes else value
+        found |= {name: lanes[(..., *at)] if axes else value for name, at in places(arc, field).items()}
+    return found
+
+
+def fields_with(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of an arc or a section that change with other values of its numbers."""
+    found: dict[str, Any] = {}
+    for field, axes in arc.quantities.items():
+        own = places(arc, field)
+        given = {name: at for name, at in own.items() if name in values}
+        if given and not axes:
+            found[field] = values[field]
+        elif given:
+            held = np.asarray(getattr(arc, field), dtype=np.float64)
+            lanes = () if len(given) == len(own) else held.shape[:-axes]  # those of what stays
+            lanes = np.broadcast_shapes(lanes, *(np.shape(values[name]) for name in given))
+            found[field] = np.empty((*lanes, *held.shape[-axes:]))
+            if len(given) < len(own):
+                found[field][...] = held
+            for name, at in given.items():
+                found[field][(..., *at)] = values[name]
+    return found
+
+
+def keyed(friction: Any, arc: Any) -> dict[str, Number]:
+    """The numbers of a scene with this friction and arc by their keys."""
     law, *rate = law_names(friction)
-    tables = tables_of("constant" if law == "callable" else law, *rate)
-    known = numbers(tables)
+    known = numbers(tables_of("constant" if law == "callable" else law, *rate))
     if law == "callable":
         known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
-    units = {f"{path}.{k}".lstrip("."): key.si for path, table in tables.items() for k, key in table.keys.items()}
-    plain = [n for n in known.values() if not n.tangent]  # a friction has two keys, its angle and itself
-    return known | {
-        n.name: Number(n.name, n.name, units[n.key], float(n.to_si(n.low)), float(n.to_si(n.high)), n.closed)
-        for n in plain
-    }
+    if "ground" not in arc.quantities:
+        return known
+    found = {}
+    for k, n in known.items():  # a slope's file has what an arc has in other tables
+        if n.name in arc.quantities:
+            k = k.replace("arc.", "circle." if n.name == "radius" else "ground.")
+        if not k.startswith("arc."):
+            found[k] = replace(n, key=k)
+    for field, key in _POINTS.items():
+        names = {key + name.removeprefix(field): name for name in places(arc, field)}
+        found |= {k: Number(k, name, "m", -FAR, FAR, si="m") for k, name in names.items()}
+    return found
 
 
-def number_of(path: str, friction: Any) -> Number:
+def named(friction: Any, arc: Any) -> dict[str, Number]:
+    """The same by their names: of two keys, as friction has, the first."""
+    return {n.name: n for n in reversed(keyed(friction, arc).values())}
+
+
+def number_of(path: str, friction: Any, arc: Any) -> Number:
     """The number that a path stands for, a key of a scene file or a name in SI units.
 
     Raises
     ------
     ValueError
-        If a scene with this friction has no such number.
+        If a scene with this friction and arc has no such number.
     """
-    known = numbers_of(friction)
+    known = keyed(friction, arc)
     if path in known:
         return known[path]
-    keys = [k for k in known if known[k].name != k]
-    asked = "".join(f"; did you mean {n}?" for n in get_close_matches(path, keys, 1))
-    raise ValueError(f"{path}: is no number of a scene{asked or '; known are ' + ', '.join(keys)}")
+    for n in known.values():
+        if n.name == path and not n.tangent:  # a friction has two keys, its angle and itself
+            return n.plain
+    near = get_close_matches(path, known, 1)
+    asked = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith((*_POINTS.values(),)) for n in near)
+    raise ValueError(f"{path}: is no number of a scene{asked or '; known are ' + listed(known)}")
 
 
-def keyed() -> dict[str, Number]:
-    """The first key that a scene file has for each name in `Scene.numbers`, such as the angle of a friction."""
-    found: dict[str, Number] = {}
-    for law in ("constant", *LAWS):
-        for number in numbers(tables_of(law)).values():
-            found.setdefault(number.name, number)
-    return found
+def listed(keys: Collection[str]) -> str:
+    """Keys in words, those of points by their rule."""
+    plain = [k for k in keys if not k.startswith((*_POINTS.values(),))]
+    return ", ".join([*plain, *([_RULE] if len(plain) < len(keys) else [])])
 
 
 @dataclass(frozen=True)
@@ -159,7 +227,7 @@ class Uncertain:
         return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
 
 
-def declared(given: Mapping[str, Any], friction: Any) -> tuple[dict[str, Uncertain], list[str]]:
+def declared(given: Mapping[str, Any], friction: Any, arc: Any) -> tuple[dict[str, Uncertain], list[str]]:
     """Uncertain numbers by their names in `Scene.numbers`, and a sentence for each mistake."""
     found: dict[str, Uncertain] = {}
     said = []
@@ -168,7 +236,7 @@ def declared(given: Mapping[str, Any], friction: Any) -> tuple[dict[str, Uncerta
             found[path] = value
             continue
         try:
-            number = number_of(path, friction)
+            number = number_of(path, friction, arc)
         except ValueError as error:
             said.append(f"uncertain.{error}")
             continue

@@ -17,7 +17,7 @@ from slipcircle.base.series import Series
 from slipcircle.records.given import factor, greatest, resolved
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
-from slipcircle.scene.numbers import declared
+from slipcircle.scene.numbers import declared, numbers_in
 from slipcircle.scene.section import Section
 
 if TYPE_CHECKING:
@@ -56,8 +56,8 @@ class Scene:
         What the scene is, and where its numbers come from.
     uncertain : mapping, optional
         Numbers known by a distribution, which `ensemble` draws; `solve` takes the scene's own. Keys as in a scene file,
-        ``"friction.angle_deg"``, or SI names as in ``numbers``, ``"friction"``; values are frozen distributions of
-        scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
+        ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``, ``"friction"``; values are
+        frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
     stability : Critical, optional
         Factors of safety of the section's circle, and how it was found; the motion does not depend on it.
 
@@ -90,7 +90,8 @@ class Scene:
             bounds["accuracy"] = ACCURACY
         known = isinstance(self.arc, Arc | Section)
         found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
-        found += _unsolved(self.arc) if isinstance(self.arc, Section) else []
+        if isinstance(self.arc, Section) and self.arc.no_motion:
+            found.append(f"arc: {self.arc.no_motion}")
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
         found += law_mistakes(self.friction)
         if (
@@ -118,7 +119,7 @@ class Scene:
                     found.append(str(error))
         found += [] if found else shape_mistakes(self.numbers)
         if self.uncertain and not found:
-            drawn, found = declared(self.uncertain, self.friction)
+            drawn, found = declared(self.uncertain, self.friction, self.arc)
             found += [
                 f"uncertain.{u.key}: the scene has no value of it to vary"
                 for n, u in drawn.items()
@@ -139,8 +140,8 @@ class Scene:
 
     @cached_property
     def numbers(self) -> Mapping[str, ArrayLike]:
-        """All fields that may be arrays, by name: the arc's, ``friction.peak``, ``pore_pressure.ratio``, ..."""
-        found: dict[str, Any] = {n: getattr(self.arc, n) for n in self.arc.quantities}
+        """All that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``, ..."""
+        found = numbers_in(self.arc)
         law = self.friction
         if isinstance(law, Mapping):
             tables = any(p.kind == "list" for p in LAWS[law["law"]].parameters) if law.get("law") in LAWS else True
@@ -174,15 +175,6 @@ def checked(scene: Any, what: str) -> Scene:
         asked = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
         raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {asked} gives that of a file, or one that ships")
     return scene
-
-
-def _unsolved(section: Section) -> list[str]:
-    """Why a section's motion is not solved, if it is not."""
-    if section.shape:
-        return ["arc: must be one section; several circles or grounds are several scenes"]
-    if section.no_motion:
-        return [f"arc: {section.no_motion}"]
-    return []
 
 
 def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import Any, ClassVar, NamedTuple
@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 from slipcircle.base.checks import INFINITY, mistakes, raise_all, shape_mistakes
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
-from slipcircle.scene.ground import FAR, grounds_mistakes, line_mistakes, pond_mistakes
+from slipcircle.scene.faults import faults, first, unmoved
+from slipcircle.scene.ground import FAR, lines_mistakes
 from slipcircle.scene.weights import Dimensionless, Weights
 
 
@@ -51,9 +52,9 @@ class Section:
     gravity, width : float or array_like, optional
         m/s^2; length across the section, m.
     between : pair of float, optional
-        x between which the stretch lies that is meant, where the circle cuts off several.
+        x between which the stretch lies that is meant, or its middle, where the circle cuts off several.
     level : array_like, optional
-        Points of the water level from left to right, (W, 2), m; beyond its ends it goes on horizontally.
+        Points of the water level from left to right, (..., W, 2), m; beyond its ends it goes on horizontally.
     water_unit_weight : float
         N/m^3.
     base : float, optional
@@ -67,10 +68,10 @@ class Section:
 
     Notes
     -----
-    Ground, centre and radius may be arrays with leading axes; results have their broadcast shape. Angles are measured
-    from straight below the centre. Either facing: the mass faces the way in which gravity turns it, ``entry`` is its
-    upper end, and positive means down-slope throughout. Moments to about 1e-14 (of J_r, J_theta: of their vector's
-    length) for the coordinates as they are given, however thin the mass.
+    Ground, centre, radius and level may be arrays with leading axes; results have their broadcast shape. Angles are
+    measured from straight below the centre. Either facing: the mass faces the way in which gravity turns it, ``entry``
+    is its upper end, and positive means down-slope throughout. Moments to about 1e-14 (of J_r, J_theta: of their
+    vector's length) for the coordinates as they are given, however thin the mass.
     """
 
     ground: ArrayLike
@@ -83,7 +84,9 @@ class Section:
     level: ArrayLike | None = None
     water_unit_weight: float = 9810.0
     base: float | None = None
-    quantities: ClassVar[tuple[str, ...]] = ("unit_weight", "gravity", "width")  # what scenes vary
+    # What scenes vary, with the axes of one section.
+    quantities: ClassVar[Mapping[str, int]] = {"ground": 2, "centre": 1, "radius": 0, "unit_weight": 0, "gravity": 0,
+                                               "width": 0, "level": 2}  # fmt: skip
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
@@ -98,17 +101,16 @@ class Section:
         found += [f"{n}: must be one number" for n in ("base", "water_unit_weight") if np.ndim(getattr(self, n))]
         if np.shape(self.centre)[-1:] != (2,) and not any(m.startswith("centre") for m in found):
             found.append(f"centre = {self.centre!r}: must be two numbers [x, y] in m")
-        found += grounds_mistakes(self.ground)
-        found += [] if self.level is None else line_mistakes("level", self.level)
+        found += lines_mistakes("ground", self.ground)
+        found += [] if self.level is None else lines_mistakes("level", self.level)
         if self.between is not None and not (np.shape(self.between) == (2,) and self.between[0] < self.between[1]):
             found.append(f"between = {self.between!r}: must be two x in m, from left to right")
         if not found:
             shaped = {"radius": self.radius, "centre": np.asarray(self.centre)[..., 0]}
             shaped |= {"ground": np.asarray(self.ground)[..., 0, 0], "unit_weight": self.unit_weight}
+            shaped |= {} if self.level is None else {"level": np.asarray(self.level)[..., 0, 0]}
             found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
-        if not found and self.level is not None and np.ndim(self.ground) == 2:
-            found = pond_mistakes(np.asarray(self.ground, dtype=np.float64), np.asarray(self.level, dtype=np.float64))
-        raise_all("Section", found or self._geometry_mistakes())
+        raise_all("Section", found or first(faults(self), self.shape))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
@@ -120,7 +122,8 @@ class Section:
     @cached_property
     def shape(self) -> tuple[int, ...]:
         """Of the results."""
-        return np.broadcast_shapes(np.shape(self.radius), np.shape(self.centre)[:-1], np.shape(self.ground)[:-2])
+        level = () if self.level is None else np.shape(self.level)[:-2]
+        return np.broadcast_shapes(np.shape(self.radius), np.shape(self.centre)[:-1], np.shape(self.ground)[:-2], level)
 
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
@@ -145,45 +148,13 @@ class Section:
         lane, number, held = circles.stretches(self._cut)
         left, right = (centre[lane, 0] + radius[lane] * end[0] for end in circles.ends(self._cut.only(lane), number))
         if self.between is not None:
-            blur = 1e-9 * radius[lane]
-            keep = (left >= self.between[0] - blur) & (right <= self.between[1] + blur)
+            blur, (low, high) = 1e-9 * radius[lane], self.between
+            keep = (left >= low - blur) & (right <= high + blur)
+            without = np.bincount(lane, keep, len(radius))[lane] == 0
+            keep |= without & (left + right >= 2 * low) & (left + right <= 2 * high)
             lane, number, left, right = lane[keep], number[keep], left[keep], right[keep]
             held = np.zeros(len(held), dtype=bool)
         return lane, number, left, right, held
-
-    def _geometry_mistakes(self) -> list[str]:
-        """What is wrong with the first circle that has no one stretch, or a centre or base where it must not be."""
-        ground, centre, radius = self._circle
-        lane, _, left, right, held = self._candidates
-        count = np.bincount(lane, minlength=len(radius))
-        if np.any(bad := (count != 1) | held):
-            k = int(np.argmax(bad))
-            (x, y), line = centre[k].tolist(), ground[min(k, len(ground) - 1)]
-            which = f"centre = [{x:.10g}, {y:.10g}], radius = {radius[k]:.10g}"
-            if count[k] > 1 or (count[k] == 1 and held[k]):
-                ends = zip(left[lane == k], right[lane == k], strict=True)
-                shown = ", ".join(f"[{a:.6g}, {b:.6g}]" for a, b in ends)
-                more = " besides one that an end of the ground cuts short" if held[k] else ""
-                return [f"{which}: cuts off several stretches of the ground; choose one by between = {shown}{more}"]
-            if held[k]:
-                return [f"{which}: an end of the ground lies inside the circle; the ground must go on beyond "
-                        f"x = {x - radius[k]:.6g} or {x + radius[k]:.6g}"]  # fmt: skip
-            if self.between is not None and circles.stretches(self._cut.only([k]))[0].size:
-                return [f"between = {self.between!r}: no stretch of the ground inside the circle lies there"]
-            return [f"{which}: misses the ground, which reaches from [{line[0, 0]:.6g}, {line[0, 1]:.6g}] to "
-                    f"[{line[-1, 0]:.6g}, {line[-1, 1]:.6g}]"]  # fmt: skip
-        (x1, y1), (x2, y2) = self._ends
-        reversed_ = self._angles[1] <= self._angles[0]  # the ground passes over the centre, outside the circle
-        if np.any(bad := circles.below_ground(self._cut, self._mine) | reversed_):
-            return [f"centre = {centre[int(np.argmax(bad))].tolist()}: lies below the ground; a slip circle's lies "
-                    "above it"]  # fmt: skip
-        if self.base is not None:
-            lowest = centre[:, 1] + radius * np.where((x1 < 0.0) & (x2 > 0.0), -1.0, np.minimum(y1, y2))
-            if np.any(deep := lowest < self.base - 1e-9 * radius):
-                k = int(np.argmax(deep))
-                return [f"radius = {radius[k]:.10g}: the circle goes down to y = {lowest[k]:.6g}, below base = "
-                        f"{self.base:.10g}"]  # fmt: skip
-        return []
 
     @cached_property
     def _ends(self) -> tuple[Floats, Floats]:
@@ -305,12 +276,7 @@ class Section:
     @cached_property
     def no_motion(self) -> str | None:
         """Why the method gives no motion, if it does not."""
-        if np.any(np.asarray(self.half_angle) > np.pi / 2 * (1 + 8e-16)):
-            return ("the arc is longer than half a circle: parts of it carry negative normal stress, and the mean "
-                    "normal stress of the method (2.9) loses its sense")  # fmt: skip
-        if np.any(np.asarray(self.weights.press) <= 0.0):
-            return "the mass presses on nothing: its weight has no component towards the arc"
-        return None
+        return next(iter(first(unmoved(self), self.shape)), None)
 
     @cached_property
     def moments(self) -> dict[str, Any]:
@@ -361,9 +327,14 @@ class Section:
     # --- water -------------------------------------------------------------------------------------------------------
 
     @cached_property
+    def _level(self) -> Floats:
+        """With one axis of lanes."""
+        level = np.asarray(self.level, dtype=np.float64)
+        return np.broadcast_to(level, (*self.shape, *level.shape[-2:])).reshape(-1, *level.shape[-2:])
+
+    @cached_property
     def _water(self) -> tuple[Callable[[Any], Any], Floats]:
-        _, centre, radius = self._circle
-        return circles.wet(np.asarray(self.level, dtype=np.float64), centre, radius)[1:]
+        return circles.wet(self._level, *self._circle[1:])[1:]
 
     def mean_pressure(self, rotation: Any = 0.0) -> Any:
         """Mean pore pressure on the arc under the mass after a rotation, Pa.

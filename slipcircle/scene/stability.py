@@ -17,7 +17,7 @@ from generated import slopes
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Floats
-from slipcircle.scene.ground import line_mistakes, pond_mistakes
+from slipcircle.scene.ground import line_mistakes, ponds
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -99,7 +99,9 @@ class Slope:
         if not found:
             for name in ("ground", "level") if self.level is not None else ("ground",):
                 object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
-            found += [] if self.level is None else pond_mistakes(np.asarray(self.ground), np.asarray(self.level))
+            if self.level is not None:
+                (pond,), said = ponds(np.asarray(self.ground)[None], np.asarray(self.level)[None])
+                found += [said(0)] if pond else []
             if self.cohesion == 0.0 and self.friction == 0.0:
                 found.append("cohesion and friction are both 0: the slope has no strength")
             lowest = float(np.asarray(self.ground)[:, 1].min())

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from generated import kernels
 from generated.effects import EFFECTS
 from slipcircle.scene.arc import Arc
-from slipcircle.scene.numbers import Number, keyed, number_of, numbers_of
+from slipcircle.scene.faults import faults, unmoved
+from slipcircle.scene.numbers import Number, fields_with, keyed, listed, named, number_of, numbers_in
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
@@ -24,16 +25,16 @@ DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180)  # down-
 
 def number_in(scene: Scene, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
-    if path in (DIP.key, DIP.name):
+    if path in (DIP.key, DIP.name) and isinstance(scene.arc, Arc):
         return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
     only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
-    return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction)
+    return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction, scene.arc)
 
 
 def absent(scene: Scene, path: str) -> str:
     """What to say of a number that a scene has no value of."""
-    keys = keyed()
-    return f"{path}: the scene has no value of it to vary; it has {', '.join(keys[n].key for n in scene.numbers)}"
+    keys = named(scene.friction, scene.arc)
+    return f"{path}: the scene has no value of it to vary; it has {listed([keys[n].key for n in scene.numbers])}"
 
 
 def value_in(scene: Scene, number: Number) -> float | None:
@@ -43,12 +44,12 @@ def value_in(scene: Scene, number: Number) -> float | None:
 
 
 def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The fields of a scene with other values of its numbers by name, SI; numbers or arrays, unchecked."""
-    arc: dict[str, Any] = {}
+    """The fields of a scene, of its arc those that change, with other values of its numbers by name, SI; unchecked."""
+    arc = fields_with(scene.arc, values)
     assert isinstance(scene.effects, dict)
     effects = {e: dict(given) for e, given in scene.effects.items()}
     top: dict[str, Any] = {"uncertain": {}}
-    friction = scene.friction
+    friction, of_arc = scene.friction, numbers_in(scene.arc)
     for name, value in values.items():
         head, _, tail = name.partition(".")
         if name == DIP.name:
@@ -56,8 +57,8 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
                 n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - scene.arc.facing * value)
                 for n in ("theta_1", "theta_2")
             }
-        elif name in scene.arc.quantities:
-            arc[name] = value
+        elif name in of_arc:
+            continue
         elif name == "friction":
             friction = value
         elif head == "friction":
@@ -70,16 +71,17 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
             own[tail] = value
         else:
             top[name] = value
-    held = {f.name: getattr(scene.arc, f.name) for f in fields(scene.arc)}
-    return {"arc": held | arc, "effects": effects, "friction": friction} | top
+    return {"arc": arc, "effects": effects, "friction": friction} | top
 
 
 def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
-    """An arc or a section with other values, which were checked elsewhere, or will be."""
-    if all(values[name] is getattr(arc, name) for name in values):
-        return arc  # with all that is already known of it
-    held = {f.name: getattr(arc, f.name) for f in fields(arc)}
-    return Arc.unchecked(**{**held, **values}) if isinstance(arc, Arc) else replace(arc, **values)
+    """An arc or a section with other values, which were checked elsewhere, or will be; itself, where none is other."""
+    if all(value is getattr(arc, name) for name, value in values.items()):
+        return arc
+    found = object.__new__(type(arc))
+    for f in fields(arc):
+        object.__setattr__(found, f.name, values.get(f.name, getattr(arc, f.name)))
+    return found
 
 
 def other_way(scene: Scene) -> Scene:
@@ -89,7 +91,8 @@ def other_way(scene: Scene) -> Scene:
     given = dict(scene.called["shaking"])
     pushed = given["horizontal"]
     given["horizontal"] = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
-    return replace(scene, effects={**scene.called, "shaking": given}, name=f"{scene.name} reversed")
+    own = {e: scene.called[e] for e in scene.effects}  # a water level comes with its section
+    return replace(scene, effects={**own, "shaking": given}, name=f"{scene.name} reversed")
 
 
 def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
@@ -97,7 +100,8 @@ def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
     stability is not theirs.
     """
     parts = parts_with(scene, {n: v if np.ndim(v) else float(v) for n, v in values.items()})
-    return replace(scene, **parts | {"arc": type(scene.arc)(**parts["arc"]), "stability": None})
+    arc = replace(scene.arc, **parts["arc"]) if parts["arc"] else scene.arc
+    return replace(scene, **parts | {"arc": arc, "stability": None})
 
 
 def along_means(scene: Scene) -> Scene:
@@ -119,27 +123,40 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
     """A scene of arrays, unchecked, and which of them are no scenes: the first that is one stands in their place."""
     bad = _no_scenes(scene, values)
     own: dict[str, Any] = {n: value_in(scene, number_in(scene, n)) for n in values}
-    fill = own if np.all(bad) else {n: v[np.argmin(bad)] for n, v in values.items()}
-    parts = parts_with(scene, {n: np.where(bad, fill[n], v) for n, v in values.items()})
+    while True:
+        fill = own if np.all(bad) else {n: v[np.argmin(bad)] for n, v in values.items()}
+        parts = parts_with(scene, {n: np.where(bad, fill[n], v) for n, v in values.items()})
+        arc = arc_with(scene.arc, parts["arc"])
+        if isinstance(arc, Arc) or arc is scene.arc or np.all(bad) or not np.any(more := _faulty(arc)):
+            break
+        bad = bad | more.reshape(bad.shape)
     found = object.__new__(Scene)
     for f in fields(Scene):
         object.__setattr__(found, f.name, getattr(scene, f.name))
-    for name, value in (parts | {"arc": arc_with(scene.arc, parts["arc"])}).items():
+    for name, value in (parts | {"arc": arc}).items():
         object.__setattr__(found, name, value)
     return found, bad
 
 
+def _faulty(section: Section) -> NDArray[np.bool_]:
+    """Which lanes are no sections, or do not move, for the first reason that any of them is not."""
+    every = (np.broadcast_to(bad, math.prod(section.shape)) for of in (faults, unmoved) for bad, _ in of(section))
+    return next(filter(np.any, every), np.zeros(1, dtype=bool))
+
+
 def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
     """Where values are out of their bounds, or an arc is none: as `Arc` and `Scene` would refuse them one by one."""
-    known = numbers_of(scene.friction) | {DIP.name: number_in(scene, DIP.name)}
+    known = {n.name: n.plain for n in keyed(scene.friction, scene.arc).values() if not n.tangent} | {
+        DIP.name: Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
+    }
     bad = np.zeros(np.broadcast_shapes(*(np.shape(v) for v in values.values())), dtype=bool)
     for name, value in values.items():
         number = known[name]
         least = value >= number.low if number.closed else value > number.low
         bad |= ~(np.isfinite(value) & least & (value < number.high))
     if {*values} & {"theta_1", "theta_2", DIP.name}:
-        arc = parts_with(scene, values)["arc"]
-        first, second = (np.asarray(arc[n], dtype=np.float64) for n in ("theta_1", "theta_2"))
+        arc = arc_with(scene.arc, parts_with(scene, values)["arc"])
+        first, second = (np.asarray(getattr(arc, n), dtype=np.float64) for n in ("theta_1", "theta_2"))
         with np.errstate(all="ignore"):
             bad |= ~((second > first) & (kernels.radial_weight(first, second) > 0.0))
     return bad

@@ -179,7 +179,9 @@ def backanalyse(
     field : str or sequence of str, optional
         Numbers by their keys in a scene file, ``friction.angle_deg``, ``cohesion.cohesion_kPa``, whether the scene has
         a value of them or not; or in SI units by their names, ``friction``; an effect's name where it has one number.
-        ``arc.dip_deg`` or ``dip`` turns both ends of the arc. Several need as many observations at least.
+        ``arc.dip_deg`` or ``dip`` turns both ends of the arc; a section's coordinates are ``circle.centre_m.x``,
+        ``ground.points_m.3.y`` or ``water.level_m.0.y``, points by their number from 0. Several need
+        as many observations at least.
     bounds : tuple of float, or mapping of such by field, optional
         Where to search, in the field's unit; by default a range wide enough for it.
 

@@ -14,7 +14,7 @@ from slipcircle.base import VERSION
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.scene.numbers import Number, Uncertain
+from slipcircle.scene.numbers import Number, Uncertain, numbers_in
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.section import Section
 from slipcircle.scene.varied import absent, along_means, number_in, value_in
@@ -232,9 +232,11 @@ def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
     """What tells one study from another, as a folder remembers it."""
     scene = design.scene
     section = {f.name: getattr(scene.arc, f.name) for f in fields(scene.arc)} if isinstance(scene.arc, Section) else {}
+    told = numbers_in(scene.arc) if section else {}
     return {
         "slipcircle": VERSION, "outcomes": list(OUTCOMES), "accuracy": design.accuracy,
-        "numbers": {n: _known(v) for n, v in sorted(scene.numbers.items())}, "given": _known(scene.arc.given or {}),
+        "numbers": {n: _known(v) for n, v in sorted(scene.numbers.items()) if n not in told},
+        "given": _known(scene.arc.given or {}),
         "section": _known(section),
         "friction": _known(scene.friction), "effects": _known(scene.called),
         "inputs": [u.key for u in design.inputs.values()], "drawn": [u.record for u in design.drawn.values()],

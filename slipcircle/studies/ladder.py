@@ -10,6 +10,7 @@ from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import solve
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.section import Section
 
 _PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
 
@@ -77,7 +78,11 @@ def ladder(scene: Scene, clock: Callable[[], float] = time.process_time) -> list
 
 
 def _with(scene: Scene, effects: tuple[str, ...]) -> Scene:
-    return replace(scene, effects={e: p for e, p in scene.called.items() if e in effects})
+    arc = scene.arc
+    if isinstance(arc, Section) and "pore_pressure" not in effects:
+        arc = replace(arc, level=None)  # the water level is what calls for it
+    given = {e: scene.called[e] for e in effects if e in scene.effects}
+    return replace(scene, arc=arc, effects=given, uncertain={}, stability=None)
 
 
 def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:

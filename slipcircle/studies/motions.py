@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import motion_of
+from slipcircle.scene.numbers import lengths
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.varied import scenes_with
 
@@ -33,8 +34,10 @@ def derivatives(
     at the end of what a value may be; NaN where it is on both, as next to where it begins to move.
     """
     found: dict[str, dict[str, float]] = {}
+    geometry = lengths(scene.arc)
+    sizes = {n: float(scene.arc.depth) if n in geometry else abs(v) or 1.0 for n, v in at.items()}
     for share in _STEPS:
-        steps = {n: share * (abs(v) or 1.0) for n, v in at.items()}
+        steps = {n: share * size for n, size in sizes.items()}
         values = {n: np.full(1 + 4 * len(at), float(v)) for n, v in at.items()}
         for k, n in enumerate(at):
             values[n][1 + 4 * k : 5 + 4 * k] += steps[n] * np.array([1.0, 2.0, -1.0, -2.0])

@@ -10,7 +10,7 @@ from generated.effects import EFFECTS
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import lanes_of
 from slipcircle.scene.friction import law_depends
-from slipcircle.scene.numbers import Number
+from slipcircle.scene.numbers import Number, lengths
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.varied import scenes_with, value_in
 from slipcircle.studies.search import MOST_SWINGS
@@ -21,28 +21,33 @@ Floats = NDArray[np.float64]
 def range_of(scene: Scene, field: Number, alone: bool) -> Floats:
     """Values of a field in its unit, from the least to the greatest; farther where other fields change as well."""
     arc = scene.arc
-    now = {n: float(np.asarray(getattr(arc, n))) for n in ("radius", "gravity", "theta_1", "theta_2")}
-    stress, speed = float(arc.static_normal_stress), 2 * math.sqrt(now["gravity"] * now["radius"])
+    stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
+    speed, own = 2 * math.sqrt(gravity * radius), value_in(scene, field)
+
+    def other(end: str) -> float:
+        return float(np.asarray(getattr(arc, end)))
+
     end = 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)
     linear = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], end])
     ranges: Mapping[str, Callable[[], Floats]] = {
         "initial_velocity": lambda: np.linspace(-speed, speed, 241),
         "dip": lambda: np.pi / 2 * np.concatenate([-linear[:0:-1], linear]),
-        "theta_1": lambda: now["theta_2"] - np.pi * linear[1:],
-        "theta_2": lambda: now["theta_1"] + np.pi * linear[1:],
+        "theta_1": lambda: other("theta_2") - np.pi * linear[1:],
+        "theta_2": lambda: other("theta_1") + np.pi * linear[1:],
         "cohesion.cohesion": lambda: np.concatenate([[0.0], stress * np.geomspace(1e-6, 100.0, 161)]),
         "pore_pressure.ratio": lambda: linear,
         "pore_pressure.pressure": lambda: stress * linear,
-        "drag.xi": lambda: now["gravity"] * np.geomspace(1e-3, 1e9, 193),
-        "friction.length": lambda: now["radius"] * np.geomspace(1e-9, 10.0, 161),
+        "drag.xi": lambda: gravity * np.geomspace(1e-3, 1e9, 193),
+        "friction.length": lambda: radius * np.geomspace(1e-9, 10.0, 161),
     }
-    own = value_in(scene, field)
     if field.name in ranges:
         values = ranges[field.name]()
     elif field.name.startswith("friction") and (field.tangent or not field.unit):
         values = _frictions(scene, field, alone)
     elif own is None:
         raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
+    elif field.name in lengths(arc):
+        values = own + radius * np.linspace(-1.0, 1.0, 401)  # in place of it
     else:
         values = (abs(own) or 1.0) * np.geomspace(1e-3, 1e3, 121)
     return np.unique(field.from_si(values))

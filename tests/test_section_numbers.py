@@ -1,0 +1,282 @@
+"""The numbers of a section: lanes of circles, grounds and levels, derivatives, studies and back-analyses by them."""
+
+import json
+from dataclasses import replace
+from itertools import product
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+from test_section_motion import GROUND
+from test_section_water import GAMMA, LEVEL, Exact, wet
+
+from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
+from slipcircle.__main__ import main
+from slipcircle.motion.states import Status
+from slipcircle.scene.numbers import fields_with, numbers_in
+from slipcircle.scene.transport import growth, telling
+from slipcircle.studies.conduct import grid
+from slipcircle.studies.engines import engine
+from slipcircle.studies.motions import motions
+
+TURNING: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
+SLOPE: dict[str, Any] = {"ground": GROUND, "centre": [30.5, 53.6], "radius": 28.4, "unit_weight": 20e3}
+VALLEY = load("valley-side")
+
+
+def body(**more: Any) -> Section:
+    return Section(**SLOPE | more)
+
+
+# --- lanes -----------------------------------------------------------------------------------------------------------
+
+RAISED = np.array(GROUND) + np.array([0.0, 0.2, -0.1])[:, None, None] * [[0, 0], [0, 0], [0, 1], [0, 1], [0, 1]]
+LANES: dict[str, dict[str, Any]] = {
+    "radius": {"radius": np.array([28.3, 28.5, 28.4])},
+    "circles": {"centre": [[30.5, 53.6], [30.4, 53.5], [30.6, 53.4]], "radius": np.array([28.4, 28.35, 28.3])},
+    "grounds": {"ground": RAISED},
+    "a grid of circles": {"centre": [[[30.5, 53.6]], [[30.4, 53.7]]], "radius": np.array([28.3, 28.5, 28.4])},
+    "levels": {"level": np.array(LEVEL) - np.array([0.5, 1.0, 2.0])[:, None, None] * [0, 1], "centre": [33.0, 56.0],
+               "radius": 28.0},
+    "soils": {"unit_weight": np.array([19e3, 20e3])},
+}  # fmt: skip
+
+
+def lane(section: Section, at: tuple[int, ...]) -> Section:
+    """One of many, made by itself."""
+    own = {}
+    for name, axes in section.quantities.items():
+        value = getattr(section, name)
+        if value is not None and np.ndim(value) > axes:
+            value = np.asarray(value)
+            tail = value.shape[value.ndim - axes :]
+            shape = np.broadcast_shapes(section.shape, np.shape(section.unit_weight))
+            own[name] = np.broadcast_to(value, (*shape, *tail))[at]
+    return replace(section, **own)
+
+
+@pytest.mark.parametrize("which", LANES)
+def test_lanes_are_their_sections(which: str) -> None:
+    section = body(**LANES[which])
+    many = solve(Scene(section, 0.25, TURNING, accuracy=1e-15))
+    assert many.shape == np.broadcast_shapes(section.shape, np.shape(section.unit_weight))
+    table = many.to_dict()
+    for at in np.ndindex(many.shape):
+        alone = lane(section, at)
+        one = solve(Scene(alone, 0.25, TURNING, accuracy=1e-15))
+        assert one.run_out > 0.1
+        for name, value in alone._moments.items():
+            assert np.array_equal(np.broadcast_to(section._shaped(section._moments[name]), many.shape)[at], value[0])
+        for name in ("run_out", "duration", "factor_of_safety", "toe_x", "toe_y", "travel_angle", "exit_x", "area"):
+            assert table[name][at] == pytest.approx(one.to_dict()[name], rel=1e-13), (name, at)
+        found = many[at]
+        assert found.run_out == pytest.approx(one.run_out, rel=1e-13)
+        assert found.plan.scene.arc.radius == alone.radius
+
+
+def test_a_lane_that_is_none_is_named() -> None:
+    with pytest.raises(ValueError, match=r"lane \[1\]: centre = .* misses the ground"):
+        body(radius=np.array([28.4, 5.0, 28.0]))
+    grounds = np.tile(np.array(GROUND), (1, 3, 1, 1))
+    grounds[0, 2, 2, 0] = 10.0
+    with pytest.raises(ValueError, match=r"lane \[0, 2\]: ground\[2\] .* order them by x"):
+        body(ground=grounds)
+    with pytest.raises(ValueError, match=r"lane \[1\]: level: stands 2 m above the ground"):
+        body(level=[[[0, 20], [90, 20]], [[0, 27], [90, 27]]])
+    with pytest.raises(ValueError, match=r"arc: lane \[1\]: the arc is longer than half a circle"):
+        Scene(Section([[-40, 20], [0, 0], [40, 20]], [[2.0, 9.9], [0.2, 0.5]], [10.2, 4.0], 20e3), 0.3)
+    with pytest.raises(ValueError, match="shapes do not fit"):
+        body(radius=[28.4, 28.3], level=np.tile(np.array(LEVEL), (3, 1, 1)))
+
+
+def test_lanes_of_a_study_that_are_none_stop_no_other() -> None:
+    scene = Scene(body(base=20.0), 0.25, TURNING)
+    radii = [5.0, 28.3, 28.5, 40.0, 28.4]
+    found = grid(scene, {"circle.radius_m": radii})
+    status = found.samples["status"].tolist()
+    assert [k for k, s in enumerate(status) if s == Status.INVALID] == [0, 3]
+    for k in (1, 2, 4):
+        one = solve(replace(scene, arc=body(radius=radii[k], base=20.0)))
+        assert found.samples["run_out"][k] == pytest.approx(one.run_out, rel=1e-9)
+    none = grid(scene, {"ground.points_m.2.x": [20.0, 55.0]})  # beyond its neighbours
+    assert none.samples["status"].tolist() == [Status.INVALID] * 2
+    wet_ones = grid(VALLEY, {"water.level_m.3.y": [69.0, 90.0]}).samples["status"].tolist()  # a pond
+    assert wet_ones == [Status.RESTS, Status.INVALID]
+
+
+# --- the same bits everywhere ----------------------------------------------------------------------------------------
+
+DRAWN = {"circle.radius_m": {"distribution": "normal", "mean": 164.0, "std": 0.5},
+         "water.level_m.3.y": {"distribution": "uniform", "low": 66.0, "high": 72.0},
+         "ground.points_m.5.y": {"distribution": "normal", "mean": 83.0, "std": 0.2}}  # fmt: skip
+
+
+def bits(executor: Any) -> list[bytes]:
+    found = ensemble(replace(VALLEY, uncertain=DRAWN), 96, 3, executor, sensitivity=8, size=16)
+    on_grid = grid(VALLEY, {"circle.centre_m.x": [212.9, 213.1], "ground.points_m.4.x": [131.0, 130.5]}, executor)
+    return [v.tobytes() for study in (found, on_grid) for v in study.samples.values()]
+
+
+@pytest.fixture(scope="module")
+def serial() -> list[bytes]:
+    return bits(None)
+
+
+@pytest.mark.parametrize("name", ["threads", "processes", "dask"])
+def test_every_engine_gives_the_same_bits(name: str, serial: list[bytes]) -> None:
+    if name == "dask":
+        distributed = pytest.importorskip("distributed")
+        with distributed.LocalCluster(
+            n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None
+        ) as cluster, distributed.Client(cluster) as client:  # fmt: skip
+            assert bits(client.get_executor()) == serial
+        return
+    with engine(name, 2) as pool:
+        assert bits(pool) == serial
+
+
+# --- derivatives -----------------------------------------------------------------------------------------------------
+
+
+def moved(section: Section, name: str, to: float) -> Section:
+    return replace(section, **fields_with(section, {name: to}))
+
+
+@pytest.mark.parametrize(
+    ("seed", "names"), [(0, ("radius", "centre.x", "ground", "level")), (3, ("centre.y", "level"))]
+)
+def test_derivatives_against_thirty_digits(seed: int, names: tuple[str, ...]) -> None:
+    """Differences of solutions by strips in ball arithmetic and quadrature."""
+    with mp.workdps(30):
+        exact, section, mu = wet(seed)
+        motion = solve(Scene(section, mu, ["rotation", "centripetal"]))
+        found, own = motion.sensitivity(), numbers_in(section)
+        asked = [n for n in found.parameters if n.startswith(names) and n in own]
+        by_run_out = np.abs(found.values[list(found.outputs).index("run_out")])
+        size = dict(zip(found.parameters, by_run_out, strict=True))
+        asked = [max((n for n in asked if n.startswith(name)), key=lambda n: size[n]) for name in names]
+        for name in asked:
+            ends = [float(own[name]) + way * 2.0**-27 for way in (-1, 1)]
+            seen = []
+            for value in ends:
+                s: Any = moved(section, name, value)
+                rest, peak = Exact(s.ground, s.centre, s.radius, s.level, exact.way, mu).rest()
+                seen.append((s.radius * rest, mp.sqrt(2 * peak * 9.81 * s.radius)))
+            for k, output in enumerate(("run_out", "peak_velocity")):
+                slope = float((seen[1][k] - seen[0][k]) / (mp.mpf(ends[1]) - mp.mpf(ends[0])))
+                assert found.derivative(output, name) == pytest.approx(slope, rel=1e-11), (output, name)
+
+
+SCENES = {
+    "valley": VALLEY,
+    "dry": Scene(body(), {"law": "linear", "peak": 0.33, "residual": 0.2, "length": 2.0}, TURNING),
+    "its own share of water": Scene(body(), 0.2, TURNING | {"pore_pressure": {"ratio": 0.15}, "drag": {"xi": 500.0}}),
+    "frozen": replace(VALLEY, effects={"centripetal": {}}, end_time=3.0),
+    "a scarp": Scene(body(ground=[*GROUND[:2], [38.0, 29.0], [38.0, 31.0], *GROUND[3:]]), 0.2, TURNING),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("which", SCENES)
+def test_where_the_slope_lies_and_its_size_change_what_they_must(which: str) -> None:
+    """Shifted with circle and water it moves alike; at twice the size, twice as far."""
+    motion = solve(SCENES[which])
+    found = motion.sensitivity()
+    slopes = {n: found.values[:, k] for k, n in enumerate(found.parameters)}
+    size = np.abs(found.values).max(axis=1)
+    for axis in ("x", "y"):
+        total = np.sum([v for n, v in slopes.items() if n.endswith(f".{axis}")], axis=0)
+        assert np.all(np.abs(total) <= 1e-11 * size)
+    scaled = np.sum([found.at[n] * slopes[n] for n in slopes if found.parameters[n] == "m"], axis=0)
+    if "cohesion.cohesion" in slopes:  # a stress is a unit weight times a length
+        scaled = scaled + slopes["cohesion.cohesion"] * found.at["cohesion.cohesion"]
+    expected = {"peak_velocity": 0.5, "run_out": 1.0, "duration": 0.5}
+    if motion.plan.scene.end_time is None:
+        for k, output in enumerate(found.outputs):
+            assert scaled[k] == pytest.approx(expected[output] * found.at[output], rel=1e-10), output
+
+
+@pytest.mark.parametrize("which", SCENES)
+def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
+    """Of motions with a little more and a little less of each of the section's numbers."""
+    scene = SCENES[which]
+    found = solve(scene).sensitivity()
+    skew = ("ground.2.x", "ground.3.x") if which == "a scarp" else ()  # moved to one side it overhangs
+    for name in [n for n in found.parameters if n in numbers_in(scene.arc) and n not in skew]:
+        step = 1e-4 * (float(scene.arc.depth) if found.parameters[name] == "m" else found.at[name])
+        y = motions(scene, {name: found.at[name] + step * np.array([1.0, -1.0, 2.0, -2.0])}, 1e-15).outcomes
+        for output, row in zip(found.outputs, found.values, strict=True):
+            slope = (8 * (y[output][0] - y[output][1]) - (y[output][2] - y[output][3])) / (12 * step)
+            assert found.derivative(output, name) == pytest.approx(slope, rel=1e-7, abs=1e-8 * np.abs(row).max())
+
+
+@pytest.mark.parametrize("which", SCENES)
+def test_integrals_change_as_their_differences(which: str) -> None:
+    section: Any = SCENES[which].arc
+    names = [n for n in telling(section) if n not in ("unit_weight", "gravity", "width")]
+    found, own, turns = growth(section, names), numbers_in(section), np.array([0.0, 0.1, 0.3, -0.2])
+    if which == "a scarp":  # moved to one side it overhangs
+        names = [n for n in names if n not in ("ground.2.x", "ground.3.x")]
+        found = growth(section, names)
+    step = 1e-3 * section.radius / 28.4
+    pressure = found.pressure(np.repeat(turns[:, None], len(names), axis=1))
+    for k, name in enumerate(names):
+        ends = [moved(section, name, float(own[name]) + step * j) for j in (1, -1, 2, -2)]
+
+        def slope(of: Any, ends: Any = ends) -> Any:
+            a, b, c, d = (np.asarray(of(s)) for s in ends)
+            return (8 * (a - b) - (c - d)) / (12 * step)
+
+        for moment in ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y"):
+            assert slope(lambda s, m=moment: s._moments[m][0]) == pytest.approx(found.moments[moment][k], abs=1e-10)
+        cover = slope(lambda s: s.mean_cover / s.radius * 2 * s.half_angle)
+        assert cover == pytest.approx(found.moments["cover"][k], abs=1e-9)
+        assert slope(lambda s: np.ravel(s._angles)) == pytest.approx(found.ends[:, k], abs=1e-9)
+        assert slope(lambda s: s.mean_pressure(turns)) == pytest.approx(pressure[:, k], abs=1e-9 * GAMMA)
+
+
+def test_sensitivity_of_a_scene_that_ships(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sensitivity", "real-slope"]) == 0
+    shown = capsys.readouterr()
+    assert "ground.points_m.2.y" in shown.out
+    assert "circle.radius_m" in shown.out
+    assert "through a vertex" in shown.err
+    assert main(["sensitivity", "real-slope", "--json"]) == 0
+    (record,) = json.loads(capsys.readouterr().out)
+    assert record["keys"]["ground.2.y"] == "ground.points_m.2.y"
+    assert "arc.unit_weight_kN_m3" not in shown.out
+    scene = load("real-slope")
+    inwards = [solve(replace(scene, arc=moved(scene.arc, "radius", scene.arc.radius - by))) for by in (0.0, 1e-5)]  # type: ignore[arg-type,operator]
+    slope = (inwards[0].run_out - inwards[1].run_out) / 1e-5
+    assert inwards[0].sensitivity().derivative("run_out", "radius") == pytest.approx(slope, rel=1e-4)
+
+
+# --- by key ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("field", "key"),
+    [("circle.radius_m=150:170", "circle.radius_m"), ("ground.points_m.4.y=86:90", "ground.points_m.4.y"),
+     ("water.level_m.3.y", "water.level_m.3.y"), ("circle.centre_m.x", "circle.centre_m.x")],
+)  # fmt: skip
+def test_a_coordinate_is_found_from_the_run_out(field: str, key: str, tmp_path: Any, capsys: Any) -> None:
+    picture = tmp_path / "found.png"
+    wanted = 20.5
+    assert main(["backanalyse", "valley-side", f"--run-out-m={wanted}", "--field", field, "--json", "--plot",
+                 str(picture)]) == 0  # fmt: skip
+    (record,) = json.loads(capsys.readouterr().out)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    for solution in record["solutions"]:
+        there = grid(VALLEY, {key: [solution["values"][key]]})
+        assert there.samples["run_out"][0] == pytest.approx(wanted, rel=1e-9)
+
+
+def test_what_is_no_number_of_a_section_is_told() -> None:
+    for key, words in product(["ground.points_m.99.y"], ["point's coordinate by its number from 0", "did you mean"]):
+        with pytest.raises(ValueError, match=words):
+            grid(VALLEY, {key: [1.0]})
+    with pytest.raises(ValueError, match=r"arc\.dip_deg: is no number"):
+        backanalyse(VALLEY, run_out=20.0, field="arc.dip_deg")
+    with pytest.raises(ValueError, match=r"has no value of it to vary; it has circle.radius_m.* ground.points_m.3.y"):
+        grid(VALLEY, {"cohesion.cohesion_kPa": [1.0]})
+    assert isinstance(solve(VALLEY), Motion)
