@@ -17,6 +17,7 @@ from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 
 Floats = NDArray[np.float64]
+STATES = ("rotation", "angular_velocity", "angular_acceleration")
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
@@ -38,23 +39,24 @@ def _phase(lanes: Walker) -> None:
     c, p = lanes.c, lanes.program
     c[its.STEPS] += 1.0
     of = (c[p.roles["cell_drive"]].copy(), brake(lanes), c[its.OMEGA].copy())
-    stop, gone = (np.asarray(getattr(formulas, f"frozen_arrest_{n}")(*of)) for n in ("time", "rotation"))
-    stop = np.where(of[0] < 0.0, stop, np.inf)
-    left = c[its.END_TIME] - c[its.TIME]
-    stops = stop < left
-    until = np.where(stops, stop, left)
+
+    def state(name: str, *at: Any) -> Any:
+        return np.asarray(getattr(formulas, f"frozen_{name}")(*of, *at))
+
+    gone = until = c[its.END_TIME] - c[its.TIME]
+    stops = of[0] < 0.0
+    if np.any(stops):
+        stop, gone = state("arrest_time"), state("arrest_rotation")
+        stops &= stop < until
+        until = np.where(stops, stop, until)
     endless = np.isinf(until)
     c[its.STATUS, endless] = its.TOO_LONG
     until = np.where(endless, 0.0, until)
-
-    def state(t: Any) -> tuple[Any, Any, Any]:
-        names = ("rotation", "angular_velocity", "angular_acceleration")
-        return tuple(getattr(formulas, f"frozen_{n}")(*of, t) for n in names)
-
-    x, speed, rate = state(until)
+    x, speed, rate = (state(name, until) for name in STATES)
     # At the start, by the same formula.
     fastest = (c[its.PEAK_TIME] == c[its.TIME]) & (np.abs(c[its.PEAK_OMEGA]) == of[2])
-    c[its.PEAK_RATE] = np.where(fastest, c[its.DIRECTION] * state(np.zeros_like(until))[2], c[its.PEAK_RATE])
+    first = c[its.DIRECTION] * state(STATES[2], np.zeros_like(until))
+    c[its.PEAK_RATE] = np.where(fastest, first, c[its.PEAK_RATE])
     if lanes.samples is not None:
         _read(lanes, until, stops, state)
     c[its.X], c[its.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
@@ -79,7 +81,7 @@ def _read(lanes: Walker, until: Floats, stops: Any, state: Any) -> None:
     begin, times = c[its.TIME], s.times[:, lanes.which]
     end = np.where(stops, begin + until, c[its.END_TIME])
     now = (times >= begin) & ((times < end) | (~stops & (times == end)))
-    x, omega, rate = state(np.where(now, times - begin, 0.0))
+    x, omega, rate = (state(name, np.where(now, times - begin, 0.0)) for name in STATES)
     side = c[its.DIRECTION]
     for row, value in enumerate((c[its.ROTATION] + side * x, side * omega, side * rate, c[its.SLIP] + x)):
         s.states[row][:, lanes.which] = np.where(now, value, s.states[row][:, lanes.which])
