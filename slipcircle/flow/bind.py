@@ -21,6 +21,7 @@ from slipcircle.scene.section import Section
 
 Floats = NDArray[np.float64]
 FINEST = 1e-14
+LOWEST = 5  # order, as the radius of convergence is told by the last coefficients against the first five
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 
 
@@ -76,7 +77,7 @@ class Grown(NamedTuple):
 
 def order(accuracy: float) -> int:
     """Order of the series that leaves less than an accuracy at steps of exp(-2) of the radius of convergence."""
-    return math.ceil(3.0 - math.log(max(accuracy, 1e-16)) / 2.0)
+    return max(math.ceil(3.0 - math.log(max(accuracy, 1e-16)) / 2.0), LOWEST)
 
 
 def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:

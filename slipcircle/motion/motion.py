@@ -96,7 +96,7 @@ class Motion(Results):
         """One number of each lane, as the scene has them: an array, or a number."""
         if self.shape:
             return np.reshape(values, self.shape)
-        return np.ravel(values)[0].item() if isinstance(values, np.ndarray | np.generic) else values
+        return values.item() if hasattr(values, "item") else values
 
     # --- what became of it -------------------------------------------------------------------------------------------
 
