@@ -49,7 +49,7 @@ class Bound(NamedTuple):
 
     def _of(self, program: Program) -> "Bound":
         """The same numbers for another program."""
-        cells = blank(program, self.cells.shape[1])
+        cells = np.repeat(program.blank, self.cells.shape[1], axis=1)
         to, of = _shared(program, self.program)
         cells[to] = self.cells[of]
         data = {slot.name: t for slot, t in zip(self.program.tables, self.tables, strict=True)}
@@ -61,11 +61,6 @@ def _shared(program: Program, other: Program) -> tuple[Any, Any]:
     """Where two programs hold the same numbers."""
     names = [x for x in program.cells[: program.given] if x in other.places]
     return np.array([program.places[x] for x in names]), np.array([other.places[x] for x in names])
-
-
-def blank(program: Program, lanes: int) -> Floats:
-    """Cells of lanes of which nothing is known but the constants."""
-    return np.repeat(program.blank, lanes, axis=1)
 
 
 class Grown(NamedTuple):
@@ -150,7 +145,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     shaken = called.get("shaking", {})
     first["ONE_WAY"] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
     first["FIRST_ONLY"] = choose(end_time == np.inf, _first_only(effects, parts, given), 0.0)
-    cells, at = blank(program, lanes), program.places
+    cells, at = np.repeat(program.blank, lanes, axis=1), program.places
     for name, value in (given | first).items():
         if name in at:
             cells[at[name]] = value

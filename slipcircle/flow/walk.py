@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
-from slipcircle.flow.polynomials import divided, first_root, increment, shifted, slopes, value
+from slipcircle.flow.polynomials import divided, first_root, increment, shifted, value
 from slipcircle.flow.program import Program
 from slipcircle.flow.rest import Resting
 from slipcircle.flow.tables import Data
@@ -290,7 +290,7 @@ class Walker(Resting):
         """The greatest speed, where the rate falls through zero inside the step."""
         series = divided(net, net[0] == 0.0)
         at = np.where(series[0] > 0.0, first_root(series, tau), np.inf)
-        rises = (series[0] < 0.0) & (slopes(series)[0] > 0.0) if len(series) > 1 else np.zeros(tau.shape, bool)
+        rises = (series[0] < 0.0) & (series[1] > 0.0)
         if np.any(rises):  # it falls at first, and may rise to a peak beyond a trough
             k = np.flatnonzero(rises)
             up = first_root(-series[:, k], tau[k])
