@@ -49,11 +49,17 @@ class Bound(NamedTuple):
 
     def _of(self, program: Program) -> "Bound":
         """The same numbers for another program."""
-        cells = np.repeat(program.blank, self.cells.shape[1], axis=1)
+        cells = program.blank(self.cells.shape[1])
         to, of = _shared(program, self.program)
         cells[to] = self.cells[of]
         data = {slot.name: t for slot, t in zip(self.program.tables, self.tables, strict=True)}
         return self._replace(program=program, cells=cells, tables=[data[slot.name] for slot in program.tables])
+
+    def start(self) -> Floats:
+        """The cells to walk with."""
+        cells = self.program.blank(self.cells.shape[1])
+        cells[: self.program.given] = self.cells[: self.program.given]
+        return cells
 
 
 @lru_cache(maxsize=256)
@@ -145,7 +151,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     shaken = called.get("shaking", {})
     first["ONE_WAY"] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
     first["FIRST_ONLY"] = choose(end_time == np.inf, _first_only(effects, parts, given), 0.0)
-    cells, at = np.repeat(program.blank, lanes, axis=1), program.places
+    cells, at = program.blank(lanes), program.places
     for name, value in (given | first).items():
         if name in at:
             cells[at[name]] = value

@@ -63,11 +63,11 @@ class Program:
         """Where the cells are, by name."""
         return {name: k for k, name in enumerate(self.cells)}
 
-    @cached_property
-    def blank(self) -> NDArray[np.float64]:
-        """Cells of a lane of which nothing is known but the constants, (cells, 1)."""
-        found = np.zeros((len(self.cells), 1))
-        found[[self.places[name] for name in self.constants], 0] = [*self.constants.values()]
+    def blank(self, lanes: int) -> NDArray[np.float64]:
+        """Cells of lanes of which nothing is known but the constants; memory that nobody writes to is not taken."""
+        found = np.zeros((len(self.cells), lanes))
+        for name, value in self.constants.items():
+            found[self.places[name]] = value
         return found
 
 

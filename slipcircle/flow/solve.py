@@ -20,14 +20,14 @@ from slipcircle.scene.varied import arc_with
 
 Floats = NDArray[np.float64]
 # Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
-BLOCK = 4000
+BLOCK = 16000
 ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its states
 
 
 def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = None, log: its.Log | None = None,
            walker: Any = None) -> Floats:  # fmt: skip
     """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
-    cells, data = bound.cells.copy(), list(bound.tables)
+    cells, data = bound.start(), list(bound.tables)
     if closed:
         frozen.walk(bound.program, data, cells, samples, log)
     walker = walker or (compiled.run if compiled.module() else walk.walk)
