@@ -135,11 +135,6 @@ class Lanes:
         return plain(self.arc.radius)
 
     @property
-    def forced(self) -> bool:
-        """Whether what drives or resists is a function of time."""
-        return any(slot.kind == "time" for slot in self.bound.program.tables)
-
-    @property
     def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
         return plain(self.arc.reference_stress / self.arc.weights.level)

@@ -82,8 +82,6 @@ class Motion(Results):
     A motion of many lanes has a length and is indexed; `to_dict`, `to_pandas` and `to_xarray` turn it into tables.
     """
 
-    STATUSES = STATUSES
-
     def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: its.Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
@@ -194,7 +192,8 @@ class Motion(Results):
             self._cells[its.PHASES] == 0.0
         )
         time = choose(last, self._duration, at * lanes.time_scale)
-        if not self.shape and lanes.forced and 0.0 < time < self._duration:
+        tables = () if self.shape else lanes.bound.program.tables
+        if any(slot.kind == "time" for slot in tables) and 0.0 < time < self._duration:
             return self.at(time)  # of its rounded time: where a force leaps, as it is from then on
         return self._state(time, its.PEAK_ROTATION, its.PEAK_OMEGA, its.PEAK_RATE)
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from importlib import import_module
 from math import prod
-from typing import Any, ClassVar, Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ from slipcircle.base.markup import Raw, table, tag
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, results, shown, words
+from slipcircle.motion.states import Status
 from slipcircle.scene.section import Section
 from slipcircle.scene.varied import scene_with
 
@@ -38,7 +39,6 @@ BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, 
 class Results:
     """What `Motion` and its lanes are shown as and turned into; columns are named and in units as `quantities` say."""
 
-    STATUSES: ClassVar[tuple[Any, ...]]
     plan: Plan
     _lanes: Lanes
     _cells: Mapping[int, NDArray[np.float64]]
@@ -83,7 +83,7 @@ class Results:
         return self._named("reason")
 
     def _named(self, what: str) -> Any:
-        kinds = np.array([getattr(s, what) for s in type(self).STATUSES])
+        kinds = np.array([getattr(s, what) for s in Status])
         return kinds[np.asarray(self.status)]
 
     def __len__(self) -> int:
