@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "31baa2d80b7878645e6fdb74082843a115699e3aa10d46220ae6e86e5feed011"
+#define DIGEST "f13b0a3e7e7d5c64a93af6d47d4423286a6c74e75d0ec2f29a8ce7cff155dbfc"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -1008,13 +1008,13 @@ static void rests(Hand *h, unsigned k)
     if (!allowed(h, k)) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
 }
 
-/* Whether a mass swings on for ever: where it would stand upright nothing, or next to nothing, presses it. */
+/* Whether a mass swings on for ever: even lowest nothing, or next to nothing, presses it, and that will not change. */
 static int never_rests(const Hand *h, unsigned k)
 {
     const V *const c = h->c;
     const Roles *const role = h->w->role;
     const double p0 = c[role->p0][k], most = hypot(p0, c[role->ps0][k]);
-    return c[FIRST_ONLY][k] == 1.0 || c[role->normal0][k] + (most - p0) <= 0.01 * most;
+    return c[FIRST_ONLY][k] == 1.0 || (!changes(h, k) && c[role->normal0][k] + (most - p0) <= 0.01 * most);
 }
 
 /* What presses now, where order 0 of the series is there. */

@@ -178,7 +178,8 @@ def test_a_callable_that_changes_too_sharply_is_refused() -> None:
 
 @pytest.mark.parametrize("accuracy", [0.9, 0.2, 1e-3])
 def test_lanes_take_any_accuracy(accuracy: float) -> None:
-    scene = replace(load("vaiont"), friction=np.linspace(0.15, 0.3, 9))
+    vaiont: Any = load("vaiont")
+    scene = replace(vaiont, friction=np.linspace(0.15, 0.3, 9))
     found, best = solve(scene, accuracy), solve(scene, 1e-15)
     for name, value in best.outcomes.items():
         assert np.all(np.abs(found.outcomes[name] / value - 1.0) <= np.minimum(accuracy, found.error_estimate))

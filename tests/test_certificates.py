@@ -370,6 +370,13 @@ def test_a_bound_that_is_not_reached_is_refused(claim: str) -> None:
     assert refused(record | {claim: 0.9 * record[claim]}) == "bound"
 
 
+def test_the_bound_is_claimed_up_to_a_quarter_pi_too() -> None:
+    """Where the worst input lies below pi/4, a lower bound for the whole domain is false whatever is claimed there."""
+    record = find("resistance_factor", form="plain")
+    assert record["bound"] == record["bound_to_quarter_pi"]
+    assert refused(record | {"bound": 0.95 * record["bound"], "bound_underflow": math.inf}) == "bound"
+
+
 def test_a_false_bound_below_underflow_is_refused() -> None:
     assert refused(find("moment_of_inertia") | {"bound_underflow": 0.9}) == "underflow"
 

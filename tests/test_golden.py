@@ -163,7 +163,7 @@ def test_energy_balances_and_adds_up(name: str) -> None:
     if motion.arrested:
         assert motion.energy.kinetic_end == 0.0
     if "shaking" not in motion.plan.effects and "rotation" not in motion.plan.effects:
-        moment = float(arc.facing * arc.weight_moment)  # down-slope
+        moment = float(arc.weight_moment)
         assert motion.energy.work == pytest.approx(moment * motion.end.rotation, rel=1e-11, abs=1e-12 * float(total))
 
 

@@ -47,7 +47,7 @@ class HardScene:
     @property
     def scene(self) -> Scene:
         """The scene itself; friction "limit" is the arc's printed limit, and an integer counts ulps from there."""
-        failed = Arc(**dict(self.arc))  # type: ignore[arg-type]
+        failed = Arc(**dict(self.arc))  # type: ignore[call-overload]
         friction = self.friction
         if isinstance(friction, tuple):
             friction = abs(float(failed.dimensionless.limit_friction))

@@ -1,12 +1,13 @@
 """What a section refuses, and in which words."""
 
 import math
+from pathlib import Path
 from typing import Any
 
-import numpy as np
+import malformed_sections
 import pytest
 
-from slipcircle.scene.section import Section
+from slipcircle import Scene, Section, load
 
 GOOD: dict[str, Any] = {
     "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
@@ -51,32 +52,26 @@ def test_deeper_than_a_half_disc_has_geometry_and_no_motion() -> None:
     assert "half a circle" in found.no_motion
 
 
-def test_ten_thousand_malformed_sections() -> None:
-    rng = np.random.default_rng(10)
-    junk = [math.nan, math.inf, -math.inf, 0.0, -1.0, 1e300, "a", None, [], (1.0,), (1.0, 2.0), [[0.0, 1.0]], True]
-    refused = 0
-    for _ in range(10_000):
-        given = dict(GOOD)
-        for _ in range(int(rng.integers(1, 3))):
-            name = ("ground", "centre", "radius", "unit_weight", "level", "between", "base")[int(rng.integers(0, 7))]
-            match int(rng.integers(0, 3)):
-                case 0:
-                    given[name] = junk[int(rng.integers(0, len(junk)))]
-                case 1:
-                    given["ground"] = rng.permutation(np.array(GOOD["ground"], dtype=float)).tolist()
-                case _:
-                    given["centre"] = (rng.standard_normal(2) * 10.0 ** rng.integers(-3, 4)).tolist()
-                    given["radius"] = float(10.0 ** rng.uniform(-3, 4))
-        said = ""
-        try:
-            found = Section(**given)
-        except ValueError as error:
-            said = str(error)
-        if said:
-            assert said.startswith("Section: ")
-            assert "\n" not in said
-            refused += 1
+def test_a_thousand_malformed_sections() -> None:
+    """`python tests/malformed_sections.py 10000` draws ten times as many."""
+    assert not list(malformed_sections.faults(1000, 16))
+
+
+def test_a_level_and_a_pore_ratio_exclude_each_other(tmp_path: Path) -> None:
+    wet = Section(**GOOD, level=[(-50, 0), (50, -1)])
+    words = (
+        r"^Scene: effects\.pore_pressure\.ratio: cannot be combined with the level of the section, which says .*out$"
+    )
+    with pytest.raises(ValueError, match=words):
+        Scene(wet, 0.3, {"pore_pressure": {"ratio": 0.2}})
+    Scene(wet, 0.3, {"pore_pressure": {"pressure": 2e3}})  # an excess over the level's is no second level
+    text = Path("slipcircle/scenes/real-slope.toml").read_text("utf-8") + "[pore_pressure]\nratio = 0.2\n"
+    path = tmp_path / "wet.toml"
+    for water in ("", "[water]\nlevel_m = [[0, 20], [90, 22]]\n"):
+        path.write_text(text + water, "utf-8")
+        if water:
+            with pytest.raises(ValueError, match=r"pore_pressure\.ratio.* level") as raised:
+                load(path)
+            assert len(str(raised.value).splitlines()) == 1
         else:
-            assert np.isfinite(found.weights).all(), given
-            assert np.all(found.area > 0.0), given
-    assert refused > 5000
+            load(path)

@@ -2,6 +2,7 @@
 
 import json
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,18 @@ def test_a_mirror_changes_no_number(one: Any, other: Any, asked: str) -> None:
         first, second = q.at(a, times), q.at(b, times)
         np.testing.assert_allclose(second, first, rtol=0, atol=1e-8 * max(1e-9, np.nanmax(np.abs(first))), err_msg=name)
     assert json.dumps([w.split()[:4] for w in a.warnings]) == json.dumps([w.split()[:4] for w in b.warnings])
+
+
+@pytest.mark.parametrize("pair", [(RIGHT, LEFT), (FALLING, RISING)], ids=["arc", "section"])
+def test_dip_moment_and_limit_of_a_mirror_image_have_one_sign(pair: Any) -> None:
+    one, other = pair
+    assert (one.facing, other.facing) == (1, -1)
+    assert other.dip == pytest.approx(one.dip, rel=1e-14)
+    assert one.dip > 0.2
+    for name, value in asdict(one.dimensionless).items():
+        assert getattr(other.dimensionless, name) == pytest.approx(value, rel=1e-13)
+        assert value > 0.0, name
+    assert list(other.weights) == pytest.approx(list(one.weights), rel=1e-13)
 
 
 def test_studies_of_a_mirrored_arc() -> None:

@@ -22,6 +22,7 @@ import sympy as sp
 
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
+from derive.algebra.remainders import sine_defect, unfold
 from derive.check.proof import ProofError
 from derive.declare.quantities import MOMENTS
 from derive.declare.symbols import alpha, r, theta
@@ -137,7 +138,7 @@ def rings() -> tuple[sp.Expr, ...]:
 SINE, COSINE, HEIGHT, PRESSURE, COHESION, MU, K_H, FACTOR = sp.symbols(
     "sine cosine height pressure cohesion mu k_h factor", real=True
 )
-DISTANCE, BETA, OFFSET, SLOPE = sp.symbols("distance beta offset slope", real=True)
+DISTANCE, BETA, SLOPE = sp.symbols("distance beta slope", real=True)
 _N, _S = sp.symbols("N S", real=True)
 _CIRCLE = {SINE**2: 1 - COSINE**2}
 
@@ -176,9 +177,12 @@ def slices() -> dict[str, sp.Expr]:
 
 
 def head() -> sp.Expr:
-    """Integral over beta of a line's height above the arc; at x = sin(beta) the line is at offset + slope x."""
-    found = antiderivative(OFFSET + SLOPE * sp.sin(BETA) + sp.cos(BETA), BETA)
-    return sp.expand(found + SLOPE * sp.sin(0) - SLOPE).subs({sp.sin(BETA): SINE, sp.cos(BETA): COSINE})
+    """Integral of a line's height above the arc, from where it is a height, at a sine and a cosine, over an angle more.
+
+    Each term is small where the angle or the height is, so that neither thin masses nor steep lines cancel.
+    """
+    bent, defect = 2 * sp.sin(ANGLE / 2) ** 2, ANGLE**3 * sine_defect(ANGLE)
+    return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
 
 
 def prove() -> list[str]:
@@ -237,8 +241,11 @@ def _prove_slices(claim: Callable[[sp.Expr, str], None]) -> None:
     reach = sp.sqrt(x**2 + y**2)
     claim(sp.diff(-reach, y) + y / reach, "J_r by strips: -y/r is the slope of -r")
     claim(sp.diff(-sp.log(reach - y), y) - 1 / reach, "J_r by strips under k_h: 1/r is the slope of -log(r - y)")
-    claim(sp.diff(head(), SINE) * COSINE - sp.diff(head(), COSINE) * SINE + sp.diff(head(), BETA)
-          - (OFFSET + SLOPE * SINE + COSINE), "height of a line above the arc")  # fmt: skip
+    low, unfolded = sp.Symbol("low", real=True), unfold(head())
+    above = HEIGHT + SLOPE * (sp.sin(low + ANGLE) - sp.sin(low)) + sp.cos(low + ANGLE) - sp.cos(low)
+    grown = sp.diff(unfolded.subs({SINE: sp.sin(low), COSINE: sp.cos(low)}), ANGLE)
+    claim(sp.expand_trig(grown - above), "height of a line above the arc")
+    claim(sp.limit(unfolded, ANGLE, 0), "no height over no angle")
     zero = {HEIGHT: 0, DISTANCE: 1}
     for name in ("radial_weight", "radial_tilt"):
         if (weighs := forms[name].subs(zero)) != 0:

@@ -9,13 +9,14 @@ import math
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import reduce
 from itertools import accumulate
 from typing import Any
 
 import sympy as sp
 from flint import arb, arb_mat, ctx, fmpq
+
+from derive.check.truth import fraction, number
 
 BITS = 240  # of the fit; the functions themselves are evaluated with more
 GUARD = 400
@@ -25,16 +26,9 @@ _ROUNDS = 12
 Function = Callable[[arb], arb]
 
 
-def exact(x: float | Fraction) -> arb:
-    """The number itself."""
-    ratio = Fraction(x)
-    return arb(fmpq(ratio.numerator, ratio.denominator))
-
-
 def nearest(x: arb) -> float:
     """The double nearest to it."""
-    man, exp = x.mid().man_exp()
-    return float(Fraction(int(man)) * Fraction(2) ** int(exp))
+    return float(fraction(x.mid()))
 
 
 def evaluate(expression: sp.Expr, x: Any) -> Any:
@@ -121,14 +115,10 @@ def minimax(
         The largest on the grid, in the weight's measure.
     """
     with ctx.workprec(BITS):
-        most = max(above, below, logs[1] if logs else 0)
-        powers = [[*accumulate([x] * most, lambda p, x: (p * x).mid(), initial=arb(1))] for x in samples.points]
-        basis = [row[: above + 1] for row in powers]
-        if logs:
-            basis = [row + [(l * p).mid() for p in row[: logs[1] + 1]] for row, l in zip(basis, logs[0], strict=True)]
-        elif below:
-            basis = [row + [(-f * p).mid() for p in all_[1 : below + 1]]
-                     for row, f, all_ in zip(basis, samples.values, powers, strict=True)]  # fmt: skip
+        start, last, times = (0, logs[1], logs[0]) if logs else (1, below, [-f for f in samples.values])
+        powers = [[*accumulate([x] * max(above, last), operator.mul, initial=arb(1))] for x in samples.points]
+        basis = [[*row[: above + 1], *(t * p for p in row[start : last + 1])]
+                 for row, t in zip(powers, times, strict=True)]  # fmt: skip
         count, unknowns, matrix = len(samples.points), len(basis[0]) + 1, arb_mat(basis)
         chosen = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
         under = [arb(1)] * count
@@ -186,5 +176,5 @@ def rounded(samples: Samples, degree: int, careful: int) -> tuple[float, ...]:
     for k in range(careful):
         found.append(nearest(minimax(samples, degree - k)[0][0]))
         with ctx.workprec(BITS):
-            samples = samples.without(exact(found[-1]))
+            samples = samples.without(number(found[-1]))
     return (*found, *map(nearest, minimax(samples, degree - careful)[0]))

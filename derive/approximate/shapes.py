@@ -23,7 +23,6 @@ from derive.approximate.minimax import (
     Function,
     Samples,
     evaluate,
-    exact,
     grid,
     horner,
     minimax,
@@ -34,6 +33,7 @@ from derive.approximate.minimax import (
 from derive.approximate.minimax import value as at
 from derive.check import truth
 from derive.check.proof import ProofError
+from derive.check.truth import number
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE
 from derive.declare.symbols import alpha
 
@@ -198,15 +198,15 @@ def text() -> str:
 
 def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
     """F/alpha**3 as a function of alpha**2, times what makes `wanted` its limit at 0."""
-    factor = exact(wanted / limit(closed))
+    factor = number(wanted / limit(closed))
     return lambda u: factor * at(closed, u.sqrt()) / (u * u.sqrt())
 
 
 def near_samples(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
-        points = grid(arb(0), exact(seam) ** 2, count)
-        return sample(scaled(closed, wanted), lambda u, f: 1 / f, points).without(exact(wanted))
+        points = grid(arb(0), number(seam) ** 2, count)
+        return sample(scaled(closed, wanted), lambda u, f: 1 / f, points).without(number(wanted))
 
 
 @cache
@@ -219,7 +219,7 @@ def near_fit(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> tupl
 def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
     """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
     with ctx.workprec(GUARD):
-        points = grid(arb(0), exact(Fraction(1, 25)), degree)
+        points = grid(arb(0), number(Fraction(1, 25)), degree)
         samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z, _: z * z.sqrt(), points)
         return nearest(arb(2).log()), rounded(samples, degree, careful=1)
 
@@ -269,24 +269,25 @@ def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float,
     """What the baseline leaves over b**power as a function of b**2, for the least relative error; constant and tilt."""
     shape, (power, _) = end(closed), powers(closed, far)
     with ctx.workprec(GUARD):
-        there = at(closed, exact(HALF_PI))
-        constant = nearest(there - exact(far.slope) * exact(HALF_PI) - exact(far.line))
+        there = at(closed, number(HALF_PI))
+        constant = nearest(there - number(far.slope) * number(HALF_PI) - number(far.line))
         constant = constant if abs(constant) > 2.0**-80 else 0.0
         tilt = 0.0
         if not shape.odd and shape.log != 2:  # where ln(b) starts at b**2 there is no second derivative
-            tilt = -nearest(at(sp.diff(closed, alpha), exact(HALF_PI)))
-        straight = exact(far.slope) * exact(HALF_PI) + exact(far.line) + exact(constant)
-        known = [straight, exact(tilt) - (exact(far.slope) if shape.odd else 0), exact(0 if shape.odd else -far.bend)]
+            tilt = -nearest(at(sp.diff(closed, alpha), number(HALF_PI)))
+        straight = number(far.slope) * number(HALF_PI) + number(far.line) + number(constant)
+        slope, bend = (far.slope, 0.0) if shape.odd else (0.0, -far.bend)
+        known = [straight, number(tilt) - number(slope), number(bend)]
 
         def rest(w: arb) -> arb:
             b = w.sqrt()
-            return (at(closed, exact(HALF_PI) - b) - horner(known, b)) / b**power
+            return (at(closed, number(HALF_PI) - b) - horner(known, b)) / b**power
 
         def weight(w: arb, left: arb) -> arb:
             b = w.sqrt()
             return b**power / (left * b**power + horner(known, b))
 
-        points = grid(arb(0), exact(HALF_PI - seam) ** 2, (2 if shape.log else 1) * far.degree + 2, 2)
+        points = grid(arb(0), number(HALF_PI - seam) ** 2, (2 if shape.log else 1) * far.degree + 2, 2)
         return sample(rest, weight, points), constant, tilt
 
 
@@ -297,7 +298,7 @@ def far_minimax(closed: sp.Expr, far: Far, samples: Samples) -> tuple[list[arb],
         over, _, error = minimax(samples, far.degree)
         return over, [], error, []
     with ctx.workprec(GUARD):
-        logs = [w**shift * (exact(far.scale) * w.sqrt()).log() for w in samples.points]
+        logs = [w**shift * (number(far.scale) * w.sqrt()).log() for w in samples.points]
     r, q, error = minimax(samples, far.degree, logs=(logs, max(far.degree - shift, 0)))
     return r, q, error, logs
 
@@ -311,7 +312,7 @@ def far_fit(closed: sp.Expr, far: Far, seam: float) -> FarFit:
     if q:
         with ctx.workprec(GUARD):
             terms = zip(samples.points, samples.values, logs, strict=True)
-            left = [(f - horner([exact(c) for c in q], w) * l).mid() for w, f, l in terms]
+            left = [(f - horner([number(c) for c in q], w) * l).mid() for w, f, l in terms]
             samples = Samples(samples.points, left, samples.weights)
     power, shift = powers(closed, far)
     return FarFit(constant, tilt, power, shift, rounded(samples, far.degree, careful=1 if q else min(3, far.degree)), q)

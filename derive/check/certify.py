@@ -94,7 +94,7 @@ class Patch:
     """A piece of the domain within a segment: what bounds the error on any box of it.
 
     ``difference`` is (P - F) times the denominator of F, if it has one; on the first segment ``difference`` and
-    ``above`` are divided by alpha**degree. In a window (top > 0) a box is one of xi, and alpha = s xi, s <= top.
+    ``above`` are divided by alpha**order. In a window (top > 0) a box is one of xi, and alpha = s xi, s <= top.
     """
 
     tape: Tape
@@ -104,11 +104,11 @@ class Patch:
     difference: Model
     above: Model
     below: Model | None
-    degree: int
+    order: int
     top: float = 0.0
 
     def error(self, lower: float, upper: float) -> tuple[float, float, float]:
-        """|before the last rounding - exact| and the last rounding's error at most, |exact| at least (over s**degree).
+        """|before the last rounding - exact| and the last rounding's error at most, |exact| at least (over s**order).
 
         Raises
         ------
@@ -119,7 +119,7 @@ class Patch:
             x = ball(lower, upper)
             total, last = rounding.rounding_sum(self.tape, x)
             t = (ball(0.0, self.top) if self.top else x) - self.segment.centre
-            factor = x * x * x if self.degree and self.segment.lower == 0 else arb(1)
+            factor = x * x * x if self.order else arb(1)
             difference, exact = self.difference(t) * factor, self.above(t) * factor
             if self.below is not None:
                 divisor = self.below(t)
@@ -139,7 +139,7 @@ class Patch:
 
     def window(self, top: float, bottom: float) -> "Patch":
         """For every alpha = s xi, s in [bottom, top] a power of two, xi in [1/2, 1]."""
-        tape = rounding.scaled(self.tape, self.degree, top, bottom)
+        tape = rounding.scaled(self.tape, self.order, top, bottom)
         return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
 
 
@@ -147,9 +147,8 @@ def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, up
     """Models of the program and of the exact function, and of what lies between them."""
     first, *others = (truth.kernel(statement, segment) for statement in definition)
     second = others[0] if others else None
-    degree = 0 if second else CUBE
+    order = 0 if second or segment.lower else CUBE
     with working(BITS):
-        order = degree if segment.lower == 0 else 0
         fat = ball(min(lower, segment.centre), max(upper, segment.centre))
         own = truth.model(ideal(tape, arb(segment.centre)), ideal(tape, fat), order)
         if second is None:
@@ -159,7 +158,7 @@ def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, up
             rest = [m.last * arb(0, 1) * t.abs_upper() ** m.power for m in (own, first, second)]
             last = rest[0] * second(t) + own.main(t) * rest[2] - rest[1]
             difference = Model(own.main * second.main - first.main, last, 0)
-    return Patch(tape, segment, lower, upper, difference, first, second, degree)
+    return Patch(tape, segment, lower, upper, difference, first, second, order)
 
 
 def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
@@ -184,7 +183,7 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
     definition = record["definition"]
     if lower < SMALL:
         near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
-        yield near.window(SMALL, UNDERFLOW) if near.degree else near
+        yield near.window(SMALL, UNDERFLOW) if near.order else near
     for a, b, tape in pieces(record, max(lower, SMALL), upper):
         for segment in SEGMENTS:
             for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):

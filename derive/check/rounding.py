@@ -11,10 +11,10 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq
+from flint import arb
 
 from derive.check.records import LOG_ULPS, Record
-from derive.check.truth import ball, working
+from derive.check.truth import ball, fraction, number, working
 
 ROUNDING_BITS = 80  # precision of the balls
 UP, DOWN = 1 + 2.0**-40, 1 - 2.0**-40  # more than all roundings of the float arithmetic done on bounds
@@ -212,7 +212,7 @@ class _Specialise:
             return min(line), max(line)
         if not self.values[i].is_finite():
             raise Unbounded("a comparison with an unbounded number")
-        return _fraction(self.values[i].lower()), _fraction(self.values[i].upper())
+        return fraction(self.values[i].lower()), fraction(self.values[i].upper())
 
     def exponent(self, i: int) -> int:
         """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
@@ -233,7 +233,7 @@ class _Specialise:
         rounds = not exact and node.kind not in ("x", "const", "neg")
         marked = node._replace(rounds=rounds)
         if line is not None and not rounds:
-            value, bound = ball(_arb(min(line)), _arb(max(line))), 0.0
+            value, bound = ball(number(min(line)), number(max(line))), 0.0
         else:
             line, value = None, _operate(marked, self.values, self.noise)
             bound = _rounding(marked, value, self.values)
@@ -297,15 +297,6 @@ class _Specialise:
             if self.tape[s].kind == "add" and self.tape[s].args in ((a, b), (b, a)):
                 return Node("error", (s, args[1]), -1.0)
         return None
-
-
-def _arb(x: Fraction) -> arb:
-    return arb(fmpq(x.numerator, x.denominator))
-
-
-def _fraction(x: arb) -> Fraction:
-    mantissa, exponent = x.man_exp()
-    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def _trailing(x: Fraction) -> int:

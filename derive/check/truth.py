@@ -20,6 +20,7 @@ import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cache, reduce
 from operator import truediv
 from typing import Any
@@ -61,6 +62,17 @@ def working(bits: int, terms: int = TERMS + 1) -> Iterator[None]:
         yield
     finally:
         ctx.prec, ctx.cap = before
+
+
+def number(x: float | Fraction) -> arb:
+    """The number itself, or the ball around it at the precision in force."""
+    return arb(fmpq(*Fraction(x).as_integer_ratio()))
+
+
+def fraction(x: arb) -> Fraction:
+    """The number that a ball of no width is."""
+    mantissa, exponent = x.man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def ball(lower: float | arb, upper: float | arb) -> arb:

@@ -23,7 +23,6 @@ _WORDS = {
     "k_h": "Horizontal acceleration over g, positive where it drives.",
     "factor": "Factor of safety, above 0.",
     "distance": "Of the ground above the arc's point, from the centre, over R.",
-    "offset": "Height of a line straight below the centre, from the centre up, over R.",
     "slope": "Of that line, its rise over a run to the right.",
 }
 
@@ -45,9 +44,11 @@ _TEXTS = {
         f"where the edge is at most {REACH} (r1 + r2) long.",
     ),
     "head": (
-        "Integral over beta of the height of a line above the arc.",
-        "offset beta - slope cos(beta) + sin(beta), up to a constant.",
+        "Integral of the height of a line above the arc, from a point of the arc over an angle.",
+        "height a + (slope cos - sin) (1 - cos(a)) - (slope sin + cos) (a - sin(a)), a the angle, sin and cos the "
+        "point's.",
         "Over R.",
+        "Over at most pi; accurate however near the line and however steep.",
     ),
     "drive": (
         "Driving moment of the slices about the centre, over dbeta and gamma R^3.",

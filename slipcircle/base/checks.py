@@ -1,7 +1,7 @@
 """One clear error for bad input: every mistake at once, each with the field, the value and what is allowed."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # lower, upper (both open), and the same in words
+Fault = tuple[Any, Callable[[int], str]]  # which lanes have a mistake, and what to say of one
 number: Callable[[Any], float] = float  # of a field that may be an array, where it is none
 
 
@@ -58,3 +59,13 @@ def raise_all(what: str, found: list[str]) -> None:
     """Raise one ValueError that lists the mistakes, if there are any."""
     if found:
         raise ValueError(f"{what}: " + "; ".join(found))
+
+
+def first(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
+    """What to say of the first lane with a mistake."""
+    for bad, said in faults:
+        if np.any(bad):
+            k = int(np.argmax(bad))
+            where = ", ".join(str(i) for i in np.unravel_index(k, shape)) if np.size(bad) > 1 else ""
+            return [f"lane [{where}]: {said(k)}" if np.size(bad) > 1 else said(k)]
+    return []

@@ -31,15 +31,16 @@ def shipped() -> tuple[str, ...]:
     return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
-def load(name: str | PathLike[str]) -> Scene:
-    """A scene that ships, by name, or one's own, by the path of its file; see `Scene.load`."""
-    if name in shipped():
-        return _scene(find(name), f"{name}.toml", check=False)
-    return read(find(name))
+def load(name: str | PathLike[str]) -> Scene[float]:
+    """A scene that ships, by name, or one's own, by the path of its file."""
+    file = find(name)
+    return _scene(file, f"{name}.toml", check=False) if name in shipped() else read(file)
 
 
 def find(name: str | PathLike[str]) -> Any:
     """The file of a scene that ships, by name; or one's own, by its path."""
+    if not isinstance(name, str | PathLike):
+        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)
@@ -53,7 +54,7 @@ def find(name: str | PathLike[str]) -> Any:
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
 
-def read(path: str | PathLike[str]) -> Scene:
+def read(path: str | PathLike[str]) -> Scene[float]:
     """The scene that a TOML file describes.
 
     Parameters

@@ -90,8 +90,11 @@ def _read(document: Mapping[str, Any]) -> tuple[dict[str, dict[str, Any]], list[
             given[""][name] = _value(name, TABLES[""][name], value, found)
         elif name in OF_MOTION:
             continue
-        elif not isinstance(value, dict) or name not in TABLES:
+        elif name not in TABLES:
             meant.add(_unknown("", name, value, found))
+        elif not isinstance(value, dict):
+            meant |= {name, f"{name}."}  # no key of it is missing
+            found.append(f"{name} = {value!r}: must be a table, [{name}]")
         else:
             for key, entry in value.items():
                 if key in TABLES[name]:
@@ -140,7 +143,9 @@ def _value(path: str, key: Key, value: Any, found: list[str]) -> Any:
         wanted = (2,) if key.kind == "pair" else (len(points), 2) if points.ndim else (2, 2)
         if points.shape != wanted or not np.isfinite(points).all():
             form = "two numbers, [a, b]" if key.kind == "pair" else "a list of points, [[x, y], [x, y], ...]"
-            found.append(f"{path}: must be {form}: {key.words}")
+            odd = [k for k, p in enumerate(points) if not np.isfinite(p).all()] if points.shape == wanted else []
+            place = f"[{odd[0]}] = {value[odd[0]]!r}" if odd and key.kind == "points" else f" = {value!r}"
+            found.append(f"{path}{place}: must be {form}: {key.words}")
         return points
     if not isinstance(value, str) or (key.kind != "text" and value not in key.kind.split("|")):
         near = get_close_matches(str(value), key.kind.split("|"), 1)

@@ -123,8 +123,8 @@ class Columns:
         next_ = data.breaks[np.minimum(piece + 1, last)] / c[at + its.SCALE]
         c[at + its.UPPER] = np.where(piece < last, next_, np.inf)
 
-    def _local(self, slot: Table, data: Data) -> Floats:
-        """Taylor coefficients of a function of time about now, in the dimensionless time."""
+    def _local(self, slot: Table, data: Data, order: int = 0) -> Floats:
+        """Taylor coefficients of a function of time about now, in the dimensionless time, up to an order."""
         c, at = self.c, slot.cells
         scale, factor = c[at + its.SCALE], c[at + its.SCALED_BY]
         piece = c[at + its.PIECE].astype(np.intp)
@@ -135,11 +135,11 @@ class Columns:
             wave = (np.sin(angle), np.cos(angle), -np.sin(angle), -np.cos(angle))
             terms = [amplitude * wave[0]]
             size = amplitude
-            for j in range(1, int(c[its.ORDER].max()) + 1):
+            for j in range(1, order + 1):
                 size = size * (rate * scale) / j
                 terms.append(size * wave[j % 4])
             return np.array(terms) * factor
-        return shifted(poly, local) * scale ** np.arange(len(poly))[:, None] * factor
+        return shifted(poly, local)[: order + 1] * scale ** np.arange(min(order + 1, len(poly)))[:, None] * factor
 
     def _changes(self) -> Any:
         """Whether something will still change while it rests."""
@@ -211,8 +211,9 @@ class Columns:
         """The registers of what changes with time, as increments since the phase began."""
         for k in self.timed:
             slot = self.program.tables[k]
-            terms = self._local(slot, self.tables[k])[: r.shape[1]]
-            r[slot.register, : len(terms)] = terms
+            if r.shape[1] > 1:  # or their increments are all that is asked for
+                terms = self._local(slot, self.tables[k], r.shape[1] - 1)
+                r[slot.register, : len(terms)] = terms
             r[slot.register, 0] = self.c[slot.cells + its.INC]
 
     def _length(self, r: Floats, last: Floats, registers: Sequence[int]) -> Floats:

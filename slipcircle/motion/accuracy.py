@@ -20,7 +20,6 @@ Floats = NDArray[np.float64]
 # the combination that matters more often.
 _FIRST = (1, 1, 1, -1, 1, -1, -1)
 SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
-MOVED = 4 * EPS  # what rounding may do to an input
 # Steps over the radius of convergence, of the motion itself and its companions, which go one order further. Longer ones
 # cost less than shorter ones would, and with that order still leave out less than the motion does.
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
@@ -31,27 +30,27 @@ SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compar
 
 @lru_cache(maxsize=256)
 def _moves(program: Program) -> Floats:
-    """By what the motion itself and its companions multiply cells, (cells, 8): inputs, and the step."""
+    """Which way the companions move each cell, inputs of the program alone, (cells, 8); 0 for the motion itself."""
     names, reserved = program.cells, len(CELLS)
     inputs = [
         k for k in range(reserved, len(names)) if "." not in names[k] or not names[k].rpartition(".")[2].isupper()
     ]
     every = [its.LIMIT, its.OMEGA, *inputs, *(slot.cells + its.SCALED_BY for slot in program.tables)]
-    found = np.ones((len(names), 8))
+    found = np.zeros((len(names), 8))
     for place, k in enumerate(every):
         if k < program.given:  # the others follow from these
-            found[k, 1:] += MOVED * SIGNS[:, place % 7]
-    found[its.FACTOR] = FACTORS / STEP
+            found[k, 1:] = SIGNS[:, place % 7]
     return found
 
 
-def companions(bound: Bound, which: NDArray[np.intp]) -> Bound:
+def companions(bound: Bound, which: NDArray[np.intp], moved: float) -> Bound:
     """The same lanes with their series, steps and inputs a little other than they are; number 0 is the motion itself.
 
-    Of a single lane ``which`` may be several.
+    Of a single lane ``which`` may be several; ``moved`` is what rounding may do to an input.
     """
-    cells = bound.cells * _moves(bound.program)[:, which]
+    cells = bound.cells * (1.0 + moved * _moves(bound.program)[:, which])
     cells[its.ORDER] += which > 0
+    cells[its.FACTOR] = FACTORS[which]
     return bound._replace(cells=cells)
 
 
@@ -69,7 +68,7 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
         samples = its.Samples(times, np.zeros((2 + len(bound.program.states), *times.shape)))
     spread, unlike = np.zeros(1), np.asarray(cells[its.CLOSE] < UNDECIDED)
     for which in [np.arange(8)] if single else np.arange(1, 8)[:, None]:
-        other = walked(companions(bound, which), lanes.closed, samples)
+        other = walked(companions(bound, which, lanes.arc.rounding), lanes.closed, samples)
         spread = np.fmax(spread, np.fmax.reduce(np.abs(_told(other) - own) / size))
         unlike = unlike | (other[its.STATUS] != cells[its.STATUS]) | ((other[its.PHASES] > 0.0) != moves)
     if samples and moves:  # its states, too

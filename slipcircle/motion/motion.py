@@ -5,12 +5,13 @@ Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
+from slipcircle.base.kinds import Numbers
 from slipcircle.flow import cells as its
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
@@ -45,7 +46,7 @@ def _static(name: str) -> Any:
     return property(lambda motion: motion._shaped(motion._lanes.statics[name]))
 
 
-class Motion(Results):
+class Motion(Results, Generic[Numbers]):
     """A solved scene; of a scene of arrays, every attribute is an array of its shape, NaN where the status says why.
 
     Attributes
@@ -108,7 +109,7 @@ class Motion(Results):
         return choose(self._lanes.invalid, INVALID, found)
 
     @property
-    def stopped_at(self) -> Any:
+    def stopped_at(self) -> Numbers:
         """Time at which the walk stopped, s, with an answer or without."""
         return self._shaped(self._cells[its.TIME] * self._lanes.time_scale)
 
@@ -154,15 +155,15 @@ class Motion(Results):
         return choose(self._answered, values, np.nan)
 
     @property
-    def duration(self) -> Any:
+    def duration(self) -> Numbers:
         return self._shaped(self._duration)
 
     @property
-    def run_out(self) -> Any:
+    def run_out(self) -> Numbers:
         return self.outcomes["run_out"]
 
     @cached_property
-    def outcomes(self) -> dict[str, Any]:
+    def outcomes(self) -> Mapping[str, Numbers]:
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
         radius, scale = self._lanes.radius, self._lanes.time_scale
         with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
@@ -363,13 +364,13 @@ class Motion(Results):
         return estimate(self._lanes, self._cells)
 
     @property
-    def error_estimate(self) -> Any:
+    def error_estimate(self) -> Numbers:
         return self._shaped(self._estimates)
 
     @cached_property
     def energy_error_estimate(self) -> float:
         """How far the energy balance of a single motion is off at any time, relative to all energy until then."""
-        e = self.energy_at(np.linspace(0.0, self.duration, ENERGIES))
+        e = self.energy_at(np.linspace(0.0, float(self._duration[0]), ENERGIES))
         most = np.maximum.accumulate(e.kinetic_start + np.abs(e.work) + e.dissipation)
         return float(2 * np.max(np.abs(e.residual) / np.maximum(most, 1e-300)))
 

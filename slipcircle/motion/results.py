@@ -46,6 +46,7 @@ class Results:
     status: Any
     outcomes: Any
     count: Any
+    _times: Any
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
@@ -125,7 +126,7 @@ class Results:
             s; then the histories, ``shape + times.shape``, in place of the results.
         """
         if times is not None:
-            at = np.asarray(times, dtype=np.float64)
+            at = self._times(times)
             return {name: q.at(self, at) for name, q in HISTORY.items()}
         found = {n: self._full(v) for n, v in self.plan.scene.numbers.items() if np.ndim(v)}
         found |= {n: self._full(v) for q in results(self) for n, v in q.columns(self).items()}

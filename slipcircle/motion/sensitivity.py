@@ -30,7 +30,7 @@ from slipcircle.scene.transport import telling, through_vertex
 Floats = NDArray[np.float64]
 
 OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s"}
-ARC = {"theta_1": "rad", "theta_2": "rad", "radius": "m", "unit_weight": "N/m^3", "gravity": "m/s^2"}
+ARC = ("theta_1", "theta_2", "radius", "unit_weight", "gravity")
 
 
 def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sensitivity:
@@ -42,38 +42,29 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    parameters = _parameters(scene)
+    keys = named(scene.friction, scene.arc)
+    parameters = {n: keys[n].si for n in _parameters(scene)}
     values = np.zeros((len(OUTPUTS), len(parameters)))
     if any(outputs.values()):
         values[:] = _followed(lanes, list(parameters))
-    at = dict(outputs) | {n: v for n, (_, v) in parameters.items()}
-    keys = named(scene.friction, scene.arc)
-    units = {n: unit for n, (unit, _) in parameters.items()}
+    at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in parameters}
     said = [] if any(outputs.values()) else ["does not move, so that small changes change nothing"]
     if isinstance(scene.arc, Section) and through_vertex(scene.arc):
         said.append("the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
                     "are those towards the side on which it lies outside the mass")  # fmt: skip
-    return Sensitivity(OUTPUTS, units, at, values, {n: keys[n] for n in parameters}, tuple(said))
+    return Sensitivity(OUTPUTS, parameters, at, values, {n: keys[n] for n in parameters}, tuple(said))
 
 
-def _parameters(scene: Scene) -> dict[str, tuple[str, float]]:
-    """Unit and value of each free parameter."""
-    arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC
-    units: dict[str, str] = {"friction": "", **{n: ARC.get(n, "m") for n in arc}, "initial_velocity": "m/s"}
-    units.pop("width", None)
-    for name, _ in law_parts(scene.friction):
-        if name in LAWS:
-            units |= {f"friction.{p.name}": p.unit for p in LAWS[name].parameters}
+def _parameters(scene: Scene) -> list[str]:
+    """The names of the free parameters."""
+    arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
+    names = ["friction", *arc]
+    names += ["initial_velocity"] if float(np.asarray(scene.initial_velocity)) else []
+    names += [f"friction.{p.name}" for law, _ in law_parts(scene.friction) if law in LAWS for p in LAWS[law].parameters]
     for name, effect in EFFECTS.items():
-        units |= {f"{name}.{p.name}": p.unit for p in effect.parameters if p.symbol or p.kind == "number"}
-    numbers = {n: v for n, v in scene.numbers.items() if n in units and not callable(v)}
-    found = {n: (units[n], float(np.asarray(numbers[n]))) for n in sorted(numbers, key=list(units).index)}
-    if found["initial_velocity"][1] == 0.0:
-        del found["initial_velocity"]
-    if scene.arc.given is not None:
-        del found["theta_1"], found["theta_2"]
-    known = {f"{e}.{p.name}" for e in EFFECTS for p in EFFECTS[e].parameters if p.kind == "number" and not p.symbol}
-    return {n: v for n, v in found.items() if n not in known or n.partition(".")[0] in ("viscosity", *_HEATS)}
+        further = effect.parameters if name in ("viscosity", *_HEATS) else ()
+        names += [f"{name}.{p.name}" for p in effect.parameters if p.symbol or (p in further and p.kind == "number")]
+    return [n for n in dict.fromkeys(names) if n in scene.numbers and n != "width"]
 
 
 _HEATS = tuple(e for e, effect in EFFECTS.items() if "history" in effect.depends_on)
@@ -151,7 +142,7 @@ class _Walk(Walker):
         scale, factor = c[at + its.SCALE, 0], c[at + its.SCALED_BY, 0]
         if slot.kind == "time":
             _, dots = self._course(slot, data, 1)
-            self.put(at + its.VALUE, dots[0] + self._local(slot, data)[1:2, 0].sum() * self.event_dot)
+            self.put(at + its.VALUE, dots[0] + self._local(slot, data, 1)[1:, 0].sum() * self.event_dot)
             return
         piece = int(c[at + its.PIECE, 0])
         slips, per = slot.kind == "slip", 1.0
@@ -183,7 +174,7 @@ class _Walk(Walker):
         """Taylor coefficients about now of a function of time, and their derivatives at fixed time, (terms, ...)."""
         scale_growth, factor_growth, _ = self.seeds.tables[slot.name]
         terms = np.zeros(order + 2)
-        local = self._local(slot, data)[: order + 2, 0]
+        local = self._local(slot, data, order + 1)[:, 0]
         terms[: len(local)] = local
         n = np.arange(order + 1)
         faster = self.c[its.TIME, 0] * (n + 1) * terms[1:] + n * terms[:-1]

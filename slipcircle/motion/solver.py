@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
+from slipcircle.base.kinds import Numbers
 from slipcircle.flow.cells import MOST_TURNS
 from slipcircle.flow.solve import BLOCK, Lanes
 from slipcircle.motion.motion import TOLD, Motion, told
@@ -18,7 +19,7 @@ from slipcircle.scene.varied import arc_with
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
 
-def solve(scene: Scene, accuracy: float | None = None) -> Motion:
+def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Numbers]:
     """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
 
     Parameters
@@ -30,7 +31,8 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     Returns
     -------
     Motion
-        Its attributes are arrays of the scene's broadcast shape where the scene has arrays.
+        Its attributes are arrays of the scene's broadcast shape where the scene has arrays: ``Motion[float]`` or
+        ``Motion[Array]`` to a type checker, as the numbers that the scene was made of.
 
     Raises
     ------
@@ -46,7 +48,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     first standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
     """
     chosen = plan(scene, accuracy)
-    motion = motion_of(chosen)
+    motion: Motion[Numbers] = motion_of(chosen)
     if not scene.shape:
         _refuse(motion)
     return motion

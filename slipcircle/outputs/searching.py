@@ -17,8 +17,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("slopes", nargs="+", metavar="SLOPE", help="a scene that ships, by name, or the path "
                         "of a TOML file with [ground] and soil")  # fmt: skip
     parser.add_argument("--method", choices=METHODS, help="whose least factor is looked for; default bishop")
-    parser.add_argument("--plot", metavar="FILE", help="draw the section, the circle and the factors over centres; "
-                        ".png, .svg, .pdf or .jpg")  # fmt: skip
+    parser.add_argument("--plot", metavar="FILE", action="append", default=[], help="draw the section, the circle and "
+                        "the factors over centres; .png, .svg, .pdf or .jpg")  # fmt: skip
 
 
 def found(file: slopefile.SlopeFile, method: str | None = None) -> Critical:
@@ -36,16 +36,13 @@ def say(line: str) -> None:
 
 def run(options: argparse.Namespace) -> list[Critical]:
     """Run the command: the result for each slope, shown as a table unless JSON is asked for."""
-    if options.plot:
-        files.check("search", {"--plot": options.plot}, options.slopes)
-        pictures.check("search", options.plot)
-        if len(options.slopes) > 1:
-            raise ValueError(f"search: --plot {options.plot}: shows one slope; search them one by one")
+    if options.plot and len(options.slopes) > 1:
+        raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
     read = [slopefile.read(find(name)) for name in options.slopes]
     results = [found(file, options.method) for file in read]
-    if options.plot:
+    for path in options.plot:
         draw = partial(slopeplot.searched, results[0])
-        files.write(options.plot, pictures.render(draw, (9.0, 6.0), options.plot))
+        files.write(path, pictures.render(draw, (9.0, 6.0), path))
     for file, result in zip(read, results, strict=True):
         if result.warning:
             say(f"{file.name}: {result.warning}")

@@ -2,16 +2,17 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
+from slipcircle.base.kinds import Array, Numbers
 from slipcircle.scene.weights import Dimensionless, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
@@ -23,6 +24,7 @@ ARC_BOUNDS: Mapping[str, Bounds] = {
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
+GRAVITY, WIDTH = 9.81, 1.0  # by default
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
@@ -30,7 +32,7 @@ GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
 
 
 @dataclass(frozen=True)
-class Arc:
+class Arc(Generic[Numbers]):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -59,18 +61,33 @@ class Arc:
     Notes
     -----
     Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. Either
-    facing: motions, velocities and shaking are positive down-slope, whichever way that turns. Only ``dip`` and the
-    paper's J_theta with its quotients (``dimensionless``, ``weight_moment``) have the sense of the angles.
+    facing: dip, J_theta and its quotients, motions, velocities and shaking are all positive down-slope, whichever way
+    that turns. Only a J_theta in ``given`` has the sense of the angles, and so tells the facing.
     """
 
-    radius: ArrayLike
-    theta_1: ArrayLike
-    theta_2: ArrayLike
-    unit_weight: ArrayLike
-    gravity: ArrayLike = 9.81
-    width: ArrayLike = 1.0
+    radius: Numbers | float
+    theta_1: Numbers | float
+    theta_2: Numbers | float
+    unit_weight: Numbers | float
+    gravity: Numbers | float = GRAVITY
+    width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
+    rounding: ClassVar[float] = 4 * EPS  # that each of the `weights` may have, relative
+
+    if TYPE_CHECKING:  # one array makes an ensemble
+
+        @overload
+        def __init__(
+            self: Arc[float], radius: float, theta_1: float, theta_2: float, unit_weight: float, gravity: float = ...,
+            width: float = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self: Arc[Array], radius: ArrayLike, theta_1: ArrayLike, theta_2: ArrayLike, unit_weight: ArrayLike,
+            gravity: ArrayLike = ..., width: ArrayLike = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
@@ -78,8 +95,11 @@ class Arc:
         if not found:
             found = shape_mistakes(values)
         if not found:
-            found = self._geometry_mistakes()
-        if self.given is not None:
+            found = first(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
+        given: Any = self.given
+        if not isinstance(given, Mapping | None):
+            found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
+        elif self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
             bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
@@ -90,28 +110,24 @@ class Arc:
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
 
-    def _geometry_mistakes(self) -> list[str]:
-        first, second = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
-
-        def where(bad: Any) -> tuple[float, float]:
-            """Ends of the first arc that is bad, degrees."""
-            return float(np.degrees(first[bad].flat[0])), float(np.degrees(second[bad].flat[0]))
-
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no arcs, or press on nothing."""
+        ends = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
+        one, two = (np.degrees(np.ravel(end)) for end in ends)
         with np.errstate(invalid="ignore"):
-            weight = np.asarray(kernels.radial_weight(first, second))
-        if np.any(bad := second <= first):
-            one, two = where(bad)
-            return [f"theta_2 = {two:.10g} deg: must be above theta_1 = {one:.10g} deg; swap them?"]
-        if np.any(bad := np.isnan(weight)):
-            one, two = where(bad)
-            return [f"theta_2 - theta_1 = {two - one:.10g} deg: must be at most 180 deg"]
-        if np.any(bad := weight <= 0.0):
-            one, two = where(bad)
-            return [
-                f"theta_1 = {one:.10g} deg, theta_2 = {two:.10g} deg: it presses on nothing; "
+            weight = np.ravel(kernels.radial_weight(*ends))
+        yield (
+            np.ravel(ends[1] <= ends[0]),
+            lambda k: f"theta_2 = {two[k]:.10g} deg: must be above theta_1 = {one[k]:.10g} deg; swap them?",
+        )
+        yield np.isnan(weight), lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg"
+        yield (
+            weight <= 0.0,
+            lambda k: (
+                f"theta_1 = {one[k]:.10g} deg, theta_2 = {two[k]:.10g} deg: it presses on nothing; "
                 "the middle of the arc must lie between 180 and 360 deg, below its centre"
-            ]
-        return []
+            ),
+        )
 
     @cached_property
     def half_angle(self) -> Any:
@@ -120,13 +136,18 @@ class Arc:
 
     @cached_property
     def dip(self) -> Any:
-        """psi, the dip of the chord, rad; negative where gravity turns the mass clockwise."""
+        """psi, the dip of the chord, rad, positive down-slope."""
+        return self.facing * self._lean
+
+    @cached_property
+    def _lean(self) -> Any:
+        """The dip in the sense of the angles: negative where the chord falls to the left."""
         return 1.5 * np.pi - np.add(self.theta_1, self.theta_2) / 2
 
     @cached_property
     def facing(self) -> Any:
         """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
-        moment = self.dip if self.given is None else self.given["weight_moment"]
+        moment = self._lean if self.given is None else self.given["weight_moment"]
         return np.where(np.asarray(moment) < 0.0, -1.0, 1.0)[()]
 
     @cached_property
@@ -138,7 +159,7 @@ class Arc:
     def dimensionless(self) -> Dimensionless:
         """Coefficients of the equation of motion, from the arc or as given."""
         if self.given is not None:
-            g = self.given
+            g = {**self.given, "weight_moment": self.facing * self.given["weight_moment"]}
             return Dimensionless(
                 **g,
                 static_normal_stress=g["radial_weight"] / g["resistance_factor"],
@@ -154,12 +175,12 @@ class Arc:
         return Dimensionless(
             moment_of_inertia=kernels.moment_of_inertia(alpha),
             radial_weight=kernels.radial_weight(self.theta_1, self.theta_2),
-            weight_moment=kernels.weight_moment(self.theta_1, self.theta_2),
+            weight_moment=self.facing * kernels.weight_moment(self.theta_1, self.theta_2),
             resistance_factor=kernels.resistance_factor(alpha),
             dynamic_coefficient=dynamic,
             # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
             static_normal_stress=per_inertia * dynamic / polar_per_inertia,
-            limit_friction=kernels.limit_friction(self.theta_1, self.theta_2),
+            limit_friction=self.facing * kernels.limit_friction(self.theta_1, self.theta_2),
             radial_weight_per_inertia=per_inertia,
             polar_moment_per_inertia=polar_per_inertia,
         )
@@ -177,7 +198,7 @@ class Arc:
     def weights(self) -> Weights:
         """What the balance needs; r_u is a share of the static normal stress."""
         d, (weight, radial), press = self.dimensionless, self.amplitudes_per_inertia, self.press()
-        limit = self.facing * d.limit_friction
+        limit = d.limit_friction
         return Weights(
             limit * press, weight * (press / radial), press, -radial * (limit * press / weight),
             press / d.static_normal_stress, d.polar_moment_per_inertia, limit, 1.0,

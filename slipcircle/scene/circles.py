@@ -204,37 +204,45 @@ def _moments(parts: Cut, mine: NDArray[np.bool_]) -> Floats:
     return total
 
 
-def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any], Any], Floats]:
+def heads(parts: Cut, mine: NDArray[np.bool_]) -> tuple[Callable[[Any, Any], Any], Floats]:
     """Of lines above arcs: the integral over beta of their height where they are inside the circle, and its kinks.
 
     The lines of the parts that are meant; beta is from straight below the centre, at most a right angle either way.
     """
     slope = np.divide(parts.e_y, parts.e_x, out=np.zeros(parts.x.shape), where=parts.e_x > 0.0)
-    offset = parts.y - slope * parts.x
-    low = np.arcsin(np.clip(parts.x, -1.0, 1.0))
-    high = np.where(mine, np.arcsin(np.clip(parts.x + parts.e_x, -1.0, 1.0)), low)
+    sine = np.clip(parts.x, -1.0, 1.0)
+    low = np.arcsin(sine)
+    cosine, high = np.cos(low), np.where(mine, np.arcsin(np.clip(parts.x + parts.e_x, -1.0, 1.0)), low)
+    # cos + y, as 1 - rho^2 knows it, which does not cancel near the arc
+    height = np.divide(parts.first, cosine - parts.y, out=cosine + parts.y, where=parts.y < 0.0)
 
-    def at(beta: Any, of: Any = ...) -> Any:
-        return slopes.head(np.sin(beta), np.cos(beta), beta, offset[of], slope[of])
+    every, lanes = np.arange(low.shape[1]), np.arange(len(low))
 
-    base, lanes = at(low), np.arange(len(low))
-    whole = at(high) - base
-    before = np.cumsum(whole, axis=1) - whole
+    def over(beta: Any, of: Any = ...) -> Any:
+        """From the first end of each line, or of those that are asked for."""
+        angle = np.clip(beta, low[of], high[of]) - low[of]
+        return slopes.head(angle, sine[of], cosine[of], height[of], slope[of])
 
-    def integral(beta: Any) -> Any:
-        """From far left to beta, (..., n) in and out: of all lines before the one above beta, and of a part of that."""
-        k = np.maximum(np.count_nonzero(low <= np.asarray(beta)[..., None], axis=-1) - 1, 0)
-        of = (lanes, k)
-        return before[of] + (at(np.clip(beta, low[of], high[of]), of) - base[of])
+    whole = over(high)
+
+    def integral(first: Any, last: Any) -> Any:
+        """From one beta to another, (..., n) in and out: the whole of lines between, and a part of the outer two."""
+        a, b = (np.maximum(np.count_nonzero(low <= x[..., None], axis=-1) - 1, 0) for x in (first, last))
+        begin, end = over(first, (lanes, a)), over(last, (lanes, b))
+        between = (every > a[..., None]) & (every < b[..., None])
+        inner = np.where(between, whole, 0.0).sum(axis=-1) + (whole[lanes, a] - begin) + end
+        return np.where(a == b, end - begin, inner)
 
     return integral, np.concatenate([low, high], axis=1)
 
 
-def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any], Any], Floats]:
+def wet(level: Floats, centre: Floats, radius: Floats) -> tuple[Floats, Callable[[Any, Any], Any], Floats]:
     """A water level (W, 2), or one for each circle, and its `heads` over the arcs; it goes on horizontally."""
     low, high = centre[:, 0] - 2 * radius, centre[:, 0] + 2 * radius
     if level.ndim == 2:
         low, high = low.min(), high.max()
+    else:
+        level = np.broadcast_to(level, (len(radius), *level.shape[1:]))
     first, last = level[..., :1, :].copy(), level[..., -1:, :].copy()
     first[..., 0, 0] = np.minimum(low, first[..., 0, 0] - 1.0)
     last[..., 0, 0] = np.maximum(high, last[..., 0, 0] + 1.0)

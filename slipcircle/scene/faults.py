@@ -1,35 +1,20 @@
 """What keeps lanes of sections from being any, or from moving: a kind of mistake at a time, of all lanes at once."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
+from slipcircle.base.checks import Fault
 from slipcircle.scene import circles
-from slipcircle.scene.ground import line_mistakes, lines_wrong, ponds
-
-Fault = tuple[Any, Callable[[int], str]]  # which lanes have a mistake, and what to say of one
-
-
-def first(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
-    """What to say of the first lane with a mistake."""
-    for bad, said in faults:
-        if np.any(bad):
-            k = int(np.argmax(bad))
-            where = ", ".join(str(i) for i in np.unravel_index(k, shape))
-            return [f"lane [{where}]: {said(k)}" if shape else said(k)]
-    return []
+from slipcircle.scene.ground import ponds
 
 
 def faults(section: Any) -> Iterator[Fault]:
     """Lanes that are no sections, a kind of mistake at a time; a kind is looked for where the ones before are not."""
     ground, centre, radius = section._circle
-    yield lines_wrong(ground), lambda k: line_mistakes("ground", ground[k % len(ground)])[0]
     if section.level is not None:
-        level = np.asarray(section.level, dtype=np.float64)
-        level = level[None] if level.ndim == 2 else section._level
-        yield lines_wrong(level), lambda k: line_mistakes("level", level[k % len(level)])[0]
-        yield ponds(ground, level)
+        yield ponds(ground, section._level)
     lane, _, left, right, held = section._candidates
     count = np.bincount(lane, minlength=len(radius))
 

@@ -1,36 +1,45 @@
 """Grounds and circles as people give them, and what is wrong with them."""
 
-from collections.abc import Callable
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, Fault, first, mistakes, raise_all, shape_mistakes
 
 FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
 
 
-def line_mistakes(name: str, given: Any) -> list[str]:
-    """What is wrong with points that should make a line from left to right."""
+def line_faults(name: str, lines: Floats) -> Iterator[Fault]:
+    """Which of many lines (n, V, 2) do not lead from left to right."""
+    with np.errstate(invalid="ignore"):
+        step = np.diff(lines, axis=1, prepend=lines[:, :1] - 1.0)
+
+    def at(bad: Any, words: str) -> Fault:
+        places = np.argmax(bad, axis=1)
+        return bad.any(axis=1), lambda k: f"{name}[{places[k]}] = {lines[k, places[k]].tolist()}: {words}"
+
+    yield at(~(np.abs(lines) < FAR).all(axis=2), "must be two finite numbers within 1e9 m")
+    yield at(~step.any(axis=2), "is the point before it; leave one out")
+    yield at(step[..., 0] < 0.0, "lies left of the point before it; order them by x")
+    yield (
+        lines[:, -1, 0] == lines[:, 0, 0],
+        lambda _: f"{name}: all points lie above each other; it must reach from left to right",
+    )
+
+
+def line_mistakes(name: str, given: Any, many: bool = False) -> list[str]:
+    """What is wrong with points that should make a line from left to right, or with the first of many that is."""
     try:
         points = np.asarray(given)
-    except ValueError:  # ragged
+    except (ValueError, RuntimeError):  # ragged, or nested too deep
         points = np.asarray(None)
-    if points.dtype.kind not in "iuf" or points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
+    axes, shape = range(2, 16 if many else 3), points.shape
+    if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
         return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
-    if not (near := (np.abs(points) < FAR).all(axis=1)).all():
-        k = int(np.argmin(near))
-        return [f"{name}[{k}] = {points[k].tolist()}: must be two finite numbers within 1e9 m"]
-    for k, step in enumerate(np.diff(points.astype(np.float64), axis=0)):
-        if not step.any():
-            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: is the point before it; leave one out"]
-        if step[0] < 0.0:
-            return [f"{name}[{k + 1}] = {points[k + 1].tolist()}: lies left of the point before it; order them by x"]
-    if points[-1, 0] == points[0, 0]:
-        return [f"{name}: all points lie above each other; it must reach from left to right"]
-    return []
+    return first(line_faults(name, points.reshape(-1, *shape[-2:]).astype(np.float64)), shape[:-2])
 
 
 def _upper(lines: Floats, x: Floats) -> Floats:
@@ -42,7 +51,7 @@ def _upper(lines: Floats, x: Floats) -> Floats:
     return np.asarray(np.where((x1 <= at) & (at <= x2), y1 + share * (y2 - y1), -np.inf).max(axis=-1))
 
 
-def ponds(grounds: Floats, levels: Floats) -> tuple[NDArray[np.bool_], Callable[[int], str]]:
+def ponds(grounds: Floats, levels: Floats) -> Fault:
     """Where water levels (n or 1, W, 2) stand above grounds (n or 1, V, 2), or beside them; and what to say of one."""
     n = max(len(grounds), len(levels))
     x = np.concatenate([np.broadcast_to(line[..., 0], (n, line.shape[1])) for line in (grounds, levels)], axis=1)
@@ -59,29 +68,29 @@ def ponds(grounds: Floats, levels: Floats) -> tuple[NDArray[np.bool_], Callable[
     return ~both.any(axis=1) | (over.max(axis=1) > 1e-9 * np.ptp(grounds, axis=(1, 2))), said
 
 
-def lines_wrong(lines: Floats) -> NDArray[np.bool_]:
-    """Which of many lines (n, V, 2) `line_mistakes` has something to say of."""
-    with np.errstate(invalid="ignore"):
-        step = np.diff(lines, axis=1)
-    bad = ~(np.abs(lines) < FAR).all(axis=(1, 2)) | (step[..., 0] < 0.0).any(axis=1)
-    return np.asarray(bad | (step == 0.0).all(axis=2).any(axis=1) | (lines[:, 0, 0] == lines[:, -1, 0]))
-
-
-def lines_mistakes(name: str, given: Any) -> list[str]:
-    """What is wrong with one line, or with the first of many that is."""
-    try:
-        points = np.asarray(given)
-    except ValueError:
-        points = np.asarray(None)
-    if points.dtype.kind not in "iuf" or points.ndim <= 2 or points.shape[-1] != 2 or points.shape[-2] < 2:
-        return line_mistakes(name, given)
-    many = points.reshape(-1, *points.shape[-2:]).astype(np.float64)
-    bad = lines_wrong(many)
-    if not bad.any():
-        return []
-    k = int(np.argmax(bad))
-    lane = ", ".join(str(i) for i in np.unravel_index(k, points.shape[:-2]))
-    return [f"lane [{lane}]: {said}" for said in line_mistakes(name, many[k])]
+def section_mistakes(given: Mapping[str, Any]) -> list[str]:
+    """What is wrong with the fields of a section, each by itself and as shapes."""
+    length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
+    bounds = {n: b for n, b in {
+        "radius": (0.0, FAR, length), "unit_weight": (0.0, INFINITY, weight), "width": (0.0, INFINITY, length),
+        "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"), "water_unit_weight": (0.0, INFINITY, weight),
+        "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"), "base": (-FAR, FAR, "one finite number in m"),
+        "between": (-FAR, FAR, "two x in m, from left to right"),
+    }.items() if given[n] is not None or n not in ("base", "between")}  # fmt: skip
+    found = mistakes(given, bounds)
+    if not found:  # all of them are numbers
+        form = {"base": (), "water_unit_weight": (), "between": (2,), "centre": (*np.shape(given["centre"])[:-1], 2)}
+        odd = [n for n in form if n in bounds and np.shape(given[n]) != form[n]]
+        odd += ["between"] if "between" in bounds and not odd and given["between"][0] >= given["between"][1] else []
+        found = [f"{n} = {given[n]!r}: must be {'one number' if not form[n] else bounds[n][2]}" for n in odd]
+    found += line_mistakes("ground", given["ground"], many=True)
+    found += [] if given["level"] is None else line_mistakes("level", given["level"], many=True)
+    if not found:
+        shaped = {n: given[n] for n in ("radius", "unit_weight", "gravity", "width")}
+        shaped |= {"centre": np.asarray(given["centre"])[..., 0], "ground": np.asarray(given["ground"])[..., 0, 0]}
+        shaped |= {} if given["level"] is None else {"level": np.asarray(given["level"])[..., 0, 0]}
+        found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
+    return found
 
 
 def simple_slope(

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
-from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, Arc
+from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
 from slipcircle.scene.friction import RATE_LAWS
 
 
@@ -87,8 +87,8 @@ _ARC = tuple(
         ),
         ("theta_2", "theta_2_deg", "rad", "polar angle of the arc's second end, above the first", math.pi / 180, False),
         ("unit_weight", "unit_weight_kN_m3", "N/m^3", "unit weight", 1e3, False),
-        ("gravity", "gravity_m_s2", "m/s^2", f"gravity, by default {Arc.gravity}", 1.0, True),
-        ("width", "width_m", "m", f"length across the section, by default {Arc.width}", 1.0, True),
+        ("gravity", "gravity_m_s2", "m/s^2", f"gravity, by default {GRAVITY}", 1.0, True),
+        ("width", "width_m", "m", f"length across the section, by default {WIDTH}", 1.0, True),
     )
 )
 _GIVEN = [

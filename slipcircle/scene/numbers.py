@@ -9,7 +9,7 @@ import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -88,12 +88,17 @@ _POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "w
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
 
 
+@lru_cache(maxsize=256)
+def _names(field: str, shape: tuple[int, ...]) -> dict[str, tuple[Any, ...]]:
+    return (
+        {".".join((field, *map(str, at[:-1]), "xy"[at[-1]])): at for at in np.ndindex(shape)} if shape else {field: ()}
+    )
+
+
 def places(arc: Any, field: str) -> dict[str, tuple[Any, ...]]:
     """The numbers of one of its fields: each by its name, with its place in the axes of one section."""
     value, axes = getattr(arc, field), arc.quantities[field]
-    if not axes or value is None:
-        return {} if value is None else {field: ()}
-    return {".".join((field, *map(str, at[:-1]), "xy"[at[-1]])): at for at in np.ndindex(np.shape(value)[-axes:])}
+    return {} if value is None else _names(field, np.shape(value)[-axes:] if axes else ())
 
 
 def lengths(arc: Any) -> set[str]:
@@ -106,8 +111,11 @@ def numbers_in(arc: Any) -> dict[str, Any]:
     found: dict[str, Any] = {}
     for field, axes in arc.quantities.items():
         value = getattr(arc, field)
-        lanes: Any = np.asarray(value) if axes else value
-        found |= {name: lanes[(..., *at)] if axes else value for name, at in places(arc, field).items()}
+        if not axes:
+            found[field] = value
+            continue
+        lanes = np.asarray(value)
+        found |= {name: lanes[(..., *at)] for name, at in places(arc, field).items()}
     return found
 
 

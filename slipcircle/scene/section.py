@@ -2,19 +2,20 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
+from itertools import chain
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import Fault, first, raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
-from slipcircle.scene.faults import faults, first, unmoved
-from slipcircle.scene.ground import FAR, lines_mistakes
+from slipcircle.scene.faults import faults, unmoved
+from slipcircle.scene.ground import line_faults, section_mistakes
 from slipcircle.scene.weights import Dimensionless, Weights
 
 
@@ -87,30 +88,11 @@ class Section:
     # What scenes vary, with the axes of one section.
     quantities: ClassVar[Mapping[str, int]] = {"ground": 2, "centre": 1, "radius": 0, "unit_weight": 0, "gravity": 0,
                                                "width": 0, "level": 2}  # fmt: skip
+    rounding: ClassVar[float] = 1e-14
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
-        found = mistakes(vars(self), {
-            "radius": (0.0, FAR, length), "unit_weight": (0.0, INFINITY, weight), "width": (0.0, INFINITY, length),
-            "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
-            "water_unit_weight": (0.0, INFINITY, weight),
-            "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
-            **({} if self.base is None else {"base": (-INFINITY, INFINITY, "a finite number in m")}),
-        })  # fmt: skip
-        found += [f"{n}: must be one number" for n in ("base", "water_unit_weight") if np.ndim(getattr(self, n))]
-        if np.shape(self.centre)[-1:] != (2,) and not any(m.startswith("centre") for m in found):
-            found.append(f"centre = {self.centre!r}: must be two numbers [x, y] in m")
-        found += lines_mistakes("ground", self.ground)
-        found += [] if self.level is None else lines_mistakes("level", self.level)
-        if self.between is not None and not (np.shape(self.between) == (2,) and self.between[0] < self.between[1]):
-            found.append(f"between = {self.between!r}: must be two x in m, from left to right")
-        if not found:
-            shaped = {"radius": self.radius, "centre": np.asarray(self.centre)[..., 0]}
-            shaped |= {"ground": np.asarray(self.ground)[..., 0, 0], "unit_weight": self.unit_weight}
-            shaped |= {} if self.level is None else {"level": np.asarray(self.level)[..., 0, 0]}
-            found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
-        raise_all("Section", found or first(faults(self), self.shape))
+        raise_all("Section", section_mistakes(vars(self)) or first(faults(self), self.shape))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
@@ -269,9 +251,14 @@ class Section:
         """Mean over the arc of the height of the ground above it, m: times r_u and the unit weight, a mean pressure."""
         integral, _ = circles.heads(self._cut, self._mine)
         first, last = self._angles
-        return self._shaped((integral(last) - integral(first)) / (last - first)) * self.radius
+        return self._shaped(integral(first, last) / (last - first)) * self.radius
 
     # --- mechanics ---------------------------------------------------------------------------------------------------
+
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no sections, or do not move."""
+        levels = () if self.level is None else line_faults("level", self._level)
+        return chain(line_faults("ground", self._circle[0]), levels, faults(self), unmoved(self))
 
     @cached_property
     def no_motion(self) -> str | None:
@@ -330,10 +317,12 @@ class Section:
     def _level(self) -> Floats:
         """With one axis of lanes."""
         level = np.asarray(self.level, dtype=np.float64)
-        return np.broadcast_to(level, (*self.shape, *level.shape[-2:])).reshape(-1, *level.shape[-2:])
+        if level.ndim > 2:
+            level = np.broadcast_to(level, (*self.shape, *level.shape[-2:]))
+        return level.reshape(-1, *level.shape[-2:])
 
     @cached_property
-    def _water(self) -> tuple[Callable[[Any], Any], Floats]:
+    def _water(self) -> tuple[Callable[[Any, Any], Any], Floats]:
         return circles.wet(self._level, *self._circle[1:])[1:]
 
     def mean_pressure(self, rotation: Any = 0.0) -> Any:
@@ -353,7 +342,7 @@ class Section:
         turn = np.asarray(rotation, dtype=np.float64)
         turn = np.broadcast_to(turn, np.broadcast_shapes(turn.shape, self.shape))
         turned = turn.reshape(*turn.shape[: turn.ndim - len(self.shape)], -1) * self._facing
-        mean = (integral(last + turned) - integral(first + turned)) / (last - first)
+        mean = integral(first + turned, last + turned) / (last - first)
         return (mean.reshape(turn.shape) * np.multiply(self.radius, self.water_unit_weight))[()]
 
     @cached_property

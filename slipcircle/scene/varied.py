@@ -8,10 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import kernels
 from generated.effects import EFFECTS
 from slipcircle.scene.arc import Arc
-from slipcircle.scene.faults import faults, unmoved
 from slipcircle.scene.numbers import Number, fields_with, keyed, listed, named, number_of, numbers_in
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
@@ -39,7 +37,7 @@ def absent(scene: Scene, path: str) -> str:
 
 def value_in(scene: Scene, number: Number) -> float | None:
     """The value that a scene has of a number, SI; none where it has none."""
-    value = abs(scene.arc.dip) if number.name == DIP.name else scene.numbers.get(number.name)
+    value = scene.arc.dip if number.name == DIP.name else scene.numbers.get(number.name)
     return None if value is None else float(np.asarray(value))
 
 
@@ -54,7 +52,7 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
         head, _, tail = name.partition(".")
         if name == DIP.name:
             arc |= {
-                n: np.asarray(getattr(scene.arc, n)) + (scene.arc.dip - scene.arc.facing * value)
+                n: np.asarray(getattr(scene.arc, n)) + scene.arc.facing * (scene.arc.dip - value)
                 for n in ("theta_1", "theta_2")
             }
         elif name in of_arc:
@@ -127,9 +125,11 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
         fill = own if np.all(bad) else {n: v[np.argmin(bad)] for n, v in values.items()}
         parts = parts_with(scene, {n: np.where(bad, fill[n], v) for n, v in values.items()})
         arc = arc_with(scene.arc, parts["arc"])
-        if isinstance(arc, Arc) or arc is scene.arc or np.all(bad) or not np.any(more := _faulty(arc)):
+        wrong = arc.faults() if arc is not scene.arc and not np.all(bad) else ()
+        more = next((lanes for lanes, _ in wrong if np.any(lanes)), None)
+        if more is None:
             break
-        bad = bad | more.reshape(bad.shape)
+        bad = bad | (more if more.size == 1 else more.reshape(bad.shape))
     found = object.__new__(Scene)
     for f in fields(Scene):
         object.__setattr__(found, f.name, getattr(scene, f.name))
@@ -138,14 +138,8 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
     return found, bad
 
 
-def _faulty(section: Section) -> NDArray[np.bool_]:
-    """Which lanes are no sections, or do not move, for the first reason that any of them is not."""
-    every = (np.broadcast_to(bad, math.prod(section.shape)) for of in (faults, unmoved) for bad, _ in of(section))
-    return next(filter(np.any, every), np.zeros(1, dtype=bool))
-
-
 def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
-    """Where values are out of their bounds, or an arc is none: as `Arc` and `Scene` would refuse them one by one."""
+    """Where values are out of their bounds, as `Arc`, `Section` and `Scene` would refuse them one by one."""
     known = {n.name: n.plain for n in keyed(scene.friction, scene.arc).values() if not n.tangent} | {
         DIP.name: Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
     }
@@ -154,9 +148,4 @@ def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArr
         number = known[name]
         least = value >= number.low if number.closed else value > number.low
         bad |= ~(np.isfinite(value) & least & (value < number.high))
-    if {*values} & {"theta_1", "theta_2", DIP.name}:
-        arc = arc_with(scene.arc, parts_with(scene, values)["arc"])
-        first, second = (np.asarray(getattr(arc, n), dtype=np.float64) for n in ("theta_1", "theta_2"))
-        with np.errstate(all="ignore"):
-            bad |= ~((second > first) & (kernels.radial_weight(first, second) > 0.0))
     return bad

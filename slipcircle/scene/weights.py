@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 @dataclass(frozen=True)
 class Dimensionless:
-    """The coefficients of the equation of motion (3.11), dimensionless, at the start.
+    """The coefficients of the equation of motion (3.11), dimensionless, at the start, positive down-slope.
 
     Attributes
     ----------
@@ -15,8 +15,7 @@ class Dimensionless:
     static_normal_stress
         J_r/lambda (2.22).
     limit_friction
-        J_theta/J_r, the friction coefficient at limit equilibrium (3.21); negative where gravity turns the mass
-        clockwise.
+        J_theta/J_r, the friction coefficient at limit equilibrium (3.21).
     radial_weight_per_inertia, polar_moment_per_inertia
         J_r/Theta* and I_p*/Theta* = lambda A/Theta*.
     """

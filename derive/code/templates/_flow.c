@@ -862,13 +862,13 @@ static void rests(Hand *h, unsigned k)
     if (!allowed(h, k)) c[DIRECTION][k] = -c[DIRECTION][k], h->todo[k] = ANEW;
 }
 
-/* Whether a mass swings on for ever: where it would stand upright nothing, or next to nothing, presses it. */
+/* Whether a mass swings on for ever: even lowest nothing, or next to nothing, presses it, and that will not change. */
 static int never_rests(const Hand *h, unsigned k)
 {
     const V *const c = h->c;
     const Roles *const role = h->w->role;
     const double p0 = c[role->p0][k], most = hypot(p0, c[role->ps0][k]);
-    return c[FIRST_ONLY][k] == 1.0 || c[role->normal0][k] + (most - p0) <= 0.01 * most;
+    return c[FIRST_ONLY][k] == 1.0 || (!changes(h, k) && c[role->normal0][k] + (most - p0) <= 0.01 * most);
 }
 
 /* What presses now, where order 0 of the series is there. */
