@@ -370,7 +370,7 @@ class Motion(Results, Generic[Numbers]):
     @cached_property
     def energy_error_estimate(self) -> float:
         """How far the energy balance of a single motion is off at any time, relative to all energy until then."""
-        e = self.energy_at(np.linspace(0.0, float(self._duration[0]), ENERGIES))
+        e = self.energy_at(np.linspace(0.0, self._duration, ENERGIES))
         most = np.maximum.accumulate(e.kinetic_start + np.abs(e.work) + e.dissipation)
         return float(2 * np.max(np.abs(e.residual) / np.maximum(most, 1e-300)))
 
