@@ -5,6 +5,7 @@ import sys
 import time
 from collections.abc import Callable
 from importlib.util import find_spec
+from threading import Thread
 from typing import TypeVar
 
 from derive.check.proof import ProofError
@@ -139,5 +140,19 @@ def regenerate(check: bool, search: bool, trials: int | None) -> int:
     return 0
 
 
+def heard(seconds: float = 5.0) -> None:
+    """Tell that the work goes on, ever more rarely, for as long as it does."""
+    began = time.monotonic()
+    while True:
+        time.sleep(seconds)
+        say(f"at work for {time.monotonic() - began:.0f} s; Ctrl-C ends it")
+        seconds *= 2
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    Thread(target=heard, daemon=True).start()
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        say("interrupted")
+        sys.exit(130)

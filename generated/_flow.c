@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ace75df410f63b83c0eadbe0e5a5449274d88c7ef88fd7c1060019b8c1196590"
+#define DIGEST "f13b0a3e7e7d5c64a93af6d47d4423286a6c74e75d0ec2f29a8ce7cff155dbfc"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -215,7 +215,7 @@ typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false i
 
 enum { MOST_STEPS = 200000, MOST_TURNS = 2000 }; /* of a lane, breaks of what changes with time left out */
 
-enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, LIMIT_LOW, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, FIRST_STOP, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
+enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
 enum { LIN, RAMP, MUL, SQR, TIM, TURN, EXP, REC, LOG, POW };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
 enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -1107,7 +1107,6 @@ static void stands(Hand *h, unsigned k)
     reaches(h, k);
     c[REST_SINCE][k] = c[TIME][k];
     note(h, k, CAME_TO_REST);
-    if (isnan(c[FIRST_STOP][k])) c[FIRST_STOP][k] = c[TIME][k];
     h->faced[k] = 1;
     face(h, k, -c[DIRECTION][k]);
     h->todo[k] = FACE;

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
 from functools import partial
+from importlib import import_module
 from textwrap import wrap
 from threading import Event, Thread, active_count
 from typing import Any, TypeVar
@@ -30,6 +31,7 @@ from slipcircle.scene.varied import other_way
 
 T = TypeVar("T")
 MOST_TIMES = 1_000_000
+SILENT = 5.0  # s, at most
 INTERRUPTED = 130
 EPILOG = """\
 scenes that ship:
@@ -46,8 +48,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = _parser(argv).parse_args(argv)
     options.line = shlex.join(["slipcircle", *argv])
     try:
-        with _heard():
-            options.work(options)
+        _ready(options)
+        options.work(options)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
@@ -72,25 +74,26 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def command() -> None:
-    """What the shell calls: interrupted, it waits for no thread that still computes."""
-    status = main()
+    """What the shell calls: it is heard from, and interrupted it waits for no thread that still computes."""
+    with _heard(SILENT):
+        status = main()
     if status == INTERRUPTED and active_count() > 1:
         os._exit(status)
     sys.exit(status)
 
 
 @contextmanager
-def _heard(seconds: float = 5.0) -> Iterator[None]:
-    """Tell people at a terminal that the work goes on, every few seconds."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield
-        return
+def _heard(seconds: float) -> Iterator[None]:
+    """Tell that the work goes on: on one line of a terminal, elsewhere on lines ever farther apart."""
     done, began = Event(), time.monotonic()
+    terminal = sys.stderr is not None and sys.stderr.isatty()
+    before, after, rarer = ("\r\x1b[K", "\r", 1.0) if terminal else ("", "\n", 2.0)
 
-    def tell() -> None:
-        while not done.wait(seconds):
+    def tell(wait: float = seconds) -> None:
+        while not done.wait(wait):
             said = f"slipcircle: at work for {time.monotonic() - began:.0f} s; Ctrl-C ends it"
-            print(f"\r\x1b[K{said}", end="\r", file=sys.stderr, flush=True)
+            print(f"{before}{said}", end=after, file=sys.stderr, flush=True)
+            wait *= rarer
 
     Thread(target=tell, daemon=True).start()
     try:
@@ -123,11 +126,14 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
             added.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
         return added
 
+    def plot(parser: argparse.ArgumentParser, what: str, more: str = "") -> None:
+        parser.add_argument("--plot", metavar="FILE", action="append", default=[],
+                            help=f"draw {what}; .png, .svg, .pdf or .jpg{more}")  # fmt: skip
+
     run = command("run", _run, "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
     run.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
-    run.add_argument("--plot", metavar="FILE", action="append", help="draw section, motion and energy; .png, .svg, "
-                     ".pdf or .jpg, and the slide itself as .gif; may be given more than once")  # fmt: skip
+    plot(run, "section, motion and energy", ", and the slide itself as .gif; may be given more than once")
     run.add_argument("--polarities", action="store_true", help="each shaken scene also with its horizontal shaking "
                      "turned around, and the mean of both")  # fmt: skip
     run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
@@ -139,36 +145,24 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
-    planned.add_argument("--plot", metavar="FILE", help="draw the ladder; .png, .svg, .pdf or .jpg")
+    plot(planned, "the ladder")
     swept = command("sweep", _sweep, "a scene on a grid of values, or for samples of its uncertain numbers")
     swept.add_argument("scene", metavar="SCENE", help=which)
-    if "sweep" in argv:  # no other command needs what it loads
-        from slipcircle.outputs import sweep
-
-        sweep.arguments(swept)
     searched = command("search", _search, "the critical circle of a slope, and its factors of safety by three methods")
-    if "search" in argv:
-        from slipcircle.outputs import searching
-
-        searching.arguments(searched)
     back = command("backanalyse", _backanalyse, "the friction, or another number, that explains an observed motion")
     back.add_argument("scene", metavar="SCENE", help=which)
-    for name, option in _observed_options().items():
-        back.add_argument(option, type=_observed, dest=name, metavar="X[+-S]",
-                          help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20")  # fmt: skip
-    back.add_argument("--field", action="append", metavar="KEY[=LOW:HIGH]", help="what is looked for, a scene "
-                      "file's key, by default friction.angle_deg, and between which values; several for several "
-                      "observations; a point's coordinate by its number from 0: ground.points_m.3.y")  # fmt: skip
-    back.add_argument("--plot", metavar="FILE", help="draw what was observed over the fields; .png, .svg, .pdf or .jpg")
+    plot(back, "what was observed over the fields")
+    for one, module in ((swept, "sweep"), (searched, "searching"), (back, "backanalysing")):
+        if one.prog.split()[-1] in argv:  # no other command needs what it loads
+            import_module(f"slipcircle.outputs.{module}").arguments(one)
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     slopes.add_argument("scene", metavar="SCENE", help=which)
-    slopes.add_argument("--plot", metavar="FILE", help="draw what a change of each number changes; .png, .svg, .pdf or "
-                        ".jpg")  # fmt: skip
+    plot(slopes, "what a change of each number changes")
     schema = command("schema", _schema, "what a scene file may say: every effect, law, key and unit")
     schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
     cost = command("cost", _cost, "measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
-    cost.add_argument("--plot", metavar="FILE", help="draw error against time and error over alpha")
+    plot(cost, "error against time and error over alpha")
     cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
     command("info", _info, "versions and digests of what is installed")
     return parser
@@ -178,17 +172,21 @@ def _print(found: Any) -> None:
     print(json.dumps(plain(found), indent=2, allow_nan=False))
 
 
-def _drawn(command: str, path: str | None) -> None:
-    """See that a picture can be drawn and written, before the work."""
-    if path:
+def _ready(options: argparse.Namespace) -> None:
+    """See that all files of a command can be written and its pictures drawn, before the work."""
+    asked = {f"--{k}": path for k in ("plot", "report", "csv", "npz") if (path := getattr(options, k, None))}
+    given = vars(options)
+    names = given.get("scenes") or given.get("slopes") or [name for name in [given.get("scene")] if name]
+    files.check(options.command, asked, [str(find(name)) for name in names])
+    if "--plot" in asked or "--report" in asked:
         from slipcircle.outputs import pictures
 
-        files.check(command, {"--plot": path})
-        pictures.check(command, path)
+        for path in options.plot or [""]:
+            pictures.check(options.command, path, len(given.get("scenes", names[:1])))
 
 
-def _draw(path: str | None, what: str, found: Any) -> None:
-    if path:
+def _draw(paths: Sequence[str], what: str, found: Any) -> None:
+    for path in paths:
         from slipcircle.outputs import pictures
 
         files.write(path, getattr(pictures, what)(found, path))
@@ -199,15 +197,8 @@ def _draw(path: str | None, what: str, found: Any) -> None:
 
 def _run(options: argparse.Namespace) -> None:
     paths = [find(name) for name in options.scenes]
-    asked = {f"--{kind}": path for kind in ("plot", "report", "csv") if (path := getattr(options, kind)) is not None}
-    files.check("run", asked, [str(path) for path in paths])
     if options.times is not None and not options.csv:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
-    if options.plot or options.report:
-        from slipcircle.outputs import pictures
-
-        for path in options.plot or [""]:
-            pictures.check("run", path, len(paths))
     sources = [path.read_bytes() for path in paths] if options.report else []
     scenes = [load(name) for name in options.scenes]
     if options.polarities:
@@ -219,7 +210,9 @@ def _run(options: argparse.Namespace) -> None:
         from slipcircle.outputs.trace import csv
 
         made[options.csv] = csv(motions, options.times)
-    for path in options.plot or []:
+    for path in options.plot:
+        from slipcircle.outputs import pictures
+
         made[path] = pictures.overview(motions, path)
     if options.report:
         from slipcircle.outputs.report import report
@@ -236,7 +229,7 @@ def _run(options: argparse.Namespace) -> None:
     tables.show(
         ["", *(m.plan.scene.name for m in motions), *means],
         tables.beside(columns),
-        caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions),
+        caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions if m.plan.scene.note),
     )
     for m in motions:
         drawn = [u.key for u in m.plan.scene.uncertain.values()]
@@ -286,7 +279,6 @@ def _plan(options: argparse.Namespace) -> None:
         return
     if options.plot and not options.ladder:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
-    _drawn("plan", options.plot)
     chosen = plan(load(options.scene))
     if options.ladder:
         from slipcircle.studies.ladder import ladder
@@ -319,56 +311,25 @@ def _sweep(options: argparse.Namespace) -> None:
 def _search(options: argparse.Namespace) -> None:
     from slipcircle.outputs import searching
 
-    found = searching.run(options)
+    found = searching.run(options, _say)
     if options.json:
         _print([f.record() for f in found])
 
 
-def _observed_options() -> dict[str, str]:
-    """The options of `backanalyse` by outcome; each ends in its unit."""
-    return {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OUTCOMES.items()}
-
-
-def _observed(text: str) -> float | tuple[float, float]:
-    """400, or 400+-20."""
-    value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
-    try:
-        return (float(value), float(error[0])) if len(error) == 1 else float(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text}: must be a number, or one with its error: 400+-20") from None
-
-
 def _backanalyse(options: argparse.Namespace) -> None:
-    fields, bounds = [], {}
-    for text in options.field or ["friction.angle_deg"]:
-        name, given, between = text.partition("=")
-        fields.append(name)
-        if given:
-            try:
-                low, high = map(float, between.split(":"))
-            except ValueError:
-                raise ValueError(f"--field {text}: must be KEY or KEY=LOW:HIGH: friction.angle_deg=5:15") from None
-            bounds[name] = low, high
-    seen = {name: getattr(options, name) for name in OUTCOMES}
-    if all(value is None for value in seen.values()):
-        wanted = ", ".join(_observed_options().values())
-        raise ValueError(f"backanalyse: nothing observed: give one of {wanted}")
-    _drawn("backanalyse", options.plot)
-    found = slipcircle.backanalyse(load(options.scene), field=fields, bounds=bounds, **seen)
-    name = found.motion.plan.scene.name
+    from slipcircle.outputs import backanalysing
+
+    found = backanalysing.run(options)
     _draw(options.plot, "backanalysis", found)
     if options.json:
-        _print([tables.backanalysis_record(found)])
+        _print([backanalysing.record(found)])
         return
-    numbers = [f"solution {k}" for k in range(1, len(found.solutions) + 1)]
-    tables.show(["", *(numbers if len(numbers) > 1 else [name])], tables.backanalysis_rows(found),
-                caption=f"by {found.method}")  # fmt: skip
+    backanalysing.show(found)
     for warning in found.warnings:
-        _say(f"{name}: {warning}")
+        _say(f"{found.motion.plan.scene.name}: {warning}")
 
 
 def _sensitivity(options: argparse.Namespace) -> None:
-    _drawn("sensitivity", options.plot)
     motion = solve(load(options.scene))
     found, name = motion.sensitivity(), motion.plan.scene.name
     _draw(options.plot, "sensitivity", found)
@@ -401,19 +362,14 @@ def _cost(options: argparse.Namespace) -> None:
     from slipcircle.cost import cost, costtext
     from slipcircle.outputs.info import machine
 
-    if options.plot:
-        from slipcircle.outputs import pictures
-
-        pictures.check("cost", options.plot)
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
         files.write(options.csv, costtext.table_csv(found))
-    if options.plot:
+    for path in options.plot:
         from slipcircle.cost import costplot
+        from slipcircle.outputs import pictures
 
-        files.write(
-            options.plot, pictures.render(partial(costplot.overview, found), costplot.size(found), options.plot)
-        )
+        files.write(path, pictures.render(partial(costplot.overview, found), costplot.size(found), path))
     if options.json:
         _print({"machine": machine(), "rows": [costtext.record(row) for row in found]})
         return

@@ -1,4 +1,6 @@
-"""Answers to the scenes of the price list, to 24 digits: extrapolation in ball arithmetic of its equation by hand.
+"""Answers to the scenes and sections of the price list, to 24 digits, in ball arithmetic.
+
+Of scenes by extrapolation of its equation by hand, of sections by strips.
 
 ``python tests/exact_scenes.py`` writes them; `test_cost` makes them again, and lays Taylor series beside them.
 """
@@ -11,7 +13,9 @@ from typing import Any
 
 import numpy as np
 from flint import arb, ctx
+from strips import integrals
 
+from slipcircle.cost import sections
 from slipcircle.cost.reference import moments
 from slipcircle.cost.scenes import ANSWERS, CASES, LAYER, LENGTH, SHEARED, SPEED, Case, Equation, answer, record
 
@@ -160,5 +164,13 @@ def written() -> str:
     return json.dumps(made, indent=1) + "\n"
 
 
+def measures() -> str:
+    """The file of the measures of sections, as it is to be, by strips in ball arithmetic."""
+    found = (integrals(sections.GROUND.tolist(), (x, y), r) for x, y, r in sections.drawn(sections.COUNT).T.tolist())
+    texts = zip(*([v.mid().str(24, radius=False) for v in one.values()] for one in found), strict=True)
+    return json.dumps([*texts], indent=1) + "\n"
+
+
 if __name__ == "__main__":
     ANSWERS.write_text(written(), "utf-8")
+    sections.ANSWERS.write_text(measures(), "utf-8")

@@ -239,8 +239,7 @@ def registers(program: Program, cells: dict[str, arb], now: Mapping[str, arb], s
     # The limit friction is an input: what the balance at the start says, so that the drive is the same number.
     at = program.roles
     limit = (c[at["cell_driving"]] - c[at["cell_resisting"]]) / c[at["cell_normal0"]]
-    low = limit * arb(2) ** -60
-    c = prologue(program, cells | {"LIMIT": limit - low, "LIMIT_LOW": low})
+    c = prologue(program, cells | {"LIMIT": limit})
     for cell, _, _ in program.states:
         c[cell] = now.get(program.cells[cell], arb(0))
     ramps = {t.register: series[t.name] for t in program.tables if t.kind == "time"}

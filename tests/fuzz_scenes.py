@@ -27,6 +27,7 @@ from slipcircle.__main__ import main
 from slipcircle.base import VERSION
 from slipcircle.files.scenefile import find, shipped
 from slipcircle.scene.keys import tables_of
+from slipcircle.scene.stability import METHODS
 
 SECONDS = 5.0
 SIZES = (0, -1, 1, 5e-324, 1e-300, 1e-100, 1e-12, 1e-6, 1e-3, 0.5, 3, 45, 89.999, 90, 180, 271, 1e3, 1e6, 1e9, 1e12,
@@ -83,15 +84,48 @@ def key_values(rng: Random, table: Any) -> dict[str, Any]:
     return found
 
 
+def section(rng: Random) -> dict[str, Any]:
+    """A real slope in place of an arc: ground, circle, often water and what limits a search; either facing."""
+    size, side = 10 ** rng.uniform(-1, 3), rng.choice((1, -1))
+    height, run = size * rng.uniform(0.2, 1), size * rng.uniform(0, 2)
+    rough = sorted(rng.uniform(0, 1) for _ in range(rng.choice((0, 0, 1, 3))))
+    x = [-2 * size, 0, *(run * s for s in rough), run, run + 3 * size]
+    y = [0, 0, *(height * (s + rng.uniform(-0.2, 0.2)) for s in rough), height, height]
+    points = sorted([side * a, b] for a, b in zip(x, y, strict=True))
+    ground: dict[str, Any] = {"unit_weight_kN_m3": rng.uniform(10, 30), "points_m": points}
+    if rng.random() < 0.2:
+        ground = {"unit_weight_kN_m3": 20, "height_m": height, "angle_deg": rng.uniform(5, 90)}
+    if rng.random() < 0.3:
+        ground["base_m"] = -rng.uniform(-0.1, 1) * size
+    ends = sorted([[side * rng.uniform(-1, 0) * size, 0.0], [side * (run + rng.uniform(0, 1) * size), height]])
+    kind, deep = rng.random(), rng.uniform(0.02, 0.6) * size
+    circle: dict[str, Any] = {"through_m": ends, "depth_m": deep}
+    if kind < 0.12:
+        circle = {"critical": rng.choice([*METHODS])}
+    elif kind < 0.3:
+        circle = {"centre_m": [side * run / 2, 2 * size], "radius_m": rng.uniform(1, 3) * size}
+    elif kind < 0.5:
+        circle = {"through_m": ends, rng.choice(("radius_m", "touching_m")): rng.uniform(-1, 4) * size}
+    found = {"ground": ground, "circle": circle}
+    if rng.random() < 0.4:
+        found["water"] = {
+            "level_m": [[a, b - rng.uniform(-0.05, 0.5) * size] for a, b in points[:: rng.choice((1, 2))]]
+        }
+    if "critical" in circle and rng.random() < 0.4:
+        found["search"] = {"depth_m": 0.1 * deep, "k_h": rng.uniform(-0.2, 0.5)}
+    return found
+
+
 def document(rng: Random) -> dict[str, Any]:
     """A scene that ships, or one of random tables and numbers; then some mistakes."""
     found = copy.deepcopy(rng.choice(BASES))
     if rng.random() < 0.6:
         law = rng.choice([*LAWS])
         tables = tables_of(law)
-        found = {"arc": {"radius_m": 10 ** rng.uniform(0, 4), "theta_1_deg": rng.uniform(180, 250),
-                         "theta_2_deg": rng.uniform(255, 340), "unit_weight_kN_m3": rng.uniform(10, 30)},
-                 "friction": key_values(rng, tables["friction"]) | {"law": law}}  # fmt: skip
+        arc = {"radius_m": 10 ** rng.uniform(0, 4), "theta_1_deg": rng.uniform(180, 250),
+               "theta_2_deg": rng.uniform(255, 340), "unit_weight_kN_m3": rng.uniform(10, 30)}  # fmt: skip
+        found = {"arc": arc} if rng.random() < 0.7 else section(rng)
+        found["friction"] = key_values(rng, tables["friction"]) | {"law": law}
         for name in tables:
             if name not in ("", "arc", "arc.given", "friction", "friction.rate") and rng.random() < 0.25:
                 found[name] = key_values(rng, tables[name])

@@ -1,7 +1,7 @@
 """The search for the critical circle against SciPy's differential evolution on random slopes, and what things cost.
 
 `python -m tests.peers_slopes search [COUNT]` prints a line for each of COUNT slopes (200); the tests ask for a sample.
-`python -m tests.peers_slopes cost` measures factors of safety, a search, and a million sections beside their peers.
+`python -m tests.peers_slopes cost` measures factors of safety and a search; `slipcircle cost sections` their geometry.
 """
 
 import sys
@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
 from slipcircle.scene.search import Search, critical
 from slipcircle.scene.stability import METHODS, Slope, factors
@@ -108,54 +107,6 @@ def cost() -> None:
 
     print(f"10,000 circles, three factors       {_seconds(judged):8.3f} s")
     print(f"ACADS 1(a) from nothing             {_seconds(lambda: critical(slope)):8.3f} s")
-    n = 1_000_000
-    x = np.linspace(-60.0, 60.0, 11)
-    ground = np.stack([x, 10.0 - x / 5 + 1.5 * np.sin(x / 9)], axis=1)
-    p, q = (np.stack([u, np.interp(u, *ground.T)], axis=1) for u in (rng.uniform(-59, -50, n), rng.uniform(50, 59, n)))
-    centre, radius = circle_through(p, q, depth=rng.uniform(0.1, 0.3, n) * np.hypot(*(q - p).T))
-    start = time.process_time()
-    for k in range(0, n, 1 << 14):
-        some = slice(k, k + (1 << 14))
-        parts = circles.cut(ground[None], centre[some], radius[some])
-        circles.moments(parts, parts.stretch == 0)
-    ours = time.process_time() - start
-    print(f"a million sections, 10 edges        {ours:8.3f} s: cut and seven moments, {1e6 * ours / n:.2f} us each")
-    few = 2000
-    start = time.process_time()
-    worst = max(_by_gauss(ground, centre[k], float(radius[k])) for k in range(few))
-    print(f"Gauss quadrature, strips, 4 moments {time.process_time() - start:8.3f} s for {few}, "
-          f"{1e6 * (time.process_time() - start) / few:.0f} us each; they differ by {worst:.1e}")  # fmt: skip
-    try:
-        import shapely  # type: ignore[import-untyped,import-not-found,unused-ignore]
-    except ImportError:
-        print("shapely is not installed: pip install shapely, for area and centroid of polygons")
-        return
-    start = time.process_time()
-    for k in range(few):
-        disc = shapely.Point(*centre[k]).buffer(radius[k], quad_segs=64)
-        soil = shapely.Polygon([*ground, (60.0, -200.0), (-60.0, -200.0)])
-        _ = (piece := disc.intersection(soil)).area, piece.centroid
-    print(f"shapely, area and centroid alone    {time.process_time() - start:8.3f} s for {few}, "
-          f"{1e6 * (time.process_time() - start) / few:.0f} us each")  # fmt: skip
-
-
-def _by_gauss(ground: np.ndarray, centre: np.ndarray, radius: float) -> float:
-    """Four moments of one section by Gauss over strips; how far the greatest differs from ours, relative."""
-    parts = circles.cut(ground[None], centre[None], np.array([radius]))
-    ours = circles.moments(parts, parts.stretch == 0)
-    mine = (parts.stretch[0] == 0) & (parts.e_x[0] > 0)
-    x0, y0, u, v = (part[0][mine][:, None] for part in parts[:4])
-    nodes, weights = np.polynomial.legendre.leggauss(12)
-    s = (nodes + 1) / 2
-    x, top = x0 + s * u, y0 + s * v
-    floor = -np.sqrt(1 - x * x)
-    y = floor[..., None] + (top - floor)[..., None] * s
-    area = (weights / 2 * u * (top - floor))[..., None] * (weights / 2)
-    r = np.hypot(x[..., None], y)
-    found = {"polar": r, "inertia": r * r, "radial_y": y / r, "moment_x": np.broadcast_to(x[..., None], r.shape)}
-    return max(
-        abs(float((area * f).sum()) / float(ours[name][0]) - 1) for name, f in found.items() if name != "moment_x"
-    )
 
 
 def _seconds(work: Callable[[], object]) -> float:

@@ -224,3 +224,12 @@ def test_a_callable_that_changes_too_sharply_is_refused() -> None:
     """Within 2^-40 of how far it was asked, nothing is told apart: the sentence names the place."""
     with pytest.raises(ValueError, match=r"^friction: the function changes too sharply near 0 to be followed"):
         solve(replace(load("vaiont"), friction=lambda slip: 0.18 + 0.23 * np.exp(-slip / 1e-12)))
+
+
+@pytest.mark.parametrize("accuracy", [0.9, 0.2, 1e-3])
+def test_lanes_take_any_accuracy(accuracy: float) -> None:
+    vaiont: Any = load("vaiont")
+    scene = replace(vaiont, friction=np.linspace(0.15, 0.3, 9))
+    found, best = solve(scene, accuracy), solve(scene, 1e-15)
+    for name, value in best.outcomes.items():
+        assert np.all(np.abs(found.outcomes[name] / value - 1.0) <= np.minimum(accuracy, found.error_estimate))

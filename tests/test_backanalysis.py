@@ -62,7 +62,7 @@ def test_round_trip_of_other_fields(field: str, value: float) -> None:
         arc = WET.arc
         assert isinstance(arc, Arc)
         turn = float(arc.dip) - value
-        arc = replace(arc, theta_1=arc.theta_1 + turn, theta_2=arc.theta_2 + turn)  # type: ignore[operator]
+        arc = replace(arc, theta_1=arc.theta_1 + turn, theta_2=arc.theta_2 + turn)
         scene = replace(WET, arc=arc)
     else:
         scene = replace(WET, arc=replace(WET.arc, **{field: value}))  # type: ignore[arg-type]
@@ -72,7 +72,7 @@ def test_round_trip_of_other_fields(field: str, value: float) -> None:
 
 def test_friction_of_a_law() -> None:
     scene = load("vaiont-softening")
-    wanted = scene.friction["residual"]  # type: ignore[index, call-overload]
+    wanted = scene.friction["residual"]  # type: ignore[index]
     found = backanalyse(scene, run_out=solve(scene).run_out, field="friction.residual")
     assert found.value == pytest.approx(wanted, rel=1e-10)
 
@@ -193,7 +193,11 @@ def test_several_fields_are_found_again() -> None:
     scene = replace(VAIONT, effects=["rotation", "centripetal"])
     arc = replace(VAIONT.arc, radius=1300.0)
     truth = solve(replace(scene, arc=arc, friction=0.23, effects={**scene.called, "drag": {"xi": 800.0}}))
-    outputs = {"run_out": truth.run_out, "peak_velocity": float(truth.peak.velocity), "duration": truth.duration}
+    outputs: dict[str, Any] = {
+        "run_out": truth.run_out,
+        "peak_velocity": float(truth.peak.velocity),
+        "duration": truth.duration,
+    }
     found = backanalyse(scene, **outputs, field=["friction", "drag", "radius"])
     wanted = {"friction": 0.23, "drag.xi_m_s2": 800.0, "radius": 1300.0}
     best = min(found.solutions, key=lambda s: abs(s.values["radius"] / 1300.0 - 1))

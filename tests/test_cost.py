@@ -266,10 +266,9 @@ def test_everything_is_timed_in_turns() -> None:
 
 def test_slow_ways_get_few_elements() -> None:
     """No pass takes long: fewer elements than asked for where one did at the size before."""
-    plain = Way("w", np.sin)
-    assert cost._fitting(plain, 400, [(1.0, 1), (1e5, 50)]) == 400
-    assert cost._fitting(plain, 400, [(1.0, 1), (1e6, 50)]) == 40
-    assert cost._fitting(plain, 50, [(1e9, 1)]) == 50
+    assert cost._fitting(400, [(1.0, 1), (1e5, 50)], 0.1) == 400
+    assert cost._fitting(400, [(1.0, 1), (1e6, 50)], 0.1) == 40
+    assert cost._fitting(50, [(1e9, 1)], 0.1) == 50
 
 
 def test_progress_and_unknown_functions() -> None:

@@ -13,7 +13,7 @@ import taylor
 from mpmath import mpf
 from test_cost import digits
 
-from slipcircle.cost import cost, scenes
+from slipcircle.cost import cost, scenes, sections
 
 ANSWERS = json.loads(scenes.ANSWERS.read_text("utf-8"))
 
@@ -31,6 +31,7 @@ def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_the_answers_are_made_again() -> None:
     """To their last digit; frictions are those of the ensemble's lanes."""
     assert scenes.ANSWERS.read_text("utf-8") == exact_scenes.written()
+    assert sections.ANSWERS.read_text("utf-8") == exact_scenes.measures()
     for one, *lanes in (map(float, of) for of in ANSWERS.values()):
         assert one == pytest.approx(float(scenes.frictions(1)[0]), rel=1e-15)
         assert lanes == pytest.approx(scenes.frictions(len(scenes.ANGLES)).tolist(), rel=1e-15)
@@ -103,3 +104,15 @@ def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     said = io.StringIO()
     assert all(way.startswith("slipcircle") for way in scenes.ways("constant friction", True, said))
     assert said.getvalue() == "scipy is missing, and left out\nheyoka is missing, and left out\n"
+
+
+def test_rows_of_sections() -> None:
+    """Ours to their last digits, quadrature better with more points, polygons with more chords; blocks bound memory."""
+    rows = {r.way: r for r in cost.measure(["sections"])}
+    assert all(r.error < 2e-14 for r in rows.values() if r.ours)
+    for peer, least in (("Gauss", 1e-6), ("shapely", 1e-4)):
+        errors = [r.error for way, r in rows.items() if way.startswith(peer)]
+        assert not errors or (errors == sorted(errors, reverse=True) and errors[-1] < least)
+    subject = sections.subject()
+    small, large = (cost._peak(cost._work(subject.ways[0], subject.bulk(n), n)) for n in (20_000, 60_000))
+    assert large - small < 1.5 * 40_000 * 8 * (7 + 3)  # arguments and results

@@ -166,7 +166,7 @@ def test_a_law_may_be_uncertain() -> None:
 
 
 def test_a_law_times_a_law_of_speed_may_be_uncertain() -> None:
-    law = {"law": "exponential", "peak": 0.3, "residual": 0.2, "length": 0.5,
+    law: dict[str, Any] = {"law": "exponential", "peak": 0.3, "residual": 0.2, "length": 0.5,
            "rate": {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 2.0}}  # fmt: skip
     scene = load("vaiont")
     scene = replace(scene, friction=law, uncertain={"friction.residual": stats.uniform(0.15, 0.1)})
@@ -400,7 +400,7 @@ def test_intervals_cover() -> None:
     nodes, weights = np.polynomial.hermite_e.hermegauss(24)
     runs = [solve(replace(VAIONT, friction=math.tan(math.radians(14 + z)))).run_out for z in nodes]
     mean = np.average(runs, weights=weights)
-    std = math.sqrt(np.average((runs - mean) ** 2, weights=weights))
+    std = math.sqrt(np.average((np.asarray(runs) - mean) ** 2, weights=weights))
     moment = np.zeros(2)
     for seed in range(120):
         plain, quasi = ensemble(ONE, 400, seed), ensemble(ONE, 256, seed, method="sobol") if seed % 6 == 0 else None

@@ -150,7 +150,7 @@ def test_at_the_limit_and_one_ulp_to_either_side(effects: dict[str, Any]) -> Non
 
 def test_shapes() -> None:
     """Fields of any shapes that fit together, arrays without a dimension or without a lane."""
-    vaiont = load("vaiont")
+    vaiont: Scene = load("vaiont")
     arc, mu = vaiont.arc, np.array([0.1, 0.2, 0.3, 0.9])
     radius = np.array([[300.0], [400.0], [500.0]])
     found = solve(replace(vaiont, arc=replace(arc, radius=radius), friction=mu), 1e-14)
@@ -172,15 +172,16 @@ def test_shapes() -> None:
 
 def test_what_became_of_each_lane() -> None:
     """Every status, and NaN where there is no answer."""
-    limit = float(solve(load("vaiont")).limit_friction)
+    vaiont: Scene = load("vaiont")
+    limit = solve(load("vaiont")).limit_friction
     mu = np.array([0.3, 0.9, 0.1, limit * (1 - 1e-14), 0.2, np.nan, 0.0])
     velocity = np.array([0.0, 0.0, 0.0, 0.0, 1e6, 0.0, 0.0])
-    found = solve(replace(load("vaiont"), friction=0.3 + 0 * velocity, initial_velocity=0 * velocity))
+    found = solve(replace(vaiont, friction=0.3 + 0 * velocity, initial_velocity=0 * velocity))
     assert found.count() == {"RESTS": 7}
     with pytest.raises(ValueError, match="friction"):
-        replace(load("vaiont"), friction=mu)
+        replace(vaiont, friction=mu)
     good = np.where(np.isnan(mu), 0.3, mu)
-    found = solve(replace(load("vaiont"), friction=good, initial_velocity=velocity))
+    found = solve(replace(vaiont, friction=good, initial_velocity=velocity))
     assert found.count() == {"RESTS": 3, "STAYS": 1, "MOVING": 1, "TURNED": 1, "UPRIGHT": 1}
     assert np.isnan(found.duration[4])
     assert np.all(np.isfinite(np.delete(found.duration, 4)))
@@ -229,7 +230,7 @@ def test_references_together() -> None:
 
 def test_extreme_lanes_among_ordinary_ones() -> None:
     """Softening within micrometres or never, at the limit and beyond, at great speed: each its own, none in the way."""
-    vaiont = load("vaiont")
+    vaiont: Scene = load("vaiont")
     limit = float(solve(vaiont).limit_friction)
     rows = np.array([(0.4, 0.18, 1.0, 0.0), (0.4, 0.18, 1e-6, 0.0), (0.4, 0.18, 1e9, 0.0), (0.4, 0.4, 1.0, 0.0),
                      (limit, 0.18, 1.0, 0.0), (limit * (1 - 1e-9), 0.18, 1.0, 0.0), (0.6, 0.18, 1.0, 0.0),
@@ -256,7 +257,7 @@ def test_extreme_lanes_among_ordinary_ones() -> None:
 
 
 def test_given_coefficients_are_no_axis() -> None:
-    printed = load("vaiont-as-printed")
+    printed: Scene = load("vaiont-as-printed")
     found = solve(replace(printed, friction=np.array([0.1, 0.3])))
     for k, mu in enumerate((0.1, 0.3)):
         assert found.run_out[k] == pytest.approx(solve(replace(printed, friction=mu)).run_out, rel=1e-14)

@@ -68,7 +68,7 @@ def test_a_lane_is_the_same_alone_in_any_order_and_when_interrupted(name: str, m
 
 def alike(one: Any, other: Any, within: float) -> None:
     assert np.array_equal(one[[its.STATUS, its.PHASES]], other[[its.STATUS, its.PHASES]])
-    for cell in (its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REACH_ROTATION, its.FIRST_STOP, its.LIFT_TIME):
+    for cell in (its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REACH_ROTATION, its.REST_SINCE, its.LIFT_TIME):
         a, b = one[cell], other[cell]
         assert np.array_equal(np.isnan(a), np.isnan(b))
         assert np.nanmax(np.abs(a - b), initial=0.0) <= within * np.nanmax(np.abs(a), initial=1e-300), cell

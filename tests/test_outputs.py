@@ -85,7 +85,6 @@ class Exact:
 
     def __init__(self, given: golden.Data) -> None:
         ctx.prec = 160
-        self.sense = 1.0 if given is golden.to_the_right(given) else -1.0  # of the angles, which J_theta is printed in
         given = golden.to_the_right(given)
         self.given, self.effects = given, given["effects"]
         self.motion = taylor.Solution(taylor.Problem(given), 26, 22)
@@ -226,7 +225,7 @@ def test_json(name: str, files: dict[str, Path], capsys: pytest.CaptureFixture[s
     assert record["energy"]["residual"] == pytest.approx(
         energy["work"] + energy["kinetic_start"] - energy["kinetic_end"] - energy["dissipation"], abs=1e-12 * total
     )
-    inertia, fall_of, press_of = m["inertia"], e.sense * m["fall"], m["press"]
+    inertia, fall_of, press_of = m["inertia"], m["fall"], m["press"]
     for key, value in (("moment_of_inertia", inertia), ("weight_moment", inertia * fall_of * math.sin(m["dip"])),
                        ("radial_weight", inertia * press_of * math.cos(m["dip"])),
                        ("resistance_factor", inertia * m["level"]),
@@ -389,7 +388,7 @@ def test_table(name: str, files: dict[str, Path], capsys: pytest.CaptureFixture[
     }  # fmt: skip
     coefficients = {
         "Theta*": m["inertia"], "J_r": m["inertia"] * m["press"] * math.cos(m["dip"]),
-        "J_theta": e.sense * m["inertia"] * m["fall"] * math.sin(m["dip"]), "lambda": m["inertia"] * m["level"],
+        "J_theta": m["inertia"] * m["fall"] * math.sin(m["dip"]), "lambda": m["inertia"] * m["level"],
         "A": m["polar"] / m["level"],
     }  # fmt: skip
     for label, (value, unit_of) in wanted.items():

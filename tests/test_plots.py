@@ -187,7 +187,7 @@ def test_water_that_heat_presses_is_what_friction_has_dissipated() -> None:
     m = motion("vaiont-heated")
     arc, columns = m.plan.scene.arc, trace(m)
     assert isinstance(arc, Arc)
-    layer = float(arc.radius) * float(arc.theta_2 - arc.theta_1)  # type: ignore[arg-type, operator]
+    layer = float(arc.radius) * float(arc.theta_2 - arc.theta_1)
     added = 0.025e6 / (2.7e6 * 0.1) * columns["dissipation"] / layer
     wanted = columns["normal_stress"] - added
     pressed = wanted > 1e3

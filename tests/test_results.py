@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import slipcircle
-from slipcircle import Motion, Status, Study, ensemble, load, solve
+from slipcircle import Motion, Scene, Status, Study, ensemble, load, solve
 from slipcircle.__main__ import main
 from slipcircle.files import scenefile as files
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, shown
@@ -35,7 +35,8 @@ def single(angle: float, velocity: float) -> Motion:
 
 def overturned() -> Motion:
     """Two lanes, of which the pushed one carries its chord past the upright."""
-    return solve(replace(load("vaiont"), friction=0.0, initial_velocity=np.array([0.0, -400.0])))
+    vaiont: Scene = load("vaiont")
+    return solve(replace(vaiont, friction=0.0, initial_velocity=np.array([0.0, -400.0])))
 
 
 @pytest.fixture(scope="module")

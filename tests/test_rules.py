@@ -8,7 +8,7 @@ from mpmath import mpf
 
 from derive.algebra import rules
 from derive.algebra.integrate import derive
-from derive.algebra.remainders import Log1p, Remainder, taylor, unfold
+from derive.algebra.remainders import HalfTan, Log1p, Remainder, taylor, unfold
 from derive.check.proof import ProofError
 from derive.code import measure
 from derive.code.program import program
@@ -42,12 +42,12 @@ def test_every_weight_has_a_stable_form(weight: str) -> None:
     assert found.power == 3  # every such mass is thin like alpha**3
 
 
-@pytest.mark.parametrize("rule", rules.RULES, ids=lambda x: x.name)
-def test_a_rule_changes_no_value(rule: rules.Rule) -> None:
+@pytest.mark.parametrize("rule", rules.RULES)
+def test_a_rule_changes_no_value(rule: str) -> None:
     """Rewritten back, by the definitions of the remainders, the expression is what it was."""
     before = alpha * sp.sin(alpha) + 3 * sp.cos(alpha) ** 2 * alpha + sp.sin(alpha) / 7
-    before += sp.cos(alpha) ** 3 * sp.atanh(sp.sin(alpha)) if rule.name != "half angle" else 0
-    after = rule.rewrite(before)
+    before += sp.cos(alpha) ** 3 * sp.atanh(sp.sin(alpha)) if rule != "half angle" else 0
+    after = rules.RULES[rule](before)
     assert after != before
     with mpmath.workdps(50):
         half = mpf("0.7")
@@ -56,18 +56,24 @@ def test_a_rule_changes_no_value(rule: rules.Rule) -> None:
         assert abs(difference) < mpf(10) ** -45
 
 
-@pytest.mark.parametrize("rule", range(len(rules.RULES)))
-def test_a_wrong_rule_is_not_proved(rule: int, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("rule", rules.RULES)
+def test_a_wrong_rule_is_not_proved(rule: str, monkeypatch: pytest.MonkeyPatch) -> None:
     right = rules.RULES[rule]
-    wrong = rules.Rule(right.name, "", lambda e: right.rewrite(e) + alpha**3 / 10**6)
-    monkeypatch.setattr(rules, "RULES", (*rules.RULES[:rule], wrong, *rules.RULES[rule + 1 :]))
-    with pytest.raises(ProofError, match=f"rule {right.name}"):
+    monkeypatch.setitem(rules.RULES, rule, lambda e: right(e) + alpha**3 / 10**6)
+    with pytest.raises(ProofError, match=f"rule {rule}"):
         rules.stable.__wrapped__(derive(WEIGHTS["r^2"]).amplitude)
 
 
 def test_what_the_rules_do_not_know_is_refused() -> None:
     with pytest.raises(ProofError, match="heads"):
         rules.stable(alpha - sp.sin(alpha) - alpha**3 / 6)
+
+
+def test_a_half_angle_that_is_computed_wrong_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = HalfTan.lower
+    monkeypatch.setattr(HalfTan, "lower", lambda self: right(self) * (1 + alpha**2 / 10**6))
+    with pytest.raises(ProofError, match="as it is computed"):
+        rules.stable.__wrapped__(derive(WEIGHTS["r^2"]).amplitude)
 
 
 def test_heads_cancel() -> None:
@@ -83,9 +89,7 @@ def test_a_wrong_head_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
 
 REMAINDERS = [
     Remainder(sp.sin, 1, t), Remainder(sp.sin, 3, t), Remainder(sp.sin, 3, t, 1), Remainder(sp.cosh, 2, t, 1),
-    Remainder(sp.exp, 1, -t), Remainder(sp.exp, 2, -t), Remainder(sp.exp, 3, t), Remainder(sp.exp, 2, t, 1),
-    Remainder(sp.atanh, 3, t), Remainder(sp.atanh, 3, t, 1), Remainder(Log1p, 1, t), Remainder(Log1p, 1, t, 1),
-    Remainder(sp.atan, 1, t),
+    Remainder(sp.atanh, 3, t), Remainder(sp.atanh, 3, t, 1), Remainder(Log1p, 1, t), Remainder(sp.atan, 1, t),
 ]  # fmt: skip
 
 

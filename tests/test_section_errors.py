@@ -7,7 +7,7 @@ from typing import Any
 import malformed_sections
 import pytest
 
-from slipcircle import Scene, Section, load
+from slipcircle import Arc, Scene, Section, load
 
 GOOD: dict[str, Any] = {
     "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
@@ -75,3 +75,25 @@ def test_a_level_and_a_pore_ratio_exclude_each_other(tmp_path: Path) -> None:
             assert len(str(raised.value).splitlines()) == 1
         else:
             load(path)
+
+
+ARC = "[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 276\nunit_weight_kN_m3 = 19\n[friction]\nangle_deg = 12\n"
+
+
+def test_a_unit_that_was_probably_meant_is_said(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="in rad: were they in degrees"):
+        Arc(60.0, 215.0, 276.0, 19e3)
+    with pytest.raises(ValueError, match=r"friction = 10: must be a friction coefficient, .* of an angle in degrees"):
+        Scene(Arc(60.0, math.radians(215.0), math.radians(276.0), 19e3), 10.0)
+    with pytest.raises(ValueError, match="unit_weight = 19500000: must be a positive unit weight in N/m"):
+        Section(**GOOD | {"unit_weight": 19.5e6})
+    path = tmp_path / "arc.toml"
+    for old, new, words in (
+        ("kN_m3 = 19", "kN_m3 = 19500", r"is that in N/m3\?"),
+        ("angle_deg = 12", "coefficient = 10", "an angle\\? say angle_deg"),
+    ):
+        path.write_text(ARC.replace(old, new), "utf-8")
+        with pytest.raises(ValueError, match=words):
+            load(path)
+    path.write_text(ARC, "utf-8")
+    load(path)

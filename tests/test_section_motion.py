@@ -83,7 +83,7 @@ def test_the_factor_is_that_of_the_paper_along_the_circle(ratio: float) -> None:
     slope = Slope(GROUND, 3e3, 0.3, 20e3, pore_ratio=ratio)
     centre, radius = np.array([CENTRE]), np.array([RADIUS])
     found = factors(slope, centre, radius, section.exit[None], section.entry[None])
-    assert motion.factor_of_safety == pytest.approx(float(found.paper[0]), rel=1e-9)
+    assert motion.factor_of_safety == pytest.approx(float(found["paper"][0]), rel=1e-9)
     assert motion.pore_pressure_at(0.0) == pytest.approx(ratio * 20e3 * section.mean_cover, rel=1e-12)
     assert abs(motion.energy.residual) < 1e-11 * motion.energy.work
 

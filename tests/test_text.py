@@ -52,7 +52,7 @@ def test_c_that_does_something_else_is_refused(form: str, monkeypatch: pytest.Mo
 
 def test_named_parts_and_polynomials() -> None:
     """A choice at a seam has a near and a far piece, Horner's scheme its coefficients, and a part is called."""
-    series = Horner.of([sp.Rational(1, 3), sp.Rational(1, 5), sp.Rational(1, 7)], alpha**2)
+    series = Horner(alpha**2, sp.Rational(1, 3), sp.Rational(1, 5), sp.Rational(1, 7))
     inner = program("inner", ("alpha",), Select(alpha, sp.Rational(1, 2), alpha * series, 1 / (alpha + sp.cos(alpha))))
     outer = program("outer", ("a", "t"), omega_0 + t, let={alpha: a * t, omega_0: inner})
     written = emit.PythonText()

@@ -78,8 +78,7 @@ def derive(moment: Moment) -> Derivation:
 def shortest(expression: sp.Expr) -> sp.Expr:
     """The equal form with the fewest operations among those that SymPy's rules reach."""
     normal = trig_normal(expression)
-    candidates = [expression, normal, sp.factor_terms(normal), sp.factor(normal), sp.simplify(normal),
-                  sp.factor_terms(sp.simplify(normal))]  # fmt: skip
+    candidates = [normal, sp.simplify(normal), sp.factor_terms(normal)]
     return min(candidates, key=lambda e: (sp.count_ops(e), sp.default_sort_key(e)))
 
 

@@ -6,7 +6,6 @@ Each such function knows its definition (`unfold` puts it back), so that a stabl
 form, and how it is computed (`lower`), so that a `Program` can be made of it.
 """
 
-from collections.abc import Iterable
 from functools import cache
 
 import sympy as sp
@@ -25,14 +24,9 @@ class Select(sp.Function):
 class Horner(sp.Function):
     """A polynomial: its argument, then its coefficients, lowest first. SymPy never expands it."""
 
-    @classmethod
-    def of(cls, coefficients: Iterable[sp.Expr], x: sp.Expr) -> "Horner":
-        """From its coefficients and its argument."""
-        return cls(x, *coefficients)
-
     def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
         x, *coefficients = self.args
-        return Horner.of([k * c for k, c in enumerate(coefficients)][1:], x) * sp.diff(x, s)
+        return Horner(x, *[k * c for k, c in enumerate(coefficients)][1:]) * sp.diff(x, s)
 
 
 class RoundingError(sp.Function):
@@ -95,19 +89,18 @@ class HalfTan(Primitive):
 
     def lower(self) -> sp.Expr:
         x = self.args[0]
-        return x * sinc(x) / (1 + sp.cos(x))
+        return x * Remainder(sp.sin, 1, x) / (1 + sp.cos(x))
 
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         return (1 + self**2) / 2
 
 
-# How far from 0 the Taylor series of a remainder is summed: for an entire function as far as anybody asks, else up to a
-# seam, and its definition is computed beyond, with a logarithm's end at 1 moved into the numbers.
-ENTIRE = {f(X): sp.pi for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
-SEAMS = {sp.exp(X): sp.Integer(1), sp.atanh(X): sp.Rational(2, 5), sp.log(1 + X): sp.Rational(1, 8)}
-LAST = {sp.atanh(X): 1 - sp.Rational(1, 2**53)}
-# A library has f less its head of one term under this name, accurate near 0: f(x)/x needs no series.
-FROM_ZERO = {sp.exp(X): Expm1, sp.log(1 + X): Log1p, sp.atan(X): sp.atan}
+# The Taylor series of a remainder is summed for an entire function as far as anybody asks, to pi, and for artanh up to
+# a seam; its definition is computed beyond, with the end at 1 moved into the numbers.
+ENTIRE = {f(X) for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
+SEAM, LAST = sp.Rational(2, 5), 1 - EPS
+# A library has f under this name, accurate near 0: f(x)/x needs no series.
+FROM_ZERO = {sp.log(1 + X): Log1p, sp.atan(X): sp.atan}
 
 
 class Remainder(Primitive):
@@ -155,7 +148,7 @@ class Remainder(Primitive):
         terms = list(taylor(f)[n::step])
         for _ in range(slopes):
             terms = [step * k * c for k, c in enumerate(terms)][1:]
-        reach = (ENTIRE | SEAMS)[f] ** step
+        reach = (sp.pi if f in ENTIRE else SEAM) ** step
         for count in range(1, len(terms)):
             if abs(terms[count]) * reach**count < abs(terms[0]) * EPS / 8:
                 return terms[:count]
@@ -165,16 +158,14 @@ class Remainder(Primitive):
         f, n, x, slopes = self.parts
         power = 2 if self.even else 1
         if f in ENTIRE:
-            return Horner.of(self.series(), x**power)
+            return Horner(x**power, *self.series())
         if n == 1 and not slopes and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
             size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
             away = Select(size, tiny, one, x)
             return Select(size, tiny, one, FROM_ZERO[f](away) / away)
-        seam = SEAMS[f]
-        near, far = sp.Max(sp.Min(x, seam), -seam), Select(sp.Abs(x), seam, seam, x)
-        far = sp.Min(far, LAST[f]) if f in LAST else far
+        near, far = sp.Max(sp.Min(x, SEAM), -SEAM), sp.Min(Select(sp.Abs(x), SEAM, SEAM, x), LAST)
         beyond = self.func(self.args[0], n, far, slopes).definition()
-        return Select(sp.Abs(x), seam, Horner.of(self.series(), near**power), beyond)
+        return Select(sp.Abs(x), SEAM, Horner(near**power, *self.series()), beyond)
 
 
 @cache
@@ -183,13 +174,3 @@ def taylor(f: sp.Expr) -> tuple[sp.Rational, ...]:
     f = f.replace(sp.atanh, lambda x: (sp.log(1 + x) - sp.log(1 - x)) / 2)
     terms = rs_series(f, X, 60).as_expr().as_poly(X)
     return tuple(terms.coeff_monomial(X**k) for k in range(60))
-
-
-def sinc(x: sp.Expr) -> sp.Expr:
-    """sin(x)/x."""
-    return Remainder(sp.sin, 1, x)
-
-
-def sine_defect(x: sp.Expr) -> sp.Expr:
-    """(x - sin x)/x**3."""
-    return -Remainder(sp.sin, 3, x)

@@ -13,24 +13,15 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.prove import prove_zero, refute
-from derive.algebra.remainders import HalfTan, Horner, Remainder, X, sinc, sine_defect, taylor, unfold
+from derive.algebra.remainders import HalfTan, Horner, Remainder, X, taylor, unfold
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
-TAU, _Y, _A, _H = sp.symbols("tau y_ angle_ artanh_", real=True)
+TAU, _Y, _H = sp.symbols("tau y_ artanh_", real=True)
 _SINE, _COSINE = 2 * TAU / (1 + TAU**2), (1 - TAU**2) / (1 + TAU**2)
 # What the rules leave of the angle and of artanh: alpha**3 and tau**3 times a remainder.
-ANGLE_REST = 4 * alpha**3 * sine_defect(2 * alpha)
+ANGLE_REST = -4 * alpha**3 * Remainder(sp.sin, 3, 2 * alpha)
 ARTANH_REST = 2 * TAU**3 * Remainder(sp.atanh, 3, TAU)
-
-
-@dataclass(frozen=True)
-class Rule:
-    """A rewriting that changes no value."""
-
-    name: str
-    says: str
-    rewrite: Callable[[sp.Expr], sp.Expr]
 
 
 @dataclass(frozen=True)
@@ -44,9 +35,8 @@ class Step:
 
 @dataclass(frozen=True)
 class StableForm:
-    """``closed`` = alpha**power ``reduced``, where ``reduced`` does not cancel and is finite and not zero at 0."""
+    """A closed form as alpha**power ``reduced``, which does not cancel and is finite and not zero at 0."""
 
-    closed: sp.Expr
     power: int
     reduced: sp.Expr
     steps: tuple[Step, ...]
@@ -58,29 +48,26 @@ class StableForm:
 
 
 def _bare_angle(expression: sp.Expr) -> sp.Expr:
-    """R1, on alpha where it stands alone, not in a function of it."""
+    """R1, on alpha where it stands alone: sin(alpha) cos(alpha) + 4 alpha^3 D(2 alpha), D(x) = (x - sin x)/x^3."""
     kept = {f: sp.Dummy() for f in sorted(expression.atoms(sp.Function), key=sp.default_sort_key)}
-    free = expression.subs(kept).subs(alpha, _A).subs({v: k for k, v in kept.items()})
-    return sp.expand(free.subs(_A, sp.sin(alpha) * sp.cos(alpha) + ANGLE_REST))
+    free = expression.subs(kept).subs(alpha, sp.sin(alpha) * sp.cos(alpha) + ANGLE_REST)
+    return sp.expand(free.subs({v: k for k, v in kept.items()}))
 
 
 def _artanh(expression: sp.Expr) -> sp.Expr:
-    """R2."""
-    rest = sp.atanh(TAU) - unfold(ARTANH_REST) / 2  # = tau, the head
-    return sp.expand(expression.subs(sp.atanh(sp.sin(alpha)), 2 * rest + ARTANH_REST))
+    """R2: artanh(sin(alpha)) = 2 tau + 2 tau^3 E(tau), E(x) = (artanh x - x)/x^3."""
+    return sp.expand(expression.subs(sp.atanh(sp.sin(alpha)), 2 * TAU + ARTANH_REST))
 
 
 def _half_angle(expression: sp.Expr) -> sp.Expr:
-    """R3: tau alone in the factors of each remainder; what cancels, cancels here."""
+    """R3: sin(alpha) = 2 tau/(1 + tau^2), cos(alpha) = (1 - tau^2)/(1 + tau^2); what cancels, cancels here."""
     expression = expression.subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
     return sp.Add(*(sp.factor(sp.cancel(c)) * r for r, c in _by_remainder(expression).items()))
 
 
-RULES = (
-    Rule("angle", "alpha = sin(alpha) cos(alpha) + 4 alpha^3 D(2 alpha), D(x) = (x - sin x)/x^3", _bare_angle),
-    Rule("artanh", "artanh(sin(alpha)) = 2 tau + 2 tau^3 E(tau), E(x) = (artanh x - x)/x^3", _artanh),
-    Rule("half angle", "sin(alpha) = 2 tau/(1 + tau^2), cos(alpha) = (1 - tau^2)/(1 + tau^2), and cancel", _half_angle),
-)
+RULES: dict[str, Callable[[sp.Expr], sp.Expr]] = {
+    "angle": _bare_angle, "artanh": _artanh, "half angle": _half_angle,
+}  # fmt: skip
 
 
 @cache
@@ -93,18 +80,19 @@ def stable(closed: sp.Expr) -> StableForm:
     expression = sp.expand(sp.expand_trig(closed))
     power = int(closed.leadterm(alpha)[1])
     steps = []
-    for rule in RULES if min(_orders(expression)) < power else RULES[1:]:
+    heads_cancel = min(_orders(expression)) < power
+    for name, rule in RULES.items():
         start, before = time.perf_counter(), expression
-        expression = rule.rewrite(before)
+        expression = rule(before) if heads_cancel or name != "angle" else before
         if expression != before:
-            prove_equal(expression, before, f"rule {rule.name}")
+            prove_equal(expression, before, f"rule {name}")
             operations = int(sp.count_ops(before)), int(sp.count_ops(expression))
-            steps.append(Step(rule.name, operations, time.perf_counter() - start))
+            steps.append(Step(name, operations, time.perf_counter() - start))
     if min(_orders(expression)) < power:
         raise ProofError(f"stable form of {closed}: heads", expression, "none, they cancel")
     reduced = _reduced(expression, power)
     prove_equal(alpha**power * reduced, closed, f"stable form of {closed}")
-    return StableForm(closed, power, reduced, tuple(steps))
+    return StableForm(power, reduced, tuple(steps))
 
 
 def _in_tau(expression: sp.Expr) -> sp.Expr:
@@ -140,15 +128,15 @@ def _lowest(polynomial: sp.Expr) -> int:
 def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
     """The expression over alpha**power, for computing.
 
-    With c = cos(alpha): tau/alpha = sinc(alpha)/(1 + c), 1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a factor,
-    as of what vanishes at pi/2, (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c), 1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a
+    factor, as of what vanishes at pi/2, (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
     """
     c = sp.cos(alpha)
     found = []
     for rest, factor in _by_remainder(expression).items():
         over, under = sp.fraction(sp.cancel(factor))
         shift = _lowest(over) - _lowest(under)
-        product, ends = rest * alpha ** (shift - power) * sinc(alpha) ** shift, -shift
+        product, ends = rest * alpha ** (shift - power) * Remainder(sp.sin, 1, alpha) ** shift, -shift
         for part, sign in ((over, 1), (under, -1)):
             constant, factors = sp.factor_list((part / TAU ** _lowest(part)).expand().subs(TAU, sp.sqrt(_Y)), _Y)
             product *= constant**sign
@@ -159,7 +147,7 @@ def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
                     product, ends = product * sp.Integer(2) ** (sign * n), ends - sign * n
                 else:
                     coefficients = sp.Poly(polynomial, _Y).all_coeffs()[::-1]
-                    product *= Horner.of(coefficients, TAU**2) ** (sign * n)
+                    product *= Horner(TAU**2, *coefficients) ** (sign * n)
         found.append((product * (1 + c) ** ends).subs(TAU, HalfTan(alpha)))
     return sp.Add(*found)
 

@@ -22,8 +22,7 @@ import sympy as sp
 
 from derive.algebra.integrate import antiderivative
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import sine_defect, unfold
-from derive.check.proof import ProofError
+from derive.algebra.remainders import Remainder, unfold
 from derive.declare.quantities import MOMENTS
 from derive.declare.symbols import alpha, r, theta
 
@@ -139,7 +138,7 @@ SINE, COSINE, HEIGHT, PRESSURE, COHESION, MU, K_H, FACTOR = sp.symbols(
     "sine cosine height pressure cohesion mu k_h factor", real=True
 )
 DISTANCE, BETA, SLOPE = sp.symbols("distance beta slope", real=True)
-_N, _S = sp.symbols("N S", real=True)
+_N, _S, _RHO, _Y = sp.symbols("N S rho y", real=True)
 _CIRCLE = {SINE**2: 1 - COSINE**2}
 
 
@@ -171,9 +170,17 @@ def slices() -> dict[str, sp.Expr]:
         "bishop_strength": bishop,
         "bishop_lever": lever,
         "bishop_normal": normal,
-        "radial_weight": COSINE * (1 - DISTANCE),
-        "radial_tilt": COSINE * SINE * sp.log((1 + COSINE) / (DISTANCE + COSINE - HEIGHT)),
+        # Of the weight along the radius, -y/rho and x/rho over a strip: their integrals over y, where drho = y/rho dy.
+        "radial_weight": COSINE * _strip(-_Y / _RHO, -_RHO),
+        "radial_tilt": COSINE * SINE * _strip(1 / _RHO, -sp.log(_RHO - _Y)),
     }
+
+
+def _strip(integrand: sp.Expr, primitive: sp.Expr) -> sp.Expr:
+    """The integral over y from the arc up to the ground, by a primitive in rho and y, which is proved."""
+    prove_zero(sp.diff(primitive, _Y) + sp.diff(primitive, _RHO) * _Y / _RHO - integrand, f"{primitive} over a strip")
+    ground = primitive.subs({_RHO: DISTANCE, _Y: HEIGHT - COSINE}, simultaneous=True)
+    return sp.logcombine(ground - primitive.subs({_RHO: 1, _Y: -COSINE}, simultaneous=True), force=True)
 
 
 def head() -> sp.Expr:
@@ -181,7 +188,7 @@ def head() -> sp.Expr:
 
     Each term is small where the angle or the height is, so that neither thin masses nor steep lines cancel.
     """
-    bent, defect = 2 * sp.sin(ANGLE / 2) ** 2, ANGLE**3 * sine_defect(ANGLE)
+    bent, defect = 2 * sp.sin(ANGLE / 2) ** 2, -(ANGLE**3) * Remainder(sp.sin, 3, ANGLE)
     return HEIGHT * ANGLE + (SLOPE * COSINE - SINE) * bent - (SLOPE * SINE + COSINE) * defect
 
 
@@ -236,17 +243,8 @@ def _prove_slices(claim: Callable[[sp.Expr, str], None]) -> None:
         (sp.sin(alpha) + sp.sin(3 * alpha) / 3) / 2 - sp.cos(alpha) * sp.sin(2 * alpha) / 2
     ) * sp.cos(2 * middle)
     claim(normal * sp.cos(middle) - even, "one chord: the ordinary method's normal force in closed form")
-    # Strips: x and y of the point, and of the arc below it.
-    x, y = sp.symbols("x y", real=True)
-    reach = sp.sqrt(x**2 + y**2)
-    claim(sp.diff(-reach, y) + y / reach, "J_r by strips: -y/r is the slope of -r")
-    claim(sp.diff(-sp.log(reach - y), y) - 1 / reach, "J_r by strips under k_h: 1/r is the slope of -log(r - y)")
     low, unfolded = sp.Symbol("low", real=True), unfold(head())
     above = HEIGHT + SLOPE * (sp.sin(low + ANGLE) - sp.sin(low)) + sp.cos(low + ANGLE) - sp.cos(low)
     grown = sp.diff(unfolded.subs({SINE: sp.sin(low), COSINE: sp.cos(low)}), ANGLE)
     claim(sp.expand_trig(grown - above), "height of a line above the arc")
     claim(sp.limit(unfolded, ANGLE, 0), "no height over no angle")
-    zero = {HEIGHT: 0, DISTANCE: 1}
-    for name in ("radial_weight", "radial_tilt"):
-        if (weighs := forms[name].subs(zero)) != 0:
-            raise ProofError(f"{name}: a slice without height weighs nothing", weighs)

@@ -41,7 +41,6 @@ CELLS = {
     "ONE_WAY": "1 where shaking may start it down-slope only",
     "FIRST_ONLY": "1 where the first standstill ends it",
     "LIMIT": "limit friction of weight alone at the start",
-    "LIMIT_LOW": "what rounding took from it",
     "PEAK_TIME": "t* of the greatest speed",
     "PEAK_ROTATION": "rotation then, signed",
     "PEAK_OMEGA": "omega* then, signed",
@@ -51,7 +50,6 @@ CELLS = {
     "END_ROTATION": "rotation at the end, signed",
     "END_OMEGA": "omega* then, signed",
     "END_RATE": "d omega*/dt* then, signed",
-    "FIRST_STOP": "t* of the first standstill",
     "CLOSE": "least margin of a decision at rest, over its terms",
     "LIFT_TIME": "t* of the first lift-off",
     "PASSED": "what the phase began by passing",
@@ -274,14 +272,13 @@ def balance() -> Fragment:
     low.register(increment, "dnet")
     low.put("lin", "net", "drive", (("=1.0", "dnet"),))
     # As long as nothing that it depends on has departed from the start, what drives is made of what is left of the
-    # limit friction. That of weight alone is given, in two parts, and is known better than a quotient of sums.
+    # limit friction. That of weight alone is given, and is known better than a quotient of sums.
     low.cells["limit_0"] = (cell("driving_0") - cell("resisting_0")) / cell("normal_0")
     driven, pressed = cell("driving_0") - cell(str(seen(FALL))), cell("normal_0") - cell(str(seen(PRESS)))
     low.cells["others"] = abs(driven) + abs(pressed) + cell("resisting_0")
     low.cells["limit"] = Select(0, cell("others"), cell("limit_0"), cell("LIMIT"))
     low.cells["gap"] = cell("limit") - cell("mu_0")
-    low_part = Select(0, cell("others"), 0, cell("LIMIT_LOW"))
-    given = cell("normal_0") * (cell("gap") + low_part)
+    given = cell("normal_0") * cell("gap")
     driven = Select(0, cell("driving_0") - cell("resisting_0"), 1, 0)
     low.cells["first"] = Select(0, cell("departed"), 0, GRIP * driven)
     low.cells["drive"] = Select(0, cell("first"), given, static)
@@ -291,7 +288,7 @@ def balance() -> Fragment:
     words = [
         "(3.11) d omega*/dt* = net = driving - resisting - friction, friction = mu normal unless the mass is lifted",
         "normal = pressing - lifting; net = drive + dnet, where drive is net where the phase began, at no speed",
-        "drive = normal ((limit - mu) + limit_low) as at the start; drive_scale is the rounding of its terms",
+        "drive = normal (limit - mu) as at the start; drive_scale is the rounding of its terms",
     ]
     return low.fragment(words, {})
 

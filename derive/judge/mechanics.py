@@ -54,8 +54,7 @@ def reaction() -> Pair:
 
 def moment_of(radius: sp.Expr, force: Pair) -> sp.Expr:
     """The moment about K of a force in polar components: its radial part has no lever."""
-    place, push = (sp.Matrix([*x, 0]) for x in ((radius, 0), force))
-    return place.cross(push)[2]
+    return radius * force[1]
 
 
 def along_bisector(force: Pair) -> sp.Expr:
@@ -93,19 +92,15 @@ def deepest() -> sp.Expr:
     return depth.subs(u, place)
 
 
-def _integral(f: sp.Expr, low: sp.Expr, high: sp.Expr) -> sp.Expr:
+def body_star(f: sp.Expr, low: sp.Expr = CHORD, high: sp.Expr = sp.Integer(1)) -> sp.Expr:
+    """The double integral from the chord to the arc in r* = r/R, constants outside."""
     parts = (term.as_independent(r, theta) for term in sp.Add.make_args(sp.expand(f)))
     return sp.Add(*(c * sp.Integral(rest, (r, low, high), (theta, theta_1, theta_2)) for c, rest in parts))
 
 
 def body(f: sp.Expr) -> sp.Expr:
-    """The double integral from the chord to the arc, constants outside."""
-    return _integral(f, R * CHORD, R)
-
-
-def body_star(f: sp.Expr, low: sp.Expr = CHORD) -> sp.Expr:
-    """The same in r* = r/R."""
-    return _integral(f, low, sp.Integer(1))
+    """The same in r."""
+    return body_star(f, R * CHORD, R)
 
 
 def scaled(f: sp.Expr) -> sp.Expr:

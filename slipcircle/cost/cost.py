@@ -5,6 +5,7 @@ one function are timed in turns, so that what disturbs the machine disturbs all 
 """
 
 import time
+import tracemalloc
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -13,17 +14,19 @@ from typing import TextIO
 
 import numpy as np
 
-from slipcircle.cost import scenes
+from slipcircle.cost import scenes, sections
 from slipcircle.cost.reference import Floats, Reference
 from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way, multiprecision
 
 SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that does not
 BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
 REPEATS = 9
-_TICK, _PASS, _PATIENCE = 5e-4, 0.1, 0.08  # seconds: shortest thing timed, longest single pass, all repeats of one
+_TICK, _PATIENCE = 5e-4, 0.08  # seconds: shortest thing timed, all repeats of one
+_LONG = 1.0  # seconds of a pass, above which one is enough
 _QUICK = 0.02  # seconds for scenes, after which ten times as many are not asked for
 FRONTIER, LOST = "frontier", "beaten: "
-NAMES = [*FUNCTIONS, *scenes.CASES]
+SUBJECTS = {**FUNCTIONS, sections.NAME: sections.subject}
+NAMES = [*SUBJECTS, *scenes.CASES]
 GROUPS = {"kernels": [*FUNCTIONS], "flow": [*scenes.CASES]}
 
 
@@ -52,6 +55,8 @@ class Row:
         Time of an element, ns, with N elements in a call: the median of several turns.
     elements
         How many elements the last of them was measured on; fewer than N for slow ways.
+    memory
+        Most that a call on so many took beside its arguments, bytes of Python and NumPy; None: not measured.
     verdict
         "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate.
     """
@@ -70,6 +75,7 @@ class Row:
     worst_input_ulp: tuple[float, ...] = ()
     points: int = 1
     kind: str = "float64"
+    memory: int | None = None
     ours: bool = False
     verdict: str = ""
     profile: Profile | None = field(default=None, repr=False, compare=False)
@@ -109,7 +115,7 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
         if name in scenes.CASES:
             found += [row for many in (False, True) for row in judged(_scenes(name, many, progress))]
         else:
-            found += judged(_functions(name, FUNCTIONS[name]()))
+            found += judged(_functions(name, SUBJECTS[name]()))
     return found
 
 
@@ -117,8 +123,10 @@ def _functions(name: str, subject: Subject) -> list[Row]:
     rows = []
     for way, times in zip(subject.ways, _times(subject), strict=True):
         one, many, most = (ns for ns, _ in times)
-        row = Row(name, way.name, float("nan"), (), one, many, most, times[-1][1], way.bound, way.bound_ulp,
-                  kind=way.kind, ours=way.ours)  # fmt: skip
+        count = times[-1][1]
+        memory = _peak(_work(way, subject.bulk(count), count)) if subject.weighed else None
+        row = Row(name, way.name, float("nan"), (), one, many, most, count, way.bound, way.bound_ulp,
+                  kind=way.kind, memory=memory, ours=way.ours)  # fmt: skip
         rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
     return rows
 
@@ -174,18 +182,28 @@ def _times(subject: Subject) -> list[list[tuple[float, int]]]:
     found: list[list[tuple[float, int]]] = [[] for _ in subject.ways]
     for size in SIZES:
         arguments = subject.bulk(size)
-        counts = [_fitting(way, size, sofar) for way, sofar in zip(subject.ways, found, strict=True)]
+        counts = [_fitting(size, sofar, subject.longest) for sofar in found]
         works = [_work(w, arguments, n) for w, n in zip(subject.ways, counts, strict=True)]
         for sofar, count, seconds in zip(found, counts, interleaved(works), strict=True):
             sofar.append((median(seconds) / count * 1e9, count))
     return found
 
 
-def _fitting(way: Way, size: int, sofar: list[tuple[float, int]]) -> int:
-    """How many elements a pass has time for."""
-    while sofar and size > SIZES[1] and size * sofar[-1][0] * 1e-9 > _PASS:
+def _fitting(size: int, sofar: list[tuple[float, int]], longest: float) -> int:
+    """How many elements a pass has time for, in seconds."""
+    while sofar and size > SIZES[1] and size * sofar[-1][0] * 1e-9 > longest:
         size //= 10
     return size
+
+
+def _peak(work: Callable[[], object]) -> int:
+    """Bytes that work takes at most, of Python and NumPy."""
+    tracemalloc.start()
+    try:
+        work()
+        return tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
 
 
 def _work(way: Way, arguments: Floats, count: int) -> Callable[[], object]:
@@ -204,12 +222,13 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
     np.ones(4_000_000)
     plans = []
     for work in works:
-        work()
         took = _timed(work, 1)
+        if took < _LONG:
+            took = _timed(work, 1)
         if took < _PATIENCE:  # what is slow at first only shall not pass for long work
             took = min(took, _timed(work, 1), _timed(work, 1))
         loops = max(1, int(_TICK / took))
-        plans.append((loops, min(REPEATS, max(3, int(_PATIENCE / (took * loops))))))
+        plans.append((loops, min(REPEATS, max(3 if took < _LONG else 1, int(_PATIENCE / (took * loops))))))
     samples: list[list[float]] = [[] for _ in works]
     for turn in range(REPEATS):
         for work, (loops, repeats), sample in zip(works, plans, samples, strict=True):

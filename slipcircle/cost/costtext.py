@@ -18,11 +18,12 @@ NOTES = (
     f"N=: processor time, ns an element or that of a scene, the median of up to {REPEATS} turns, into a given array "
     "where the way can; ~ on fewer elements. What heyoka takes to compile is left "
     "out.",
+    "memory: the most that the last of these took of Python and NumPy, its result included; shapely's own is not seen.",
     f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
     "no digit: an error of 1 or more somewhere; returning 0 is as accurate.",
 )
 UNDERFLOW = 2.0**-320  # below it results underflow, and another bound holds (`bound_underflow` of the certificates)
-COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "verdict")
+COLUMNS = ("#", "way", "proved", "seen", "ulp", "at", "N=1", "N=1e4", "N=1e6", "memory", "verdict")
 
 
 def _ulp(row: Row) -> float:
@@ -108,7 +109,8 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
             place[row.way], row.way, _proved(row), short(row.error) if row.error == row.error else "",
             short(float(row.ulp or 0), 1) if ulp is None else ulp, _at(row.worst_input_ulp),
             time(row.ns_1), (few if solver else "") + time(row.ns_1e4) if row.ns_1e4 else "",
-            few + time(row.ns_1e6) if row.ns_1e6 else "", f"beaten {winner}" if winner else row.verdict,
+            few + time(row.ns_1e6) if row.ns_1e6 else "",
+            "" if row.memory is None else f"{row.memory / 1e6:.3g} MB", f"beaten {winner}" if winner else row.verdict,
         ])  # fmt: skip
     filled = [any(column) for column in zip(*found, strict=True)]
 

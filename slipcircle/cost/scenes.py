@@ -22,7 +22,7 @@ from slipcircle.cost.reference import Floats
 from slipcircle.files.scenefile import load
 from slipcircle.flow import compiled, walk
 from slipcircle.flow.solve import walked
-from slipcircle.motion.motion import Motion
+from slipcircle.motion.motion import Motion, told
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import lanes_of, solve
 from slipcircle.scene.arc import Arc
@@ -164,7 +164,7 @@ def ours(case: Case, accuracy: float, walker: Any, closed: bool | None, mu: Floa
     else:
         lanes = lanes_of(chosen := plan(scene, accuracy))
         cells = walked(lanes.bound, lanes.closed and closed is None, walker=walker)
-        motion = Motion(chosen, lanes, dict(enumerate(cells)), [])
+        motion = Motion(chosen, lanes, told(cells, not scene.shape), [])
     return np.array([motion.outcomes[n] for n in ("run_out", "peak_velocity", "duration")]).reshape(3, -1)
 
 

@@ -54,6 +54,8 @@ class Subject:
     ways: list[Way]
     reference: Callable[[str], Reference]
     bulk: Callable[[int], Floats]  # one row per argument
+    longest: float = 0.1  # seconds that a single pass may take
+    weighed: bool = False  # whether memory is measured too
 
 
 # --- this package --------------------------------------------------------------------------------------------------

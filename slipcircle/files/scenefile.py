@@ -4,7 +4,8 @@ import json
 import math
 import os
 import re
-from collections.abc import Mapping
+import tomllib
+from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
@@ -14,15 +15,15 @@ from typing import Any
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import distribution_mistakes, made
 from slipcircle.files import slopefile
-from slipcircle.files.slopekeys import GEOMETRY
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
-from slipcircle.scene.keys import Key, Table, law_table, tables_of
+from slipcircle.scene.keys import SLOPING, Key, Table, law_table, sloping, tables_of
 from slipcircle.scene.numbers import numbers
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.search import Critical
 from slipcircle.scene.section import Section
+from slipcircle.scene.stability import soil
 
-_NO_ARC = {"radius_m": 1.0, "theta_1_deg": 225.0, "theta_2_deg": 315.0, "unit_weight_kN_m3": 20.0}  # never solved
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -31,15 +32,16 @@ def shipped() -> tuple[str, ...]:
     return tuple(sorted(f.name.removesuffix(".toml") for f in _FOLDER.iterdir() if f.name.endswith(".toml")))
 
 
-def load(name: str | PathLike[str]) -> Scene:
-    """A scene that ships, by name, or one's own, by the path of its file; see `Scene.load`."""
-    if name in shipped():
-        return _scene(find(name), f"{name}.toml", check=False)
-    return read(find(name))
+def load(name: str | PathLike[str]) -> Scene[float]:
+    """A scene that ships, by name, or one's own, by the path of its file."""
+    source = find(name)
+    return _scene(source, source.name, check=False) if name in shipped() else read(source)
 
 
 def find(name: str | PathLike[str]) -> Any:
     """The file of a scene that ships, by name; or one's own, by its path."""
+    if not isinstance(name, str | PathLike):
+        raise ValueError(f"scene {name!r}: must be the name of one that ships, or the path of its file")
     if name in (names := shipped()):
         return _FOLDER / f"{name}.toml"
     path = Path(name)
@@ -53,7 +55,7 @@ def find(name: str | PathLike[str]) -> Any:
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
 
-def read(path: str | PathLike[str]) -> Scene:
+def read(path: str | PathLike[str]) -> Scene[float]:
     """The scene that a TOML file describes.
 
     Parameters
@@ -68,28 +70,81 @@ def read(path: str | PathLike[str]) -> Scene:
     return _scene(Path(path), str(path), check=True)
 
 
+def searched(name: str | PathLike[str], method: str | None, told: Callable[[str], None]) -> tuple[str, str, Critical]:
+    """Name, note and critical circle of the slope in a file; where that gives a circle, the factors of this one.
+
+    Parameters
+    ----------
+    name : str or path-like
+        As of `load`; a circle is not needed.
+    method : str, optional
+        Whose least factor is looked for; by default what the file says, or bishop.
+    told : callable
+        Takes a line of progress.
+    """
+    source, file = find(name), str(name)
+    document = _document(source, file)
+    if "ground" not in document:
+        raise ValueError(f"{file}: arc: says nothing of the ground beside it; a search needs [ground] in its place")
+    circle = document.setdefault("circle", {"critical": "bishop"})
+    if method and isinstance(circle, dict) and "critical" in circle:
+        circle["critical"] = method
+    stem = Path(file).stem
+    parts, _ = _parts(document, file, True, lambda line: told(f"{document.get('name', stem)}: {line}"))
+    if parts["stability"] is None:
+        raise ValueError(f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from "
+                         "a record")  # fmt: skip
+    if parts["uncertain"]:
+        told(f"{parts['name']}: at the median of {', '.join(parts['uncertain'])}")
+    return parts["name"], parts.get("note", ""), parts["stability"]
+
+
+def _document(source: Any, file: str) -> dict[str, Any]:
+    """What stands in a TOML file, or one sentence why it cannot be read."""
+    try:
+        return tomllib.loads(source.read_bytes().decode("utf-8-sig"))
+    except OSError as error:
+        raise ValueError(f"{file}: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise ValueError(f"{file}: is not TOML: {error}") from error
+
+
 def _scene(source: Any, file: str, check: bool) -> Scene:
     """The scene of a file; those that ship are checked by the tests, so that they need NumPy alone."""
-    document = slopefile.document_of(source, file)
+    parts, tables = _parts(_document(source, file), file, check)
+    if parts["stability"]:
+        parts["stability"] = parts["stability"].without_map()
+    try:
+        return Scene(**parts)
+    except ValueError as error:
+        said = str(error).removeprefix(f"Scene {parts['name']}: ")
+        raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
+
+
+def _parts(
+    document: dict[str, Any], file: str, check: bool, told: Callable[[str], None] = lambda _: None
+) -> tuple[dict[str, Any], dict[str, Table]]:
+    """What a scene is made of, and the tables of its file; every mistake listed."""
     friction: Any = document.get("friction")
     wanted = friction.get("law", "constant") if isinstance(friction, dict) else "constant"
     law = "".join(get_close_matches(str(wanted), LAWS, 1))  # itself, where it is known
     by_rate: Any = friction.get("rate") if isinstance(friction, dict) else None
     asked = by_rate.get("law", "") if isinstance(by_rate, dict) else ""
     rate = "".join(get_close_matches(str(asked), RATE_LAWS, 1)) or RATE_LAWS[0]
-    sloping = "ground" in document
-    tables, stability, whole = tables_of(law or "constant", rate), None, document
-    document, uncertain, found, wrong = _drawn(whole, tables)
+    tables, on_slope = tables_of(law or "constant", rate), "ground" in document
+    found = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in document else []
+    if on_slope:
+        tables, document = sloping(tables), {k: v for k, v in document.items() if k != "arc"}
+    document, uncertain, said, wrong = _drawn(document, tables)
+    found += said
     if check:
         # Of a law that is anybody's guess nothing else can be judged.
         judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
-        if sloping:
-            judged = {k: v for k, v in judged.items() if k not in GEOMETRY} | {"arc": _NO_ARC}
         more, also = _mistakes(judged, tables)
         found, wrong = found + more, wrong | also
-    if sloping and "arc" in document:
-        found.append("arc: and ground exclude each other; leave one out")
-    if not sloping and "arc" not in wrong:
+    if not on_slope and "arc" not in wrong:
         given = _arguments(document["arc"].get("given", {}), tables["arc.given"])
         try:
             arc: Arc | Section = Arc(**_arguments(document["arc"], tables["arc"]), given=given or None)
@@ -100,23 +155,23 @@ def _scene(source: Any, file: str, check: bool) -> Scene:
         if by_rate is not None:
             friction["rate"] = {"law": rate} | _arguments(by_rate, tables["friction.rate"])
         found += law_mistakes(friction)
-    if sloping and not found:
-        try:
-            arc, stability = slopefile.section_of(whole)
-        except ValueError as error:
-            found += str(error).splitlines()
+    stability = None
+    if not found:
+        effects = {name: _arguments(document[name], tables[name]) for name in EFFECTS if name in document}
+        for given in effects.values():  # records lie where the scene's file lies
+            given |= {k: str(Path(file).parent / v) for k, v in given.items() if k.endswith("record")}
+        if on_slope:
+            try:
+                own = {name: _arguments(document.get(name, {}), SLOPING[name]) for name in SLOPING}
+                arc, stability = slopefile.section(own, soil(friction, effects), told)
+            except ValueError as error:
+                found = str(error).splitlines()
     if found:
         raise ValueError("\n".join(f"{file}: {m}" for m in found))
-    effects = {name: _arguments(document[name], tables[name]) for name in EFFECTS if name in document}
-    for given in effects.values():  # records lie where the scene's file lies
-        given |= {k: str(Path(file).parent / v) for k, v in given.items() if k.endswith("record")}
-    known = {"name": Path(file).stem} | _arguments(document, tables[""])
-    try:
-        mu = friction["coefficient"] if law == "constant" and by_rate is None else friction
-        return Scene(arc, mu, effects, **known, uncertain=uncertain, stability=stability)
-    except ValueError as error:
-        said = str(error).removeprefix(f"Scene {known['name']}: ")
-        raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
+    parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": uncertain, "stability": stability}
+    if law == "constant" and by_rate is None:
+        parts["friction"] = friction["coefficient"]
+    return parts | {"name": Path(file).stem} | _arguments(document, tables[""]), tables
 
 
 def _by_key(said: str, tables: Mapping[str, Table]) -> str:
@@ -138,7 +193,7 @@ def _drawn(
     uncertain: dict[str, Any] = {}
     found: list[str] = []
     wrong: set[str] = set()
-    for number in numbers(tables).values():
+    for number in numbers({path: table for path, table in tables.items() if path not in SLOPING}).values():
         path, _, k = number.key.rpartition(".")
         held = out.get(path) if path else out
         given = held.get(k) if isinstance(held, dict) else None
@@ -190,13 +245,17 @@ def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table]) -> tuple
             else:
                 key = table.keys[k]
                 for place, given in key.wrong(value):
-                    say(full, f"{full}{place} = {_shown(given)}: must be {key.allowed}{_asked(key, given)}")
+                    say(full, f"{full}{place} = {_shown(given)}: must be {key.allowed}{_asked(key, given, table)}")
                 if key.kind == "series" and isinstance(value, list) and "time_s" not in held:
                     say(full, f"{shown}: is a list, which needs its times beside it, time_s; or give one number")
         missing.update({f"{dot}{k}": f"{key.title}, {key.allowed}"
                         for k, key in table.keys.items() if key.required and k not in held})  # fmt: skip
         missing.update({t: f"{tables[t].title}, a table [{t}]"
                         for k, t in inner.items() if tables[t].required and k not in held})  # fmt: skip
+        have = {k for keys in table.sets for k in keys if k in held}
+        if table.sets and have not in map(set, table.sets) and not any(m.startswith(dot) for m in meant):
+            at_fault = f"{' and '.join(sorted(have))} do not go together" if have else "something is missing"
+            say(path, f"{path}: {at_fault}; give {', or '.join(' with '.join(keys) for keys in table.sets)}")
         for choice in filter(None, (*table.one_of, table.any_of)):
             given = [k for k in choice if k in held]
             if choice in table.one_of and len(given) > 1:
@@ -213,13 +272,18 @@ def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table]) -> tuple
     return found, wrong
 
 
-def _asked(key: Key, given: Any) -> str:
-    """What else to say of a wrong value: the key's title, a law that may be meant, bounds that nobody expects."""
-    if key.name == "law":
-        guess = get_close_matches(str(given), LAWS, 1)
+def _asked(key: Key, given: Any, table: Table) -> str:
+    """What else to say of a wrong value: the key's title, a word that may be meant, bounds that nobody expects."""
+    if "|" in key.kind or key.name == "law":
+        guess = get_close_matches(str(given), LAWS if key.name == "law" else key.kind.split("|"), 1)
         return f": {key.title}" + "".join(f"; did you mean {g}?" for g in guess)
     low, high = key.limits.get("gt", 0.0), key.limits.get("lt", math.inf)
     number = isinstance(given, int | float) and not isinstance(given, bool) and abs(given) < math.inf
+    angle = next((k for k, other in table.keys.items() if other.tangent and other.name == key.name), "")
+    if number and given > high and key.per_unit == 1e3:
+        return f": {key.title}; is that in {key.si}? 1 {key.unit} is 1000 {key.si}".replace("^", "")
+    if number and given >= high and angle and not key.tangent:
+        return f": {key.title}; an angle? say {angle}"
     far = number and (0.0 < given <= low or abs(given) >= high) and f"{high:g}" not in key.allowed
     return f": {key.title}" + (f"; between {low:g} and {high:g}: is that another unit?" if far else "")
 

@@ -5,9 +5,8 @@ from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import DISTRIBUTIONS
-from slipcircle.files import slopekeys
 from slipcircle.scene.friction import RATE_LAWS
-from slipcircle.scene.keys import Key, Table, law_table, may_have_rate, tables_of
+from slipcircle.scene.keys import SLOPING, Key, Table, law_table, may_have_rate, tables_of
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
@@ -29,11 +28,12 @@ def schema() -> dict[str, Any]:
     rates = {"anyOf": [defined(f"rate_{law}", law_table(law, RATE_LAWS)) for law in RATE_LAWS]}
     laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
     inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
-    inner |= {name: defined(name, tables[name]) for name in EFFECTS} | slopekeys.schemas()
+    inner |= {name: defined(name, tables[name]) for name in EFFECTS}
+    inner |= {name: _table(table, {}, plain=True) for name, table in SLOPING.items()}
     found = _table(tables[""], inner, False)
     found["required"] = ["friction"]
     found["oneOf"] = [
-        {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in slopekeys.GEOMETRY]}},
+        {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in SLOPING]}},
         {"required": ["ground", "circle"], "not": {"required": ["arc"]}},
     ]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
@@ -44,6 +44,7 @@ def _table(table: Table, more: Mapping[str, Any], plain: bool) -> dict[str, Any]
     found = _object(keys | dict(more), table.title, [k for k, key in table.keys.items() if key.required])
     needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
     needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
+    needs += [{"oneOf": [{"required": list(keys)} for keys in table.sets]}] if table.sets else []
     return found | ({"allOf": needs} if needs else {})
 
 
@@ -56,10 +57,12 @@ def _key(key: Key, plain: bool) -> dict[str, Any]:
     """What a key may hold; a number may be uncertain, unless it is a plain one."""
     number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.limits.items()}
     many = {"type": "array", "items": number}
+    pair = many | {"minItems": 2, "maxItems": 2}
     either = [number, *([] if plain else _DISTRIBUTIONS)]
     kinds: dict[str, dict[str, Any]] = {
         "text": {"type": "string"}, "flag": {"type": "boolean"}, "number": {"anyOf": either} if either[1:] else number,
-        "list": many, "series": {"anyOf": [*either, many]},
+        "list": many, "series": {"anyOf": [*either, many]}, "pair": pair,
+        "points": {"type": "array", "items": pair, "minItems": 2},
     }  # fmt: skip
     words = key.kind.split("|")
     choice = {"const": key.kind} if len(words) == 1 else {"enum": words}

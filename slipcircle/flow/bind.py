@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
+from slipcircle.base.checks import choose, plain
 from slipcircle.base.series import Pulse, Series
 from slipcircle.flow import cells as its
 from slipcircle.flow import tables
@@ -20,6 +21,7 @@ from slipcircle.scene.section import Section
 
 Floats = NDArray[np.float64]
 FINEST = 1e-14
+LOWEST = 5  # order, as the radius of convergence is told by the last coefficients against the first five
 STEP = math.exp(-2.0)  # of the radius of convergence, so that a series of order n leaves exp(-2 n)
 
 
@@ -47,7 +49,7 @@ class Bound(NamedTuple):
 
     def _of(self, program: Program) -> "Bound":
         """The same numbers for another program."""
-        cells = blank(program, self.cells.shape[1])
+        cells = program.blank(self.cells.shape[1])
         to, of = _shared(program, self.program)
         cells[to] = self.cells[of]
         data = {slot.name: t for slot, t in zip(self.program.tables, self.tables, strict=True)}
@@ -55,7 +57,7 @@ class Bound(NamedTuple):
 
     def start(self) -> Floats:
         """The cells to walk with."""
-        cells = blank(self.program, self.cells.shape[1])
+        cells = self.program.blank(self.cells.shape[1])
         cells[: self.program.given] = self.cells[: self.program.given]
         return cells
 
@@ -64,15 +66,7 @@ class Bound(NamedTuple):
 def _shared(program: Program, other: Program) -> tuple[Any, Any]:
     """Where two programs hold the same numbers."""
     names = [x for x in program.cells[: program.given] if x in other.places]
-    return [program.places[x] for x in names], [other.places[x] for x in names]
-
-
-def blank(program: Program, lanes: int) -> Floats:
-    """Cells of lanes of which nothing is known but the constants; memory that nobody writes to is not taken."""
-    cells = np.zeros((len(program.cells), lanes))
-    for name, value in program.constants.items():
-        cells[program.places[name]] = value
-    return cells
+    return np.array([program.places[x] for x in names]), np.array([other.places[x] for x in names])
 
 
 class Grown(NamedTuple):
@@ -84,7 +78,7 @@ class Grown(NamedTuple):
 
 def order(accuracy: float) -> int:
     """Order of the series that leaves less than an accuracy at steps of exp(-2) of the radius of convergence."""
-    return math.ceil(3.0 - math.log(max(accuracy, 1e-16)) / 2.0)
+    return max(math.ceil(3.0 - math.log(max(accuracy, 1e-16)) / 2.0), LOWEST)
 
 
 def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
@@ -121,13 +115,12 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     absent = tuple(symbol for symbol, value in known if value is None)
     joined = (effects, tuple(name for name, _ in parts), moving, absent)
     program = join(*joined)
-    time_scale, radius = arc.time_scale, np.asarray(arc.radius, dtype=np.float64)
-    weights = arc.weights
+    time_scale, radius, weights = plain(arc.time_scale), plain(arc.radius), arc.weights
     given: dict[str, Any] = weights._asdict()
     scales = {
         "half_angle": arc.half_angle, "gravity": arc.gravity, "reference_stress": arc.reference_stress,
         "Theta": arc.dimensionless.moment_of_inertia, "radius": radius,
-        "density": np.divide(arc.unit_weight, arc.gravity), "cover": weights.cover,
+        "density": plain(arc.unit_weight) / plain(arc.gravity), "cover": weights.cover,
     }  # fmt: skip
     pieces: dict[str, tuple[tables.Data, Any, Any]] = {}  # by name: data, scale, factor
     grown: dict[str, Grown] = {}
@@ -147,8 +140,19 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
                 given[p.symbol] = p.dimensionless(value, scales | own)
     for name, parameters in parts:
         _law(name, parameters, radius, time_scale, given, pieces, grown)
-    cells, at = blank(program, lanes), program.places
-    for name, value in given.items():
+    with np.errstate(over="ignore"):
+        first = {
+            "omega": velocity / radius * time_scale, "END_TIME": end_time / time_scale,
+            "LIMIT": abs(weights.static_limit),
+            # The steps of one scene cost next to nothing, whatever their order.
+            "ORDER": order(min(accuracy, FINEST) if lanes == 1 else accuracy), "FACTOR": STEP, "CLOSE": np.inf,
+            "LIFT_TIME": np.nan,
+        }  # fmt: skip
+    shaken = called.get("shaking", {})
+    first["ONE_WAY"] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
+    first["FIRST_ONLY"] = choose(end_time == np.inf, _first_only(effects, parts, given), 0.0)
+    cells, at = program.blank(lanes), program.places
+    for name, value in (given | first).items():
         if name in at:
             cells[at[name]] = value
     data, functions = list[tables.Data](), dict[int, Grown]()
@@ -158,17 +162,6 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
         cells[slot.cells + its.SCALE], cells[slot.cells + its.SCALED_BY] = scale, factor
         if slot.name in grown:
             functions[k] = grown[slot.name]
-    with np.errstate(over="ignore"):
-        cells[its.OMEGA] = np.asarray(velocity, dtype=np.float64) / radius * time_scale
-        cells[its.END_TIME] = np.asarray(end_time, dtype=np.float64) / time_scale
-    # The steps of one scene cost next to nothing, whatever their order.
-    cells[its.ORDER], cells[its.FACTOR] = order(min(accuracy, FINEST) if lanes == 1 else accuracy), STEP
-    cells[[its.FIRST_STOP, its.LIFT_TIME]] = np.nan
-    cells[its.CLOSE] = np.inf
-    shaken = called.get("shaking", {})
-    cells[its.ONE_WAY] = float(callable(shaken.get("horizontal")) and not shaken.get("two_way", False))
-    cells[its.FIRST_ONLY] = np.where(np.isinf(cells[its.END_TIME]), _first_only(effects, parts, given), 0.0)
-    cells[its.LIMIT] = np.abs(weights.static_limit)
     return Bound(program, data, cells, time_scale, functions, joined)
 
 
@@ -252,7 +245,6 @@ def _first_only(effects: tuple[str, ...], parts: Any, given: Mapping[str, Any]) 
     if not turns(effects):
         return 0.0
     name, parameters = parts[0]
-    free = np.asarray(parameters["coefficient"]) == 0.0 if (name, len(parts)) == ("constant", 1) else False
+    free = parameters["coefficient"] == 0.0 if (name, len(parts)) == ("constant", 1) else False
     carried = 2.0 if {"pore_pressure", "thermal_pressurisation"} & {*effects} else 0.0
-    held = np.asarray(given.get("cohesion", 0.0)) > 0.0
-    return np.where(held, 0.0, np.where(free, 1.0, carried))
+    return choose(given.get("cohesion", 0.0) > 0.0, 0.0, choose(free, 1.0, carried))

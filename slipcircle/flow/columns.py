@@ -123,8 +123,8 @@ class Columns:
         next_ = data.breaks[np.minimum(piece + 1, last)] / c[at + its.SCALE]
         c[at + its.UPPER] = np.where(piece < last, next_, np.inf)
 
-    def _local(self, slot: Table, data: Data) -> Floats:
-        """Taylor coefficients of a function of time about now, in the dimensionless time."""
+    def _local(self, slot: Table, data: Data, order: int = 0) -> Floats:
+        """Taylor coefficients of a function of time about now, in the dimensionless time, up to an order."""
         c, at = self.c, slot.cells
         scale, factor = c[at + its.SCALE], c[at + its.SCALED_BY]
         piece = c[at + its.PIECE].astype(np.intp)
@@ -135,11 +135,11 @@ class Columns:
             wave = (np.sin(angle), np.cos(angle), -np.sin(angle), -np.cos(angle))
             terms = [amplitude * wave[0]]
             size = amplitude
-            for j in range(1, int(c[its.ORDER].max()) + 1):
+            for j in range(1, order + 1):
                 size = size * (rate * scale) / j
                 terms.append(size * wave[j % 4])
             return np.array(terms) * factor
-        return shifted(poly, local) * scale ** np.arange(len(poly))[:, None] * factor
+        return shifted(poly, local)[: order + 1] * scale ** np.arange(min(order + 1, len(poly)))[:, None] * factor
 
     def _changes(self) -> Any:
         """Whether something will still change while it rests."""
@@ -211,8 +211,9 @@ class Columns:
         """The registers of what changes with time, as increments since the phase began."""
         for k in self.timed:
             slot = self.program.tables[k]
-            terms = self._local(slot, self.tables[k])[: r.shape[1]]
-            r[slot.register, : len(terms)] = terms
+            if r.shape[1] > 1:  # or their increments are all that is asked for
+                terms = self._local(slot, self.tables[k], r.shape[1] - 1)
+                r[slot.register, : len(terms)] = terms
             r[slot.register, 0] = self.c[slot.cells + its.INC]
 
     def _length(self, r: Floats, last: Floats, registers: Sequence[int]) -> Floats:
@@ -222,17 +223,21 @@ class Columns:
         radius = np.full(c.shape[1], np.inf)
         top = last.astype(np.intp)
         for register in registers:
-            size = np.log2(np.abs(r[register]))
+            first = np.log2(np.abs(r[register, :5]))
             for back in range(4):
-                n = np.maximum(top - back, 5)
-                n = np.minimum(n, len(size) - 1)
-                here = size[n, lanes]
-                reach = np.max([(size[k] - here) / (n - k) for k in range(5) if k < len(size)], axis=0)
+                n = np.minimum(np.maximum(top - back, 5), r.shape[1] - 1)
+                here = np.log2(np.abs(r[register, n, lanes]))
+                reach = ((first - here) / (n - np.arange(len(first))[:, None])).max(axis=0)
                 tells = ~np.isneginf(here) & ~np.isneginf(reach) & (n > 4)  # zeros, there or at first, tell nothing
                 radius = np.minimum(radius, np.where(tells, reach, np.inf))
         return np.asarray(c[its.FACTOR] * np.exp2(radius))
 
     # --- what is remembered -------------------------------------------------------------------------------------------
+
+    def look(self, rate: Floats) -> None:
+        """Where it is now may be where it is fastest."""
+        c = self.c
+        self._fastest(c[its.OMEGA], c[its.TIME], c[its.ROTATION] + c[its.DIRECTION] * c[its.X], rate)
 
     def _fastest(self, speed: Floats, time: Floats, rotation: Floats, rate: Floats, mask: Any = True) -> None:
         """A candidate for the greatest speed: the start of a phase, or the end of a step."""
@@ -241,10 +246,10 @@ class Columns:
         c[its.PEAK_TIME, k], c[its.PEAK_ROTATION, k] = time[k], rotation[k]
         c[its.PEAK_OMEGA, k], c[its.PEAK_RATE, k] = (c[its.DIRECTION] * speed)[k], (c[its.DIRECTION] * rate)[k]
 
-    def _reach(self, mask: Any) -> None:
+    def _reach(self) -> None:
         c = self.c
         rotation = c[its.ROTATION] + c[its.DIRECTION] * c[its.X]
-        k = np.flatnonzero(mask & (np.abs(rotation) > np.abs(c[its.REACH_ROTATION])))
+        k = np.flatnonzero(np.abs(rotation) > np.abs(c[its.REACH_ROTATION]))
         c[its.REACH_TIME, k], c[its.REACH_ROTATION, k] = c[its.TIME, k], rotation[k]
 
     def _note(self, kind: int) -> None:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.flow import cells as its
+from slipcircle.flow.link import RESULTS
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
 
@@ -54,8 +55,7 @@ def module() -> Any:
 def flat(program: Program) -> bytes:
     """A program as the C walk reads it: sizes, roles, operations, states and tables; registers by where they begin."""
     at = [k * STRIDE for k in range(len(program.registers))] + [-1]
-    results = {"turn": 2, "exp": 2, "rec": 2, "pow": 2}
-    ready = {r: place for place, (op, *names) in enumerate(program.series) for r in names[: results.get(op, 1)]}
+    ready = {r: place for place, (op, *names) in enumerate(program.series) for r in names[: RESULTS.get(op, 1)]}
 
     def coded(op: str, names: Sequence[Any]) -> list[int]:
         if op == "lin":
@@ -69,7 +69,7 @@ def flat(program: Program) -> bytes:
     needed = {rate for _, _, rate in program.states}
     inner, outer = list[list[int]](), list[list[int]]()
     for op, *names in reversed(program.series):
-        made = {*names[: results.get(op, 1)]}
+        made = {*names[: RESULTS.get(op, 1)]}
         if needed & made:
             needed |= {r for _, r in names[2]} if op == "lin" else {*names}
             inner.insert(0, coded(op, names))

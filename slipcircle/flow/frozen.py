@@ -17,56 +17,19 @@ from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 
 Floats = NDArray[np.float64]
+STATES = ("rotation", "angular_velocity", "angular_acceleration")
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
          log: its.Log | None = None) -> None:  # fmt: skip
     """As `slipcircle.flow.walk.walk`, for lanes that friction presses on throughout; others it leaves as they are."""
-    lanes = Walker(program, tables, cells.copy(), samples, np.arange(cells.shape[1]), log)
+    lanes = _Closed(program, tables, cells.copy(), samples, np.arange(cells.shape[1]), log)
     with np.errstate(all="ignore"):
         lanes.on(lanes.c[its.STATUS] == its.START, "start")
         pressed = (lanes.c[program.roles["cell_normal0"]] > 0.0) & np.isfinite(lanes.c[its.OMEGA])
         while np.any(moving := (lanes.c[its.STATUS] == its.MOVING) & pressed):
-            part = lanes.part(moving)
-            _phase(part)
-            lanes.c[:, moving] = part.c
+            lanes.on(moving, "step")
     cells[:, pressed] = lanes.c[:, pressed]
-
-
-def _phase(lanes: Walker) -> None:
-    """One phase, up to its standstill or its end."""
-    c, p = lanes.c, lanes.program
-    c[its.STEPS] += 1.0
-    of = (c[p.roles["cell_drive"]].copy(), brake(lanes), c[its.OMEGA].copy())
-    stop, gone = (np.asarray(getattr(formulas, f"frozen_arrest_{n}")(*of)) for n in ("time", "rotation"))
-    stop = np.where(of[0] < 0.0, stop, np.inf)
-    left = c[its.END_TIME] - c[its.TIME]
-    stops = stop < left
-    until = np.where(stops, stop, left)
-    endless = np.isinf(until)
-    c[its.STATUS, endless] = its.TOO_LONG
-    until = np.where(endless, 0.0, until)
-
-    def state(t: Any) -> tuple[Any, Any, Any]:
-        names = ("rotation", "angular_velocity", "angular_acceleration")
-        return tuple(getattr(formulas, f"frozen_{n}")(*of, t) for n in names)
-
-    x, speed, rate = state(until)
-    # At the start, by the same formula.
-    fastest = (c[its.PEAK_TIME] == c[its.TIME]) & (np.abs(c[its.PEAK_OMEGA]) == of[2])
-    c[its.PEAK_RATE] = np.where(fastest, c[its.DIRECTION] * state(np.zeros_like(until))[2], c[its.PEAK_RATE])
-    if lanes.samples is not None:
-        _read(lanes, until, stops, state)
-    c[its.X], c[its.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
-    c[its.TIME] = np.where(stops, c[its.TIME] + until, c[its.END_TIME])
-    lanes._fastest(c[its.OMEGA], c[its.TIME], c[its.ROTATION] + c[its.DIRECTION] * c[its.X], rate, ~stops & ~endless)
-    lanes.on(stops, "stand")
-    ends = ~stops & ~endless
-    last = (c[its.ROTATION] + c[its.DIRECTION] * c[its.X], c[its.DIRECTION] * c[its.OMEGA], c[its.DIRECTION] * rate)
-    for cell, value in zip((its.END_ROTATION, its.END_OMEGA, its.END_RATE), last, strict=True):
-        c[cell] = np.where(ends, value, c[cell])
-    lanes._reach(ends)
-    c[its.STATUS, ends] = its.ENDED
 
 
 def brake(lanes: Columns) -> Floats:
@@ -76,14 +39,48 @@ def brake(lanes: Columns) -> Floats:
     return np.asarray(-part._series(0)[0][lanes.program.roles["net"], 0])
 
 
-def _read(lanes: Walker, until: Floats, stops: Any, state: Any) -> None:
-    """States at sample times within the phase."""
-    c, s = lanes.c, lanes.samples
-    assert s is not None
-    begin, times = c[its.TIME], s.times[:, lanes.which]
-    end = np.where(stops, begin + until, c[its.END_TIME])
-    now = (times >= begin) & ((times < end) | (~stops & (times == end)))
-    x, omega, rate = state(np.where(now, times - begin, 0.0))
-    side = c[its.DIRECTION]
-    for row, value in enumerate((c[its.ROTATION] + side * x, side * omega, side * rate, c[its.SLIP] + x)):
-        s.states[row][:, lanes.which] = np.where(now, value, s.states[row][:, lanes.which])
+class _Closed(Walker):
+    """Lanes of which a step is a phase, up to its standstill or its end."""
+
+    def step(self) -> None:
+        c, p = self.c, self.program
+        c[its.STEPS] += 1.0
+        of = (c[p.roles["cell_drive"]].copy(), brake(self), c[its.OMEGA].copy())
+
+        def state(name: str, *at: Any) -> Any:
+            return np.asarray(getattr(formulas, f"frozen_{name}")(*of, *at))
+
+        gone = until = c[its.END_TIME] - c[its.TIME]
+        stops = of[0] < 0.0
+        if np.any(stops):
+            stop, gone = state("arrest_time"), state("arrest_rotation")
+            stops &= stop < until
+            until = np.where(stops, stop, until)
+        endless = np.isinf(until)
+        c[its.STATUS, endless] = its.TOO_LONG
+        until = np.where(endless, 0.0, until)
+        x, speed, rate = (state(name, until) for name in STATES)
+        # At the start, by the same formula.
+        fastest = (c[its.PEAK_TIME] == c[its.TIME]) & (np.abs(c[its.PEAK_OMEGA]) == of[2])
+        first = c[its.DIRECTION] * state(STATES[2], np.zeros_like(until))
+        c[its.PEAK_RATE] = np.where(fastest, first, c[its.PEAK_RATE])
+        if self.samples is not None:
+            self._write(until, stops, state)
+        c[its.X], c[its.OMEGA] = np.where(stops, gone, x), np.where(stops, 0.0, speed)
+        c[its.TIME] = np.where(stops, c[its.TIME] + until, c[its.END_TIME])
+        ends = ~stops & ~endless
+        self.on(ends, "look", rate[ends])
+        self.on(stops, "stand")
+        self.on(ends, "end", rate[ends])
+
+    def _write(self, until: Floats, stops: Any, state: Any) -> None:
+        """States at sample times within the phase."""
+        c, s = self.c, self.samples
+        assert s is not None
+        begin, times = c[its.TIME], s.times[:, self.which]
+        end = np.where(stops, begin + until, c[its.END_TIME])
+        now = (times >= begin) & ((times < end) | (~stops & (times == end)))
+        x, omega, rate = (state(name, np.where(now, times - begin, 0.0)) for name in STATES)
+        side = c[its.DIRECTION]
+        for row, value in enumerate((c[its.ROTATION] + side * x, side * omega, side * rate, c[its.SLIP] + x)):
+            s.states[row][:, self.which] = np.where(now, value, s.states[row][:, self.which])

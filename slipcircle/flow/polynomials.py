@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
-Bools = NDArray[np.bool_]
 
 
 def value(series: Floats, at: Any) -> Floats:
     """By Horner's scheme."""
-    found = series[-1] + 0.0 * at
+    found = series[-1] + 0.0 * np.asarray(at)
     for c in series[-2::-1]:
-        found = found * at + c
+        found *= at
+        found += c
     return found
 
 
@@ -36,23 +36,28 @@ def shifted(series: Floats, by: Floats) -> Floats:
     return found
 
 
+def divided(series: Floats, now: Any) -> Floats:
+    """Divided by the time, where a root that is now is not to be found again."""
+    return np.where(now, np.vstack([series[1:], 0.0 * series[:1]]), series) if np.any(now) else series
+
+
 def first_root(series: Floats, h: Floats) -> Floats:
     """Where polynomials that are positive at first pass zero in (0, h]; infinity where they do not.
 
     Within a step the terms fall like exp(-2 k), so a polynomial that neither has changed sign at h nor falls at first
     and rises at last has no root there; where it falls and rises, its least value decides.
     """
-    powers = h[None, :] ** np.arange(len(series))[:, None]
-    scaled = series * powers  # on [0, 1]
-    tilt = slopes(scaled)
-    last = scaled.sum(axis=0)
-    crosses = last <= 0.0
-    dips = ~crosses & (tilt[0] < 0.0) & (tilt.sum(axis=0) > 0.0)
+    scaled, power = series.copy(), np.ones_like(h)
+    for c in scaled[1:]:  # on [0, 1]
+        power *= h
+        c *= power
+    crosses = scaled.sum(axis=0) <= 0.0
+    dips = ~crosses & (scaled[1] < 0.0) & (np.einsum("k,kl->l", np.arange(len(scaled)), scaled) > 0.0)
     found = np.full(h.shape, np.inf)
     upper = np.ones_like(h)
     if np.any(dips):
         k = np.flatnonzero(dips)
-        lowest = bracketed(-tilt[:, k], np.zeros(k.size), np.ones(k.size))
+        lowest = bracketed(-slopes(scaled[:, k]), np.zeros(k.size), np.ones(k.size))
         noise = 2.0**-50 * np.abs(scaled[:, k]).sum(axis=0)  # what only touches does not cross
         below = value(scaled[:, k], lowest) < -noise
         upper[k[below]] = lowest[below]
@@ -68,12 +73,13 @@ def bracketed(series: Floats, low: Floats, high: Floats) -> Floats:
 
     It starts at the end with the smaller value and falls back to halving where a step would leave the bounds.
     """
-    slope = slopes(series)
-    at_low, at_high = value(series, low), value(series, high)
+    both = np.zeros((len(series), 2, *low.shape))  # and its derivative, at once
+    both[:, 0], both[:-1, 1] = series, slopes(series)
+    at_low, at_high = value(series, np.stack([low, high]))
     at = np.where(np.abs(at_low) < np.abs(at_high), low, high)
     going = np.ones(at.shape, dtype=bool)
     for _ in range(200):
-        f, df = value(series, at), value(slope, at)
+        f, df = value(both, at)
         low, high = np.where(f > 0.0, at, low), np.where(f > 0.0, high, at)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             next_ = at - f / df

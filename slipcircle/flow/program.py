@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from generated.flow import CELLS, FRAGMENTS, INPUTS, QUANTITIES
 from slipcircle.flow.link import ZERO, Linker, Operation, needed, places
 
@@ -59,6 +62,13 @@ class Program:
     def places(self) -> Mapping[str, int]:
         """Where the cells are, by name."""
         return {name: k for k, name in enumerate(self.cells)}
+
+    def blank(self, lanes: int) -> NDArray[np.float64]:
+        """Cells of lanes of which nothing is known but the constants; memory that nobody writes to is not taken."""
+        found = np.zeros((len(self.cells), lanes))
+        for name, value in self.constants.items():
+            found[self.places[name]] = value
+        return found
 
 
 # Cells that the walk reads, by role: what drives and the size of its terms, what presses, and the weight's components.

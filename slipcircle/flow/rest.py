@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
-from slipcircle.flow.polynomials import first_root
+from slipcircle.flow.polynomials import divided, first_root
 
 Floats = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ class Resting(Columns):
         c[its.LAST_WAY] = c[its.DIRECTION]
         self._note(its.BEGINS)
         self._lift_time(c[its.LIFTED] > 0.0)
-        self._fastest(c[its.OMEGA], c[its.TIME], c[its.ROTATION], self._series(0)[0][self.program.roles["net"], 0])
+        self.look(self._series(0)[0][self.program.roles["net"], 0])
 
     def decide(self) -> None:
         """At a standstill: the way in which the mass moves on, if any; else it rests, or waits for another time."""
@@ -97,8 +97,7 @@ class Resting(Columns):
         self._lift_time(c[its.LIFTED] > 0.0)
         for side, net, allowed, touching in margins:
             now = allowed & (net[0] > 0.0) & ~touching
-            series = -net
-            series = np.where(touching, np.vstack([series[1:], 0.0 * series[:1]]), series)
+            series = divided(-net, touching)
             at = np.where(now, 0.0, first_root(series, stretch))
             at = np.where(touching & (series[0] < 0.0), 0.0, at)
             sooner = allowed & (at < begins)
@@ -107,9 +106,7 @@ class Resting(Columns):
         lifts = np.full(c.shape[1], np.inf)
         if (normal := p.roles["normal"]) >= 0:
             series = r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0)
-            passed = c[its.PASSED] == its.LIFT
-            series = np.where(passed, np.vstack([series[1:], 0.0 * series[:1]]), series)
-            lifts = first_root(series, stretch)
+            lifts = first_root(divided(series, c[its.PASSED] == its.LIFT), stretch)
             lifts[lifts > begins * (1.0 + 1e-9)] = np.inf  # where both pass zero, it is lifted and does not start
             begins[np.isfinite(lifts)] = np.inf
             stretch = np.minimum(stretch, lifts)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, choose, plain
 from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, frozen, stiff, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
@@ -19,7 +19,9 @@ from slipcircle.scene.section import Section
 from slipcircle.scene.varied import arc_with
 
 Floats = NDArray[np.float64]
-BLOCK = 16384  # lanes at once, so that what they need stays in the cache
+# Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
+BLOCK = 16000
+ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its states
 
 
 def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = None, log: its.Log | None = None,
@@ -119,22 +121,23 @@ class Lanes:
     @cached_property
     def bound(self) -> Bound:
         found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
-        found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
+        if self.invalid is not False:
+            found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
         return found
 
-    @property
+    @cached_property
     def time_scale(self) -> Any:
         """s for one of the dimensionless time, without binding what only walking needs."""
-        return self.arc.time_scale
+        return plain(self.arc.time_scale)
 
-    @property
+    @cached_property
     def radius(self) -> Any:
-        return np.asarray(self.arc.radius, dtype=np.float64)
+        return plain(self.arc.radius)
 
     @property
     def stress_unit(self) -> Any:
         """Pa for one of normal force over Theta*: sigma_ref over lambda/Theta*."""
-        return np.asarray(self.arc.reference_stress / self.arc.weights.level)
+        return plain(self.arc.reference_stress / self.arc.weights.level)
 
     @property
     def energy_unit(self) -> Any:
@@ -165,17 +168,12 @@ class Lanes:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
         if self.count > BLOCK:
             return np.concatenate([part.stress(time[k], rotation[k], omega[k]) for k, part in self.parts()])
-        return self._probe(self._asking, time, rotation, omega, None, ("pressing",))["pressing"] * self.stress_unit
+        return self._probe(time, rotation, omega)["pressing"] * self.stress_unit
 
-    def stress_along(self, times: Floats, rows: Floats) -> Any:
-        """The same at times in s of states as `read` gives them, (lanes, times)."""
-        return self.outputs(times, rows, ("pressing",))["pressing"] * np.reshape(self.stress_unit, (-1, 1))
-
-    def outputs(self, times: Floats, rows: Floats, names: tuple[str, ...]) -> dict[str, Floats]:
-        """Registers of the program at times in s, of states as `read` gives them; by name, (lanes, times)."""
+    def outputs(self, times: Floats, rows: Floats) -> dict[str, Floats]:
+        """What presses, water included and without it, and friction at times in s, of states as `read` gives them."""
         time, rotation, omega, further, each = self._spread(times, rows)
-        found = self._probe(self._asking, time, rotation, omega, further, names, each)
-        return {n: v.reshape(rows.shape[1:]).T for n, v in found.items()}
+        return {n: v.reshape(rows.shape[1:]).T for n, v in self._probe(time, rotation, omega, further, each).items()}
 
     def _spread(self, times: Floats, rows: Floats) -> tuple[Any, ...]:
         """States at many times as lanes of their own: time, rotation, omega, slip and further states, and whose."""
@@ -202,19 +200,20 @@ class Lanes:
 
     @cached_property
     def _asking(self) -> Bound:
-        return self.bound.asking(("pressing", "normal", "mu"))
+        return self.bound.asking(ASKED)
 
-    def _probe(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, names: tuple[str, ...],
-               each: Any = slice(None)) -> dict[str, Floats]:  # fmt: skip
+    def _probe(self, time: Any, rotation: Any, omega: Any, further: Any = None, each: Any = slice(None)
+               ) -> dict[str, Floats]:  # fmt: skip
         """Registers of the program in given states: what a phase would begin with there."""
-        _, r = self._begun(bound, time, rotation, omega, further, each, np.where(omega < 0.0, -1.0, 1.0))
-        return {n: r[bound.program.roles[n]] for n in names}
+        bound, side = self._asking, choose(omega < 0.0, -1.0, 1.0)
+        r = self._begun(bound, time, rotation, omega, further, each, side)[1]
+        return {n: r[bound.program.roles[n]] for n in ASKED}
 
     def _begun(self, bound: Bound, time: Any, rotation: Any, omega: Any, further: Any, each: Any,
                side: Any) -> tuple[Floats, Floats]:  # fmt: skip
         """Cells and registers at the start of a phase in given states."""
         cells = bound.cells[:, each].copy()
-        cells[its.TIME], cells[its.ROTATION], cells[its.OMEGA] = time, rotation, np.abs(omega)
+        cells[its.TIME], cells[its.ROTATION], cells[its.OMEGA] = time, rotation, abs(omega)
         cells[its.DIRECTION], cells[its.LIFTED] = side, 0.0
         if further is not None:
             cells[its.SLIP] = further[0]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
-from slipcircle.flow.polynomials import first_root, increment, shifted, slopes, value
+from slipcircle.flow.polynomials import divided, first_root, increment, shifted, value
 from slipcircle.flow.program import Program
 from slipcircle.flow.rest import Resting
 from slipcircle.flow.tables import Data
@@ -144,17 +144,20 @@ class Walker(Resting):
             c[its.PASSED, lifting] = its.LIFT
         c[its.STATUS, event == 99] = its.UPRIGHT
         going = c[its.STATUS] == its.MOVING
-        self._fastest(c[its.OMEGA], c[its.TIME], c[its.ROTATION] + c[its.DIRECTION] * c[its.X], rate, going)
+        self.on(going, "look", rate[going])
         ends = at_limit & going & (c[its.TIME] >= c[its.END_TIME])
-        if np.any(ends):
-            c[its.END_ROTATION] = np.where(ends, c[its.ROTATION] + c[its.DIRECTION] * c[its.X], c[its.END_ROTATION])
-            c[its.END_OMEGA] = np.where(ends, c[its.DIRECTION] * c[its.OMEGA], c[its.END_OMEGA])
-            c[its.END_RATE] = np.where(ends, c[its.DIRECTION] * rate, c[its.END_RATE])
-            self._reach(ends)
-            c[its.STATUS, ends] = its.ENDED
+        self.on(ends, "end", rate[ends])
         leaps = self._pass_breaks(at_limit & ~ends & going)
         if np.any(leaps) and p.roles["normal"] >= 0:
             self.on(leaps, "leapt")
+
+    def end(self, rate: Floats) -> None:
+        """What is asked for ends while it moves."""
+        c = self.c
+        c[its.STATUS] = its.ENDED
+        c[its.END_ROTATION] = c[its.ROTATION] + c[its.DIRECTION] * c[its.X]
+        c[its.END_OMEGA], c[its.END_RATE] = c[its.DIRECTION] * c[its.OMEGA], c[its.DIRECTION] * rate
+        self._reach()
 
     def _far(self, r: Floats) -> Floats:
         """The end of a step where the motion is a polynomial, of degree two at most as a rule: past its standstill."""
@@ -171,19 +174,14 @@ class Walker(Resting):
         # From rest its first root is now: divide by the time as often as it is zero.
         w = omega
         for _ in range(3):
-            zero = w[0] == 0.0
-            if not np.any(zero):
-                break
-            w = np.where(zero, np.vstack([w[1:], 0.0 * w[:1]]), w)
+            w = divided(w, w[0] == 0.0)
         found, which = first_root(w, h), np.zeros(h.shape, dtype=np.intp)
         # It rests at once where its drive vanished to rounding or points backwards.
         found = np.where(w[0] < 0.0, 0.0, found)
 
-        def later(k: int, series: Floats, passed: Any = None) -> None:
+        def later(k: int, series: Floats, passed: Any = False) -> None:
             nonlocal found, which
-            if passed is not None and np.any(passed):
-                series = np.where(passed, np.vstack([series[1:], 0.0 * series[:1]]), series)
-            at = first_root(series, h)
+            at = first_root(divided(series, passed), h)
             which = np.where(at < found, k, which)
             found = np.minimum(found, at)
 
@@ -197,7 +195,7 @@ class Walker(Resting):
             ahead = -(omega if slot.kind == "speed" else r[p.roles["x"]])
             bound = np.where(np.isfinite(c[slot.cells + its.UPPER]), c[slot.cells + its.UPPER], 1e300)
             ahead[0] += bound
-            later(2 + 2 * k, ahead, c[its.PASSED] == its.SLOWER if slot.kind == "speed" else None)
+            later(2 + 2 * k, ahead, (c[its.PASSED] == its.SLOWER) & (slot.kind == "speed"))
             if slot.kind == "speed":
                 back = omega.copy()
                 back[0] -= c[slot.cells + its.LOWER]
@@ -215,8 +213,7 @@ class Walker(Resting):
         c[its.PASSED] = its.STOOD
         c[its.REST_SINCE] = c[its.TIME]
         self._note(its.STANDS)
-        c[its.FIRST_STOP] = np.where(np.isnan(c[its.FIRST_STOP]), c[its.TIME], c[its.FIRST_STOP])
-        self._reach(np.ones(c.shape[1], dtype=bool))
+        self._reach()
         self.on(c[its.FIRST_ONLY] == 0.0, "decide")
         self.on(c[its.FIRST_ONLY] > 0.0, "_carried")
 
@@ -292,12 +289,9 @@ class Walker(Resting):
 
     def _peak(self, net: Floats, x: Floats, omega: Floats, tau: Floats) -> None:
         """The greatest speed, where the rate falls through zero inside the step."""
-        series = net
-        touching = series[0] == 0.0
-        if np.any(touching):
-            series = np.where(touching, np.vstack([series[1:], 0.0 * series[:1]]), series)
+        series = divided(net, net[0] == 0.0)
         at = np.where(series[0] > 0.0, first_root(series, tau), np.inf)
-        rises = (series[0] < 0.0) & (slopes(series)[0] > 0.0) if len(series) > 1 else np.zeros(tau.shape, bool)
+        rises = (series[0] < 0.0) & (series[1] > 0.0)
         if np.any(rises):  # it falls at first, and may rise to a peak beyond a trough
             k = np.flatnonzero(rises)
             up = first_root(-series[:, k], tau[k])
@@ -310,7 +304,7 @@ class Walker(Resting):
         k = np.flatnonzero(np.isfinite(at))
         if k.size:
             c = self.c
-            speed, gone, rate = (value(s[:, k], at[k]) for s in (omega, x, net))
+            speed, gone, rate = value(np.stack([omega[:, k], x[:, k], net[:, k]], axis=1), at[k])
             time = c[its.TIME, k] + at[k]
             better = speed > np.abs(c[its.PEAK_OMEGA, k])
             self._set_peak(k[better], time[better], gone[better], speed[better], rate[better])

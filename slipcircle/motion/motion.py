@@ -5,12 +5,13 @@ Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
+from slipcircle.base.kinds import Numbers
 from slipcircle.flow import cells as its
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
@@ -25,16 +26,27 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
-_SURE = 1e-11  # an estimated error below which only the format limits what is known
+STATUSES = tuple(Status)
+RESTS, STAYS, TURNED, INVALID = map(int, (Status.RESTS, Status.STAYS, Status.TURNED, Status.INVALID))
 # The cells of which a motion is told.
 TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
         its.PEAK_RATE, its.REACH_TIME, its.REACH_ROTATION, its.END_ROTATION, its.END_OMEGA, its.END_RATE,
         its.CLOSE, its.REST_SINCE, its.TURNS)  # fmt: skip
-BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
 ENERGIES = 21  # times at which the energy balance is looked at
 
 
-class Motion(Results):
+def told(cells: Floats, single: bool) -> dict[int, Any]:
+    """Of the cells of lanes those of which a motion is told, arrays or, of a single one, numbers."""
+    rows = cells.take(TOLD, axis=0)
+    return dict(zip(TOLD, rows[:, 0].tolist() if single else rows, strict=True))
+
+
+def _static(name: str) -> Any:
+    """A property: one of the statics of each lane."""
+    return property(lambda motion: motion._shaped(motion._lanes.statics[name]))
+
+
+class Motion(Results, Generic[Numbers]):
     """A solved scene; of a scene of arrays, every attribute is an array of its shape, NaN where the status says why.
 
     Attributes
@@ -61,6 +73,8 @@ class Motion(Results):
         k_y, the horizontal acceleration over g, down-slope, at which the mass would just move; negative if it moves.
     factor_of_safety : float
         Limit of resistance over drive at the start; infinite without a drive.
+    friction : float
+        The friction coefficient at the start.
     error_estimate : float
         Estimated relative error of peak velocity, run-out and duration, and of `at` relative to the first two.
     warnings : tuple of str
@@ -68,8 +82,6 @@ class Motion(Results):
 
     A motion of many lanes has a length and is indexed; `to_dict`, `to_pandas` and `to_xarray` turn it into tables.
     """
-
-    STATUSES = tuple(Status)
 
     def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: its.Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
@@ -81,29 +93,25 @@ class Motion(Results):
 
     def _shaped(self, values: Any) -> Any:
         """One number of each lane, as the scene has them: an array, or a number."""
-        values = np.asarray(values)
-        return values.reshape(self.shape) if self.shape else values[0].item()
-
-    def _of(self, cell: int) -> Floats:
-        return self._cells[cell]
+        if self.shape:
+            return np.reshape(values, self.shape)
+        return values.item() if hasattr(values, "item") else values
 
     # --- what became of it -------------------------------------------------------------------------------------------
 
     @cached_property
-    def _states(self) -> NDArray[np.int8]:
+    def _states(self) -> Any:
         """The status of each lane."""
-        found = BECOMES[self._of(its.STATUS).astype(np.intp)]
-        found[(found == Status.RESTS) & (self._of(its.TURNS) > 0.0)] = Status.TURNED
-        found[(found <= Status.TURNED) & (self._of(its.STATUS) != its.STOPPED) & (self._of(its.PHASES) == 0.0)] = (
-            Status.STAYS
-        )
-        found[self._lanes.invalid] = Status.INVALID
-        return found
+        ended = self._cells[its.STATUS]
+        found = BECOMES[np.asarray(ended, np.intp)] if self.shape else int(BECOMES[int(ended)])
+        found = choose((found == RESTS) & (self._cells[its.TURNS] > 0.0), TURNED, found)
+        found = choose((found <= TURNED) & (ended != its.STOPPED) & (self._cells[its.PHASES] == 0.0), STAYS, found)
+        return choose(self._lanes.invalid, INVALID, found)
 
     @property
-    def stopped_at(self) -> Any:
+    def stopped_at(self) -> Numbers:
         """Time at which the walk stopped, s, with an answer or without."""
-        return self._shaped(self._of(its.TIME) * self._lanes.time_scale)
+        return self._shaped(self._cells[its.TIME] * self._lanes.time_scale)
 
     @property
     def brake(self) -> Any:
@@ -113,57 +121,62 @@ class Motion(Results):
     @property
     def turnings(self) -> Any:
         """How often the mass has turned back."""
-        return self._shaped(self._of(its.TURNS).astype(int))
+        return self._shaped(np.asarray(self._cells[its.TURNS], int))
 
-    @property
+    @cached_property
     def _answered(self) -> Any:
-        return self._states <= Status.TURNED
+        return self._states <= TURNED
 
     @property
     def status(self) -> Any:
-        return self._states.reshape(self.shape) if self.shape else Status(int(self._states[0]))
+        return self._states.reshape(self.shape) if self.shape else STATUSES[self._states]
 
     def count(self) -> dict[str, int]:
         """How many lanes there are of each status."""
-        counts = np.bincount(self._states, minlength=len(Status))
-        return {s.name: int(counts[s]) for s in Status if counts[s]}
+        counts = np.bincount(np.ravel(self._states), minlength=len(STATUSES))
+        return {s.name: int(counts[s]) for s in STATUSES if counts[s]}
 
     @property
     def moves(self) -> Any:
-        return self._shaped(self._answered & (self._of(its.PHASES) > 0.0))
+        return self._shaped(self._answered & (self._cells[its.PHASES] > 0.0))
 
     @property
     def arrested(self) -> Any:
-        return self._shaped(self._of(its.STATUS) == its.ARRESTED)
+        return self._shaped(self._cells[its.STATUS] == its.ARRESTED)
 
     @cached_property
-    def _duration(self) -> Floats:
-        status, scale = self._of(its.STATUS), self._lanes.time_scale
-        ends = np.where(status == its.ENDED, self._lanes.end_time, self._of(its.REST_SINCE) * scale)
-        return np.where(self._answered, ends, np.nan)
+    def _duration(self) -> Any:
+        lanes = self._lanes
+        rest = self._cells[its.REST_SINCE] * lanes.time_scale
+        return self._known(choose(self._cells[its.STATUS] == its.ENDED, lanes.end_time, rest))
+
+    def _known(self, values: Any) -> Any:
+        """Values of lanes that have an answer, NaN of the others."""
+        return choose(self._answered, values, np.nan)
 
     @property
-    def duration(self) -> Any:
+    def duration(self) -> Numbers:
         return self._shaped(self._duration)
 
     @property
-    def run_out(self) -> Any:
+    def run_out(self) -> Numbers:
         return self.outcomes["run_out"]
 
     @cached_property
-    def outcomes(self) -> dict[str, Any]:
+    def outcomes(self) -> Mapping[str, Numbers]:
         """Greatest displacement, run-out, peak velocity and duration, without the states that they belong to."""
-        scale, radius = self._lanes.time_scale, self._lanes.radius
-        rows = {"reach": its.REACH_ROTATION, "run_out": its.END_ROTATION}
+        radius, scale = self._lanes.radius, self._lanes.time_scale
         with np.errstate(over="ignore"):  # what overflows is refused where it is asked for
-            found = {name: radius * (self._of(cell) + 0.0) for name, cell in rows.items()}
-            found["peak_velocity"] = radius * (self._of(its.PEAK_OMEGA) / scale + 0.0)
-        answered = {n: np.where(self._answered, v, np.nan) for n, v in found.items()}
-        return {n: self._shaped(v) for n, v in (answered | {"duration": self._duration}).items()}
+            found = {
+                "reach": radius * self._cells[its.REACH_ROTATION],
+                "run_out": radius * self._cells[its.END_ROTATION],
+                "peak_velocity": radius * (self._cells[its.PEAK_OMEGA] / scale),
+            }
+        return {n: self._shaped(self._known(v + 0.0)) for n, v in found.items()} | {"duration": self.duration}
 
     @cached_property
     def end(self) -> State:
-        return self._state(self._duration, *(self._of(k) for k in (its.END_ROTATION, its.END_OMEGA, its.END_RATE)))
+        return self._state(self._duration, its.END_ROTATION, its.END_OMEGA, its.END_RATE)
 
     @property
     def journey(self) -> Journey:
@@ -175,22 +188,21 @@ class Motion(Results):
 
     @cached_property
     def peak(self) -> State:
-        rows = (its.PEAK_ROTATION, its.PEAK_OMEGA, its.PEAK_RATE)
-        last = (self._of(its.PEAK_TIME) == self._of(its.END_TIME)) & (self._of(its.STATUS) == its.ENDED)
-        last |= self._of(its.PHASES) == 0.0
-        time = np.where(last, self._duration, self._of(its.PEAK_TIME) * self._lanes.time_scale)
-        forced = any(t.kind == "time" for t in self._lanes.bound.program.tables)
-        if forced and not self.shape and 0.0 < time[0] < self._duration[0]:
-            return self.at(float(time[0]))  # of its rounded time: where a force leaps, as it is from then on
-        return self._state(time, *map(self._of, rows))
+        at, lanes = self._cells[its.PEAK_TIME], self._lanes
+        last = (at == self._cells[its.END_TIME]) & (self._cells[its.STATUS] == its.ENDED) | (
+            self._cells[its.PHASES] == 0.0
+        )
+        time = choose(last, self._duration, at * lanes.time_scale)
+        tables = () if self.shape else lanes.bound.program.tables
+        if any(slot.kind == "time" for slot in tables) and 0.0 < time < self._duration:
+            return self.at(time)  # of its rounded time: where a force leaps, as it is from then on
+        return self._state(time, its.PEAK_ROTATION, its.PEAK_OMEGA, its.PEAK_RATE)
 
     @cached_property
     def reach(self) -> State:
-        still = np.zeros_like(self._of(its.REACH_TIME))
-        last = self._of(its.REACH_ROTATION) == self._of(its.END_ROTATION)
-        speed, rate = (np.where(last, self._of(k), still) for k in (its.END_OMEGA, its.END_RATE))
-        time = np.where(last, self._duration, self._of(its.REACH_TIME) * self._lanes.time_scale)
-        return self._state(time, self._of(its.REACH_ROTATION), speed, rate)
+        last = self._cells[its.REACH_ROTATION] == self._cells[its.END_ROTATION]
+        time = choose(last, self._duration, self._cells[its.REACH_TIME] * self._lanes.time_scale)
+        return self._state(time, its.REACH_ROTATION, its.END_OMEGA, its.END_RATE, last)
 
     @property
     def swings_back(self) -> Any:
@@ -200,7 +212,7 @@ class Motion(Results):
     @property
     def lift_off(self) -> tuple[float, ...]:
         """Times from which water or shaking carries the mass, so that nothing presses on the slip surface, s."""
-        scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[float]()
+        scale, found = self._lanes.time_scale, list[float]()
         lifted, begun = False, -1.0  # as long as it is carried on through standstills it is one lift-off
         for kind, t, _, _ in self._log:
             if kind == its.LIFTS and not lifted and begun != t:
@@ -212,26 +224,25 @@ class Motion(Results):
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """The stretches of a single motion between its standstills."""
-        scale, found = float(np.ravel(self._lanes.time_scale)[0]), list[Phase]()
+        scale, found = self._lanes.time_scale, list[Phase]()
         ends = [(t * scale) for kind, t, _, _ in self._log if kind == its.STANDS]
         for kind, t, rotation, direction in self._log:
             if kind == its.BEGINS:
-                end = ends[len(found)] if len(found) < len(ends) else float(self._duration[0])
+                end = ends[len(found)] if len(found) < len(ends) else self._duration
                 found.append(Phase(t * scale, end, rotation, int(direction)))
         return tuple(found)
 
     # --- states ------------------------------------------------------------------------------------------------------
 
-    def _state(self, time: Any, rotation: Any, omega: Any, rate: Any) -> State:
-        """A state of each lane from its numbers: s, and dimensionless."""
-        lanes, good = self._lanes, self._answered
-        if not good.all():
-            rotation, omega, rate = (np.where(good, v, np.nan) for v in (rotation, omega, rate))
-        scale, radius = lanes.time_scale, lanes.radius
-        stress = lanes.stress(time / scale, rotation, omega)
+    def _state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
+        """A state of each lane from cells; of those that do not move, without speed and rate."""
+        lanes, scale, radius = self._lanes, self._lanes.time_scale, self._lanes.radius
+        turn = self._known(self._cells[rotation])
+        speed, gain = (self._known(choose(moving, self._cells[cell], 0.0)) for cell in (omega, rate))
+        stress = lanes.stress(time / scale, turn, speed)
         with np.errstate(over="ignore"):  # what overflows is refused
-            speed = omega / scale
-            columns = (time, rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+            turning = speed / scale
+            columns = (time, turn, turning, radius * turning, radius * turn, radius * gain / scale**2, stress)
         return State(*(self._shaped(v + 0.0) for v in columns))  # no -0.0
 
     def at(self, times: ArrayLike) -> State:
@@ -254,9 +265,9 @@ class Motion(Results):
         scale, radius = (np.reshape(x, -1)[:, None] for x in (lanes.time_scale, lanes.radius))
         over = np.ravel(time)[:, None] >= self._duration  # the end, whatever rounding makes of its time
         for row, cell in enumerate((its.END_ROTATION, its.END_OMEGA, its.END_RATE)):
-            rows[row] = np.where(over, self._of(cell), rows[row])
+            rows[row] = np.where(over, self._cells[cell], rows[row])
         rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
-        stress = lanes.stress_along(np.ravel(time), rows)
+        stress = lanes.outputs(np.ravel(time), rows)["pressing"] * self._stress_unit
         speed = omega / scale
         columns = (rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
         found = [np.reshape(np.broadcast_to(v, rotation.shape), shape)[()] for v in columns]
@@ -265,8 +276,8 @@ class Motion(Results):
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
-        moving = ~(self._of(its.STATUS) == its.ARRESTED) & self._answered
-        last = float(np.min(self._duration[moving], initial=np.inf))
+        moving = (self._cells[its.STATUS] != its.ARRESTED) & self._answered
+        last = float(np.min(choose(moving, self._duration, np.inf)))
         late = time[time > last]
         if late.size:
             end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
@@ -287,17 +298,20 @@ class Motion(Results):
         """One number of each lane at each time, (lanes, times), as the scene has its lanes."""
         return values.reshape(self.shape + time.shape)[()]
 
+    def _outputs_at(self, times: ArrayLike) -> tuple[Floats, dict[str, Floats]]:
+        """Times, and what the program gives there beside the states."""
+        time = self._times(times)
+        return time, self._lanes.outputs(np.ravel(time), self._rows(time))
+
     def pore_pressure_at(self, times: ArrayLike) -> Any:
         """The mean pore pressure on the slip surface, with what heat has added, Pa; times as for `at`."""
-        time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("pressing", "normal"))
-        return self._along(time, (columns["pressing"] - columns["normal"]) * self._stress_unit)
+        time, found = self._outputs_at(times)
+        return self._along(time, (found["pressing"] - found["normal"]) * self._stress_unit)
 
     def effective_stress_at(self, times: ArrayLike) -> Any:
         """The mean normal stress on the slip surface less the pore pressure, 0 where that is more, Pa; as for `at`."""
-        time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("normal",))
-        return self._along(time, np.maximum(columns["normal"], 0.0) * self._stress_unit)
+        time, found = self._outputs_at(times)
+        return self._along(time, np.maximum(found["normal"], 0.0) * self._stress_unit)
 
     @property
     def _stress_unit(self) -> Floats:
@@ -305,9 +319,8 @@ class Motion(Results):
 
     def friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient that the law gives, 0 where nothing presses on the slip surface; as for `at`."""
-        time = self._times(times)
-        columns = self._lanes.outputs(np.ravel(time), self._rows(time), ("mu", "normal"))
-        return self._along(time, np.where(columns["normal"] > 0.0, columns["mu"], 0.0))
+        time, found = self._outputs_at(times)
+        return self._along(time, np.where(found["normal"] > 0.0, found["mu"], 0.0))
 
     def holding_friction_at(self, times: ArrayLike) -> Any:
         """The friction coefficient at which the mass, brought to rest where it is, would just stay; times as for `at`.
@@ -328,10 +341,10 @@ class Motion(Results):
         rows, first = self._lanes.energies(np.ravel(time))
         unit = self._lanes.energy_unit
         shape = (*self.shape, *time.shape)
-        stands = np.ravel(time)[:, None] >= np.where(self._of(its.STATUS) == its.ARRESTED, self._duration, np.inf)
+        stands = np.ravel(time)[:, None] >= np.where(self._cells[its.STATUS] == its.ARRESTED, self._duration, np.inf)
         rows["kinetic"] = np.where(stands, 0.0, rows["kinetic"])
         kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
-        return Energy(self._shaped(np.broadcast_to(unit * first, self._duration.shape)), kinetic, work, lost)
+        return Energy(self._shaped(np.broadcast_to(unit * first, self._lanes.count)), kinetic, work, lost)
 
     @cached_property
     def energy(self) -> Energy:
@@ -340,22 +353,9 @@ class Motion(Results):
 
     # --- at the start ------------------------------------------------------------------------------------------------
 
-    @property
-    def limit_friction(self) -> Any:
-        return self._shaped(self._lanes.statics["limit_friction"])
-
-    @property
-    def factor_of_safety(self) -> Any:
-        return self._shaped(self._lanes.statics["factor_of_safety"])
-
-    @property
-    def yield_coefficient(self) -> Any:
-        return self._shaped(self._lanes.statics["yield_coefficient"])
-
-    @property
-    def friction(self) -> Any:
-        """The friction coefficient at the start."""
-        return self._shaped(self._lanes.statics["friction"])
+    limit_friction, factor_of_safety, yield_coefficient, friction = map(
+        _static, ("limit_friction", "factor_of_safety", "yield_coefficient", "friction")
+    )
 
     # --- how well it is known ----------------------------------------------------------------------------------------
 
@@ -364,13 +364,13 @@ class Motion(Results):
         return estimate(self._lanes, self._cells)
 
     @property
-    def error_estimate(self) -> Any:
+    def error_estimate(self) -> Numbers:
         return self._shaped(self._estimates)
 
     @cached_property
     def energy_error_estimate(self) -> float:
         """How far the energy balance of a single motion is off at any time, relative to all energy until then."""
-        e = self.energy_at(np.linspace(0.0, self.duration, ENERGIES))
+        e = self.energy_at(np.linspace(0.0, self._duration, ENERGIES))
         most = np.maximum.accumulate(e.kinetic_start + np.abs(e.work) + e.dissipation)
         return float(2 * np.max(np.abs(e.residual) / np.maximum(most, 1e-300)))
 
@@ -390,40 +390,3 @@ class Motion(Results):
             raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
         at = {"peak_velocity": self.peak.velocity, "run_out": self.run_out, "duration": self.duration}
         return sensitivity(self.plan.scene, self._lanes, at if self.moves else dict.fromkeys(at, 0.0))
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        found = list[str]()
-        times = self.lift_off
-        if times:
-            more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
-            said = times[:1] if more else times
-            found += [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
-        if self.error_estimate > self.plan.accuracy:
-            cause = "its numbers lie far apart"
-            if self.error_estimate < _SURE:
-                cause = "no result in float64 is sure to less"
-            elif len(self.phases) > 100:
-                cause = "the mass turns back many times"
-            elif abs(self.friction - self.limit_friction) < 1e-3 * abs(self.limit_friction):
-                cause = "the friction is next to its limit"
-            found.append(
-                f"ill-conditioned: the estimated error {self.error_estimate:.1e} is above the accuracy asked for, "
-                f"{self.plan.accuracy:.1e}; {cause}"
-            )
-        elif self.moves and self.energy_error_estimate > BALANCED:
-            found.append(
-                f"ill-conditioned: the energy is balanced to {self.energy_error_estimate:.1e} only, as what drives and "
-                "what resists are all but equal"
-            )
-        section = self.plan.scene.arc
-        depth = section.drowned(self.reach.rotation, self.end.rotation) if isinstance(section, Section) else 0.0
-        if depth > 1e-6 * self._lanes.radius:
-            found.append(f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water "
-                         "above it is left out")  # fmt: skip
-        if self.swings_back:
-            found.append(
-                f"the mass swings back: it reaches {abs(self.reach.displacement):.4g} m after {self.reach.time:.4g} s, "
-                f"farther than its run-out of {abs(self.run_out):.4g} m at the end"
-            )
-        return tuple(found)

@@ -5,11 +5,11 @@ from functools import cache
 from typing import Any
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import mistakes, raise_all
+from slipcircle.base.checks import raise_all
 from slipcircle.flow.bind import order
 from slipcircle.flow.program import Program, join
 from slipcircle.scene.friction import law_depends, law_names
-from slipcircle.scene.scene import ACCURACY, Scene, checked
+from slipcircle.scene.scene import Scene, accuracy_mistakes, checked
 
 DEFAULT_ACCURACY = 1e-9
 CLOSED_IN_TIME = "closed form in time"
@@ -70,7 +70,7 @@ def plan(scene: Scene, accuracy: float | None = None) -> Plan:
     checked(scene, "plan")
     wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
     if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
-        raise_all("plan", mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}))
+        raise_all("plan", accuracy_mistakes(accuracy))
     called = scene.called
     moving = tuple((e, n) for e, given in called.items() for n, value in given.items() if callable(value))
     return Plan(scene, **_choice(tuple(called), scene_laws(scene), moving, wanted), accuracy=wanted)

@@ -205,6 +205,17 @@ def shown(value: float, digits: int = DIGITS) -> str:
     return f"{float(f'{value:.{digits - 1}e}') + 0.0:.{max(digits, 6)}g}"
 
 
+def known(value: float, error: float) -> str:
+    """A number that is known up to an error: to two digits of that, or as `shown` where there is none."""
+    if not error > 0.0:
+        return shown(value)
+    last = math.floor(math.log10(error)) - 1  # place of the last digit
+    if last > -6:
+        return f"{value:z.{max(-last, 0)}f}"
+    digits = math.floor(math.log10(abs(value))) - last + 1 if value else 0
+    return shown(value, digits) if digits > 0 else "0"
+
+
 def spent(nanoseconds: float) -> str:
     """A measured time, to three digits."""
     per, unit = next(((p, u) for p, u in ((1e6, "ms"), (1e3, "us")) if nanoseconds >= p), (1.0, "ns"))

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from importlib import import_module
 from math import prod
-from typing import Any, ClassVar, Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,8 @@ from slipcircle.base.markup import Raw, table, tag
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, results, shown, words
+from slipcircle.motion.states import Status
+from slipcircle.scene.section import Section
 from slipcircle.scene.varied import scene_with
 
 
@@ -30,10 +32,13 @@ def library(name: str) -> Any:
         raise ImportError(f"to_{name} needs {name}: pip install {name}") from error
 
 
+_SURE = 1e-11  # an estimated error below which only the format limits what is known
+BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
+
+
 class Results:
     """What `Motion` and its lanes are shown as and turned into; columns are named and in units as `quantities` say."""
 
-    STATUSES: ClassVar[tuple[Any, ...]]
     plan: Plan
     _lanes: Lanes
     _cells: Mapping[int, NDArray[np.float64]]
@@ -41,6 +46,7 @@ class Results:
     status: Any
     outcomes: Any
     count: Any
+    _times: Any
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
@@ -78,7 +84,7 @@ class Results:
         return self._named("reason")
 
     def _named(self, what: str) -> Any:
-        kinds = np.array([getattr(s, what) for s in type(self).STATUSES])
+        kinds = np.array([getattr(s, what) for s in Status])
         return kinds[np.asarray(self.status)]
 
     def __len__(self) -> int:
@@ -102,7 +108,12 @@ class Results:
         if np.ndim(which):
             return made(plan, lanes, {k: v[np.ravel(which)] for k, v in self._cells.items()}, [])
         log: list[Any] = []  # which many lanes do not keep
-        return made(plan, lanes, dict(zip(self._cells, lanes.solve(log)[[*self._cells]], strict=True)), log)
+        last = lanes.solve(log)[[*self._cells], 0].tolist()
+        return made(plan, lanes, dict(zip(self._cells, last, strict=True)), log)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return cautions(self)
 
     # --- tables ------------------------------------------------------------------------------------------------------
 
@@ -115,7 +126,7 @@ class Results:
             s; then the histories, ``shape + times.shape``, in place of the results.
         """
         if times is not None:
-            at = np.asarray(times, dtype=np.float64)
+            at = self._times(times)
             return {name: q.at(self, at) for name, q in HISTORY.items()}
         found = {n: self._full(v) for n, v in self.plan.scene.numbers.items() if np.ndim(v)}
         found |= {n: self._full(v) for q in results(self) for n, v in q.columns(self).items()}
@@ -182,3 +193,42 @@ class Results:
                         "element by element; use xarray.broadcast before"
                     )
         return [found.get(k, "lane" if count == 1 else f"lane_{k}") for k in range(count)]
+
+
+def cautions(motion: Any) -> tuple[str, ...]:
+    """What a user should know of a single motion; empty where all is well."""
+    stability = motion.plan.scene.stability
+    found = [stability.warning] if stability and stability.warning else list[str]()
+    times = motion.lift_off
+    if times:
+        more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""
+        said = times[:1] if more else times
+        found += [f"nothing presses on the slip surface from {t:.6g} s{more} (lift-off)" for t in said]
+    if motion.error_estimate > motion.plan.accuracy:
+        cause = "its numbers lie far apart"
+        if motion.error_estimate < _SURE:
+            cause = "no result in float64 is sure to less"
+        elif len(motion.phases) > 100:
+            cause = "the mass turns back many times"
+        elif abs(motion.friction - motion.limit_friction) < 1e-3 * abs(motion.limit_friction):
+            cause = "the friction is next to its limit"
+        found.append(
+            f"ill-conditioned: the estimated error {motion.error_estimate:.1e} is above the accuracy asked for, "
+            f"{motion.plan.accuracy:.1e}; {cause}"
+        )
+    elif motion.moves and motion.energy_error_estimate > BALANCED:
+        found.append(
+            f"ill-conditioned: the energy is balanced to {motion.energy_error_estimate:.1e} only, as what drives and "
+            "what resists are all but equal"
+        )
+    section = motion.plan.scene.arc
+    depth = section.drowned(motion.reach.rotation, motion.end.rotation) if isinstance(section, Section) else 0.0
+    if depth > 1e-6 * motion._lanes.radius:
+        found.append(f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water "
+                     "above it is left out")  # fmt: skip
+    if motion.swings_back:
+        found.append(
+            f"the mass swings back: it reaches {abs(motion.reach.displacement):.4g} m after {motion.reach.time:.4g} s, "
+            f"farther than its run-out of {abs(motion.run_out):.4g} m at the end"
+        )
+    return tuple(found)

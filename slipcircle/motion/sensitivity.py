@@ -142,7 +142,7 @@ class _Walk(Walker):
         scale, factor = c[at + its.SCALE, 0], c[at + its.SCALED_BY, 0]
         if slot.kind == "time":
             _, dots = self._course(slot, data, 1)
-            self.put(at + its.VALUE, dots[0] + self._local(slot, data)[1:2, 0].sum() * self.event_dot)
+            self.put(at + its.VALUE, dots[0] + self._local(slot, data, 1)[1:, 0].sum() * self.event_dot)
             return
         piece = int(c[at + its.PIECE, 0])
         slips, per = slot.kind == "slip", 1.0
@@ -174,7 +174,7 @@ class _Walk(Walker):
         """Taylor coefficients about now of a function of time, and their derivatives at fixed time, (terms, ...)."""
         scale_growth, factor_growth, _ = self.seeds.tables[slot.name]
         terms = np.zeros(order + 2)
-        local = self._local(slot, data)[: order + 2, 0]
+        local = self._local(slot, data, order + 1)[:, 0]
         terms[: len(local)] = local
         n = np.arange(order + 1)
         faster = self.c[its.TIME, 0] * (n + 1) * terms[1:] + n * terms[:-1]

@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
+from slipcircle.base.kinds import Numbers
 from slipcircle.flow.cells import MOST_TURNS
 from slipcircle.flow.solve import BLOCK, Lanes
-from slipcircle.motion.motion import TOLD, Motion
+from slipcircle.motion.motion import TOLD, Motion, told
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.motion.states import Status
 from slipcircle.scene.scene import Scene
@@ -18,7 +19,7 @@ from slipcircle.scene.varied import arc_with
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
 
-def solve(scene: Scene, accuracy: float | None = None) -> Motion:
+def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Numbers]:
     """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
 
     Parameters
@@ -30,7 +31,8 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     Returns
     -------
     Motion
-        Its attributes are arrays of the scene's broadcast shape where the scene has arrays.
+        Its attributes are arrays of the scene's broadcast shape where the scene has arrays: ``Motion[float]`` or
+        ``Motion[Array]`` to a type checker, as the numbers that the scene was made of.
 
     Raises
     ------
@@ -46,7 +48,7 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
     first standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
     """
     chosen = plan(scene, accuracy)
-    motion = motion_of(chosen)
+    motion: Motion[Numbers] = motion_of(chosen)
     if not scene.shape:
         _refuse(motion)
     return motion
@@ -54,17 +56,14 @@ def solve(scene: Scene, accuracy: float | None = None) -> Motion:
 
 def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
-    lanes = lanes_of(chosen, invalid)
+    lanes, single = lanes_of(chosen, invalid), not chosen.scene.shape
     log: list[Any] = []
     if lanes.count <= BLOCK:
-        cells = lanes.solve(None if chosen.scene.shape else log)
-        return Motion(chosen, lanes, {k: cells[k] for k in TOLD}, log)
-    told = {k: np.empty(lanes.count) for k in TOLD}
+        return Motion(chosen, lanes, told(lanes.solve(log if single else None), single), log)
+    found = np.empty((len(TOLD), lanes.count))
     for which, part in lanes.parts():
-        cells = part.solve()
-        for k in TOLD:
-            told[k][which] = cells[k]
-    return Motion(chosen, lanes, told, log)
+        found[:, which] = part.solve()[list(TOLD)]
+    return Motion(chosen, lanes, dict(zip(TOLD, found, strict=True)), log)
 
 
 def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
@@ -101,6 +100,9 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
 def _refuse(motion: Motion) -> None:
     """A single scene without an answer."""
     scene, status = motion.plan.scene, motion.status
+    speed = float(np.asarray(scene.initial_velocity))
+    if math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
+        return  # without an answer they are NaN
     asked = f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}"
     turns = any(EFFECTS[e].turns for e in motion.plan.effects)
     if status == Status.UPRIGHT:
@@ -109,7 +111,6 @@ def _refuse(motion: Motion) -> None:
             f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
             "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
         )
-    speed = float(np.asarray(scene.initial_velocity))
     stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
     overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
     if not turns and (status == Status.ENDLESS or overflows):
@@ -132,5 +133,4 @@ def _refuse(motion: Motion) -> None:
             f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
             "earlier end in s"
         )
-    if status == Status.FAILED or not math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
-        raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")
+    raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")

@@ -5,8 +5,7 @@ from collections.abc import Iterator
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import DISTRIBUTIONS
-from slipcircle.files import slopekeys
-from slipcircle.scene.keys import Table, tables_of
+from slipcircle.scene.keys import SLOPING, Table, tables_of
 from slipcircle.scene.stability import COMPARED, METHODS
 
 WIDTH, INDENT = 100, 28
@@ -34,9 +33,8 @@ def guide() -> str:
     lines = [HEAD, "Above the first table", *_keys(tables[""])]
     for path in ("arc", "arc.given"):
         lines += ["", *_title(f"[{path}]", tables[path].title), *_keys(tables[path])]
-    for table, title, words in slopekeys.guide():
-        lines += ["", *_title(f"[{table}]", title)]
-        lines += [line for k, said in words for line in _title(f"  {k}", said)]
+    for path, table in SLOPING.items():
+        lines += ["", *_title(f"[{path}]", table.title), *_keys(table)]
     lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
     lines += [line for m, (name, said) in METHODS.items() for line in _title(f"  {m}", f"{name}: {said}")]
     lines += ["", *_title("[friction]", "mu on the slip surface, by one of these laws")]
@@ -68,3 +66,5 @@ def _keys(table: Table) -> Iterator[str]:
             yield from _title(f"  {k}", f"{key.title}: {key.allowed}{', needed' if key.required else ''}")
     if table.any_of:
         yield f"{'':{INDENT}}needed: {' or '.join(table.any_of)}"
+    if table.sets:
+        yield from _title("", f"needed: {', or '.join(' with '.join(keys) for keys in table.sets)}")

@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.motion.motion import Motion
 from slipcircle.outputs import slopeplot
-from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, ending, legend, number
+from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, legend, number
 from slipcircle.outputs.trace import Floats
 from slipcircle.scene.section import Section
 
@@ -29,13 +29,8 @@ def section(motion: Motion, ax: Any = None) -> Any:
         return slopeplot.slide(motion, arc, ax)
     ax = axis(ax, (7.0, 5.5))
     radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
-    places, times = [("start", 0.0, "start")], magnified(motion)
-    if motion.moves:
-        peak, end = motion.peak, motion.end
-        places.append(("end", times * float(end.rotation), f"{ending(motion)}: {number(end.displacement)} m"))
-        if peak.rotation not in (0.0, end.rotation):
-            places.append(("peak", times * float(peak.rotation), f"peak velocity: {number(peak.displacement)} m"))
-    turned = [rotation * arc.facing for _, rotation, _ in places]
+    times, places = magnified(motion), slopeplot.places(motion, f"{number(motion.end.displacement)} m")
+    turned = [times * rotation * arc.facing for _, rotation, _ in places]
     swept = np.linspace(first + min(turned), second + max(turned), 400)
     ax.plot(*_points(radius, swept), label="slip surface", color="0.45", lw=1.2)
     outlines = [_points(radius, np.linspace(first, second, 200) + rotation) for rotation in turned]

@@ -9,7 +9,7 @@ from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, legend, num
 from slipcircle.scene.search import Critical
 from slipcircle.scene.section import Section
 
-_CELLS = 24  # of the map, across
+_CELLS = 32  # of the map, across
 _ON_ARC = 200  # points of an outline
 
 
@@ -24,11 +24,11 @@ def searched(found: Critical, figure: Any = None) -> Any:
 
     figure = sheet(figure, (9.0, 6.0))
     ax, slope, mass = figure.add_subplot(), found.slope, outline(found.slope, found)
-    low, high = mass.min(axis=0), np.maximum(mass.max(axis=0), found.centre)
-    reach = max(float(np.ptp(mass[:, 0])), 1.2 * float(np.ptp(np.asarray(slope.ground)[:, 1]))) * np.array([0.8, 0.3])
+    ground, low, high = np.asarray(slope.ground), mass.min(axis=0), np.maximum(mass.max(axis=0), found.centre)
+    reach = max(float(np.ptp(mass[:, 0])), 1.2 * float(np.ptp(ground[:, 1]))) * np.array([0.8, 0.4])
+    low, high = np.maximum(low - reach, [ground[0, 0], -np.inf]), np.minimum(high + reach, [ground[-1, 0], np.inf])
     ax.add_patch(Polygon(mass, closed=True, label="mass", zorder=2, **AREAS["start"]))
-    opening = float(np.ptp(_angles(found)))
-    _scenery(ax, slope, found, 0.4 * opening, f"centre{factors(found)}", low - reach, high + reach)
+    _scenery(ax, slope, found, 0.4 * float(np.ptp(_angles(found))), f"centre{factors(found)}", low, high)
     _map(ax, found)
     return figure
 
@@ -41,15 +41,10 @@ def slide(motion: Motion, body: Section, ax: Any = None) -> Any:
     from matplotlib.patches import Polygon
 
     ax, mass = axis(ax, (9.0, 5.0)), outline(body, body)
-    places = [("start", 0.0, "start")]
-    if motion.moves:
-        peak, end = motion.peak, motion.end
-        places.append(("end", float(end.rotation), f"{ending(motion)}: toe {number(motion.journey.run_out)} m further"))
-        if peak.rotation not in (0.0, end.rotation):
-            places.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m along the arc"))
-    turned = [body.placed(mass, rotation) for _, rotation, _ in places]
+    shown = places(motion, f"toe {number(motion.journey.run_out)} m further" if motion.moves else "", " along the arc")
+    turned = [body.placed(mass, rotation) for _, rotation, _ in shown]
     low, high = np.min(turned, axis=(0, 1)), np.max(turned, axis=(0, 1))
-    for (role, _, words), corners in zip(places, turned, strict=True):
+    for (role, _, words), corners in zip(shown, turned, strict=True):
         ax.add_patch(Polygon(corners, closed=True, label=words, zorder=2, **AREAS[role]))
     stability, margin = motion.plan.scene.stability, 0.25 * float(max(high - low))
     words = f"centre; radius {number(float(np.asarray(body.radius)))} m" + (factors(stability) if stability else "")
@@ -57,10 +52,21 @@ def slide(motion: Motion, body: Section, ax: Any = None) -> Any:
     return ax
 
 
+def places(motion: Motion, ended: str, along: str = "") -> list[tuple[str, float, str]]:
+    """Where the mass is shown, at the start, the end and its peak velocity: role, rotation, and words of a legend."""
+    found = [("start", 0.0, "start")]
+    if motion.moves:
+        peak, end = motion.peak, motion.end
+        found.append(("end", float(end.rotation), f"{ending(motion)}: {ended}"))
+        if peak.rotation not in (0.0, end.rotation):
+            found.append(("peak", float(peak.rotation), f"peak velocity: {number(peak.displacement)} m{along}"))
+    return found
+
+
 def factors(found: Critical) -> str:
     """Factors of safety, in the words of a legend."""
     known = [f"{method} {v:.3f}" for method, v in found.factor_of_safety.items() if v is not None]
-    return f"\nfactor of safety: {', '.join(known)}" if known else ""
+    return "\nfactor of safety: " + ",\n".join(filter(None, [known[0], ", ".join(known[1:])])) if known else ""
 
 
 def outline(soil: Any, circle: Any) -> Any:
@@ -101,7 +107,7 @@ def _scenery(ax: Any, soil: Any, circle: Any, turn: float, words: str, low: Any,
         level = np.asarray(soil.level, dtype=np.float64)
         x = np.concatenate([[min(low[0], level[0, 0])], level[:, 0], [max(high[0], level[-1, 0])]])
         ax.plot(x, level[[0, *range(len(level)), -1], 1], color="#56B4E9", lw=1.6, zorder=3, label="water level")
-    seen = circle.centre[1] <= high[1]
+    seen = np.all((circle.centre >= low) & (circle.centre <= high))
     ax.plot(*(circle.centre if seen else ([], [])), "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="$x$ (m)", ylabel="$y$ (m)")
     ax.set_aspect("equal")
@@ -110,19 +116,20 @@ def _scenery(ax: Any, soil: Any, circle: Any, turn: float, words: str, low: Any,
 
 
 def _map(ax: Any, found: Critical) -> None:
-    """The least factor of the circles about each centre, up to half more than the least of all."""
+    """The least factor of the circles about each centre and its neighbours, up to half more than the least of all."""
     low, high = (np.array(pair) for pair in zip(ax.get_xlim(), ax.get_ylim(), strict=True))
     size = (high[0] - low[0]) / _CELLS
-    cells = np.floor((found.centres - low) / size)
-    good = np.all((found.centres > low - size) & (found.centres < high + size), axis=1) & np.isfinite(found.values)
-    places, number = np.unique(cells[good], axis=0, return_inverse=True)
-    if len(places) < 10:
+    shape = np.ceil((high - low) / size).astype(int) + 3  # one cell more on every side, and one for what is outside
+    cells = np.clip(np.floor((found.centres - low) / size).astype(int) + 1, 0, shape)
+    least = np.full(shape + 1, np.inf)
+    np.fmin.at(least, tuple(cells.T), found.values)
+    least = np.lib.stride_tricks.sliding_window_view(least[1:-1, 1:-1], (3, 3)).min(axis=(2, 3))
+    if np.count_nonzero(np.isfinite(least)) < 10:
         return
-    least = np.full(len(places), np.inf)
-    np.minimum.at(least, number, found.values[good])
-    levels = float(least.min()) * np.linspace(1.0, 1.5, 11)
-    x, y = (low + (places + 0.5) * size).T
-    picture = ax.tricontourf(x, y, least, levels=levels, cmap="viridis_r", alpha=0.75, zorder=0)
+    x, y = (start + (np.arange(n) + 1.5) * size for start, n in zip(low, least.shape, strict=True))
+    levels = float(np.nanmin(found.values)) * np.linspace(1.0, 1.5, 11)
+    picture = ax.contourf(
+        x, y, np.minimum(least, 9 * levels[-1]).T, levels=levels, cmap="viridis_r", alpha=0.75, zorder=0
+    )
     words = f"least factor of safety of circles about a centre ({found.method})"
-    ax.figure.colorbar(picture, ax=ax, label=words, format="%.3g")
-    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    ax.figure.colorbar(picture, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")

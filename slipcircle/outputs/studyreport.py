@@ -9,12 +9,11 @@ import numpy as np
 
 from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.plan import plan
-from slipcircle.motion.quantities import OUTCOMES, plain, shown, words
+from slipcircle.motion.quantities import OUTCOMES, known, plain, shown, words
 from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import figure, folded, number, page, repeat
 from slipcircle.outputs.report import given
-from slipcircle.outputs.tables import decimals
 from slipcircle.studies import written
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
@@ -129,8 +128,7 @@ def interval(e: Estimate) -> str:
     """A value and its interval, to two digits of the interval's width."""
     if np.isnan(e.value):
         return "-"
-    wide = e.high - e.low
-    value, *ends = ("?" if np.isnan(x) else f"{x:{decimals(wide)}}" if wide > 0.0 else shown(x) for x in e)
+    value, *ends = ("?" if np.isnan(x) else known(x, e.high - e.low) for x in e)
     return f"{value} [{', '.join(ends)}]"
 
 

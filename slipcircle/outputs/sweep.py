@@ -2,7 +2,8 @@
 
 import argparse
 import sys
-from concurrent.futures import BrokenExecutor
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import replace
 from typing import IO, Any
 
@@ -48,8 +49,8 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
-    parser.add_argument("--plot", metavar="FILE", action="append", help="draw exceedance curves and which unknown "
-                        "matters, or a grid of one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
+    parser.add_argument("--plot", metavar="FILE", action="append", default=[], help="draw exceedance curves and "
+                        "which unknown matters, or a grid of one or two numbers; .png, .svg, .pdf or .jpg")  # fmt: skip
     parser.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
     parser.add_argument("--csv", metavar="FILE", help="write one table of all results")
     parser.add_argument("--npz", metavar="FILE", help="write all results as NumPy arrays, the samples where kept")
@@ -70,24 +71,17 @@ def run(options: argparse.Namespace) -> Study:
         drawn = _drawn(options.uncertain)
         others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
         scene = replace(scene, uncertain=others | drawn)
-    drawn = {k: path for k in ("plot", "report") if (path := getattr(options, k))}
-    wanted = drawn | {k: path for k in ("csv", "npz") if (path := getattr(options, k))}
-    source = find(options.scene)
-    files.check("sweep", {f"--{k}": path for k, path in wanted.items()}, [str(source)])  # before the work
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
-    if drawn:
-        for path in options.plot or [""]:
-            pictures.check("sweep", path)
-        if options.grid:
-            studyplots.check_grid([len(x) for x in _levels(options.grid).values()])
-    content = source.read_bytes()
+    if options.plot and options.grid:
+        studyplots.check_grid([len(x) for x in _levels(options.grid).values()])
+    content = find(options.scene).read_bytes()
     try:
         found = _compute(scene, options)
-    except BrokenExecutor as error:
+    except (BrokenExecutor, CancelledError) as error:  # processes, Dask
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
-    for path in options.plot or []:
+    for path in options.plot:
         files.write(path, pictures.study(found, path))
     if options.report:
         files.write(options.report, study_report(found, content, options.line).encode())
@@ -113,60 +107,58 @@ def _savez(file: IO[bytes], arrays: dict[str, NDArray[Any]]) -> None:
     np.savez(file, **arrays)  # type: ignore[arg-type]
 
 
-def _drawn(given: list[str]) -> dict[str, dict[str, Any]]:
-    """Distributions by key from the command line, as a scene file has them."""
-    found: dict[str, dict[str, Any]] = {}
+def _parsed(option: str, given: list[str], form: str, read: Callable[[str, str], Any]) -> dict[str, Any]:
+    """What stands in KEY=VALUE of the command line, by key; each key once."""
+    found: dict[str, Any] = {}
     said = []
     for text in given:
         key, _, value = text.partition("=")
-        name, *numbers = value.split(":")
-        wanted = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
         try:
             if key in found:
                 raise ValueError
-            found[key] = {"distribution": name} | dict(zip(wanted, map(float, numbers), strict=True))
+            found[key] = read(key, value)
         except ValueError:
-            forms = ", ".join(":".join((n, *d.parameters)) for n, d in DISTRIBUTIONS.items())
-            said.append(f"--uncertain {text}: must be KEY=, each key once, and one of {forms}")
+            said.append(f"--{option} {text}: must be {form}")
     if said:
         raise ValueError("; ".join(said))
     return found
+
+
+def _drawn(given: list[str]) -> dict[str, dict[str, Any]]:
+    """Distributions by key, as a scene file has them."""
+
+    def read(_: str, value: str) -> dict[str, Any]:
+        name, *numbers = value.split(":")
+        wanted = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
+        return {"distribution": name} | dict(zip(wanted, map(float, numbers), strict=True))
+
+    forms = ", ".join(":".join((n, *d.parameters)) for n, d in DISTRIBUTIONS.items())
+    return _parsed("uncertain", given, f"KEY=, each key once, and one of {forms}", read)
 
 
 def _pairs(given: list[str]) -> dict[tuple[str, str], float]:
-    """Correlations by their keys from the command line."""
-    found = {}
-    for text in given:
-        keys, _, value = text.partition("=")
-        try:
-            one, other = keys.split(",")
-            found[one, other] = float(value)
-        except ValueError:
-            raise ValueError(f"--correlation {text}: must be KEY,KEY=R, such as "
-                             "friction.angle_deg,cohesion.cohesion_kPa=-0.5") from None  # fmt: skip
-    return found
+    """Correlations by their keys."""
+
+    def read(keys: str, value: str) -> float:
+        _, _ = keys.split(",")
+        return float(value)
+
+    form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
+    found = _parsed("correlation", given, form, read)
+    return {(one, other): r for keys, r in found.items() for one, other in [keys.split(",")]}
 
 
 def _levels(given: list[str]) -> dict[str, NDArray[np.float64]]:
-    """Values by key from the command line."""
-    found: dict[str, NDArray[np.float64]] = {}
-    said = []
-    for text in given:
-        key, _, values = text.partition("=")
-        try:
-            if key in found:
-                raise ValueError
-            if values.count(":") == 2:
-                first, last, count = values.split(":")
-                found[key] = np.linspace(float(first), float(last), int(count))
-            else:
-                found[key] = np.array([float(v) for v in values.split(",")])
-        except ValueError:
-            said.append(f"--grid {text}: must be KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as "
-                        "friction.angle_deg=8:12:41")  # fmt: skip
-    if said:
-        raise ValueError("; ".join(said))
-    return found
+    """Values by key."""
+
+    def read(_: str, values: str) -> NDArray[np.float64]:
+        if values.count(":") == 2:
+            first, last, count = values.split(":")
+            return np.linspace(float(first), float(last), int(count))
+        return np.array([float(v) for v in values.split(",")])
+
+    form = "KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as friction.angle_deg=8:12:41"
+    return _parsed("grid", given, form, read)
 
 
 def _csv(found: Study) -> bytes:

@@ -13,14 +13,21 @@ from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import JOURNEY, OUTCOMES, digits_left, plain, record, results, shown, spent, words
+from slipcircle.motion.quantities import (
+    JOURNEY,
+    OUTCOMES,
+    plain,
+    results,
+    shown,
+    spent,
+    words,
+)
 from slipcircle.scene.search import Critical
 from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
 
 if TYPE_CHECKING:
     from slipcircle.motion.derivatives import Sensitivity
-    from slipcircle.studies.backanalysis import BackAnalysis
 
 WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
 Rows = Iterable[Sequence[str]]
@@ -35,12 +42,11 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
     chosen = [q for q in results(motion) if verbose or q.key or (q in JOURNEY and motion.moves)]
     found = {q.label: q.text(motion) for q in chosen}
-    if motion.plan.scene.stability is not None:
-        if not motion.plan.scene.stability.slope.k_h:
+    if (circle := motion.plan.scene.stability) is not None:
+        if not circle.slope.k_h and circle.factor_of_safety["paper"] is not None:
             del found["factor of safety"]  # the paper's, which stands among these
         told = ("entry", "exit")  # as ends of the slip surface
-        stability = stability_column(motion.plan.scene.stability)
-        found |= {label: value for label, value in stability.items() if label not in told}
+        found |= {label: value for label, value in stability_column(circle).items() if label not in told}
     if not motion.arrested:
         ended = motion.plan.scene.end_time is not None
         found["comes to rest"] = "no, still moving" if ended else "no, nothing holds it; to its first standstill"
@@ -54,7 +60,7 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     }
     if verbose:
         d = asdict(motion.plan.scene.arc.dimensionless)
-        found |= {symbol: f"{float(d[name]):.5f}" for symbol, name in COEFFICIENTS.items()}
+        found |= {symbol: f"{float(d[name]):z.5f}" for symbol, name in COEFFICIENTS.items()}
     return found
 
 
@@ -74,16 +80,18 @@ def stability_column(found: Critical) -> dict[str, str]:
 
     by_method = found.factor_of_safety.items()
     rows = {f"factor of safety by {METHODS[m][0]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
+    sense = {} if math.isnan(found.negative) else {  # as of a circle that overhangs
+        "slides to the": {1: "right", -1: "left"}.get(found.facing, "neither side: nothing drives it"),
+        "arc under negative normal stress": f"{100 * found.negative:.1f} %",
+    }  # fmt: skip
     if found.slope.k_h:
         rows["horizontal acceleration k_h of these"] = shown(found.slope.k_h)
     return rows | {
         "circle": f"least factor by {found.method}" if found.method else "as given",
         "centre": point(found.centre), "radius": f"{shown(found.radius)} m",
         "entry": point(found.entry), "exit": point(found.exit),
-        "slides to the": {1: "right", -1: "left"}.get(found.facing, "neither side: nothing drives it"),
         "circles tried, refused": f"{found.tried}, {found.refused}",
-        "arc under negative normal stress": f"{100 * found.negative:.1f} %",
-    }  # fmt: skip
+    } | sense  # fmt: skip
 
 
 # --- plans and ladders -----------------------------------------------------------------------------------------------
@@ -156,55 +164,6 @@ def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
             cells.append(f"{shown(float(slope))}{per_cent}")
         rows.append([of.key, shown(value, 6), *cells])
     return rows
-
-
-# --- back-analyses ---------------------------------------------------------------------------------------------------
-
-
-def backanalysis_record(found: "BackAnalysis") -> dict[str, Any]:
-    """A back-analysis as JSON holds it: null for what is not known; matrices by fields in their order."""
-    derived = ("standard_errors", "correlation")
-    solutions = [vars(s) | {n: getattr(s, n) for n in derived} | {"motion": record(s.motion)} for s in found.solutions]
-    return plain({"scene": found.motion.plan.scene.name} | vars(found) | {"solutions": solutions})
-
-
-def backanalysis_rows(found: "BackAnalysis") -> Rows:
-    """A back-analysis as rows of a table, a column for each solution."""
-    from slipcircle.studies.backanalysis import FITTED
-
-    columns = []
-    for s in found.solutions:
-        rows, errors = {}, s.standard_errors or {}
-        for name, value in s.values.items():
-            rows[name] = _with_error(value, errors.get(name, 0.0), s.error_estimate)
-        if s.correlation is not None:
-            names = list(s.values)
-            for i, j in combinations(range(len(names)), 2):
-                rows[f"correlation of {names[i]} and {names[j]}"] = f"{s.correlation[i, j]:+.3f}"
-        for name in OUTCOMES:
-            seen, sigma = found.observed.get(name, (None, None))
-            of = "" if seen is None else f" (observed {shown(seen, 6)}" + (f" +- {sigma:.2g})" if sigma else ")")
-            value = float(OUTCOMES[name].read(s.motion))
-            rows[words(name, OUTCOMES[name].unit)] = shown(value, digits_left(s.motion.error_estimate)) + of
-        if found.method == FITTED:
-            known = all(sigma for _, sigma in found.observed.values())
-            free = found.degrees_of_freedom
-            rows[f"chi-square, degrees of freedom {free}" if known else "misfit"] = f"{s.chi_square:.3g}"
-        columns.append(rows | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"})
-    return beside(columns)
-
-
-def _with_error(value: float, error: float, numerical: float) -> str:
-    """A number with its standard error, to two digits of that; to those that its numerical error leaves without."""
-    if not error > 0.0:
-        return shown(value, digits_left(numerical))
-    form = decimals(error)
-    return f"{value:{form}} +- {error:{form}}"
-
-
-def decimals(error: float) -> str:
-    """The form of numbers that are known up to an error: two digits of that."""
-    return f".{min(max(1 - math.floor(math.log10(error)), 0), 12)}f"
 
 
 # --- the screen ------------------------------------------------------------------------------------------------------

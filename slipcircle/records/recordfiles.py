@@ -1,8 +1,8 @@
 """Files of samples, as PEER's AT2, ESM's ASCII, or a table after any header lines: times, values and their unit."""
 
+import io
 import re
-from collections.abc import Iterable, Mapping
-from itertools import chain
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -97,7 +97,7 @@ def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, s
 def _wrapped(name: str, text: str, head: int, count: int, step: float, units: str) -> Found:
     """Values without times, however many are on a line."""
     body = text.split("\n", head)[head] if text.count("\n") >= head else ""
-    values = _floats(name, [line.split() for line in body.split("\n")], head)
+    values = _slow_table(name, body, head, None)
     if values.size != count:
         raise ValueError(
             f"{name}: holds {values.size} values, but its header says {count}; is the file cut short, or another's "
@@ -226,7 +226,7 @@ def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | Non
     Numbers above two lines that have another count of them both, such as a date, are of the header.
     """
     rows: list[tuple[int, str | None, int, bool]] = []
-    for k, line in enumerate(map(_said, _lines(text))):
+    for k, line in enumerate(map(_said, io.StringIO(text))):
         if line:
             row = _numbers(k, line)
             if row is None and ";" in line and all(_is_number(f.replace(",", ".")) for f in line.split(";")):
@@ -259,27 +259,17 @@ def _rows(name: str, body: str, head: int, separator: str | None) -> list[Floats
 
     Empty where they may be columns.
     """
-    lines = [(k, _split(line, separator)) for k, x in enumerate(body.split("\n"), head + 1) if (line := _said(x))]
-    counts = [len(fields) for _, fields in lines]
+    counts = [len(_split(line, separator)) for x in io.StringIO(body) if (line := _said(x))]
     if len(set(counts[:-1])) > 1 or counts[-1] > counts[0]:
         return []
-    if counts[0] <= 3 and len(lines) > 1 and counts[-1] == counts[0]:
+    if counts[0] <= 3 and len(counts) > 1 and counts[-1] == counts[0]:
         return []
-    return [np.array([_number(name, k, f) for k, fields in lines for f in fields if f], dtype=np.float64)]
-
-
-def _lines(text: str) -> Iterable[str]:
-    at = 0
-    while at < len(text):
-        end = text.find("\n", at)
-        end = len(text) if end < 0 else end
-        yield text[at:end]
-        at = end + 1
+    return [_slow_table(name, body, head, separator)]
 
 
 def _is_number(field: str) -> bool:
     try:
-        float(re.sub("[dD]", "E", field))
+        _number("", 0, field)
     except ValueError:
         return False
     return True
@@ -322,32 +312,24 @@ def _enough(name: str, count: int) -> None:
         raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
 
 
-def _floats(name: str, rows: list[list[str]], head: int) -> Floats:
-    """All numbers of the rows; an error that names the line of what is none."""
-    try:
-        return np.array(list(map(float, chain.from_iterable(rows))), dtype=np.float64)
-    except ValueError:
-        return np.array([_number(name, k, f) for k, row in enumerate(rows, head + 1) for f in row], dtype=np.float64)
-
-
-def _slow_table(name: str, body: str, head: int, separator: str | None, width: int) -> Floats:
-    """A table line by line, so that the line that is wrong can be named."""
+def _slow_table(name: str, body: str, head: int, separator: str | None, width: int = 0) -> Floats:
+    """Numbers line by line, so that the line that is wrong can be named: a table of a width, or all in a row."""
     found = []
-    for k, line in enumerate(body.split("\n"), head + 1):
+    for k, line in enumerate(io.StringIO(body), head + 1):
         fields = _split(line, separator) if _said(line) else []
-        fields = fields[:-1] if len(fields) == width + 1 and not fields[-1] else fields
-        if fields and len(fields) != width:
+        fields = fields[:-1] if fields and not fields[-1] and len(fields) != width else fields
+        if width and fields and len(fields) != width:
             raise ValueError(
                 f"{name}, line {k}: has {len(fields)} field{'s' * (len(fields) != 1)}, where the first row has "
                 f"{width}; mend the line"
             )
         found += [_number(name, k, f) for f in fields]
-    return np.array(found, dtype=np.float64).reshape(-1, width)
+    return np.array(found, dtype=np.float64).reshape(-1, *([width] if width else []))
 
 
 def _number(name: str, line: int, field: str) -> float:
     try:
-        return float(re.sub("[dD]", "E", field))  # Fortran's exponents
+        return float(field.replace("d", "E").replace("D", "E"))  # Fortran's exponents
     except ValueError:
         raise ValueError(
             f"{name}, line {line}: {field.strip()[:40]!r}: must be a number; mend or remove the line"

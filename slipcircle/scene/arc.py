@@ -5,24 +5,26 @@ from __future__ import annotations  # so that a signature says ArrayLike
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
 from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
-from slipcircle.scene.weights import Dimensionless, Weights
+from slipcircle.base.kinds import Array, Numbers
+from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
 ARC_BOUNDS: Mapping[str, Bounds] = {
     "radius": (1e-6, 1e20, "a positive length in m"),
     "theta_1": (-1e3, 1e3, "a finite angle in rad"),
     "theta_2": (-1e3, 1e3, "a finite angle in rad"),
-    "unit_weight": (1e-3, 1e9, "a positive unit weight in N/m^3"),
+    "unit_weight": (1e-3, 1e6, "a positive unit weight in N/m^3"),  # 1000 kN/m^3 are more than gold weighs
     "gravity": (1e-6, 1e6, "a positive acceleration in m/s^2"),
     "width": (1e-6, 1e9, "a positive length in m"),
 }
 QUANTITIES = tuple(ARC_BOUNDS)
+GRAVITY, WIDTH = 9.81, 1.0  # by default
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
@@ -30,7 +32,7 @@ GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
 
 
 @dataclass(frozen=True)
-class Arc:
+class Arc(Mass, Generic[Numbers]):
     """A circular slip surface with the mass above it, closed by its chord.
 
     Parameters
@@ -63,15 +65,29 @@ class Arc:
     that turns. Only a J_theta in ``given`` has the sense of the angles, and so tells the facing.
     """
 
-    radius: ArrayLike
-    theta_1: ArrayLike
-    theta_2: ArrayLike
-    unit_weight: ArrayLike
-    gravity: ArrayLike = 9.81
-    width: ArrayLike = 1.0
+    radius: Numbers | float
+    theta_1: Numbers | float
+    theta_2: Numbers | float
+    unit_weight: Numbers | float
+    gravity: Numbers | float = GRAVITY
+    width: Numbers | float = WIDTH
     given: Mapping[str, float] | None = None
     quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
     rounding: ClassVar[float] = 4 * EPS  # that each of the `weights` may have, relative
+
+    if TYPE_CHECKING:  # one array makes an ensemble
+
+        @overload
+        def __init__(
+            self: Arc[float], radius: float, theta_1: float, theta_2: float, unit_weight: float, gravity: float = ...,
+            width: float = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self: Arc[Array], radius: ArrayLike, theta_1: ArrayLike, theta_2: ArrayLike, unit_weight: ArrayLike,
+            gravity: ArrayLike = ..., width: ArrayLike = ..., given: Mapping[str, float] | None = None,
+        ) -> None: ...  # fmt: skip
+        def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
@@ -80,7 +96,10 @@ class Arc:
             found = shape_mistakes(values)
         if not found:
             found = first(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
-        if self.given is not None:
+        given: Any = self.given
+        if not isinstance(given, Mapping | None):
+            found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
+        elif self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
             bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
@@ -97,16 +116,21 @@ class Arc:
         one, two = (np.degrees(np.ravel(end)) for end in ends)
         with np.errstate(invalid="ignore"):
             weight = np.ravel(kernels.radial_weight(*ends))
+        turns = np.any(np.abs(ends[0]) > 4 * np.pi)  # 12.6 rad are more than anybody turns, and few degrees
+        asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
         yield (
             np.ravel(ends[1] <= ends[0]),
             lambda k: f"theta_2 = {two[k]:.10g} deg: must be above theta_1 = {one[k]:.10g} deg; swap them?",
         )
-        yield np.isnan(weight), lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg"
+        yield (
+            np.isnan(weight),
+            lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
+        )
         yield (
             weight <= 0.0,
             lambda k: (
                 f"theta_1 = {one[k]:.10g} deg, theta_2 = {two[k]:.10g} deg: it presses on nothing; "
-                "the middle of the arc must lie between 180 and 360 deg, below its centre"
+                f"the middle of the arc must lie between 180 and 360 deg, below its centre{asked}"
             ),
         )
 
@@ -130,11 +154,6 @@ class Arc:
         """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
         moment = self._lean if self.given is None else self.given["weight_moment"]
         return np.where(np.asarray(moment) < 0.0, -1.0, 1.0)[()]
-
-    @cached_property
-    def time_scale(self) -> Any:
-        """t_c = sqrt(R/g) (3.9), s."""
-        return np.sqrt(np.divide(self.radius, self.gravity))
 
     @cached_property
     def dimensionless(self) -> Dimensionless:
@@ -219,17 +238,7 @@ class Arc:
     @cached_property
     def depth(self) -> Any:
         """f, the largest depth of the mass below its chord (2.12), m."""
-        return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
-
-    @cached_property
-    def reference_stress(self) -> Any:
-        """sigma_ref (2.13), Pa."""
-        return np.multiply(self.unit_weight, self.depth)
-
-    @cached_property
-    def static_normal_stress(self) -> Any:
-        """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
-        return self.reference_stress * self.dimensionless.static_normal_stress
+        return self.sagitta
 
     @cached_property
     def limit_friction_angle(self) -> Any:

@@ -72,8 +72,8 @@ def section_mistakes(given: Mapping[str, Any]) -> list[str]:
     """What is wrong with the fields of a section, each by itself and as shapes."""
     length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
     bounds = {n: b for n, b in {
-        "radius": (0.0, FAR, length), "unit_weight": (0.0, INFINITY, weight), "width": (0.0, INFINITY, length),
-        "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"), "water_unit_weight": (0.0, INFINITY, weight),
+        "radius": (0.0, FAR, length), "unit_weight": (0.0, 1e6, weight), "width": (0.0, INFINITY, length),
+        "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"), "water_unit_weight": (0.0, 1e6, weight),
         "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"), "base": (-FAR, FAR, "one finite number in m"),
         "between": (-FAR, FAR, "two x in m, from left to right"),
     }.items() if given[n] is not None or n not in ("base", "between")}  # fmt: skip

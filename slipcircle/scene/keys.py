@@ -11,14 +11,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
-from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, Arc
-from slipcircle.scene.friction import RATE_LAWS
+from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
+from slipcircle.scene.friction import RATE_LAWS, ROUGHEST
+from slipcircle.scene.stability import METHODS
 
 
 class Key(NamedTuple):
     """A key of a scene file: the argument that it stands for, what it is and may be, and how it becomes SI units.
 
-    ``kind`` is "text", "flag", "number", "list" (of numbers), "series" (a number or a list), or words: "this|that".
+    ``kind`` is "text", "flag", "number", "list" (of numbers), "series" (a number or a list), "pair" and "points" (of
+    two numbers), or words: "this|that".
     """
 
     name: str
@@ -37,9 +39,12 @@ class Key(NamedTuple):
         """What is wrong with a value: places in a list, "" for the value itself, and what stands there."""
         if isinstance(value, list) and self.kind in ("list", "series"):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
+        if isinstance(value, list) and self.kind == "points" and len(value) > 1:
+            return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
         right = {
             "text": isinstance(value, str), "flag": isinstance(value, bool), "list": False,
-            "number": self._number(value), "series": self._number(value),
+            "number": self._number(value), "series": self._number(value), "pair": self._pair(value),
+            "points": False,
         }  # fmt: skip
         return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
 
@@ -49,15 +54,22 @@ class Key(NamedTuple):
         low = self.limits.get("gt", -INFINITY) < value and self.limits.get("ge", -INFINITY) <= value
         return low and value < self.limits.get("lt", INFINITY)
 
+    def _pair(self, value: Any) -> bool:
+        return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
+
 
 class Table(NamedTuple):
-    """A table of a scene file; exactly one key of each of ``one_of`` is needed, at least one of ``any_of``."""
+    """A table of a scene file; exactly one key of each of ``one_of`` is needed, at least one of ``any_of``.
+
+    Of ``sets`` of keys all of one and none of the others.
+    """
 
     title: str
     keys: Mapping[str, Key]
     one_of: tuple[tuple[str, ...], ...] = ()
     any_of: tuple[str, ...] = ()
     required: bool = False
+    sets: tuple[tuple[str, ...], ...] = ()
 
 
 def _declare(name: str, key: str, unit: str, help: str, lower: float = 0.0, upper: float = INFINITY,
@@ -87,8 +99,8 @@ _ARC = tuple(
         ),
         ("theta_2", "theta_2_deg", "rad", "polar angle of the arc's second end, above the first", math.pi / 180, False),
         ("unit_weight", "unit_weight_kN_m3", "N/m^3", "unit weight", 1e3, False),
-        ("gravity", "gravity_m_s2", "m/s^2", f"gravity, by default {Arc.gravity}", 1.0, True),
-        ("width", "width_m", "m", f"length across the section, by default {Arc.width}", 1.0, True),
+        ("gravity", "gravity_m_s2", "m/s^2", f"gravity, by default {GRAVITY}", 1.0, True),
+        ("width", "width_m", "m", f"length across the section, by default {WIDTH}", 1.0, True),
     )
 )
 _GIVEN = [
@@ -104,6 +116,8 @@ def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_
     if p.lower == -5e-324:  # bounds are open, and zero is allowed
         limits = {"ge": 0.0}
     limits |= {"lt": to_file(p.upper)} if to_file(p.upper) < INFINITY else {}
+    if p.key.endswith("_deg") and not p.unit and not tangent:
+        limits["lt"] = ROUGHEST  # which is not told: who meets it gave an angle
     least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
     told = dict(limits)  # of what only a wrong unit passes the sign is enough
     if p.lower in (least, -most):
@@ -187,3 +201,69 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
         **(by_rate if may_have_rate(law) else {}),
         **effects,
     }
+
+
+# --- real slopes -----------------------------------------------------------------------------------------------------
+
+
+def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
+    return _declare(name, f"{name}_m", "m", help, lower, LIMITS["m"][1], optional=True)
+
+
+def _weight(help: str, optional: bool = False) -> Parameter:
+    return _declare("unit_weight", "unit_weight_kN_m3", "N/m^3", help, 0.0, 1e5, 1e3, optional)
+
+
+def _points(name: str, title: str) -> dict[str, Key]:
+    key = "points_m" if name == "ground" else f"{name}_m"
+    return {key: Key(name, title, "a list of points, [[x, y], [x, y], ...] (m)", kind="points", convert=np.array)}
+
+
+def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
+    said = f"two numbers, {form} (m)"
+    return {f"{name}_m": Key(name, title, said, kind="pair", convert=lambda v: (float(v[0]), float(v[1])))}
+
+
+_UPRIGHT = _declare("angle", "angle_deg", "rad", "its angle, at most 90", 0.0,
+                    math.nextafter(math.pi / 2, 2.0), math.pi / 180, True)  # fmt: skip
+SLOPING: Mapping[str, Table] = {  # in place of an arc
+    "ground": _table(
+        "a real slope, in place of [arc]",
+        [_length("height", "height of a simple slope between level ground"), _UPRIGHT,
+         _length("run", "its horizontal length", -5e-324), _weight("unit weight of the soil"),
+         *_ARC[-2:], _length("base", "y of a firm layer below which no circle goes", -INFINITY)],
+        _points("ground", "points of the surface from left to right"),
+    )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
+    "circle": _table(
+        "its slip circle: given, or looked for by critical = \"bishop\"",
+        [_length("radius", "radius"), _length("depth", "depth of the circle below the chord of these points"),
+         _length("touching", "y of the level that the circle through these points touches", -INFINITY)],
+        _pair("centre", "centre of the circle", "[x, y]") | _points("through", "two points of the circle")
+        | _pair("between", "x between which the stretch of ground lies that is meant") | {
+            "critical": Key("critical", "method by which the critical circle is looked for",
+                            f"one of {', '.join(METHODS)}", kind="|".join(METHODS))},
+    )._replace(required=True, sets=(
+        ("centre_m", "radius_m"), ("through_m", "radius_m"), ("through_m", "depth_m"), ("through_m", "touching_m"),
+        ("critical",),
+    )),
+    "water": _table("its water level, in place of r_u", [_weight("unit weight of water, by default 9.81", True)],
+                    _points("level", "points of the level from left to right")),
+    "search": _table(
+        "what limits the search for the critical circle",
+        [_length("depth", "least thickness of the mass, against skins", -5e-324),
+         _declare("k_h", "k_h", "", "horizontal acceleration as a share of g, positive down-slope", -1.0, 1.0,
+                  optional=True)],
+        _pair("entry", "x of the upper end") | _pair("exit", "x of the lower end"),
+    ),
+}  # fmt: skip
+_PLAUSIBLE = {"coefficient": 4.0, "cohesion_kPa": 1e5}
+
+
+def sloping(tables: Mapping[str, Table]) -> dict[str, Table]:
+    """The tables of a scene with a ground in place of an arc, and the soil of one."""
+    found = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
+    for path in ("friction", "cohesion"):
+        keys = {k: key._replace(limits={**key.limits, "lt": _PLAUSIBLE.get(k, key.limits["lt"])}) if key.limits else key
+                for k, key in found[path].keys.items()}  # fmt: skip
+        found[path] = found[path]._replace(keys=keys)
+    return found

@@ -2,18 +2,19 @@
 
 from __future__ import annotations  # so that a signature says ArrayLike
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, Parameter
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
-from slipcircle.base.series import Series
+from slipcircle.base.kinds import Array, Numbers
+from slipcircle.base.series import Pulse, Series
 from slipcircle.records.given import factor, greatest, resolved
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
@@ -23,11 +24,12 @@ from slipcircle.scene.section import Section
 if TYPE_CHECKING:
     from slipcircle.scene.search import Critical
 
+One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
 ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
 
 
 @dataclass(frozen=True)
-class Scene:
+class Scene(Generic[Numbers]):
     """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
 
     Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
@@ -61,22 +63,51 @@ class Scene:
     stability : Critical, optional
         Factors of safety of the section's circle, and how it was found; the motion does not depend on it.
 
+    Notes
+    -----
+    To a type checker a ``Scene[float]`` is one scene, whose `solve` is a ``Motion[float]``, and a ``Scene[Array]`` an
+    ensemble; ``scene: Scene = load("vaiont")`` is either, so that ``replace`` may put arrays into it.
+
     Raises
     ------
     ValueError
         Lists every mistake with its field, its value and what is allowed.
     """
 
-    arc: Arc | Section
-    friction: ArrayLike | Mapping[str, Any] | Callable[[Any], Any]
-    effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = field(default_factory=dict)
-    initial_velocity: ArrayLike = 0.0
-    end_time: ArrayLike | None = None
+    arc: Arc[Numbers] | Section
+    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any]
+    effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
+    initial_velocity: Numbers | float = 0.0
+    end_time: Numbers | float | None = None
     accuracy: float | None = None
     name: str = ""
     note: str = ""
     uncertain: Mapping[str, Any] = field(default_factory=dict)
     stability: Critical | None = None
+
+    if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
+
+        @overload
+        def __init__(
+            self: Scene[float], arc: Arc[float], friction: float | Mapping[str, One] | Callable[[Any], Any],
+            effects: Mapping[str, Mapping[str, One]] | Iterable[str] = ..., initial_velocity: float = ...,
+            end_time: float | None = None, accuracy: float | None = None, name: str = ..., note: str = ...,
+            uncertain: Mapping[str, Any] = ..., stability: Critical | None = None,
+        ) -> None: ...  # fmt: skip
+        @overload
+        def __init__(
+            self: Scene[Array], arc: Arc | Section, friction: NDArray[Any] | Sequence[float], *more: Any, **named: Any
+        ) -> None: ...
+        @overload
+        def __init__(self: Scene[Array], arc: Arc[Array], *more: Any, **named: Any) -> None: ...
+        @overload
+        def __init__(
+            self: Scene[Any], arc: Arc | Section, friction: float | Mapping[str, Any] | Callable[[Any], Any],
+            effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = ..., initial_velocity: ArrayLike = ...,
+            end_time: ArrayLike | None = None, accuracy: float | None = None, name: str = ..., note: str = ...,
+            uncertain: Mapping[str, Any] = ..., stability: Critical | None = None,
+        ) -> None: ...  # fmt: skip
+        def __init__(self, *given: Any, **named: Any) -> None: ...
 
     def __post_init__(self) -> None:
         effects, found = _named(self.effects)
@@ -86,8 +117,6 @@ class Scene:
         }
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
-        if self.accuracy is not None:
-            bounds["accuracy"] = ACCURACY
         known = isinstance(self.arc, Arc | Section)
         found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
         if isinstance(self.arc, Section):
@@ -95,7 +124,7 @@ class Scene:
             if self.arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
                 found.append("effects.pore_pressure.ratio: cannot be combined with the level of the section, which "
                              "says the pore pressure already; leave one out")  # fmt: skip
-        found += mistakes({n: getattr(self, n) for n in bounds}, bounds)
+        found += mistakes({n: getattr(self, n) for n in bounds}, bounds) + accuracy_mistakes(self.accuracy)
         found += law_mistakes(self.friction)
         if (
             isinstance(self.arc, Arc)
@@ -121,7 +150,10 @@ class Scene:
                 except ValueError as error:
                     found.append(str(error))
         found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
-        if self.uncertain and not found:
+        uncertain: Any = self.uncertain
+        if not isinstance(uncertain, Mapping):
+            found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
+        elif self.uncertain and not found:
             drawn, found = declared(self.uncertain, self.friction, self.arc)
             found += [
                 f"uncertain.{u.key}: the scene has no value of it to vary"
@@ -147,7 +179,7 @@ class Scene:
         found = numbers_in(self.arc)
         law = self.friction
         if isinstance(law, Mapping):
-            tables = any(p.kind == "list" for p in LAWS[law["law"]].parameters) if law.get("law") in LAWS else True
+            tables = any(p.kind == "list" for p in LAWS[str(law["law"])].parameters) if law.get("law") in LAWS else True
             found |= {f"friction.{n}": value for n, value in law.items() if n not in ("law", "rate") and not tables}
         elif not callable(law):
             found["friction"] = law
@@ -170,6 +202,12 @@ class Scene:
     def shape(self) -> tuple[int, ...]:
         """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
         return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values() if np.ndim(value)))
+
+
+def accuracy_mistakes(accuracy: Any) -> list[str]:
+    """A sentence if it is given, and no relative error."""
+    one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
+    return [] if accuracy is None else mistakes({"accuracy": one}, {"accuracy": ACCURACY})
 
 
 def checked(scene: Any, what: str) -> Scene:

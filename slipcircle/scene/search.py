@@ -19,7 +19,7 @@ _SHARES = np.array([0.04, 0.08, 0.13, 0.19, 0.26, 0.34, 0.43, 0.53, 0.64, 0.76, 
 _VALLEYS, _APART = 12, 2.5  # that are followed, and spacings of the coarse family between them
 _ROUNDS, _SHRINK, _FINE = 150, 0.6, 1e-5  # a valley is done at this step over its first
 _HOPE, _AGAIN = 1.2, 3  # far above the best, a circle is left; the best of all are followed twice
-_SENSE = 1 / 3  # of an arc that may be under negative stress, without a warning
+_SENSE, _PIECES = 0.2, 50  # of an arc that may be under negative stress, without a warning; in which it is found
 _SIZE = 1 << 13  # ground vertices times circles at a time: what fits into the caches
 _OFFSETS = np.stack(np.meshgrid(*[[-1.0, 0.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 Range = tuple[float, float]
@@ -32,8 +32,6 @@ class Critical:
     Attributes
     ----------
     slope : Slope
-    method, limits : str, mapping
-        Whose factor is the least, and what limited the search; empty for a circle that was given.
     factor_of_safety : dict
         By method; None where a method refuses the circle.
     centre, radius : tuple of float, float
@@ -43,19 +41,20 @@ class Critical:
     facing : int
         1 where the mass slides to the right, -1 to the left, 0 where nothing drives it.
     negative : float
-        Share of the arc under negative effective normal stress by the ordinary method.
+        Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
+    warning : str
+        That a fifth of the arc and more is under negative stress, or that the circle reaches an end of the ground,
+        beyond which a lesser factor may lie.
+    method, limits : str, mapping
+        Whose factor is the least, and what limited the search; empty for a circle that was given.
     tried, refused : int
         Circles, and those of them without a factor: off the ground, too shallow, overhanging, or with m_alpha below
         0.05.
     centres, values : ndarray
         Of every circle that was tried: its centre, (tried, 2), and its factor or NaN; for a map.
-    warning : str
-        That the circle reaches an end of the ground, beyond which a lesser factor may lie, or that a third of the arc
-        and more is under negative stress.
     """
 
     slope: Slope = field(repr=False, compare=False)
-    method: str
     factor_of_safety: dict[str, float | None]
     centre: tuple[float, float]
     radius: float
@@ -63,18 +62,18 @@ class Critical:
     exit: tuple[float, float]
     facing: int
     negative: float
+    warning: str
+    method: str = ""
     tried: int = 1
     refused: int = 0
     centres: Floats = field(default_factory=lambda: np.empty((0, 2)), repr=False, compare=False)
     values: Floats = field(default_factory=lambda: np.empty(0), repr=False, compare=False)
-    warning: str = ""
     limits: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def between(self) -> tuple[float, float]:
         """x of both ends, from left to right: which of the circle's stretches it is."""
-        left, right = sorted((self.entry[0], self.exit[0]))
-        return left, right
+        return min(self.entry[0], self.exit[0]), max(self.entry[0], self.exit[0])
 
     def without_map(self) -> "Critical":
         """The same without the circles that were tried, which are many."""
@@ -120,12 +119,11 @@ def critical(
     the one that is upright at an end or touches the base. The best valleys of this coarse family are followed to 1e-5
     of its spacing. Deterministic.
     """
-    raise_all("critical", _mistakes(slope, method, entry, exit, depth))
+    raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
     at, step = search.coarse(told)
     for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
         at, step = search.refined(at, share * step)
-    told(f"least factor {np.nanmin(search.values[-1]):.6g} by {method}")
     found = search.result(at[:1])
     least, deep = found.factor_of_safety[method] or np.inf, _bottomless(slope)
     if slope.friction == 0.0 and slope.base is None and entry is None and exit is None and least > deep:
@@ -133,51 +131,60 @@ def critical(
             f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
             f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
         )
+    told(f"least factor {least:.6g} by {method}")
     return found
 
 
 def at_circle(slope: Slope, section: Section) -> Critical:
     """The factors of a circle that is given: of a section of this slope."""
-    left, right = sorted([section.entry, section.exit], key=lambda end: float(end[0]))
-    given = (section.centre, section.radius, left, right)
-    found = _described(slope, *(np.array([x], dtype=np.float64) for x in given))
+    ends = np.array(sorted([tuple(section.entry), tuple(section.exit)]))[:, None]
+    found = _described(slope, np.array([section.centre]), np.array([section.radius]), *ends)
     return replace(found, refused=int(None in found.factor_of_safety.values()))
 
 
 def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
     """One circle, by arrays of one."""
-    found = factors(slope, centre, radius, left, right)
-    by_method = {m: float(getattr(found, m)[0]) for m in METHODS}
+    found = {
+        name: float(value[0]) for name, value in factors(slope, centre, radius, left, right, pieces=_PIECES).items()
+    }
     middle, first, second = ((float(p[0, 0]), float(p[0, 1])) for p in (centre, left, right))
-    facing = int(found.facing[0])
-    entry, exit = (first, second) if facing >= 0 else (second, first)
-    known = {m: v if np.isfinite(v) else None for m, v in by_method.items()}
-    return Critical(slope, "", known, middle, float(radius[0]), entry, exit, facing, float(found.negative[0]))
+    entry, exit = (first, second) if found["facing"] >= 0.0 else (second, first)
+    by_method, negative = {m: found[m] if np.isfinite(found[m]) else None for m in METHODS}, found["negative"]
+    said = f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
+    warning = f"{said}method more than on the soil" if slope.friction and negative > _SENSE else ""
+    return Critical(
+        slope, by_method, middle, float(radius[0]), entry, exit, int(found["facing"]), negative, warning
+    )  # fmt: skip
 
 
-def _mistakes(slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> list[str]:
+def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
+    if not isinstance(slope, Slope):
+        return [f"slope = {slope!r}: must be a Slope; search finds that of a file"]
     ground = np.asarray(slope.ground)
-    found = [] if method in METHODS else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
-    for name, pair in (("entry", entry), ("exit", exit)):
-        if pair is None:
-            continue
-        low, high = pair
-        if not low <= high:
-            found.append(f"{name} = [{low:.10g}, {high:.10g}]: must be the least and the greatest x, in this order")
-        elif high < ground[0, 0] or low > ground[-1, 0]:
-            found.append(f"{name} = [{low:.10g}, {high:.10g}]: lies beside the ground, which reaches from "
-                         f"{ground[0, 0]:.10g} to {ground[-1, 0]:.10g}")  # fmt: skip
-    if not 0.0 <= depth < float(np.ptp(ground)):
+    found = [] if method in [*METHODS] else [f"method = {method!r}: must be one of {', '.join(METHODS)}"]
+    if not isinstance(depth, int | float) or not 0.0 <= depth < float(np.ptp(ground)):
         found.append(f"depth = {depth!r}: must be at least 0 and below the size of the ground, in m")
+    for name, pair in limits.items():
+        try:
+            low, high = (-np.inf, np.inf) if pair is None else map(float, pair)
+        except (TypeError, ValueError):
+            found.append(f"{name} = {pair!r}: must be two numbers, the least and the greatest x")
+            continue
+        shown = f"{name} = [{low:.10g}, {high:.10g}]"
+        if not low <= high:
+            found.append(f"{shown}: must be the least and the greatest x, in this order")
+        elif high < ground[0, 0] or low > ground[-1, 0]:
+            reach = f"from {ground[0, 0]:.10g} to {ground[-1, 0]:.10g}"
+            found.append(f"{shown}: lies beside the ground, which reaches {reach}")
     if np.ptp(ground[:, 1]) <= 1e-9 * np.ptp(ground[:, 0]):
         found.append("ground: is level; nothing drives a slide")
-    elif slope.cohesion == 0.0 and not depth:
+    elif not depth and slope.cohesion == 0.0:
         steepest = float(np.max(np.abs(np.diff(ground[:, 1])) / np.maximum(np.diff(ground[:, 0]), 1e-300)))
-        found.append(
-            "cohesion = 0: the least factor is that of an ever thinner skin"
-            + (f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else "")
-            + "; give a least depth"
-        )
+        skin = f", tan(phi)/tan(slope) = {slope.friction / steepest:.4g} if dry" if steepest < 1e6 else ""
+        found.append(f"cohesion = 0: the least factor is that of an ever thinner skin{skin}; give a least depth")
+    elif not depth and slope.friction and slope.pressure:
+        found.append("pressure: is the same along every circle, and lifts the thin ones; give a water level or a pore "
+                     "pressure ratio, or a least depth")  # fmt: skip
     return found
 
 
@@ -197,7 +204,7 @@ class Search:
     """
 
     def __init__(self, slope: Slope, method: str, entry: Any, exit: Any, depth: float) -> None:
-        self.slope, self.method, self.entry, self.exit, self.depth = slope, method, entry, exit, depth
+        self.slope, self.method, self.depth, self.ends = slope, method, depth, {"entry": entry, "exit": exit}
         self.ground = np.asarray(slope.ground)
         self.along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(self.ground, axis=0).T))])
         self.blur = 1e-9 * float(self.along[-1])
@@ -226,24 +233,24 @@ class Search:
 
     def judged(self, q: Floats) -> Floats:
         """The factor of each circle, NaN where there is none, or none that is wanted."""
-        rows = max(32, _SIZE // len(self.ground))
-        return np.concatenate([self._judged(q[k : k + rows]) for k in range(0, len(q), rows)])
+        blocks = np.array_split(q, -(-len(q) * len(self.ground) // _SIZE))
+        return np.concatenate([self._judged(block) for block in blocks])
 
     def _judged(self, q: Floats) -> Floats:
         """The same of one block."""
         values = np.full(len(q), np.nan)
         lanes = np.nonzero(np.subtract(*self.points(q[:, 1::-1]).T[0]) > self.blur)[0]
-        centre, radius, left, right = self.laid(q[lanes])
-        self.centres.append(centre)
-        k = np.nonzero(self._thickness(q[lanes], centre, radius) >= self.depth)[0]
-        found = factors(self.slope, centre[k], radius[k], left[k], right[k], (self.method,))
-        factor = getattr(found, self.method)
-        good = factor > 0.0
-        for limits, way in ((self.entry, 1.0), (self.exit, -1.0)):
-            if limits is not None:
-                x = np.where(found.facing == way, left[k, 0], right[k, 0])
-                good &= (x >= limits[0] - self.blur) & (x <= limits[1] + self.blur)
-        values[lanes[k]] = np.where(good, factor, np.nan)
+        circle = self.laid(q[lanes])
+        k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
+        centre, radius, left, right = (part[k] for part in circle)
+        found = factors(self.slope, centre, radius, left, right, (self.method,))
+        good = found[self.method] > 0.0
+        for limit, way in zip(self.ends.values(), (1.0, -1.0), strict=True):
+            if limit is not None:
+                x = np.where(found["facing"] == way, left[:, 0], right[:, 0])
+                good &= (x >= limit[0] - self.blur) & (x <= limit[1] + self.blur)
+        values[lanes[k]] = np.where(good, found[self.method], np.nan)
+        self.centres.append(circle[0])
         self.values.append(values[lanes])
         return values
 
@@ -268,30 +275,27 @@ class Search:
         least = _LEAST if len(vertices) <= _EDGES else 1  # on short edges too: the slope between wide level parts
         for low, high in pairwise(vertices.tolist()):
             given.append(np.linspace(low, high, max(least, round(_PLACES * (high - low) / total)) + 1)[1:-1])
-        for limits in filter(None, (self.entry, self.exit)):
-            first, last = np.interp(limits, self.ground[:, 0], self.along)
+        for limit in filter(None, self.ends.values()):
+            first, last = np.interp(limit, self.ground[:, 0], self.along)
             given.append(np.linspace(first, last, _LEAST + 1))
         return np.unique(np.concatenate(given))
 
     def coarse(self, told: Callable[[str], None]) -> tuple[Floats, Floats]:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
         places = self.places()
-        spacing, wider = np.gradient(places), np.gradient(_SHARES)
-        pairs, number = np.stack(np.triu_indices(len(places), 1), axis=1), np.arange(len(_SHARES))
-
-        def family(along: Floats, opening: Floats) -> Floats:
-            ends = np.repeat(along[pairs], len(number), axis=0)
-            return np.column_stack([ends, np.tile(opening, len(pairs))])
-
-        q, wide = family(places, _SHARES), family(spacing, wider)
+        number = np.indices((len(places), len(places), len(_SHARES))).reshape(3, -1)
+        i, j, k = number[:, number[0] < number[1]]
+        grids = (places, _SHARES), (np.gradient(places), np.gradient(_SHARES))
+        q, wide = (np.column_stack([ends[i], ends[j], opening[k]]) for ends, opening in grids)
         values = self.judged(q)
         order = np.argsort(values, kind="stable")[: np.count_nonzero(np.isfinite(values))]
         if not order.size:
-            raise ValueError("critical: no circle is left by the limits given; widen entry, exit, depth or base")
+            raise ValueError("critical: no circle is left that slides within the limits given; widen entry, exit, "
+                             "depth or base")  # fmt: skip
         chosen: list[int] = []
         while len(chosen) < _VALLEYS and order.size:
-            chosen.append(k := order[0])
-            order = order[np.any(np.abs(q[order] - q[k]) > _APART * wide[k], axis=1)]
+            chosen.append(best := order[0])
+            order = order[np.any(np.abs(q[order] - q[best]) > _APART * wide[best], axis=1)]
         told(f"{len(values)} circles; following {len(chosen)}, from {values[chosen[0]]:.4g}")
         return q[chosen], wide[chosen]
 
@@ -315,14 +319,11 @@ class Search:
 
     def result(self, q: Floats) -> Critical:
         """All that is said of the best circle."""
-        centres, values = np.concatenate(self.centres), np.concatenate(self.values)
-        found = _described(self.slope, *self.laid(q))
-        said = []
-        if found.negative > _SENSE:
-            said.append(f"{100 * found.negative:.0f} % of the arc is under negative effective normal stress, where "
-                        "the methods have no sense")  # fmt: skip
-        ends = [x for x in self.ground[[0, -1], 0] if np.min(np.abs(np.subtract(found.between, x))) < 1e3 * self.blur]
-        said += [f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less" for x in ends]
-        return replace(found, method=self.method, tried=len(values), refused=int(np.isnan(values).sum()),
-                       centres=centres, values=values, warning="; ".join(said),
-                       limits={"entry": self.entry, "exit": self.exit, "depth": self.depth})  # fmt: skip
+        found, values = _described(self.slope, *self.laid(q)), np.concatenate(self.values)
+        said = [found.warning] if found.warning else []
+        for x in self.ground[[0, -1], 0]:
+            if min(abs(found.entry[0] - x), abs(found.exit[0] - x)) < 1e3 * self.blur:
+                said.append(f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less")
+        return replace(found, method=self.method, limits=self.ends | {"depth": self.depth}, warning="; ".join(said),
+                       tried=len(values), refused=int(np.isnan(values).sum()), values=values,
+                       centres=np.concatenate(self.centres))  # fmt: skip

@@ -16,7 +16,7 @@ from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
 from slipcircle.scene.faults import faults, unmoved
 from slipcircle.scene.ground import line_faults, section_mistakes
-from slipcircle.scene.weights import Dimensionless, Weights
+from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
 
 class Journey(NamedTuple):
@@ -37,7 +37,7 @@ class Journey(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Section:
+class Section(Mass):
     """A slip circle through a ground of straight edges, with the mass between ground and arc.
 
     Parameters
@@ -242,11 +242,6 @@ class Section:
         return self._shaped(circles.thickness(self._cut, self._mine)) * self.radius
 
     @cached_property
-    def sagitta(self) -> Any:
-        """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
-        return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
-
-    @cached_property
     def mean_cover(self) -> Any:
         """Mean over the arc of the height of the ground above it, m: times r_u and the unit weight, a mean pressure."""
         integral, _ = circles.heads(self._cut, self._mine)
@@ -295,21 +290,6 @@ class Section:
             d.radial_weight_per_inertia, m["radial_weight_slope"] / theta,
             d.resistance_factor / theta, d.polar_moment_per_inertia, d.limit_friction, cover,
         )  # fmt: skip
-
-    @cached_property
-    def static_normal_stress(self) -> Any:
-        """Mean normal stress on the arc at rest (2.27), Pa."""
-        return self.reference_stress * self.dimensionless.static_normal_stress
-
-    @cached_property
-    def time_scale(self) -> Any:
-        """sqrt(R/g) (3.9), s."""
-        return np.sqrt(np.divide(self.radius, self.gravity))
-
-    @cached_property
-    def reference_stress(self) -> Any:
-        """sigma_ref (2.13), Pa."""
-        return np.multiply(self.unit_weight, self.sagitta)
 
     # --- water -------------------------------------------------------------------------------------------------------
 

@@ -1,6 +1,5 @@
 """Scenes with other numbers: one value of each, or an array of them, of which some may be no scene."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import fields, replace
 from typing import Any
@@ -14,10 +13,8 @@ from slipcircle.scene.numbers import Number, fields_with, keyed, listed, named, 
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
+from slipcircle.scene.stability import soil
 
-# The numbers of a scene that a critical circle depends on, and of the slope that it was looked for in.
-_OF_SLOPE = {"friction": "friction", "friction.peak": "friction", "cohesion.cohesion": "cohesion",
-             "pore_pressure.ratio": "pore_ratio", "unit_weight": "unit_weight"}  # fmt: skip
 DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180)  # down-slope; both ends of the arc turn
 
 
@@ -108,11 +105,14 @@ def along_means(scene: Scene) -> Scene:
     if found is None or not found.method:
         return scene
     assert isinstance(scene.arc, Section)
-    known = {n: _OF_SLOPE[n] for n in scene.uncertain if n in _OF_SLOPE}
-    means = {field: float(scene.uncertain[n].number.to_si(scene.uncertain[n].moments[0])) for n, field in known.items()}
-    if all(math.isclose(mean, getattr(found.slope, field), rel_tol=1e-12) for field, mean in means.items()):
+    mean = scene_with(scene, {n: float(u.number.to_si(u.moments[0])) for n, u in scene.uncertain.items()})
+    assert isinstance(mean.arc, Section)
+    now, weight = soil(mean.friction, mean.called), float(np.asarray(mean.arc.unit_weight))
+    slope = replace(found.slope, ground=mean.arc.ground, level=mean.arc.level, unit_weight=weight, **now)
+    pairs = [(getattr(slope, f.name), getattr(found.slope, f.name)) for f in fields(slope)]
+    if all(one is other or np.allclose(one, other, rtol=1e-12, atol=0.0) for one, other in pairs):
         return scene
-    found = critical(replace(found.slope, **means), found.method, **found.limits)
+    found = critical(slope, found.method, **found.limits)
     section = replace(scene.arc, centre=found.centre, radius=found.radius, between=found.between)
     return replace(scene, arc=section, stability=found.without_map())
 

@@ -1,7 +1,10 @@
 """What the balance of momentum takes from a failed section, whatever its shape."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
+
+import numpy as np
 
 
 @dataclass(frozen=True)
@@ -46,3 +49,33 @@ class Weights(NamedTuple):
     polar: Any
     static_limit: Any
     cover: Any  # the stress of which r_u is a share, over the static normal stress
+
+
+class Mass:
+    """What follows from the fields and coefficients of a failed section, whatever its shape."""
+
+    radius: Any
+    unit_weight: Any
+    gravity: Any
+    half_angle: Any
+    dimensionless: Any
+
+    @cached_property
+    def sagitta(self) -> Any:
+        """f, the depth of the arc below its chord (2.12), by which stresses are scaled, m."""
+        return np.multiply(self.radius, 2 * np.sin(self.half_angle / 2) ** 2)
+
+    @cached_property
+    def time_scale(self) -> Any:
+        """t_c = sqrt(R/g) (3.9), s."""
+        return np.sqrt(np.divide(self.radius, self.gravity))
+
+    @cached_property
+    def reference_stress(self) -> Any:
+        """sigma_ref (2.13), Pa."""
+        return np.multiply(self.unit_weight, self.sagitta)
+
+    @cached_property
+    def static_normal_stress(self) -> Any:
+        """sigma_n0, mean normal stress on the arc at rest (2.27), Pa."""
+        return self.reference_stress * self.dimensionless.static_normal_stress

@@ -214,7 +214,10 @@ def backanalyse(
     observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-    paths = [field] if isinstance(field, str) else list(field)
+    paths = [field] if isinstance(field, str) else list(field) if isinstance(field, Sequence) else []
+    if not paths or not isinstance(bounds, tuple | Mapping | None):
+        raise ValueError(f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
+                         "pair of numbers or a mapping from keys to such")  # fmt: skip
     given = dict.fromkeys(paths[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
     try:
         fields = [number_in(scene, path) for path in paths]

@@ -11,6 +11,7 @@ from typing import IO, Any
 import numpy as np
 
 from slipcircle.base import VERSION
+from slipcircle.base.checks import INFINITY, mistakes
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
@@ -50,15 +51,22 @@ def _known(given: Any) -> Any:
     return f"{given.__module__}.{given.__qualname__}"
 
 
+def _whole(value: Any) -> bool:
+    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+
+
 def _seed(rng: Any, folder: Any) -> int:
     """A seed from whatever NumPy takes as one; that of the folder's study where there is none."""
-    if isinstance(rng, int | np.integer) and not isinstance(rng, bool):
+    if _whole(rng):
         if rng < 0:
             raise ValueError(f"rng = {rng!r}: a seed must be at least 0")
         return int(rng)
     if rng is None and folder is not None and (held := stored(folder)):
         return int(held["seed"])
-    return int(np.random.default_rng(rng).integers(2**53))
+    try:
+        return int(np.random.default_rng(rng).integers(2**53))
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"rng = {rng!r}: must be a seed, a whole number, or one of NumPy's generators") from error
 
 
 def ensemble(
@@ -111,10 +119,10 @@ def ensemble(
 
     Examples
     --------
-    >>> from slipcircle import Scene, ensemble
+    >>> from slipcircle import ensemble, load
     >>> from dataclasses import replace
     >>> angle = {"distribution": "normal", "mean": 10, "std": 1}
-    >>> found = ensemble(replace(Scene.load("vaiont"), uncertain={"friction.angle_deg": angle}), 1000, rng=1)
+    >>> found = ensemble(replace(load("vaiont"), uncertain={"friction.angle_deg": angle}), 1000, rng=1)
     >>> found.moving.value
     1.0
     """
@@ -123,22 +131,24 @@ def ensemble(
         said.append("a scene of arrays is solved as it is: use solve")
     if not scene.uncertain:
         said.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or not 1 <= n <= _MOST:
+    if not _whole(n) or not 1 <= n <= _MOST:
         said.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
     elif method == "latin-hypercube" and n > MOST_LATIN:
         said.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
     if method not in METHODS:
         said.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
-    if not 0.0 < confidence < 1.0:
+    if not isinstance(confidence, float) or not 0.0 < confidence < 1.0:
         said.append(f"confidence = {confidence!r}: must be between 0 and 1")
-    if size is not None and (size < 4 or size & (size - 1)):
+    if size is not None and (not _whole(size) or size < 4 or size & (size - 1)):
         said.append(f"size = {size!r}: must be a power of two, 4 at least")
-    if sensitivity is not None and (isinstance(sensitivity, bool) or not 0 <= sensitivity <= 2**22 or sensitivity == 1):
+    if sensitivity is not None and (not _whole(sensitivity) or not 0 <= sensitivity <= 2**22 or sensitivity == 1):
         said.append(f"sensitivity = {sensitivity!r}: must be 0, or 2 to {2**22} base points")
     if said:
         raise ValueError("ensemble: " + "; ".join(said))
     seed, n, drawn, scene = _seed(rng, folder), int(n), dict(scene.uncertain), along_means(scene)
     base = (min(_BASE, n) if len(drawn) > 1 and n > 1 else 0) if sensitivity is None else sensitivity
+    if not isinstance(correlation, Mapping | None):
+        raise ValueError(f"ensemble: correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
     pairs = _pairs(drawn, correlation or {})
     if pairs and sensitivity:
         raise ValueError(
@@ -190,6 +200,8 @@ def grid(
         As of `ensemble`.
     """
     checked(scene, "grid")
+    if not isinstance(levels, Mapping):
+        raise ValueError(f"grid: levels = {levels!r}: must be a mapping from keys to lists of numbers")
     inputs: dict[str, Number] = {}
     said: list[str] = []
     for path, values in levels.items():
@@ -202,7 +214,7 @@ def grid(
             said.append(absent(scene, path))
         elif number.name in inputs:
             said.append(f"{path}: {inputs[number.name].key} says the same")
-        elif np.ndim(values) != 1 or not np.size(values) or not np.all(np.isfinite(values)):
+        elif np.ndim(values) != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not np.size(values):
             said.append(f"{path}: must be a list of numbers")
         inputs[number.name] = number
     said += ["a scene of arrays is solved as it is: use solve"] if scene.shape else []

@@ -961,7 +961,6 @@ static void stands(Hand *h, unsigned k)
     reaches(h, k);
     c[REST_SINCE][k] = c[TIME][k];
     note(h, k, CAME_TO_REST);
-    if (isnan(c[FIRST_STOP][k])) c[FIRST_STOP][k] = c[TIME][k];
     h->faced[k] = 1;
     face(h, k, -c[DIRECTION][k]);
     h->todo[k] = FACE;

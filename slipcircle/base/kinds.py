@@ -1,0 +1,20 @@
+"""Whether numbers are one scene's or an ensemble's, for type checkers: `Motion[float]` or `Motion[Array]`.
+
+What may be either, or is not known before it runs, is ``Scene``, ``Motion`` without brackets, as ``Scene[Any]``.
+"""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+if TYPE_CHECKING:
+    from typing_extensions import TypeVar  # every type checker has it; it need not be installed
+
+    Numbers = TypeVar("Numbers", bound=ArrayLike, covariant=True, default=Any)
+else:
+    from typing import TypeVar
+
+    Numbers = TypeVar("Numbers", covariant=True)
+
+Array = NDArray[np.float64]
