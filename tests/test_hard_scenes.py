@@ -175,7 +175,7 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
         p = taylor.Problem(case.data)
         if isinstance(case.friction, Ulps):  # the printed limit decides: the dip that has it exactly
             printed = arb(abs(float(Arc(**dict(case.arc)).dimensionless.limit_friction)))
-            p.dip = (printed * p.press / p.fall).atan() * (1 if p.dip > 0 else -1)
+            p.dip = p.lean = (printed * p.press / p.fall).atan() * (1 if p.dip > 0 else -1)
         found = taylor.Solution(p, 36, 30)
         record = found.record()
     return found.arrested, tuple(mpf(record[n]) for n in ("run_out", "duration", "peak_velocity"))

@@ -83,8 +83,6 @@ ARC = "[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 276\nunit_weight_k
 def test_a_unit_that_was_probably_meant_is_said(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="in rad: were they in degrees"):
         Arc(60.0, 215.0, 276.0, 19e3)
-    with pytest.raises(ValueError, match=r"friction = 10: must be a friction coefficient, .* of an angle in degrees"):
-        Scene(Arc(60.0, math.radians(215.0), math.radians(276.0), 19e3), 10.0)
     with pytest.raises(ValueError, match="unit_weight = 19500000: must be a positive unit weight in N/m"):
         Section(**GOOD | {"unit_weight": 19.5e6})
     path = tmp_path / "arc.toml"

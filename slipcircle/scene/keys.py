@@ -12,8 +12,10 @@ import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
 from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
-from slipcircle.scene.friction import RATE_LAWS, ROUGHEST
+from slipcircle.scene.friction import RATE_LAWS
 from slipcircle.scene.stability import METHODS
+
+ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
 
 
 class Key(NamedTuple):
