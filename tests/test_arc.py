@@ -94,6 +94,17 @@ def test_dimensionless_coefficients() -> None:
             assert error <= (8 if size is not None else 10), f"{name} of {arc} is wrong by {error:.3g} ulp"
 
 
+@pytest.mark.parametrize("distance", [1e-2, 1e-5, 1e-8])
+def test_a_steep_arc_loses_no_digits(distance: float) -> None:
+    """Near a vertical chord J_r is small; the drive is made of quotients with it."""
+    for shift, half in zip(np.linspace(0.9, 1.1, 9), np.linspace(1.21, 1.37, 9), strict=True):
+        for middle in (np.pi + shift * distance, 2 * np.pi - shift * distance):
+            arc = Arc(100.0, middle - half, middle + half, 2e4)  # sums of the ends round
+            reference = references(arc)
+            for name in ("radial_weight_per_inertia", "static_normal_stress", "limit_friction"):
+                assert oracle.ulps(float(getattr(arc.dimensionless, name)), reference[name]) <= 10, (name, arc)
+
+
 def over_the_section(arc: Arc, weight: Callable[[mpf, mpf], mpf]) -> mpf:
     """Double integral of weight(r, theta) dr dtheta between chord and arc, in metres, no angle centred.
 
@@ -139,6 +150,28 @@ def test_si_quantities_against_integrals_in_si(arc: Arc) -> None:
             assert abs(mpf(float(getattr(arc, name))) - value) <= 1e-14 * abs(value) + floor, name
 
 
+def test_scaling() -> None:
+    """Powers of two scale without rounding, so these hold to the last bit."""
+    one = vaiont()
+    powers: list[tuple[str, dict[str, int]]] = [  # exponent of each field in each quantity
+        ("polar_moment", {"radius": 3}),
+        ("moment_of_inertia", {"radius": 4, "unit_weight": 1, "gravity": -1, "width": 1}),
+        ("weight_moment", {"radius": 3, "unit_weight": 1, "width": 1}),
+        ("depth", {"radius": 1}),
+        ("reference_stress", {"radius": 1, "unit_weight": 1}),
+        ("static_normal_stress", {"radius": 1, "unit_weight": 1}),
+        ("limit_friction_angle", {}),
+        ("dip", {}),
+    ]
+    for field in ("radius", "unit_weight", "gravity", "width"):
+        start = getattr(one, field)
+        changed = vaiont(**{field: 4.0 * start})
+        assert changed.dimensionless == one.dimensionless
+        assert changed.time_scale == one.time_scale * {"radius": 2.0, "gravity": 0.5}.get(field, 1.0)
+        for name, exponents in powers:
+            assert getattr(changed, name) == getattr(one, name) * 4.0 ** exponents.get(field, 0), (field, name)
+
+
 def test_integers_do_not_overflow() -> None:
     """R**4 of a large radius exceeds what integers hold."""
     for kind in (int, np.int32, np.int64):
@@ -158,6 +191,37 @@ def test_arrays_broadcast() -> None:
             lane = Arc(float(radius[i, 0]), float(theta_1[j]), 5.0, unit_weight[i][0])
             np.testing.assert_allclose(values[i, j], getattr(lane, name), rtol=4e-16)
     assert arc.dimensionless.limit_friction.shape == (3,)
+
+
+# --- limits --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("dip", [0.7, -0.3, 1e-3])
+def test_a_thin_arc_slides_like_a_block_on_a_plane(dip: float) -> None:
+    """2 alpha = 1e-6: limit friction tan(psi) as for a plane, and A the limit of (2.24), taken from its integrals."""
+    middle = 1.5 * np.pi - dip
+    arc = Arc(1000.0, middle - 5e-7, middle + 5e-7, 2e4)
+    with mpmath.workdps(60):
+        psi = abs(3 * mpmath.pi / 2 - mpmath.fsum(ends(arc)) / 2)
+        assert abs(mpf(float(arc.dimensionless.limit_friction)) / mpmath.tan(psi) - 1) < 1e-12  # O(alpha**2)
+        alpha = mpf(10) ** -12
+        polar = mpmath.quad(lambda u: (1 - (mpmath.cos(alpha) / mpmath.cos(u)) ** 3) / 3, [-alpha, 0, alpha])
+        planar = polar / (2 * alpha * (1 - mpmath.cos(alpha)))
+        assert abs(planar - 2 * THIRD) < mpf(10) ** -12
+        assert abs(mpf(float(arc.dimensionless.dynamic_coefficient)) - planar) < 1e-12
+
+
+def test_half_discs_given_in_degrees() -> None:
+    """180 degrees are allowed, though radians round; the integrals of a half disc are 1/3, 1/4, ..."""
+    for first in (180.0, 187.3, 200.0, 123.4, -180.0):
+        disc = Arc(50.0, np.deg2rad(first), np.deg2rad(first + 180.0), 2e4)
+        d = disc.dimensionless
+        np.testing.assert_allclose(d.moment_of_inertia, np.pi / 4, rtol=1e-15)
+        np.testing.assert_allclose(disc.polar_moment, np.pi / 3 * 50.0**3, rtol=1e-15)
+        np.testing.assert_allclose(
+            d.limit_friction, 2 / 3 * abs(np.tan(np.deg2rad(180.0 - first))), rtol=1e-14, atol=3e-16
+        )
+        assert disc.depth == pytest.approx(50.0, rel=1e-15)
 
 
 # --- coefficients as given -----------------------------------------------------------------------------------------

@@ -243,3 +243,43 @@ def test_bounds_are_those_of_the_certificates() -> None:
             "float32": {"fused": (2.0**-24, 0.5)},
         }
     }
+
+
+@needs_binary
+@each_variant
+def test_compiled_plain_is_numpy(variant: Variant) -> None:
+    """Where no logarithm is called, the text that NumPy runs makes the same bits as the plain loop."""
+    own = {v.form for v in variants() if (v.kernel, v.tier) == (variant.kernel, variant.tier)}
+    if variant.form == "fused" or "numpy" in own:
+        return
+    alpha = points().astype(np.float32 if variant.tier == "float32" else np.float64)
+    text = kernels.TEXTS[variant.kernel][variant.tier]
+    with np.errstate(under="ignore"):
+        expected = text(np.minimum(alpha.astype(float), HALF_PI)).astype(alpha.dtype)
+    tier = "best" if variant.tier == "float32" else variant.tier
+    np.testing.assert_array_equal(LEVELS["baseline"][1][tier][variant.kernel](alpha), expected)
+
+
+@each_level
+def test_shapes_and_types(level: str) -> None:
+    """0-d, empty, lists, integers, booleans, float16; an `out` of no use is refused."""
+    function = kernel(FITTED[0], level)
+    assert type(function(np.array(0.5))) is type(function(0.5)) is type(function(np.float64(0.5))) is np.float64
+    assert type(function(np.float32(0.5))) is type(function(np.array(0.5, np.float32))) is np.float32
+    assert type(function(np.float16(0.5))) is np.float16
+    assert type(function(1)) is type(function(True)) is type(function(np.int8(1))) is np.float64
+    assert function(1) == function(np.uint64(1)) == function(1.0) == function([1, 1.5])[0]
+    assert function(np.arange(2, dtype=np.int8)).dtype == np.float64
+    assert function(np.empty((0, 3))).shape == (0, 3)
+    assert function([]).shape == (0,)
+    zero_d = np.array(7.0)
+    assert function(0.5, out=zero_d) is zero_d
+    assert zero_d == function(0.5)
+    assert np.isnan(function(0.5, where=False))
+    for bad in (1j, np.longdouble(1), "1", None, object(), np.datetime64("2024-01-01")):
+        with pytest.raises(TypeError):
+            function(bad)
+    with pytest.raises(TypeError):
+        function(0.5, out=np.zeros(1, int))
+    with pytest.raises(ValueError, match=r"shape|broadcast"):
+        function(np.zeros(3), out=np.zeros(2))

@@ -224,7 +224,7 @@ def test_the_oracle_of_moments_is_the_definition() -> None:
 # --- symmetry --------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", [n for n, given in ROWS.items() if given is not None and "mirrored" not in n][::4])
+@pytest.mark.parametrize("name", [n for n, given in ROWS.items() if given is not None and "mirrored" not in n][::2])
 def test_a_mirrored_scene_has_the_same_numbers(name: str) -> None:
     """All fields, so that a sign lost in one direction is seen."""
     given, one = ROWS[name], golden.solved(name)

@@ -203,6 +203,41 @@ def test_time_steps_converge_to_it_with_second_order() -> None:
     assert order == pytest.approx(2.0, abs=0.25)
 
 
+@pytest.mark.parametrize("seed", range(100))
+def test_accuracy_of_random_shaken_scenes(seed: int) -> None:
+    """Run-out, peak and duration of random arcs, frictions and records, k_v included, within the accuracy promised."""
+    rng = np.random.default_rng(seed)
+    dip = math.radians(rng.uniform(0, 35))
+    alpha = math.radians(rng.uniform(5, 80))
+    middle = 1.5 * math.pi - dip
+    arc = Arc(10 ** rng.uniform(0.5, 3), middle - alpha, middle + alpha, 20e3)
+    mu = float(arc.dimensionless.limit_friction) * rng.choice([1.001, 1.01, 1.2, 2.0]) + rng.choice([0.0, 0.1])
+    count = int(rng.integers(3, 30))
+    time = np.cumsum(rng.uniform(0.01, 1.0, count)) * 10 ** rng.uniform(-1, 1)
+    n = factor(arc, mu)[1]
+    values = rng.normal(size=count) * 10 ** rng.uniform(-1, 0.2) * max(n, 0.05)
+    values[int(rng.integers(count))] = 2 * n + 0.01
+    lift = np.clip(rng.normal(size=count) * rng.choice([0.0, 0.2]), -0.9, 0.9)
+    motion = shaken(series(time, values), series(time, lift), mu, arc)
+    assert motion.error_estimate < 1e-9
+    weight, radial = (float(x) for x in arc.amplitudes_per_inertia)
+    assert np.all((1 - lift) * math.cos(dip) > values * math.sin(dip))  # it always presses
+    with mp.workdps(30):
+        # psi as the arc's ends have it, and all from it anew
+        psi = mp.mpf(1.5) * mp.pi - (mp.mpf(middle - alpha) + mp.mpf(middle + alpha)) / 2
+        one, two = weight * mp.sin(psi) - mu * radial * mp.cos(psi), weight * mp.cos(psi) + mu * radial * mp.sin(psi)
+        rates = [
+            ((1 - mp.mpf(v)) * one + mp.mpf(h) * two) * GRAVITY
+            for h, v in zip(values.tolist(), lift.tolist(), strict=True)
+        ]
+        still = one * GRAVITY
+        xs, vs, stop = exactly(time, rates, still)
+        assert abs(motion.run_out / xs[-1] - 1) < max(1e-9, motion.error_estimate)
+        assert abs(motion.duration / stop - 1) < max(1e-9, motion.error_estimate)
+        reached = motion.at(np.minimum(time, motion.duration))
+        assert np.abs(reached.velocity - np.array(vs, dtype=float)).max() < 1e-9 * float(motion.peak.velocity)
+
+
 # --- with brakes, water, lift-off, both ways: against solve_ivp ----------------------------------------------------
 
 

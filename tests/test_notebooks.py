@@ -10,6 +10,7 @@ import os
 import sys
 import tempfile
 from dataclasses import replace
+from decimal import Decimal
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -19,14 +20,16 @@ import numpy as np
 import oracle
 import pytest
 from nbclient import NotebookClient
+from test_stability import sliced
 
 import generated
 from derive.flow.operations import OPERATIONS as SERIES
 from derive.judge.paper import CLAIMS
 from generated import stable, tiers
 from generated.effects import EFFECTS, LAWS
-from slipcircle import Motion, Status, load, solve
+from slipcircle import Arc, Motion, Section, Slope, Status, critical, load, solve
 from slipcircle.outputs.report import ASSUMED
+from slipcircle.scene.ground import simple_slope
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -120,7 +123,7 @@ def test_source_diffs_well(path: Path) -> None:
 
 def test_key_numbers_of_the_method() -> None:
     """Every declared effect, law and operation is rendered, and what the page computes by hand is the motion's."""
-    notebook, numbers = stored("0_the_method.ipynb"), key_numbers("0_the_method.ipynb")
+    notebook, numbers = run(ROOT / "notebooks" / "0_the_method.ipynb"), key_numbers("0_the_method.ipynb")
     scene, shown = load("vaiont"), "".join(str(texts(cell)) for cell in notebook.cells)
     for name in (*EFFECTS, *LAWS, *SERIES, *Status.__members__):
         assert f"| `{name}` |" in shown, name
@@ -178,6 +181,55 @@ def assert_proved(claimed: dict[str, float]) -> None:
     assert claimed == found
 
 
+def numbers_of(motion: Motion) -> list[float]:
+    return [float(motion.peak.velocity), motion.run_out, motion.duration]
+
+
+def test_key_numbers_of_the_paper() -> None:
+    numbers, arc = key_numbers("2_the_paper_reproduced.ipynb"), load("vaiont-frozen").arc
+    assert isinstance(arc, Arc)
+    d = arc.dimensionless
+    package = {
+        "Table 2-1 2alpha": np.degrees(2 * arc.half_angle),
+        "Table 2-1 I_p": arc.polar_moment / 1e9,
+        "Table 2-1 sigma_ref": arc.reference_stress / 1e6,
+        "Table 2-1 sigma_n0": arc.static_normal_stress / 1e6,
+        "Table 2-1 A": d.dynamic_coefficient,
+        "Table 4-1 Theta*": d.moment_of_inertia,
+        "Table 4-1 J_r": d.radial_weight,
+        "Table 4-1 J_theta": d.weight_moment,
+        "Table 4-1 lambda": d.resistance_factor,
+        "Table 4-1 sigma*_n0": d.static_normal_stress,
+        "Table 4-1 A": d.dynamic_coefficient,
+        "Table 4-1 phi_C,eq": np.degrees(arc.limit_friction_angle),
+    }
+    assert numbers["tables"].keys() == package.keys()
+    in_paper = {claim.id: claim.printed for claim in CLAIMS}
+    wrong = []
+    for entry, (shown, computed) in numbers["tables"].items():
+        assert shown == in_paper[entry]
+        assert float(computed) == pytest.approx(float(package[entry]), rel=1e-6)
+        unit = 10.0 ** int(Decimal(shown).as_tuple().exponent)
+        wrong += [entry] if abs(float(shown) - float(package[entry])) >= unit else []
+    assert numbers["wrong"] == wrong
+    assert len(wrong) == 5  # of 16 entries, as the first sentence says
+    scenes = {"as printed": "vaiont-as-printed", "corrected": "vaiont-frozen", "turning": "vaiont"}
+    for name, scene in scenes.items():
+        state = solve(load(scene)).at(30.0)
+        reached = [state.velocity, state.displacement, np.degrees(state.rotation)]
+        assert numbers["after_30_s"][name] == pytest.approx(reached, abs=6e-4)
+    drive, brake = zip(*(_coefficients(scenes[name]) for name in ("as printed", "corrected")), strict=True)
+    assert numbers["ratios"] == pytest.approx([drive[1] / drive[0], brake[1] / brake[0]], abs=6e-4)
+
+
+def _coefficients(name: str) -> tuple[float, float]:
+    scene = load(name)
+    d, mu = scene.arc.dimensionless, float(np.asarray(scene.friction))
+    return d.limit_friction * d.radial_weight_per_inertia - mu * d.radial_weight_per_inertia, (
+        mu * d.polar_moment_per_inertia
+    )
+
+
 def test_key_numbers_of_the_price_list() -> None:
     notebook, numbers = (
         stored("3_what_accuracy_costs.ipynb"),
@@ -194,10 +246,6 @@ def test_key_numbers_of_the_price_list() -> None:
     assert printed(notebook, "certificate").count("refused,") == 2
     assert "Frontier: " in printed(notebook, "timed-table")
     assert "above what is proved" not in printed(notebook, "timed-table")
-
-
-def numbers_of(motion: Motion) -> list[float]:
-    return [float(motion.peak.velocity), motion.run_out, motion.duration]
 
 
 def test_key_numbers_of_vaiont() -> None:
@@ -235,10 +283,73 @@ def test_key_numbers_of_vaiont() -> None:
     assert numbers["dip_at_rest_deg"] == pytest.approx(23.95 - np.degrees(float(steps[3].end.rotation)), abs=0.006)
 
 
+def test_key_numbers_of_the_ensemble() -> None:
+    """Beside another sample, drawn by NumPy and solved as one scene of arrays, and differences of single motions."""
+    numbers, scene = key_numbers("5_an_uncertain_slide.ipynb"), load("vaiont")
+    draw, n = np.random.default_rng(7), 50_000
+    angle, ratio = draw.normal(10.0, 1.5, n), draw.triangular(0.0, 0.05, 0.2, n)
+    first, radius = draw.normal(215.2, 1.0, n), draw.normal(1492.6, 50.0, n)
+
+    def slide(angle: Any, ratio: Any, first: Any, radius: Any) -> Any:
+        water = {**scene.called, "pore_pressure": {"ratio": ratio}}
+        arc = replace(scene.arc, theta_1=np.deg2rad(first), radius=radius)
+        return solve(replace(scene, arc=arc, friction=np.tan(np.deg2rad(angle)), effects=water))
+
+    many = slide(angle, ratio, first, radius)
+    for name, values, wide in (("run_out", many.run_out, 4.0), ("peak_velocity", many.peak.velocity, 0.15)):
+        assert numbers[name] == pytest.approx(np.quantile(values, [0.05, 0.5, 0.95]).tolist(), abs=wide)
+    seen = many.run_out <= 450.0
+    hits, rare = numbers["as_observed"]
+    assert abs(np.sum(seen) - hits / 4) < 4 * math.sqrt(hits / 4 * 1.25)
+    assert rare == 0 == np.sum(seen & (many.peak.velocity >= 20.0))
+    assert numbers["turn_back"] == pytest.approx(np.mean(many.duration > 60.0), abs=0.006)
+    # What is left of the variance when all but one are known: pairs of slides that share these.
+    other = slide(draw.normal(10.0, 1.5, n), ratio, first, radius)
+    share = np.mean((other.run_out - many.run_out) ** 2) / (2 * np.var(many.run_out))
+    assert numbers["total_index"]["friction.angle_deg"] == pytest.approx(share, abs=0.02)
+    # Derivatives as differences of single motions, at the means.
+    mean, std = np.array([10.0, 0.25 / 3, 215.2, 1492.6]), np.array([1.5, math.sqrt(0.0325 / 18), 1.0, 50.0])
+    steps = [np.where(np.arange(4) == k, 1e-4 * mean, 0.0) for k in range(4)]
+    for name, got in numbers["linear_std"].items():
+        ends = [(_output(slide(*(mean + h)), name), _output(slide(*(mean - h)), name)) for h in steps]
+        slopes = [(a - b) / (2e-4 * x) for (a, b), x in zip(ends, mean, strict=True)]
+        assert got == pytest.approx(math.hypot(*(std * slopes)), abs=0.01)
+    # What the friction angles that it found give.
+    for target, (found, speed, late) in numbers["back"].items():
+        motion = solve(replace(scene, friction=math.tan(math.radians(found))))
+        assert numbers_of(motion) == pytest.approx([speed, float(target), late], abs=0.06)
+    for r, found in zip(np.linspace(0.0, 0.3, 7), numbers["angle_with_water"], strict=True):
+        assert slide(found, float(r), 215.2, 1492.6).run_out == pytest.approx(400.0, abs=0.06)
+    best, chi = numbers["both"]
+    angles = np.linspace(best - 0.2, best + 0.2, 401)
+    swept = slide(angles, 0.0, 215.2, 1492.6)
+    missed = ((swept.run_out - 400.0) / 50.0) ** 2 + ((swept.peak.velocity - 25.0) / 2.5) ** 2
+    assert angles[np.argmin(missed)] == pytest.approx(best, abs=0.002)
+    assert np.min(missed) == pytest.approx(chi, abs=0.01)
+    # 1e9 scenes: blocks on workers, or what hands them out.
+    small, large = numbers["region"]["65536"], numbers["region"]["262144"]
+    assert small == pytest.approx([1526 * 0.174, 15259 * 0.0024], abs=0.5)
+    assert large == pytest.approx([382 * 0.658, 39 * 0.658], abs=0.5)
+    assert "us each" in printed(stored("5_an_uncertain_slide.ipynb"), "timed-cost")
+
+
 def test_key_numbers_of_the_slope() -> None:
     numbers, scene = key_numbers("6_from_a_slope_to_a_slide.ipynb"), load("real-slope")
     assert scene.stability is not None
+    slope, section = scene.stability.slope, scene.arc
+    assert isinstance(section, Section)
     assert numbers["factors"]["bishop"] == 0.985  # as converged by others
+    ways = sliced(slope, section.centre, section.radius, section)  # type: ignore[arg-type]
+    assert numbers["factors"] == pytest.approx({m: ways[m] for m in numbers["factors"]}, abs=6e-5)
+    for angle, row in numbers["lower"].items():
+        for ratio, lower in zip((0.0, 0.25, 0.5), row, strict=True):
+            mu = math.tan(math.radians(25))
+            ground = simple_slope(10.0, angle=math.radians(float(angle)))
+            of = Slope(ground, 20e3 * mu, mu, 20e3, pore_ratio=ratio, base=-20.0)
+            circle = critical(of)
+            body = Section(ground, circle.centre, circle.radius, 20e3, between=circle.between)
+            ways = sliced(of, circle.centre, circle.radius, body)
+            assert lower == pytest.approx(ways["paper"] / ways["bishop"] - 1, abs=1e-4)
     motion = solve(scene)
     shown = [motion.peak.velocity, motion.duration, motion.journey.run_out]
     assert numbers["slides"]["bishop"][2:] == pytest.approx(shown, abs=6e-5)
@@ -247,6 +358,10 @@ def test_key_numbers_of_the_slope() -> None:
         assert words in title
     assert numbers["moving"] == pytest.approx(0.75, abs=0.02)  # three of four
     assert numbers["reach_95"] == pytest.approx(13.0, abs=0.5)
+
+
+def _output(motion: Any, name: str) -> float:
+    return float(motion.outcomes[name])
 
 
 def written(notebook: Any) -> str:

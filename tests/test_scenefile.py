@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 import slipcircle
-from generated.effects import EFFECTS, LAWS
+from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
 from slipcircle import Arc, Scene, load, solve
+from slipcircle.__main__ import main
 from slipcircle.files.scenefile import read, shipped
 from slipcircle.files.scenekeys import schema
 from slipcircle.outputs.guide import guide
@@ -89,6 +90,12 @@ def test_the_papers_scenes_hold_the_papers_numbers() -> None:
     })  # fmt: skip
 
 
+def test_softening_starts_below_the_limit_and_ends_at_the_residual() -> None:
+    scene = load("vaiont-softening")
+    assert scene.friction == {"law": "exponential", "peak": tan(22.5), "residual": tan(10.0), "length": 1.0}
+    assert tan(22.5) < scene.arc.dimensionless.limit_friction < tan(22.75)
+
+
 def test_values_that_are_not_the_papers_say_so() -> None:
     """Every number has a comment, or stands in a table whose header has one."""
     for path in FOLDER.glob("*.toml"):
@@ -123,6 +130,12 @@ def test_units_are_converted(file: Path) -> None:
     arc = Arc(1492.6, float(np.deg2rad(215.2)), float(np.deg2rad(276.9)), 20e3, 9.80665, 12.5)
     effects = {"pore_pressure": {"ratio": 0.3, "pressure": 40e3}, "cohesion": {"cohesion": 0.0}, "drag": {"xi": 500.0}}
     assert scene == Scene(arc, tan(10.0), effects, -2.0, 60.0, 1e-6, "slope", "all of it")
+
+
+def test_only_arc_and_friction_are_needed(file: Path) -> None:
+    scene = written(file, ARC + FRICTION)
+    assert (scene.name, scene.called, scene.end_time, scene.accuracy) == ("slope", {}, None, None)
+    assert (scene.initial_velocity, scene.arc.gravity, scene.arc.width) == (0.0, 9.81, 1.0)
 
 
 def test_a_byte_order_mark_and_windows_line_ends(file: Path) -> None:
@@ -195,28 +208,44 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
 
 MISTAKES = [
     (ARC.replace("radius_m", "radius_mm") + FRICTION, "arc.radius_mm = 1492.6: is unknown; did you mean radius_m?"),
+    (ARC.replace("radius_m", "radius") + FRICTION, "arc.radius = 1492.6: is unknown; did you mean radius_m?"),
     (ARC + "end_time_s = 30\n" + FRICTION,
      "arc.end_time_s = 30: is unknown; did you mean end_time_s above the first table?"),
     ("unit_weight_kN_m3 = 20\n" + ARC.replace("unit_weight_kN_m3 = 20\n", "") + FRICTION,
      "unit_weight_kN_m3 = 20: is unknown; did you mean unit_weight_kN_m3 in [arc]?"),
     (ARC + FRICTION + "[rotatoin]\n", "rotatoin = {}: is unknown; did you mean rotation?"),
     (ARC + FRICTION + "[rotation]\nspeed = 1\n", "rotation.speed = 1: is unknown; this table has no keys"),
+    (ARC + FRICTION + "[zzz]\n", "zzz = {}: is unknown; known are name, note, initial_velocity_m_s"),
+    (ARC + FRICTION + "[drag]\nxi_m_s2 = 1\nqqq = 1979-05-27\n",
+     'drag.qqq = "1979-05-27": is unknown; known are xi_m_s2'),
     (ARC.replace("radius_m = 1492.6\n", "") + FRICTION,
      "arc.radius_m: is missing: radius of the slip circle, a number above 0 (m)"),
     (ARC, "friction: is missing: friction on the slip surface, a table [friction]"),
+    (ARC + "[friction]\n", "friction: angle_deg or coefficient is missing: friction coefficient, tan(phi)"),
     (ARC + FRICTION + "coefficient = 0.2\n", "friction: angle_deg and coefficient exclude each other; leave one out"),
+    (ARC + "[friction]\nangle = 20\n", "friction.angle = 20: is unknown; did you mean angle_deg?"),
     (ARC + "[friction]\nangle_deg = 95\n", "friction.angle_deg = 95: must be a number at least 0 and below 90 (deg): "),
+    (ARC + "[friction]\nangle_deg = -1e-9\n", "friction.angle_deg = -1e-09: must be a number at least 0 and below 90"),
+    (ARC + "[friction]\ncoefficient = -0.1\n", "friction.coefficient = -0.1: must be a number at least 0: "),
     (ARC + "[friction]\nlaw = 'exponentail'\npeak = 1\nresidual = 0\nlength_m = 1\n",
      'friction.law = "exponentail": must be one of constant, exponential, linear, hyperbolic, tabulated, '
      "rate_weakening, rate_tabulated, prescribed: friction law; did you mean exponential?"),
+    (ARC + "[friction]\nlaw = 'magic'\npeak = 1\n", 'friction.law = "magic": must be one of constant, exponential'),
+    (ARC + "[friction]\nlaw = 7\n", "friction.law = 7: must be one of constant, exponential"),
     (ARC + "[friction]\nlaw = 'linear'\npeak = 1\nresidual_deg = 8\n",
      "friction.length_m: is missing: slip over which friction falls, a number above 0 (m)"),
     (ARC + "[friction]\nlaw = 'linear'\nresidual = 1\nlength_m = 8\n", "friction: peak_deg or peak is missing: "),
     (ARC + TABLE + "angle_deg = [20, 'x', 5]\n", 'friction.angle_deg[1] = "x": must be a list of numbers at least 0'),
+    (ARC + TABLE + "angle_deg = 20\n", "friction.angle_deg = 20: must be a list of numbers at least 0 and below 90"),
     (ARC + TABLE + "angle_deg = [20, 10]\n", "friction.slip and friction.coefficient: must be two lists of equal"),
     (ARC + TABLE.replace("2, 5", "5, 2") + "angle_deg = [20, 9, 8]\n", "friction.slip: must start at 0 and increase"),
+    ("friction = 0.2\n" + ARC, "friction = 0.2: must be a table [friction]: friction on the slip surface"),
     ("rotation = true\n" + ARC + FRICTION, "rotation = true: must be a table [rotation]: the mass turns as it slides"),
     (ARC.replace("1492.6", '"1492.6 m"') + FRICTION, 'arc.radius_m = "1492.6 m": must be a number above 0 (m): radius'),
+    (ARC.replace("1492.6", "true") + FRICTION, "arc.radius_m = true: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "nan") + FRICTION, "arc.radius_m = nan: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "inf") + FRICTION, "arc.radius_m = inf: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "[1, 2]") + FRICTION, "arc.radius_m = [1, 2]: must be a number above 0 (m)"),
     (ARC.replace("1492.6", "1" * 400) + FRICTION, f"arc.radius_m = {'1' * 57}...: must be a number above 0 (m)"),
     (ARC.replace("= 20\n", "= 0\n") + FRICTION, "arc.unit_weight_kN_m3 = 0: must be a number above 0 (kN/m3): unit"),
     (ARC.replace("215.2", "276.9") + FRICTION, "arc.theta_2 = 276.9 deg: must be above theta_1 = 276.9 deg"),
@@ -228,9 +257,16 @@ MISTAKES = [
     (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa or record is missing"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
     (ARC + FRICTION + "[shaking]\npulse = 'sine'\n", "shaking.amplitude_g: is missing: a pulse needs it"),
+    (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n",
+     "cohesion.cohesion_kPa = 1e+307: must be a number at least 0 (kPa): "),
+    ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: relative error asked for"),
+    ("end_time_s = 0\n" + ARC + FRICTION, "end_time_s = 0: must be a number above 0 (s): time of the end"),
     ("initial_velocity_m_s = nan\n" + ARC + FRICTION, "initial_velocity_m_s = nan: must be a number (m/s): velocity"),
+    ("name = 3\n" + ARC + FRICTION, "name = 3: must be text: name of the scene"),
     ('"" = 1\n' + ARC + FRICTION, " = 1: is unknown; known are name"),
+    ('"arc.given" = 1\n' + ARC + FRICTION, "arc.given = 1: is unknown; "),
     ("[arc\n", "is not TOML: Expected ']' at the end of a table declaration (at line 1, column 5)"),
+    ("a = 1\na = 2\n", "is not TOML: Cannot overwrite a value (at line 2, column 6)"),
 ]  # fmt: skip
 
 
@@ -269,6 +305,14 @@ def test_ten_mistakes_are_ten_sentences(file: Path) -> None:
     assert sorted(found) == sorted(next(m for m in found if m.startswith(start)) for start in starts)
 
 
+def test_what_arc_and_law_find_is_listed_with_the_rest(file: Path) -> None:
+    text = "acuracy = 1\n" + ARC.replace("215.2", "300") + TABLE.replace("5]", "1]") + "angle_deg = [9, 8, 7]\n"
+    unknown, arc, friction = sentences(file, text)
+    assert unknown.startswith("acuracy = 1: is unknown; did you mean accuracy?")
+    assert arc.startswith("arc.theta_2 = 276.9 deg: must be above theta_1 = 300 deg")
+    assert friction.startswith("friction.slip: must start at 0 and increase")
+
+
 def test_a_misplaced_key_does_not_hide_what_is_missing_elsewhere(file: Path) -> None:
     found = sentences(file, "radius_m = 5\n" + ARC.replace("radius_m = 1492.6\n", ""))
     assert [m.partition(":")[0] for m in found] == ["radius_m = 5", "friction"]
@@ -283,6 +327,8 @@ def test_a_misplaced_key_does_not_hide_what_is_missing_elsewhere(file: Path) -> 
         ("", "scene '' is unknown; known are .*"),
         ("wet_slope.toml", "wet_slope.toml: there is no such file; known are .*; did you mean wet-slope?"),
         ("no/where", "no/where: there is no such file; known are .*"),
+        (".", "scene '.' is unknown; known are .*"),
+        ("a" * 5000, "scene 'a*' is unknown; known are .*"),
     ],
 )
 def test_a_scene_that_is_not_there(name: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -364,6 +410,22 @@ def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
     assert sum(map(len, told.values())) == 7
 
 
+def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    eta = Parameter("eta", "Pa s", 0.0, 1e9, "viscosity of the layer", "eta_kPa_s", 1e3, "e", lambda v, _: v, False)
+    slope = Parameter("slope", "", -5e-324, INFINITY, "friction there", "slope_deg", 1.0, "", lambda v, _: v, True)
+    monkeypatch.setitem(EFFECTS, "viscosity", Effect("viscosity", "9.9", (eta, slope), (), "a viscous layer", False))
+    part = schema()["$defs"]["viscosity"]
+    assert (part["title"], part["required"], list(part["properties"])) == (
+        "a viscous layer", ["eta_kPa_s"], ["eta_kPa_s", "slope_deg", "slope"],
+    )  # fmt: skip
+    assert part["properties"]["eta_kPa_s"]["anyOf"][0]["exclusiveMaximum"] == 1e6
+    scene = written(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 2\nslope_deg = 45\n")
+    assert scene.called == {"viscosity": {"eta": 2000.0, "slope": tan(45.0)}}
+    assert sentences(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 1e6\nslope = 0\n") == [
+        "viscosity.eta_kPa_s = 1000000.0: must be a number above 0 and below 1e+06 (kPa s): viscosity of the layer"
+    ]
+
+
 # --- command line --------------------------------------------------------------------------------------------------
 
 
@@ -398,3 +460,12 @@ def test_scene_files_need_numpy_alone(file: Path) -> None:
     for argv in (("run", file), ("plan", file), ("schema",), ("info",)):
         done = command(*argv, code=without)
         assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_scenes_of_different_lengths_stand_side_by_side(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "vaiont-softening", "wet-slope"]) == 0
+    shown = capsys.readouterr().out
+    assert re.search(r"friction angle +22\.5 deg, exponential +24 deg\n", shown)
+    assert re.search(r"peak velocity +27\.9 m/s +1\.981 m/s\n", shown)
+    assert re.search(r"duration +40\.79 s +6\.113 s\n", shown)
+    assert "frozen geometry" not in shown

@@ -196,6 +196,11 @@ def test_every_form_can_be_wrong(claim: Claim, change: str) -> None:
         assert (row.verdict, row.cause) == ("wrong", "cause not found")
 
 
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda c: c.id)
+def test_an_unchanged_claim_never_moves(claim: Claim, judged: dict[str, Row]) -> None:
+    assert judge(replace(claim)) == judged[claim.id]
+
+
 def test_appendix_against_what_it_integrates() -> None:
     assert altered("Appendix II", expression="-r*cos(theta)").verdict == "misprint"  # its brackets are still missing
     assert altered("Appendix I", expression="-r**2*sin(theta)").verdict == "wrong"

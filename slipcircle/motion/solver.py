@@ -119,7 +119,7 @@ def _refuse(motion: Motion) -> None:
         )
     if status == Status.ENDLESS and motion.turnings < 20 and (brake := motion.brake) > STRONGEST:
         raise ValueError(
-            f"drag, friction: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
+            f"friction, drag: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
             f"{brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
         )
     if status == Status.ENDLESS and motion.turnings < 20:
