@@ -171,6 +171,13 @@ def test_tornado_is_what_a_small_change_does() -> None:
     assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
 
 
+def test_a_coordinate_changes_by_metres_wherever_its_origin_is() -> None:
+    ax = studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn())
+    words = [label.get_text() for label in ax.get_yticklabels()]
+    assert "ground.points_m.2.y = 35 ± 0.1" in words
+    assert "circle.radius_m = 28.64 ± 1 %" in words
+
+
 def test_shaking_is_drawn_as_given() -> None:
     ax = plots.shaking(motion("vaiont-shaken"), drawn())
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("time $t$ (s)", "shaking over $g$ (–)")

@@ -3,6 +3,7 @@
 Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of its own, and returns it.
 """
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
@@ -29,7 +30,8 @@ _STYLES: tuple[Mapping[str, Any], ...] = tuple(
         ("#009E73", (0, (6, 1.5, 1, 1.5)), "D"), ("#CC79A7", "-", "x"), ("#E69F00", (0, (3, 1)), "v"),
     )
 )  # fmt: skip
-_DEGREES, _SHARE = 1.0, 0.01  # changes in a tornado, by default
+_STEPS = {"deg": 1.0, "x": 0.1, "y": 0.1}  # of changes that a tornado draws, by the end of a key: degrees, m
+_SHARE = 0.01  # of all others
 
 
 def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool = False) -> Any:
@@ -110,7 +112,7 @@ def tornado(
     output : str, optional
     changes : mapping, optional
         By how much each number changes, in the unit of its key in a scene file, ``{"friction.angle_deg": 2.0}``, and
-        only these are drawn; by default each angle by 1 degree, and everything else by 1 %.
+        only these are drawn; by default each angle by 1 degree, each coordinate by 0.1 m, all else by 1 %.
     ax : matplotlib axis, optional
 
     Returns
@@ -125,10 +127,10 @@ def tornado(
     bars = []
     for k, name in enumerate(table.parameters):
         key = keys[name]
-        value, angle = float(key.from_si(table.at[name])), key.key.endswith("_deg")
-        step = (_DEGREES if angle else _SHARE * abs(value)) if changes is None else changes.get(key.key, 0.0)
+        value, whole = float(key.from_si(table.at[name])), _STEPS.get(re.split(r"[_.]", key.key)[-1])
+        step = (whole or _SHARE * abs(value)) if changes is None else changes.get(key.key, 0.0)
         slope = float(table.values[list(table.outputs).index(output), k] * key.slope(value))
-        said = f"{number(value)} ± " + (f"{100 * _SHARE:g} %" if changes is None and not angle else f"{step:.3g}")
+        said = f"{number(value)} ± " + (f"{100 * _SHARE:g} %" if changes is None and not whole else f"{step:.3g}")
         if step and (slope or changes is not None):
             bars.append((abs(slope) * step, slope * step, f"{key.key} = {said}"))
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
