@@ -14,21 +14,12 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from test_hard_scenes import finite
+from test_hard_scenes import finite, ill_conditioned, softening
 
-from slipcircle import Arc, Motion, Scene, solve
+from slipcircle import Arc, Scene, solve
 
 SEEDS, TESTED = range(5), 40
 ILL = ("ill-conditioned, rests", "ill-conditioned, moves")
-
-
-def softening(law: str, peak: float, residual: float, length: float) -> dict[str, Any]:
-    return {"law": law, "peak": peak, "residual": residual, "length": length}
-
-
-def ill_conditioned(motion: Motion) -> bool:
-    """Whether the user is told so."""
-    return any("ill-conditioned" in w for w in motion.warnings)
 
 
 # A field, or a field of a field, and then what is wrong with it.

@@ -181,6 +181,11 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
     return found.arrested, tuple(mpf(record[n]) for n in ("run_out", "duration", "peak_velocity"))
 
 
+def ill_conditioned(motion: Motion) -> bool:
+    """Whether the user is told so."""
+    return any("ill-conditioned" in w for w in motion.warnings)
+
+
 def finite(motion: Motion) -> None:
     """No NaN, no infinity, states at rest after an arrest, phases in order, and the energy balance."""
     times = np.linspace(0.0, motion.duration, 17)
@@ -188,8 +193,7 @@ def finite(motion: Motion) -> None:
     assert all(np.all(np.isfinite(x)) for s in states for x in asdict(s).values())
     assert np.isfinite([motion.run_out, motion.duration, motion.error_estimate]).all()
     assert not np.isnan([motion.factor_of_safety, motion.limit_friction, motion.yield_coefficient]).any()
-    ill = any("ill-conditioned" in w for w in motion.warnings)
-    said = max(motion.error_estimate, motion.energy_error_estimate) if ill else 0.0
+    said = max(motion.error_estimate, motion.energy_error_estimate) if ill_conditioned(motion) else 0.0
     assert residual(motion, 21) <= max(1e-12, said)
     assert size(states[0].velocity) <= abs(float(motion.peak.velocity)) * (1 + 1e-12)
 

@@ -83,11 +83,10 @@ def other_way(scene: Scene) -> Scene:
     """A shaken scene with its horizontal shaking turned around."""
     if "shaking" not in scene.called:
         raise ValueError(f"{scene.name}: nothing shakes it, so that it has no other polarity")
-    given = dict(scene.called["shaking"])
-    pushed = given["horizontal"]
-    given["horizontal"] = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
-    own = {e: scene.called[e] for e in scene.effects}  # a water level comes with its section
-    return replace(scene, effects={**own, "shaking": given}, name=f"{scene.name} reversed")
+    pushed = scene.called["shaking"]["horizontal"]
+    turned = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
+    effects = parts_with(scene, {"shaking.horizontal": turned})["effects"]
+    return replace(scene, effects=effects, name=f"{scene.name} reversed")
 
 
 def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
