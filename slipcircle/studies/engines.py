@@ -12,14 +12,17 @@ are given back to the system and faulted in again, which takes half as long agai
 """
 
 import json
+import logging
 import os
+import signal
 import sys
 import time
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from contextlib import contextmanager
 from pathlib import Path
+from threading import Event
 from typing import IO, Any
 
 import numpy as np
@@ -28,6 +31,7 @@ from slipcircle.base.files import replacing, write
 from slipcircle.studies.design import Design, Result, run_block
 
 ENGINES = ("serial", "threads", "processes", "dask")
+_PRESSED = Event()  # Ctrl-C, while Dask computes
 _AHEAD = 512  # blocks that may be under way beyond the first unfinished one: more than a cluster's workers
 
 
@@ -83,8 +87,16 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
             client = Client(scheduler, timeout="10s")
         except OSError as error:
             raise ValueError(f"--scheduler {scheduler}: no Dask scheduler answers there: {error}") from error
-        with client, client.get_executor() as cluster:
-            yield cluster
+        cluster = client.get_executor()
+        log = logging.getLogger("tornado.application")  # would print a traceback for a future that is cancelled
+        with _heeding():
+            try:
+                yield cluster
+            finally:
+                log.disabled = True
+                cluster.shutdown(wait=False)  # one message for all that are left; future by future takes seconds
+                client.close()
+                log.disabled = False
     else:
         yield None
 
@@ -94,7 +106,7 @@ def _stopping(pool: Executor) -> Iterator[Executor]:
     """A pool that waits for no block when it is interrupted: processes are ended, threads go with this one."""
     try:
         yield pool
-    except KeyboardInterrupt:
+    except BaseException:
         from multiprocessing import active_children
 
         ended = active_children()
@@ -102,7 +114,32 @@ def _stopping(pool: Executor) -> Iterator[Executor]:
             child.terminate()
         pool.shutdown(wait=bool(ended), cancel_futures=True)
         raise
-    pool.shutdown()
+    pool.shutdown(cancel_futures=True)
+
+
+@contextmanager
+def _heeding() -> Iterator[None]:
+    """A Ctrl-C that `_first` raises: raised at once inside one of Dask's own callbacks it would be swallowed there."""
+    try:
+        before = signal.signal(signal.SIGINT, lambda *_: _PRESSED.set())
+    except ValueError:  # outside the main thread, which alone hears signals
+        yield
+        return
+    try:
+        yield
+    finally:
+        _PRESSED.clear()
+        signal.signal(signal.SIGINT, before)
+
+
+def _first(running: Iterable[Future[Result]]) -> set[Future[Result]]:
+    """Those that are done, when there are some."""
+    while True:
+        done = wait(running, timeout=0.1, return_when=FIRST_COMPLETED).done
+        if _PRESSED.is_set():
+            raise KeyboardInterrupt
+        if done:
+            return done
 
 
 class Folder:
@@ -200,13 +237,11 @@ def computed(
                     following += 1
                 if index in finished:
                     break
-                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                for future in _first(running):
                     done(running.pop(future), future.result())
             yield finished.pop(index)
     finally:
-        for future in running:
-            future.cancel()
-        for future in list(running):  # what was finished meanwhile is kept as well
+        for future in running:  # what was finished meanwhile is kept as well
             if folder and future.done() and not future.cancelled() and future.exception() is None:
                 folder.save(running[future], future.result())
 
