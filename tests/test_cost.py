@@ -26,19 +26,14 @@ SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), 
 MEASURED = "weight_moment_amplitude"
 ANSWERS = json.loads(scenes.ANSWERS.read_text("utf-8"))
 FORMS = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
+# Few elements and few turns: no test is about how long something takes.
+QUICK: dict[str, Any] = {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_QUICK": 2e-3}
 
 
 @pytest.fixture(scope="module", autouse=True)
 def _quick() -> Iterator[None]:
-    """Few elements and few turns: no test is about how long something takes."""
     with pytest.MonkeyPatch.context() as patch:
-        for name, value in {
-            "SIZES": (1, 50, 400),
-            "REPEATS": 2,
-            "_TICK": 1e-7,
-            "_PATIENCE": 0.0,
-            "_QUICK": 2e-3,
-        }.items():
+        for name, value in QUICK.items():
             patch.setattr(cost, name, value)
         yield
 
