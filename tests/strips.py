@@ -4,7 +4,7 @@ Each edge of the ground carries the strip between it and the arc below, signed b
 they hang over. Coordinates are floats, taken as the exact numbers that they are.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
@@ -34,17 +34,17 @@ def inside(p: tuple[arb, arb], q: tuple[arb, arb], radius: arb) -> tuple[arb, ar
     return (low, high) if low < high else None
 
 
-def integrals(ground: Sequence[Point], centre: Point, radius: float) -> dict[str, arb]:
-    """All of `MEASURES` over powers of R, of all that lies inside the circle."""
+def integrals(ground: Sequence[Point], centre: Point, radius: float, names: Iterable[str] = MEASURES) -> dict[str, arb]:
+    """All of `MEASURES`, or some, over powers of R, of all that lies inside the circle."""
     with ctx.workprec(BITS):
         cx, cy, r = exact(centre[0]), exact(centre[1]), exact(radius)
         points = [(exact(x) - cx, exact(y) - cy) for x, y in ground]
-        total = dict.fromkeys(MEASURES, arb(0))
+        total = dict.fromkeys(names, arb(0))
         for p, q in pairwise(points):
             part = inside(p, q, r)
             if part is None or (q[0] - p[0]).contains(0):
                 continue
-            for name in MEASURES:
+            for name in total:
                 total[name] += strip(name, p, q, part, r)
         powers = {"area": 2, "radial_x": 2, "radial_y": 2, "inertia": 4}
         return {name: value / r ** powers.get(name, 3) for name, value in total.items()}

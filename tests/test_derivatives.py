@@ -20,6 +20,7 @@ from flint import arb, ctx
 import slipcircle
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.__main__ import main
+from slipcircle.motion.derivatives import Sensitivity
 
 # --- whole motions -------------------------------------------------------------------------------------------------
 
@@ -41,13 +42,13 @@ def shifted(scene: dict[str, Any], name: str, by: Fraction) -> dict[str, Any]:
     return dict(changed)
 
 
-def differences(scene: dict[str, Any], motion: Motion) -> dict[str, list[float]]:
+def differences(scene: dict[str, Any], table: Sensitivity, free: bool) -> dict[str, list[float]]:
     """By number, of a step so short that one side is enough: 22 of the 40 digits are the step's."""
-    free, found = not motion.arrested and scene["end_time"] is None, {}
+    found = {}
     with ctx.workprec(256):
         here = outputs(scene, free)
-        for name in motion.sensitivity().parameters:
-            step = Fraction(float(motion.plan.scene.numbers[name]) or 1.0) * Fraction(1, 10**22)
+        for name in table.parameters:
+            step = Fraction(table.at[name] or 1.0) * Fraction(1, 10**22)
             there = outputs(shifted(scene, name, step), free)
             found[name] = [float((t - h) / oracle.exact(step)) for t, h in zip(there, here, strict=True)]
     return found
@@ -64,7 +65,7 @@ def check_motion(scene: dict[str, Any]) -> None:
     found = motion.sensitivity()
     assert np.all(np.isfinite(found.values))
     bound = 1e-12 + 128 * motion.error_estimate
-    for name, slopes in differences(scene, motion).items():
+    for name, slopes in differences(scene, found, not motion.arrested and scene["end_time"] is None).items():
         value = found.at[name]
         for output, exact in zip(found.outputs, slopes, strict=True):
             size = max(abs(exact), 0.1 * abs(found.at[output] / value) if value else 0.0)

@@ -1,21 +1,23 @@
-"""How to add a law, an effect and a moment, as `derive` says it: followed to the letter in a copy, and used there."""
+"""How to add a law, an effect and a moment, as `derive` says it: followed to the letter in a copy, and used there.
+
+Three weights are declared there too (`python tests/all_weights.py`: all 15)."""
 
 import json
-import os
+import random
 import re
-import shutil
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import all_weights
 import mpmath
 import numpy as np
 import pytest
+from all_weights import run
 from scipy.integrate import dblquad, solve_ivp
 
-ROOT = Path(__file__).resolve().parent.parent
+pytestmark = pytest.mark.xdist_group("extending")  # they share what is derived in the copy
+Seen = dict[str, dict[str, tuple[float, float]]]
 # ``At the end of ``LAWS`` in ``derive/declare/effects.py``::``, and what stands indented below.
 STEP = re.compile(r"[Aa]t the end of\s+``(\w+)`` in\s+``(\S+)``::\n\n((?: {4}.*\n)+)")
 SLOPE = {"radius_m": 100.0, "theta_1_deg": 205.0, "theta_2_deg": 285.0, "unit_weight_kN_m3": 19.0}
@@ -34,23 +36,17 @@ def follow(root: Path) -> list[str]:
     return [name for name, _, _ in steps]
 
 
-def run(root: Path, *command: str) -> str:
-    """The output of Python in the copy, which sees no other."""
-    done = subprocess.run(
-        [sys.executable, *command], cwd=root, env=os.environ | {"PYTHONPATH": str(root)}, capture_output=True, text=True
-    )
-    assert done.returncode == 0, done.stderr
-    return done.stdout
-
-
 @pytest.fixture(scope="module")
-def extended(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def extended(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Seen]:
+    """The copy, and what is seen and proved of three weights that were declared there as well, drawn at random.
+
+    The search judges fewer shapes than it may, as it takes its time.
+    """
     root = tmp_path_factory.mktemp("extended")
-    for package in ("derive", "generated", "slipcircle"):
-        shutil.copytree(ROOT / package, root / package, ignore=shutil.ignore_patterns("__pycache__"))
+    all_weights.copy(root)
     assert follow(root) == ["LAWS", "EFFECTS", "MOMENTS"]
-    run(root, "-m", "derive")
-    return root
+    drawn = random.SystemRandom().sample(all_weights.WEIGHTS[1:], 3)  # the first is the moment that was followed
+    return root, all_weights.follow(root, drawn, "--trials", "14")
 
 
 def raw(weight: Callable[[float, float], float], alpha: float) -> float:
@@ -96,40 +92,71 @@ def exponential(slip: float) -> float:
     [("inverse_square", inverse_square, True), ("exponential", exponential, False)],
 )
 def test_a_scene_uses_the_new_law_and_the_new_effect(
-    extended: Path, law: str, mu: Callable[[float], float], centripetal: bool
+    extended: tuple[Path, Seen], law: str, mu: Callable[[float], float], centripetal: bool
 ) -> None:
     lines = ["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items()), "[friction]", f'law = "{law}"']
     lines += [*(f"{k}{'_m' * (k == 'length')} = {v}" for k, v in SOFTENING.items()), "[rotation]"]
     lines += ["[centripetal]"] * centripetal + ["[suction]", f"suction_kPa = {SUCTION / 1e3}"]
-    (extended / "new.toml").write_text("\n".join(lines), "utf-8")
-    (planned,) = json.loads(run(extended, "-m", "slipcircle", "plan", "new.toml", "--json"))
+    root, _ = extended
+    (root / "new.toml").write_text("\n".join(lines), "utf-8")
+    (planned,) = json.loads(run(root, "-m", "slipcircle", "plan", "new.toml", "--json"))
     assert planned["law"] == law
     assert {law, "suction"} <= set(planned["fragments"])
     assert planned["effects"][-1] == "suction"
-    (motion,) = json.loads(run(extended, "-m", "slipcircle", "run", "new.toml", "--json"))
+    (motion,) = json.loads(run(root, "-m", "slipcircle", "run", "new.toml", "--json"))
     found = motion["peak"]["velocity"], motion["run_out"]
     assert np.allclose(found, reference(mu, centripetal), rtol=1e-8)
 
 
-def test_what_is_new_is_checked_and_described(extended: Path) -> None:
-    schema = json.loads(run(extended, "-m", "slipcircle", "schema"))
+def test_what_is_new_is_checked_and_described(extended: tuple[Path, Seen]) -> None:
+    root, _ = extended
+    schema = json.loads(run(root, "-m", "slipcircle", "schema"))
     assert schema["$defs"]["suction"]["required"] == ["suction_kPa"]
     assert "friction_inverse_square" in schema["$defs"]
-    guide = run(extended, "-m", "slipcircle", "schema", "--text")
+    guide = run(root, "-m", "slipcircle", "schema", "--text")
     assert "adds -suction* to u" in guide
     assert "suction* = suction/sigma_ref" in guide
     assert 'law = "inverse_square"' in guide
 
 
-def test_the_new_moment_is_a_function(extended: Path) -> None:
+def test_three_weights_give_everything(extended: tuple[Path, Seen]) -> None:
+    """Closed form, certificates within the goals, and no error beside quadrature that is more than proved."""
+    root, found = extended
+    assert len(found) == 3
+    assert not all_weights.faults(found), found
+    for name in found:
+        path = root / "generated" / "certificates" / f"{name}.json"
+        bounds = {(r["tier"], r["form"]): r["bound"] for r in json.loads(path.read_text("utf-8"))["certificates"]}
+        assert bounds["best", "fused"] <= 1, name
+
+
+def test_a_changed_weight_changes_the_kernel(tmp_path: Path) -> None:
+    """r**2 in the place of r**3: another closed form, another program, another certificate."""
+    all_weights.copy(tmp_path)
+    path = tmp_path / "derive" / "declare" / "quantities.py"
+    path.write_text(path.read_text("utf-8").replace('"3.12", r**3', '"3.12", r**2'), "utf-8")
+    code = (
+        "from derive.approximate import programs, shapes; from derive.approximate.programs import variants; "
+        "shapes.records().setdefault(('r^2', 'r^2'), shapes.records()['r^2 cos u', 'r^3']); "
+        "shapes.records().setdefault(('r^2 cos u', 'r^2'), shapes.records()['r^2 cos u', 'r^3']); "
+        "shapes.records().setdefault(('r^1 cos u', 'r^2'), shapes.records()['r^1 cos u', 'r^3']); "
+        "found = {v.kernel: v for v in variants() if (v.tier, v.form) == ('best', 'fused')}; "
+        "print(found['moment_of_inertia'].program.ops == found['polar_moment'].program.ops, "
+        "*found['moment_of_inertia'].definition)"
+    )
+    assert run(tmp_path, "-c", code).split() == ["True", "r^2"]
+
+
+def test_the_new_moment_is_a_function(extended: tuple[Path, Seen]) -> None:
     """The area of a circle's segment, of thin masses and of the half disc, within 5 ulp; certified and priced."""
+    root, _ = extended
     alpha = [0.0, 1e-300, 1e-100, 1e-5, 0.1, 0.5385, 1.0, np.pi / 2]
     code = f"from generated import area; print(*(float(x).hex() for x in area({alpha})))"
-    found = [float.fromhex(x) for x in run(extended, "-W", "error", "-c", code).split()]
+    found = [float.fromhex(x) for x in run(root, "-W", "error", "-c", code).split()]
     with mpmath.workdps(650):
         exact = [mpmath.mpf(a) - mpmath.sin(2 * mpmath.mpf(a)) / 2 for a in alpha]
         assert all(abs(x - e) <= 5 * float(np.spacing(x)) for x, e in zip(found, exact, strict=True))
-    records = json.loads((extended / "generated" / "certificates" / "area.json").read_text("utf-8"))["certificates"]
+    records = json.loads((root / "generated" / "certificates" / "area.json").read_text("utf-8"))["certificates"]
     assert {(r["tier"], r["form"]) for r in records} == {
         (tier, form) for tier in ("best", "1e-10", "1e-6", "float32") for form in ("fused", "plain")
     }
@@ -137,4 +164,4 @@ def test_the_new_moment_is_a_function(extended: Path) -> None:
     assert max(r["bound"] for r in records if (r["tier"], r["form"]) == ("best", "fused")) <= 1
     code = "from slipcircle.cost import ways; from derive.judge.hard import CASES; "
     code += "print('area' in ways.FUNCTIONS, [c.why for c in CASES if c.function == 'area'] != [])"
-    assert run(extended, "-c", code).split() == ["True", "True"]
+    assert run(root, "-c", code).split() == ["True", "True"]
