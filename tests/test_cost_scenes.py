@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import taylor
 from mpmath import mpf
-from test_cost import digits
+from test_cost import QUICK, digits
 
 from slipcircle.cost import cost, scenes, sections
 
@@ -20,8 +20,7 @@ ANSWERS = json.loads(scenes.ANSWERS.read_text("utf-8"))
 
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Few elements and few turns: no test is about how long something takes."""
-    for name, value in {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_QUICK": 2e-3}.items():
+    for name, value in QUICK.items():
         monkeypatch.setattr(cost, name, value)
 
 
