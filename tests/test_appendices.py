@@ -30,7 +30,6 @@ from derive.algebra.integrate import quadrature
 from derive.check.proof import ProofError
 from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
 
-pytestmark = pytest.mark.xdist_group("appendices")  # they share the reductions
 ROOT = Path(__file__).parents[1]
 each = pytest.mark.parametrize("appendix", APPENDICES, ids=lambda appendix: appendix.name)
 DIGITS = 50

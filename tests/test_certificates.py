@@ -25,7 +25,6 @@ from derive.check.records import Record, digest, read
 from derive.check.truth import SEGMENTS, TOP
 from derive.code import exact
 
-pytestmark = pytest.mark.xdist_group("certificates")  # they share the Taylor models
 RECORDS = read()
 DEFINITIONS = {r["kernel"]: tuple(r["definition"]) for r in RECORDS}
 BASES = [kernel for kernel, definition in DEFINITIONS.items() if len(definition) == 1]

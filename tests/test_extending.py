@@ -12,11 +12,9 @@ from typing import Any
 import all_weights
 import mpmath
 import numpy as np
-import pytest
 from all_weights import run
 from scipy.integrate import dblquad, solve_ivp
 
-pytestmark = pytest.mark.xdist_group("extending")  # they share what is derived in the copy
 Seen = dict[str, dict[str, tuple[float, float]]]
 # ``At the end of ``LAWS`` in ``derive/declare/effects.py``::``, and what stands indented below.
 STEP = re.compile(r"[Aa]t the end of\s+``(\w+)`` in\s+``(\S+)``::\n\n((?: {4}.*\n)+)")
@@ -36,17 +34,15 @@ def follow(root: Path) -> list[str]:
     return [name for name, _, _ in steps]
 
 
-@pytest.fixture(scope="module")
-def extended(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Seen]:
-    """The copy, and what is seen and proved of three weights that were declared there as well, drawn at random.
+def extended(root: Path) -> Seen:
+    """Make the copy: what is seen and proved of three weights that were declared there as well, drawn at random.
 
     The search judges fewer shapes than it may, as it takes its time.
     """
-    root = tmp_path_factory.mktemp("extended")
     all_weights.copy(root)
     assert follow(root) == ["LAWS", "EFFECTS", "MOMENTS"]
     drawn = random.SystemRandom().sample(all_weights.WEIGHTS[1:], 3)  # the first is the moment that was followed
-    return root, all_weights.follow(root, drawn, "--trials", "14")
+    return all_weights.follow(root, drawn, "--trials", "14")
 
 
 def raw(weight: Callable[[float, float], float], alpha: float) -> float:
@@ -87,17 +83,11 @@ def exponential(slip: float) -> float:
     return SOFTENING["residual"] + (SOFTENING["peak"] - SOFTENING["residual"]) * np.exp(-slip / SOFTENING["length"])
 
 
-@pytest.mark.parametrize(
-    ("law", "mu", "centripetal"),
-    [("inverse_square", inverse_square, True), ("exponential", exponential, False)],
-)
-def test_a_scene_uses_the_new_law_and_the_new_effect(
-    extended: tuple[Path, Seen], law: str, mu: Callable[[float], float], centripetal: bool
-) -> None:
+def check_scene(root: Path, law: str, mu: Callable[[float], float], centripetal: bool) -> None:
+    """It uses the new law and the new effect."""
     lines = ["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items()), "[friction]", f'law = "{law}"']
     lines += [*(f"{k}{'_m' * (k == 'length')} = {v}" for k, v in SOFTENING.items()), "[rotation]"]
     lines += ["[centripetal]"] * centripetal + ["[suction]", f"suction_kPa = {SUCTION / 1e3}"]
-    root, _ = extended
     (root / "new.toml").write_text("\n".join(lines), "utf-8")
     (planned,) = json.loads(run(root, "-m", "slipcircle", "plan", "new.toml", "--json"))
     assert planned["law"] == law
@@ -108,8 +98,8 @@ def test_a_scene_uses_the_new_law_and_the_new_effect(
     assert np.allclose(found, reference(mu, centripetal), rtol=1e-8)
 
 
-def test_what_is_new_is_checked_and_described(extended: tuple[Path, Seen]) -> None:
-    root, _ = extended
+def check_schema(root: Path) -> None:
+    """What is new is checked and described."""
     schema = json.loads(run(root, "-m", "slipcircle", "schema"))
     assert schema["$defs"]["suction"]["required"] == ["suction_kPa"]
     assert "friction_inverse_square" in schema["$defs"]
@@ -119,9 +109,8 @@ def test_what_is_new_is_checked_and_described(extended: tuple[Path, Seen]) -> No
     assert 'law = "inverse_square"' in guide
 
 
-def test_three_weights_give_everything(extended: tuple[Path, Seen]) -> None:
+def check_weights(root: Path, found: Seen) -> None:
     """Closed form, certificates within the goals, and no error beside quadrature that is more than proved."""
-    root, found = extended
     assert len(found) == 3
     assert not all_weights.faults(found), found
     for name in found:
@@ -147,9 +136,8 @@ def test_a_changed_weight_changes_the_kernel(tmp_path: Path) -> None:
     assert run(tmp_path, "-c", code).split() == ["True", "r^2"]
 
 
-def test_the_new_moment_is_a_function(extended: tuple[Path, Seen]) -> None:
+def check_moment(root: Path) -> None:
     """The area of a circle's segment, of thin masses and of the half disc, within 5 ulp; certified and priced."""
-    root, _ = extended
     alpha = [0.0, 1e-300, 1e-100, 1e-5, 0.1, 0.5385, 1.0, np.pi / 2]
     code = f"from generated import area; print(*(float(x).hex() for x in area({alpha})))"
     found = [float.fromhex(x) for x in run(root, "-W", "error", "-c", code).split()]
@@ -165,3 +153,13 @@ def test_the_new_moment_is_a_function(extended: tuple[Path, Seen]) -> None:
     code = "from slipcircle.cost import ways; from derive.judge.hard import CASES; "
     code += "print('area' in ways.FUNCTIONS, [c.why for c in CASES if c.function == 'area'] != [])"
     assert run(root, "-c", code).split() == ["True", "True"]
+
+
+def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
+    """In one test, as the copy takes its time."""
+    found = extended(tmp_path)
+    check_scene(tmp_path, "inverse_square", inverse_square, True)
+    check_scene(tmp_path, "exponential", exponential, False)
+    check_schema(tmp_path)
+    check_moment(tmp_path)
+    check_weights(tmp_path, found)

@@ -12,7 +12,6 @@ from flint import arb, ctx
 
 from slipcircle import Arc, Motion, solve
 
-pytestmark = pytest.mark.xdist_group("golden")  # they share the motions
 KEPT: dict[str, Any] = {r["name"]: r["numbers"] for r in json.loads(golden.FILE.read_text("utf-8"))}
 ROWS = golden.rows()
 EVERY = pytest.mark.parametrize("name", ROWS)

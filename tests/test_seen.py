@@ -24,7 +24,6 @@ from derive.code import exact
 from derive.code.program import Op, Program
 from generated import _compiled, kernels
 
-pytestmark = pytest.mark.xdist_group("seen")  # they share the reference
 each_kernel = pytest.mark.parametrize("kernel", KERNELS)
 each_base = pytest.mark.parametrize("kernel", BASES)
 SEAMS = {kernel: records()[DEFINITIONS[kernel]].best[0].seam for kernel in BASES}

@@ -21,7 +21,6 @@ from derive.judge import section as s
 from derive.judge.paper import CLAIMS, VERDICTS, Claim
 from derive.judge.verify import KEYS, SIMPLY, Row, judge, report, rows
 
-pytestmark = pytest.mark.xdist_group("verify")  # they share what is judged
 ROOT = Path(__file__).parents[1]
 BY_ID = {claim.id: claim for claim in CLAIMS}
 
