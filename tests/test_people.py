@@ -28,9 +28,6 @@ from slipcircle.__main__ import main
 from slipcircle.base.kinds import Array
 from slipcircle.base.series import Series
 from slipcircle.files.scenefile import shipped
-from slipcircle.flow import cells as its
-from slipcircle.flow import stiff
-from slipcircle.flow.bind import Bound
 from slipcircle.motion.quantities import known
 from slipcircle.records.records import read_record
 from slipcircle.scene.keys import tables_of
@@ -529,11 +526,11 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
                               text=True, check=False)  # fmt: skip
 
     creep = tmp_path / "creep.toml"
-    creep.write_text(f"{ARC}{FRICTION}[rotation]\n[viscosity]\nviscosity_Pa_s = 1e8\nthickness_m = 0.1\n", "utf-8")
+    stiff = "[rotation]\n[viscosity]\nviscosity_Pa_s = 1e10\nthickness_m = 0.1\n"
+    creep.write_text(f"end_time_s = 1e6\n{ARC}{FRICTION}{stiff}", "utf-8")
     made = tmp_path / "creep.csv"
-    done = said("", "run", str(creep), "--csv", str(made))  # which only its steps tell, and nothing is written
-    assert (done.returncode, done.stdout, made.exists()) == (1, "", False)
-    assert re.fullmatch(r"slipcircle: .* pip install 'slipcircle\[scenes\]'\n", done.stderr), done.stderr
+    done = said("", "run", str(creep), "--csv", str(made))
+    assert (done.returncode, done.stderr, made.exists()) == (0, "", True)
     plain: list[tuple[str, ...]] = [("run", str(path)), ("plan", str(path)), ("info",), ("schema",)]
     for argv in [*plain, ("run", str(path), "--json")]:
         done = said("", *argv)
@@ -596,22 +593,8 @@ def test_both_polarities_and_their_mean(capsys: pytest.CaptureFixture[str]) -> N
 
 
 @pytest.mark.parametrize("part", range(10))
-def test_odd_scene_files_end_in_an_answer_or_a_refusal(
-    part: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Two thousand in all, a lane of which may take a fiftieth of its steps, and the implicit stepper a thirtieth.
-
-    `python tests/fuzz_scenes.py 2000` lets them take all, and holds them to five seconds of a processor.
-    """
-    begun = Bound.start
-
-    def start(bound: Bound) -> Any:
-        cells = begun(bound)
-        cells[its.STEPS] = 0.98 * its.MOST_STEPS
-        return cells
-
-    monkeypatch.setattr(Bound, "start", start)
-    monkeypatch.setattr(stiff._Implicit, "left", 100)
+def test_odd_scene_files_end_in_an_answer_or_a_refusal(part: int, tmp_path: Path) -> None:
+    """Two thousand in all; `python tests/fuzz_scenes.py 2000` draws others."""
     bad = fuzz_scenes.faults(range(200 * part, 200 * part + 200), 11, tmp_path, "run", 60.0)
     assert not bad, bad[0]
 

@@ -90,26 +90,17 @@ def test_a_plan_depends_on_what_is_called_for_never_on_values() -> None:
             assert set(one.left_out) == set(EFFECTS) - set(effects)
 
 
-def test_scipy_is_imported_only_where_it_is_planned() -> None:
-    needs = (  # a slope that creeps for a day: explicit steps would be too many
-        "solve(Scene(Arc(60.0, 3.756, 4.833, 2e4), 0.2, {'rotation': {}, 'viscosity': {'viscosity': 1e10, "
-        "'thickness': 0.5}}, end_time=86400.0))\n"
-    )
+def test_motions_need_numpy_alone() -> None:
+    """Also a slope that creeps for a day, for which explicit steps would be too many."""
     code = (
         "import sys\nfrom slipcircle import Arc, Scene, load, solve\n"
         "for name in ('newmark-pulse', 'vaiont-heated', 'vaiont-rate', 'vaiont-frozen', 'vaiont', 'wet-slope'):\n"
         "    m = solve(load(name)); m.at(0.5 * m.duration); m.energy; m.error_estimate\n"
+        "solve(Scene(Arc(60.0, 3.756, 4.833, 2e4), 0.2, {'rotation': {}, 'viscosity': {'viscosity': 1e10, "
+        "'thickness': 0.5}}, end_time=86400.0)).energy\n"
         "assert not {'scipy', 'sympy', 'mpmath', 'matplotlib', 'pydantic'} & set(sys.modules), 'heavy import'\n"
     )
-    without = f"sys.modules['scipy.integrate'] = None\ntry: {needs}except ImportError as error: print(error)\n"
-    for more, said in (
-        (needs + "assert 'scipy' in sys.modules\n", ""),
-        (without, "this scene is integrated by SciPy: pip install 'slipcircle[scenes]'\n"),
-    ):
-        done = subprocess.run(
-            [sys.executable, "-c", code + more], check=True, timeout=60, capture_output=True, text=True
-        )
-        assert done.stdout == said
+    subprocess.run([sys.executable, "-c", code], check=True, timeout=60)
 
 
 @pytest.mark.parametrize("name", ["vaiont", "wet-slope", "vaiont-softening", "valley-side"])

@@ -15,8 +15,8 @@ Floats = NDArray[np.float64]
 assert CELLS[:31][-2:] == ("x", "omega")
 START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED = range(10)
 PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 = range(8)  # of a table's cells
-MOST_STEPS, MOST_TURNS = 2e5, 2000
-STIFF = np.inf  # steps of a lane that took implicit ones too
+# A step that changes the speed by less than a thousandth is held short by what decays at once: it counts for many.
+MOST_STEPS, STIFF_STEP, MOST_TURNS = 2e5, 20.0, 2000
 NOTHING, LIFT, FASTER, SLOWER, STOOD = range(5)  # what a phase has just passed, and that it has just ended
 BEGINS, STANDS, LIFTS, LANDS = 1, 2, 3, 4  # kinds of events in a log
 Log = list[tuple[int, float, float, float]]  # kind, time, rotation, direction

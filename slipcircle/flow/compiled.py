@@ -115,10 +115,15 @@ def run(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Sa
 
 def begin(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
     """As `slipcircle.flow.walk.begin`: the phases that begin where lanes are, and their registers there."""
+    return registers(program, tables, cells, 1)
+
+
+def registers(program: Program, tables: Sequence[Data], cells: Floats, begins: int = 0) -> Floats:
+    """As `slipcircle.flow.walk.registers`: where lanes are within their phases."""
     binary, count = module(), cells.shape[1]
     found = np.zeros((len(program.registers), count))
     if count:
-        binary.walk(flat(program), _pieces(tables, count), cells, 5, 0, count, 0, _NOTHING, found, _NOTHING,
+        binary.walk(flat(program), _pieces(tables, count), cells, 5, 0, count, begins, _NOTHING, found, _NOTHING,
                     min(binary.LEVELS.values()))  # fmt: skip
     return found
 

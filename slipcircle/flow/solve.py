@@ -47,7 +47,6 @@ def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = Non
     long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS)
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
-        cells[its.STEPS, long] = its.STIFF
     return cells
 
 

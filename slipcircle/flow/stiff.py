@@ -1,26 +1,52 @@
-"""Lanes that explicit steps are too short for, such as creep through a viscous layer: LSODA on the same program.
+"""Implicit steps of the same program, for lanes that explicit ones are too short for: creep through a viscous layer.
 
-The walk, its phases and its events stay; a step goes to the next break or event and is one run of SciPy's stepper.
+A step of length h finds the polynomial through the states where it begins whose slope is what the program gives at
+c_i h, c_i the Radau points up to c_s = 1 (Radau IIA; Hairer and Wanner, Solving Ordinary Differential Equations II,
+section IV.5): of the states Y_i there
+
+    Y_i = y + h sum_j a_ij f(Y_j),   a_ij the integral from 0 to c_i of what is 1 at c_j and 0 at the other points,
+
+by Newton's iteration. What decays at once is gone after one step, however long, and the end is right to order 2 s - 1.
+The step is as long as the polynomial, by its last Legendre coefficients, is the motion to rounding: then events and
+samples are read off it.
+
+The walk, its phases and its events stay.
 """
 
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
-from warnings import catch_warnings, simplefilter
 
 import numpy as np
+from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
 from slipcircle.flow import cells as its
+from slipcircle.flow import compiled
+from slipcircle.flow.columns import Columns
 from slipcircle.flow.program import Program
 from slipcircle.flow.tables import Data
-from slipcircle.flow.walk import Walker
+from slipcircle.flow.walk import Walker, registers
 
 Floats = NDArray[np.float64]
-TOLERANCE = 1e-12
+POINTS = 12
+TOLERANCE = 1e-13  # of the last coefficients of a step's polynomial, relative
 CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
-MOST_STEPS = 3_000  # of the stepper, for one lane
+ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
+MOST_STEPS = 2_000  # for one lane, breaks of what changes with time left out
+
+
+def _radau(count: int) -> tuple[Floats, Floats, Floats]:
+    """Points c_i in (0, 1], a_ij, and what gives Legendre coefficients of values at 0 and the points."""
+    c = legendre.legroots([0.0] * (count - 1) + [-1.0, 1.0])  # P_s - P_(s-1), 1 among its roots
+    c[-1] = 1.0
+    integrals = np.array([legendre.legval(c, legendre.legint(unit, lbnd=-1)) for unit in np.eye(count)]).T
+    weights = integrals @ np.linalg.inv(legendre.legvander(c, count - 1))
+    return (c + 1) / 2, weights / 2, np.linalg.inv(legendre.legvander(np.array([-1.0, *c]), count))
+
+
+AT, WEIGHTS, TO_LEGENDRE = _radau(POINTS)
 
 
 def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
@@ -37,26 +63,66 @@ def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.S
 
 
 class _Implicit(Walker):
-    """One lane, a step of which is an implicit integration."""
+    """One lane, a step of which goes to the next event or break in as many implicit steps as that takes."""
 
     left = MOST_STEPS
 
-    def _registers(self, t: float, y: Floats) -> Floats:
-        """What the program gives at a time, in states."""
-        c = self.c
-        c[its.TIME, 0], c[[cell for cell, _, _ in self.program.states], 0] = t, y
-        for cell, k, first, before in self.course:
-            c[cell, 0] = before + self._local(self.program.tables[k], self.tables[k])[0, 0] - first
-        return np.asarray(self._series(0)[0][:, 0, 0])
+    def step(self) -> None:
+        c, p = self.c, self.program
+        limit = float(min(self._break()[0], c[its.END_TIME, 0]))
+        self.course = [(p.tables[k], k, self._local(p.tables[k], self.tables[k])[0, 0],
+                        c[p.tables[k].cells + its.INC, 0]) for k in self.timed]  # fmt: skip
+        self.cells = [cell for cell, _, _ in p.states]
+        self.rates = [rate for _, _, rate in p.states]
+        watched, net = self._watched(), p.roles["net"]
+        r, last = self._series(int(c[its.ORDER].max()))
+        h = 4.0 * float(self._length(r, last, [register for _, register, _ in p.states])[0])
+        first, hit, creeps = float(c[its.TIME, 0]), -1, False
+        time, y = first, c[self.cells, 0]
+        now = self._registers(np.array([time]), y[:, None])[:, 0]
+        while hit < 0 and time < limit and not creeps:
+            h, whole = min(h, limit - time), h >= limit - time
+            end = limit if whole else time + h
+            self.left -= not whole
+            if not self.left or end == time or (time - first > ENDLESS and np.isinf(limit)):
+                break
+            states, error = self._polynomial(time, h, y, now)
+            if not error <= TOLERANCE:
+                self.left -= whole
+                h *= max(0.1, 0.9 * (TOLERANCE / error) ** (1 / POINTS)) if error < np.inf else 0.25
+                continue
+            then = self._registers(np.array([end]), states(end))[:, 0]
+            for kind, f in watched:
+                if f(y, now) > 0.0 >= f(states(end)[:, 0], then):
+                    at = self._root(f, states, time, end)
+                    if at <= end:
+                        end, hit = at, kind
+            z = states(end)
+            if hit >= 0:
+                then = self._registers(np.array([end]), z)[:, 0]
+            if now[net] > 0.0 >= then[net]:
+                top = self._root(lambda y, r: r[net], states, time, end)
+                at_top = states(top)[:, 0]
+                rotation = c[its.ROTATION] + c[its.DIRECTION] * at_top[0]
+                self._fastest(at_top[1:2], np.array([top]), rotation, np.zeros(1))
+            self._write(time, end, states)
+            time, y, now = end, z[:, 0], then
+            creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[its.PEAK_OMEGA, 0])
+            h *= min(4.0, 0.9 * (TOLERANCE / max(error, 1e-300)) ** (1 / POINTS))
+        c[:] = self._at(np.array([time]), y[:, None])
+        if hit < 0 and time < limit:
+            c[its.STATUS, 0] = its.TOO_LONG
+            return
+        self.settle(np.array([hit]), now[[net]], np.array([hit < 0]))
 
-    def _watched(self) -> list[tuple[int, Callable[[float, Floats], float]]]:
-        """Events by their numbers, with what is above zero before them."""
+    def _watched(self) -> list[tuple[int, Callable[[Floats, Floats], Any]]]:
+        """Events by their numbers, with what of states and registers is above zero before them."""
         roles, sign = self.program.roles, -1.0 if self.c[its.LIFTED, 0] > 0.0 else 1.0
-        found: list[tuple[int, Callable[[float, Floats], float]]] = [(0, lambda t, y: float(y[1]))]
+        found: list[tuple[int, Callable[[Floats, Floats], Any]]] = [(0, lambda y, r: y[1])]
         if roles["normal"] >= 0:
-            found.append((1, lambda t, y: sign * float(self._registers(t, y)[roles["normal"]])))
+            found.append((1, lambda y, r: sign * r[roles["normal"]]))
         if roles["upright"] >= 0:
-            found.append((99, lambda t, y: float(self._registers(t, y)[roles["upright"]])))
+            found.append((99, lambda y, r: r[roles["upright"]]))
         for k, slot in enumerate(self.program.tables):
             upper, lower = (float(self.c[slot.cells + x, 0]) for x in (its.UPPER, its.LOWER))
             at = {"slip": 0, "rotation": 0, "speed": 1}.get(slot.kind)
@@ -66,87 +132,102 @@ class _Implicit(Walker):
                 found.append((3 + 2 * k, partial(_short_of, 1, lower, -1.0)))
         return found
 
-    def step(self) -> None:
-        try:
-            from scipy.integrate import LSODA  # only here
-        except ImportError as error:
-            raise ImportError("this scene is integrated by SciPy: pip install 'slipcircle[scenes]'") from error
+    # --- one step -----------------------------------------------------------------------------------------------------
 
-        c, p = self.c, self.program
-        begin, limit = float(c[its.TIME, 0]), float(min(self._break()[0], c[its.END_TIME, 0]))
-        timed = [(k, p.tables[k]) for k in self.timed]
-        self.course = [(slot.cells + its.INC, k, self._local(slot, self.tables[k])[0, 0], c[slot.cells + its.INC, 0])
-                       for k, slot in timed]  # fmt: skip
-        y0, states, net = c[[cell for cell, _, _ in p.states], 0].copy(), p.states, p.roles["net"]
-        fastest = max(abs(c[its.PEAK_OMEGA, 0]), 1e-9)
-        size = np.maximum(np.abs(y0), 1e-12 * np.array([1.0, fastest, *y0[2:] * 0.0 + 1.0]))
+    def _tables(self, count: int) -> list[Data]:
+        return [t.lanes(np.zeros(count, dtype=np.intp)) for t in self.tables]
 
-        def rates(t: float, y: Floats) -> list[float]:
-            r = self._registers(t, y)
-            return [float(r[rate]) for _, _, rate in states]
+    def _at(self, times: Floats, states: Floats) -> Floats:
+        """Cells of this lane at some times in some states, (states, times)."""
+        c = np.repeat(self.c, times.size, axis=1)
+        c[its.TIME], c[self.cells] = times, states
+        for slot, k, first, before in self.course:
+            now = Columns(self.program, (), c, None, self.which)._local(slot, self._tables(times.size)[k])
+            c[slot.cells + its.INC] = before + now[0] - first
+        return c
 
-        watched = self._watched()
-        stepper = LSODA(rates, begin, y0, limit, rtol=TOLERANCE, atol=TOLERANCE * size)
-        before = [f(begin, y0) for _, f in watched]
-        hit, end, y, rate = -1, begin, y0, float(self._registers(begin, y0)[net])
-        while stepper.status == "running" and self.left:
-            self.left -= 1
-            with catch_warnings():  # that it failed is said by its status
-                simplefilter("ignore")
-                stepper.step()
-            if stepper.status == "failed":
+    def _registers(self, times: Floats, states: Floats) -> Floats:
+        """What the program gives there, (registers, times)."""
+        read = compiled.registers if compiled.module() else registers
+        return read(self.program, self._tables(times.size), self._at(times, states))
+
+    def _polynomial(self, time: float, h: float, y: Floats, now: Floats) -> tuple[Callable[[Any], Floats], float]:
+        """A step's states as a function of time, (states, times), and what its last coefficients are, relative."""
+        count, whole = len(y), len(y) * POINTS
+        rate = h * now[self.rates]
+        found = y + AT[:, None] * rate
+        aside = 1e-8 * np.concatenate([np.zeros((1, count)), np.eye(count)])[:, None]
+        times, before = np.tile(time + AT * h, 1 + count), np.inf
+        for _ in range(12):
+            size = np.maximum(np.maximum(np.abs(found), np.abs(y)), np.maximum(np.abs(rate), 1e-300))
+            points = found + aside * size
+            rates = self._registers(times, points.reshape(-1, count).T)[self.rates]
+            rates = rates.T.reshape(1 + count, POINTS, count)
+            slopes = (rates[1:] - rates[0]) / np.einsum("kik->ki", points[1:] - found)[..., None]
+            off = found - y - h * WEIGHTS @ rates[0]
+            system = np.eye(whole) - h * np.einsum("ij,kjl->iljk", WEIGHTS, slopes).reshape(whole, whole)
+            scaled = system * (size.ravel() / size.ravel()[:, None])
+            try:
+                move = np.linalg.solve(scaled, (off / size).ravel())
+            except np.linalg.LinAlgError:
                 break
-            dense, t0 = stepper.dense_output(), end
-            after = [f(stepper.t, stepper.y) for _, f in watched]
-            end, hit = stepper.t, -1
-            for (kind, f), a, b in zip(watched, before, after, strict=True):
-                if a > 0.0 >= b and (t := _root(f, dense, t0, end)) <= end:
-                    end, hit = t, kind
-            y = dense(end)
-            falls = float(self._registers(end, y)[net])
-            if rate > 0.0 >= falls:
-                top = _root(lambda t, y: float(self._registers(t, y)[net]), dense, t0, end)
-                at = dense(top)
-                rotation = c[its.ROTATION] + c[its.DIRECTION] * at[0]
-                self._fastest(np.array([at[1]]), np.array([top]), rotation, np.zeros(1))
-            self._write(t0, end, dense)
-            rate, before = falls, after
-            creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[its.PEAK_OMEGA, 0])
-            if hit >= 0 or creeps:
+            found = found - move.reshape(POINTS, count) * size
+            most = np.abs(move).max()
+            if most <= 4 * EPS or 1e-12 > most > before / 4:
+                values = np.concatenate([y[None], found])
+                terms = TO_LEGENDRE @ values
+                # Beside rounding, of which that of the time moves every state by as much as its rate.
+                known = np.maximum(np.abs(values).max(axis=0), 1e-300)
+                known += 8 * EPS / TOLERANCE * time * np.abs(rates[0]).max(axis=0)
+                tail = np.abs(terms[-2:]).max(axis=0) / known
+                return partial(_sum, terms, time, h), float(tail.max())
+            if not most < before:
                 break
-        if hit < 0 and (stepper.status != "finished" or np.isinf(limit)):
-            c[its.STATUS, 0] = its.TOO_LONG
-            return
-        self._registers(end if hit >= 0 else limit, y)
-        self.settle(np.array([hit]), np.array([rate]), np.array([hit < 0]))
+            before = most
+        return lambda t: y[:, None], np.inf
 
-    def _write(self, begin: float, end: float, states: Any) -> None:
+    def _root(self, f: Callable[[Floats, Floats], Any], states: Callable[[Any], Floats], low: float, high: float
+              ) -> float:  # fmt: skip
+        """The time at which a function that is above zero at first has passed it; false position and halves."""
+
+        def at(time: float) -> float:
+            y = states(time)
+            return float(f(y[:, 0], self._registers(np.array([time]), y)[:, 0]))
+
+        at_low, at_high = at(low), at(high)
+        if at_low <= 0.0 or at_high > 0.0:  # as rounding or an earlier event has it
+            return low if at_low <= 0.0 else np.inf
+        for turn in range(200):
+            middle = low + (high - low) * (0.5 if turn % 3 == 2 else at_low / (at_low - at_high))
+            if not low < middle < high:
+                break
+            found = at(middle)
+            if found > 0.0:
+                low, at_low, at_high = middle, found, at_high / 2
+            else:
+                high, at_high, at_low = middle, found, at_low / 2
+        return high
+
+    def _write(self, begin: float, end: float, states: Callable[[Any], Floats]) -> None:
         """Read the states off at sample times from one time up to another."""
         if self.samples is None:
             return
-        c, column = self.c[:, 0], int(self.which[0])
+        c, column, side = self.c[:, 0], int(self.which[0]), self.c[its.DIRECTION, 0]
         times, into = self.samples.times[:, column], self.samples.states
-        first, last = np.searchsorted(times, begin), np.searchsorted(times, end, side="right")
-        for row in range(first, last):
-            y = states(times[row])
-            side = c[its.DIRECTION]
-            rate = self._registers(times[row], y)[self.program.roles["net"]]
-            into[:4, row, column] = c[its.ROTATION] + side * y[0], side * y[1], side * rate, c[its.SLIP] + y[0]
-            into[4:, row, column] = y[2:]
+        rows = slice(np.searchsorted(times, begin), np.searchsorted(times, end, side="right"))
+        if not times[rows].size:
+            return
+        y = states(times[rows])
+        net = self._registers(times[rows], y)[self.program.roles["net"]]
+        into[:3, rows, column] = c[its.ROTATION] + side * y[0], side * y[1], side * net
+        into[3, rows, column], into[4:, rows, column] = c[its.SLIP] + y[0], y[2:]
 
 
-def _short_of(at: int, bound: float, sign: float, t: float, y: Floats) -> float:
+def _sum(terms: Floats, begin: float, h: float, times: Any) -> Floats:
+    """A step's states at times, (states, times)."""
+    return np.asarray(legendre.legval(np.atleast_1d(2 * (times - begin) / h - 1), terms))
+
+
+def _short_of(at: int, bound: float, sign: float, y: Floats, r: Floats) -> Any:
     """How far a state is below a bound, or above it."""
-    return sign * (bound - float(y[at]))
-
-
-def _root(f: Callable[[float, Floats], float], states: Callable[[float], Floats], low: float, high: float) -> float:
-    """Where a function of states that is above zero at first passes it."""
-    from scipy.optimize import brentq  # only here
-
-    def at(time: float) -> float:
-        return f(time, states(time))
-
-    if at(low) <= 0.0 or at(high) > 0.0:  # as rounding has it
-        return low if at(low) <= 0.0 else high
-    return float(brentq(at, low, high, xtol=1e-300, rtol=4 * EPS))
+    return sign * (bound - y[at])

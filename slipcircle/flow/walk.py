@@ -70,7 +70,13 @@ def begin(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
     with np.errstate(all="ignore"):
         lanes.find_pieces()
         lanes.base()
-        return lanes._series(0)[0][:, 0]
+    return registers(program, tables, cells)
+
+
+def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """Registers where lanes are within their phases, (registers, lanes)."""
+    with np.errstate(all="ignore"):
+        return Columns(program, tables, cells, None, np.arange(cells.shape[1]))._series(0)[0][:, 0]
 
 
 class Walker(Resting):
@@ -116,7 +122,8 @@ class Walker(Resting):
         at_limit &= event < 0
         self._peak(net, x, omega, tau)
         self._read(c[its.TIME], np.where(at_limit, limit, c[its.TIME] + tau), (x, omega, net, r))
-        c[its.STEPS] += ~at_limit  # a record takes as many as it has samples
+        stiff = (np.abs(net[0]) * tau < 1e-3 * omega[0]) & (event < 0)
+        c[its.STEPS] += np.where(stiff, its.STIFF_STEP, 1.0) * ~at_limit  # a record takes as many as it has samples
         for cell, register, _ in p.states:
             c[cell] += increment(r[register], tau)
         for k in self.timed:

@@ -25,7 +25,6 @@ SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
 TIMES, LEAST = 3.0, 8 * EPS / 2  # the spread counts thrice, and is at least this
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
-FEW = np.array([0, 1, 3, 6])  # companions where each step is an implicit one, and takes as long as hundreds
 SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compared
 
 
@@ -62,7 +61,7 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
     decides whether the mass moves or rests.
     """
     bound, single, own = lanes.bound, lanes.count == 1, _told(cells)
-    among = FEW if single and cells[its.STEPS] == its.STIFF else np.arange(8)
+    among = np.arange(8)
     moves, size = cells[its.PHASES] > 0.0, np.maximum(np.abs(own), 1e-300)
     samples = None
     if single:  # all at once, beside the motion itself

@@ -37,9 +37,8 @@ ENERGIES = 21  # times at which the energy balance is looked at
 
 def told(cells: Floats, single: bool) -> dict[int, Any]:
     """Of the cells of lanes those of which a motion is told, arrays or, of a single one, numbers."""
-    which = (*TOLD, its.STEPS) if single else TOLD
-    rows = cells.take(which, axis=0)
-    return dict(zip(which, rows[:, 0].tolist() if single else rows, strict=True))
+    rows = cells.take(TOLD, axis=0)
+    return dict(zip(TOLD, rows[:, 0].tolist() if single else rows, strict=True))
 
 
 def _static(name: str) -> Any:

@@ -111,8 +111,8 @@ static const char words[] = "walk(program, tables, cells, order, begin, end, bud
     "across, sine, open); `order` is the highest of the lanes'. States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
     "are written into `notes`, (rows, 4), and what has no room there is left out.\n\n"
-    "With `outputs`, (registers, lanes), and no times nothing walks: the phase is based that would begin where each\n"
-    "lane is, in the direction that is set, and all registers are read off there.";
+    "With `outputs`, (registers, lanes), and no times nothing walks: all registers are read off where each lane is; with\n"
+    "a budget the phase is based before that would begin there, in the direction that is set.";
 
 static PyObject *walk(PyObject *self, PyObject *args)
 {
@@ -211,7 +211,9 @@ enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
-enum { MOST_STEPS = 200000, MOST_TURNS = 2000 }; /* of a lane, breaks of what changes with time left out */
+/* Of a lane, breaks of what changes with time left out. Steps that hardly change the speed, a thousandth or less, are
+ * held short by what decays at once (the motion is stiff): each counts for many. */
+enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 
 @CODES@
 enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
@@ -1119,7 +1121,10 @@ static void step(Hand *h, unsigned which)
         if (w->table[i].kind == OF_TIME) *inc = pick(here, *inc + change(REGISTER(w->table[i].reg), top, tau), *inc);
     }
     c[TIME] = pick(here, until_[0], c[TIME]);
-    c[STEPS] = pick(here & ~lanes(at_limit), c[STEPS] + 1.0, c[STEPS]);
+    unsigned eventful = 0;
+    EACH(k, which) eventful |= (unsigned)(event[k] != NONE) << k;
+    const M stiff = (size(net[0]) * tau < 1e-3 * omega[0]) & ~lanes(eventful);
+    c[STEPS] += pick(here & ~lanes(at_limit), pick(stiff, flat(STIFF_STEP), one), zero);
     c[PASSED] = pick(here, zero, c[PASSED]);
     CANDIDATE(here, c[OMEGA], c[TIME], c[X], rate);
     EACH(k, which) {
@@ -1255,21 +1260,21 @@ static int goes_on(const Walk *w, int64_t column)
     return found;
 }
 
-/* The phases that would begin where lanes are, and their registers there. */
-static void based(Hand *h)
+/* Registers where lanes are; with a budget those of the phases that would begin there. */
+static void read_registers(Hand *h)
 {
     Walk *const w = h->w;
     for (int64_t first = w->begin; first < w->end; first += LANES) {
         const int64_t count = w->end - first < LANES ? w->end - first : LANES;
         for (int64_t k = 0; k < count; k++) {
             for (int i = 0; i < w->cells; i++) h->c[i][k] = w->all[i * w->count + first + k];
-            h->column[k] = first + k, h->c[X][k] = 0.0;
-            find_pieces(h, k), pieces(h, k);
+            h->column[k] = first + k;
+            if (w->budget) h->c[X][k] = 0.0, find_pieces(h, k), pieces(h, k);
         }
-        IN(prologue)(w->scalar, w->scalar_end, h->c, lanes(ALL));
+        if (w->budget) IN(prologue)(w->scalar, w->scalar_end, h->c, lanes(ALL));
         begin_series(h), operate(h, 0), operate_later(h, 1);
         for (int64_t k = 0; k < count; k++) {
-            for (int i = 0; i < w->cells; i++) w->all[i * w->count + first + k] = h->c[i][k];
+            for (int i = 0; w->budget && i < w->cells; i++) w->all[i * w->count + first + k] = h->c[i][k];
             for (int i = 0; i < w->registers; i++) w->outputs[i * w->count + first + k] = REGISTER(i * STRIDE)[0][k];
         }
     }
@@ -1286,7 +1291,7 @@ int64_t NAMED(flow_walk, LEVEL)(Walk *w)
     int64_t next = w->begin;
     for (int n = 1; n < HIGHEST + 2; n++) h->inverse[n] = 1.0 / n;
     if (w->outputs && !w->times) {
-        based(h);
+        read_registers(h);
         return 0;
     }
     for (int i = w->made; i < w->cells; i++) c[i] = flat(w->all[i * w->count]);
