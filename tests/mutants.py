@@ -34,7 +34,7 @@ from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 COPIED = ("slipcircle", "generated", "derive", "tests", "notebooks")
-FIRST = ("test_records", "test_outputs", "test_ensemble_states", "test_backanalysis", "test_scenefile")
+FIRST = ("test_outputs", "test_records", "test_scenefile", "test_ensemble_states", "test_backanalysis", "test_ensemble")
 # Slow, or of other things.
 NEVER = ("test_house", "test_notebooks", "test_cost", "test_cost_scenes", "test_compiled", "test_build",
          "test_extending", "test_all_weights")  # fmt: skip
@@ -340,7 +340,8 @@ def main() -> int:
         chosen = {k: f for k, f in enumerate(places[: options.count]) if k in (options.only or range(options.count))}
         able = {p for word in options.tests for p in (ROOT / "tests").glob(word) if p.stem not in NEVER}
         known = [p.stem for p in able if "slipcircle" in p.read_text("utf-8")]
-        files = [f"tests/{stem}.py" for stem in sorted(known, key=lambda stem: (stem not in FIRST, stem))]
+        order = [stem for stem in FIRST if stem in known] + sorted({*known} - {*FIRST})
+        files = [f"tests/{stem}.py" for stem in order]
         seen: Counter[str] = Counter()
         assert tested(first, files[0])[0], f"{files[0]} is red without a fault"
         limit = SLOW * done.seconds
