@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "9a30a6dadd2c843037e8ea82497bafec1b5b9e32ceb4bd56135cef1e109ecb89"
+#define DIGEST "e7a6c120587ec48b6850b12d0afa4117fd6704ccc73bb98567b79953f1017fe0"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -1458,7 +1458,8 @@ int64_t NAMED(flow_walk, LEVEL)(Walk *w)
         const V sum = c[TIME] + c[X] + c[OMEGA] + c[ROTATION];
         const M going = c[STATUS] <= (double)RESTING;
         const M turns = w->timed ? lanes(0) : c[TURNS] > (double)MOST_TURNS;
-        c[STATUS] = pick(going & ((c[STEPS] > (double)MOST_STEPS) | turns), flat(TOO_LONG), c[STATUS]);
+        const M many = c[STEPS] > pick(c[OMEGA] > 0.0, flat(MOST_STEPS), flat(2.0 * MOST_STEPS)); /* at rest it can wait */
+        c[STATUS] = pick(going & (many | turns), flat(TOO_LONG), c[STATUS]);
         c[STATUS] = pick(going & ~(sum - sum == 0.0), flat(FAILED), c[STATUS]);
         EACH(k, h->held & ~bits(c[STATUS] <= (double)RESTING)) put(h, k);
     }

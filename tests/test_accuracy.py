@@ -19,6 +19,8 @@ from mpmath import mpf
 
 import slipcircle
 from slipcircle import Arc, Motion, Scene, load, solve
+from slipcircle.flow import cells as its
+from slipcircle.flow.bind import Bound
 
 DATA = references.FILE.read_bytes()
 ROWS: list[dict[str, Any]] = json.loads(DATA)
@@ -114,6 +116,24 @@ def test_estimate_is_at_least_the_true_error(group: str) -> None:
 @pytest.mark.parametrize("group", references.TIMED)
 def test_accuracy_is_what_the_user_gets(group: str) -> None:
     met(group)
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_implicit_steps_tell_the_same(part: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What stiff lanes get, got by every tenth scene from its first step on: another method on the same program."""
+    begun = Bound.start
+
+    def spent(bound: Bound) -> Any:
+        cells = begun(bound)
+        cells[its.STEPS] = its.MOST_STEPS  # of what explicit steps a lane may take
+        return cells
+
+    monkeypatch.setattr(Bound, "start", spent)
+    for k in range(5 + part, 400, 40):
+        motion, reference = slipcircle.solve(scene(ROWS[k])), ROWS[k]["reference"]
+        assert (motion.moves, motion.arrested) == (reference["moves"], reference["arrested"]), f"scene {k}"
+        assert bool(motion.lift_off) == reference["lifted"], f"scene {k}"
+        assert motion.error_estimate >= max(true_error(motion, reference)), f"scene {k}"
 
 
 def test_estimate_is_at_most_the_accuracy_unless_a_warning_says_so() -> None:

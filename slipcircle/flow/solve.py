@@ -44,7 +44,7 @@ def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = Non
         lanes.base()
         cells[:, asking] = lanes.c
         cells[its.STATUS, asking] = its.MOVING
-    long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS)
+    long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS) & (cells[its.OMEGA] > 0.0)
     if np.any(long):
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells

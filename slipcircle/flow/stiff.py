@@ -15,7 +15,7 @@ The walk, its phases and its events stay.
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -30,6 +30,7 @@ from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker, registers
 
 Floats = NDArray[np.float64]
+Watched = Callable[[Floats, Floats], Any]  # of states and registers, one number of each or one a time
 POINTS = 12
 TOLERANCE = 1e-13  # of the last coefficients of a step's polynomial, relative
 CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
@@ -86,39 +87,35 @@ class _Implicit(Walker):
             self.left -= not whole
             if not self.left or end == time or (time - first > ENDLESS and np.isinf(limit)):
                 break
-            states, error = self._polynomial(time, h, y, now)
-            if not error <= TOLERANCE:
+            found = self._polynomial(time, h, y, now)
+            if not found.error <= TOLERANCE:
                 self.left -= whole
-                h *= max(0.1, 0.9 * (TOLERANCE / error) ** (1 / POINTS)) if error < np.inf else 0.25
+                h *= max(0.1, 0.9 * (TOLERANCE / found.error) ** (1 / POINTS)) if found.error < np.inf else 0.25
                 continue
-            then = self._registers(np.array([end]), states(end))[:, 0]
             for kind, f in watched:
-                if f(y, now) > 0.0 >= f(states(end)[:, 0], then):
-                    at = self._root(f, states, time, end)
-                    if at <= end:
-                        end, hit = at, kind
-            z = states(end)
-            if hit >= 0:
-                then = self._registers(np.array([end]), z)[:, 0]
-            if now[net] > 0.0 >= then[net]:
-                top = self._root(lambda y, r: r[net], states, time, end)
-                at_top = states(top)[:, 0]
+                at = self._first_zero(f, found, time, y, now)
+                if at <= end:
+                    end, hit = at, kind
+            top = self._first_zero(lambda y, r: r[net], found, time, y, now)
+            if top <= end:
+                at_top = found.states(top)[:, 0]
                 rotation = c[its.ROTATION] + c[its.DIRECTION] * at_top[0]
                 self._fastest(at_top[1:2], np.array([top]), rotation, np.zeros(1))
-            self._write(time, end, states)
-            time, y, now = end, z[:, 0], then
+            self._write(time, end, found)
+            time, y = end, found.states(end)[:, 0]
+            now = self._registers(np.array([time]), y[:, None])[:, 0]
             creeps = np.isinf(limit) and abs(y[1]) < CREEP * abs(c[its.PEAK_OMEGA, 0])
-            h *= min(4.0, 0.9 * (TOLERANCE / max(error, 1e-300)) ** (1 / POINTS))
+            h *= min(4.0, 0.9 * (TOLERANCE / max(found.error, 1e-300)) ** (1 / POINTS))
         c[:] = self._at(np.array([time]), y[:, None])
         if hit < 0 and time < limit:
             c[its.STATUS, 0] = its.TOO_LONG
             return
         self.settle(np.array([hit]), now[[net]], np.array([hit < 0]))
 
-    def _watched(self) -> list[tuple[int, Callable[[Floats, Floats], Any]]]:
+    def _watched(self) -> list[tuple[int, Watched]]:
         """Events by their numbers, with what of states and registers is above zero before them."""
         roles, sign = self.program.roles, -1.0 if self.c[its.LIFTED, 0] > 0.0 else 1.0
-        found: list[tuple[int, Callable[[Floats, Floats], Any]]] = [(0, lambda y, r: y[1])]
+        found: list[tuple[int, Watched]] = [(0, lambda y, r: y[1])]
         if roles["normal"] >= 0:
             found.append((1, lambda y, r: sign * r[roles["normal"]]))
         if roles["upright"] >= 0:
@@ -151,8 +148,8 @@ class _Implicit(Walker):
         read = compiled.registers if compiled.module() else registers
         return read(self.program, self._tables(times.size), self._at(times, states))
 
-    def _polynomial(self, time: float, h: float, y: Floats, now: Floats) -> tuple[Callable[[Any], Floats], float]:
-        """A step's states as a function of time, (states, times), and what its last coefficients are, relative."""
+    def _polynomial(self, time: float, h: float, y: Floats, now: Floats) -> "_Step":
+        """A step from a time, states and registers there."""
         count, whole = len(y), len(y) * POINTS
         rate = h * now[self.rates]
         found = y + AT[:, None] * rate
@@ -161,8 +158,8 @@ class _Implicit(Walker):
         for _ in range(12):
             size = np.maximum(np.maximum(np.abs(found), np.abs(y)), np.maximum(np.abs(rate), 1e-300))
             points = found + aside * size
-            rates = self._registers(times, points.reshape(-1, count).T)[self.rates]
-            rates = rates.T.reshape(1 + count, POINTS, count)
+            read = self._registers(times, points.reshape(-1, count).T)
+            rates = read[self.rates].T.reshape(1 + count, POINTS, count)
             slopes = (rates[1:] - rates[0]) / np.einsum("kik->ki", points[1:] - found)[..., None]
             off = found - y - h * WEIGHTS @ rates[0]
             system = np.eye(whole) - h * np.einsum("ij,kjl->iljk", WEIGHTS, slopes).reshape(whole, whole)
@@ -180,35 +177,38 @@ class _Implicit(Walker):
                 known = np.maximum(np.abs(values).max(axis=0), 1e-300)
                 known += 8 * EPS / TOLERANCE * time * np.abs(rates[0]).max(axis=0)
                 tail = np.abs(terms[-2:]).max(axis=0) / known
-                return partial(_sum, terms, time, h), float(tail.max())
+                return _Step(time, h, terms, times[:POINTS], found.T, read[:, :POINTS], float(tail.max()))
             if not most < before:
                 break
             before = most
-        return lambda t: y[:, None], np.inf
+        return _Step(time, h, y, times, found.T, read, np.inf)
 
-    def _root(self, f: Callable[[Floats, Floats], Any], states: Callable[[Any], Floats], low: float, high: float
-              ) -> float:  # fmt: skip
-        """The time at which a function that is above zero at first has passed it; false position and halves."""
+    def _first_zero(self, f: Watched, step: "_Step", time: float, y: Floats, now: Floats) -> float:
+        """The time at which a function that is above zero has first passed it; by false position and halves."""
 
         def at(time: float) -> float:
-            y = states(time)
-            return float(f(y[:, 0], self._registers(np.array([time]), y)[:, 0]))
+            states = step.states(time)
+            return float(f(states[:, 0], self._registers(np.array([time]), states)[:, 0]))
 
-        at_low, at_high = at(low), at(high)
-        if at_low <= 0.0 or at_high > 0.0:  # as rounding or an earlier event has it
-            return low if at_low <= 0.0 else np.inf
-        for turn in range(200):
-            middle = low + (high - low) * (0.5 if turn % 3 == 2 else at_low / (at_low - at_high))
-            if not low < middle < high:
-                break
-            found = at(middle)
+        values = np.array([f(y, now), *f(step.found, step.registers)])
+        passes = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
+        if not passes.size:
+            return np.inf
+        k = passes[0]
+        low, high = (time, *step.times)[k : k + 2]
+        at_low, at_high = values[k : k + 2]
+        least, turn = 2 * EPS * abs(high), 0
+        while high - low > 2 * least:
+            share = 0.5 if turn % 3 == 2 else at_low / (at_low - at_high)
+            middle = min(max(low + share * (high - low), low + least), high - least)  # or only one end would move
+            found, turn = at(middle), turn + 1
             if found > 0.0:
-                low, at_low, at_high = middle, found, at_high / 2
+                low, at_low = middle, found
             else:
-                high, at_high, at_low = middle, found, at_low / 2
-        return high
+                high, at_high = middle, found
+        return float(high)
 
-    def _write(self, begin: float, end: float, states: Callable[[Any], Floats]) -> None:
+    def _write(self, begin: float, end: float, step: "_Step") -> None:
         """Read the states off at sample times from one time up to another."""
         if self.samples is None:
             return
@@ -217,15 +217,26 @@ class _Implicit(Walker):
         rows = slice(np.searchsorted(times, begin), np.searchsorted(times, end, side="right"))
         if not times[rows].size:
             return
-        y = states(times[rows])
+        y = step.states(times[rows])
         net = self._registers(times[rows], y)[self.program.roles["net"]]
         into[:3, rows, column] = c[its.ROTATION] + side * y[0], side * y[1], side * net
         into[3, rows, column], into[4:, rows, column] = c[its.SLIP] + y[0], y[2:]
 
 
-def _sum(terms: Floats, begin: float, h: float, times: Any) -> Floats:
-    """A step's states at times, (states, times)."""
-    return np.asarray(legendre.legval(np.atleast_1d(2 * (times - begin) / h - 1), terms))
+class _Step(NamedTuple):
+    """A step: Legendre coefficients of its states; times, states and registers at its points; its error, relative."""
+
+    begin: float
+    length: float
+    terms: Floats
+    times: Floats
+    found: Floats
+    registers: Floats
+    error: float
+
+    def states(self, times: Any) -> Floats:
+        """(states, times)."""
+        return np.asarray(legendre.legval(np.atleast_1d(2 * (times - self.begin) / self.length - 1), self.terms))
 
 
 def _short_of(at: int, bound: float, sign: float, y: Floats, r: Floats) -> Any:

@@ -90,7 +90,8 @@ class Walker(Resting):
         c = self.c
         lost = ~np.isfinite(c[its.TIME] + c[its.X] + c[its.OMEGA] + c[its.ROTATION])
         c[its.STATUS, lost & (c[its.STATUS] <= its.RESTING)] = its.FAILED
-        long = (c[its.STEPS] > its.MOST_STEPS) | ((c[its.TURNS] > its.MOST_TURNS) & (len(self.timed) == 0))
+        most = np.where(c[its.OMEGA] > 0.0, its.MOST_STEPS, 2 * its.MOST_STEPS)  # at rest it can wait
+        long = (c[its.STEPS] > most) | ((c[its.TURNS] > its.MOST_TURNS) & (len(self.timed) == 0))
         c[its.STATUS, long & (c[its.STATUS] <= its.RESTING)] = its.TOO_LONG
 
     def start(self) -> None:

@@ -23,7 +23,7 @@ SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
 # Steps over the radius of convergence, of the motion itself and its companions, which go one order further. Longer ones
 # cost less than shorter ones would, and with that order still leave out less than the motion does.
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
-TIMES, LEAST = 3.0, 8 * EPS / 2  # the spread counts thrice, and is at least this
+TIMES, LEAST = 4.5, 8 * EPS / 2  # the spread counts so often, and is at least this
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compared
 

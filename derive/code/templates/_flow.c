@@ -1312,7 +1312,8 @@ int64_t NAMED(flow_walk, LEVEL)(Walk *w)
         const V sum = c[TIME] + c[X] + c[OMEGA] + c[ROTATION];
         const M going = c[STATUS] <= (double)RESTING;
         const M turns = w->timed ? lanes(0) : c[TURNS] > (double)MOST_TURNS;
-        c[STATUS] = pick(going & ((c[STEPS] > (double)MOST_STEPS) | turns), flat(TOO_LONG), c[STATUS]);
+        const M many = c[STEPS] > pick(c[OMEGA] > 0.0, flat(MOST_STEPS), flat(2.0 * MOST_STEPS)); /* at rest it can wait */
+        c[STATUS] = pick(going & (many | turns), flat(TOO_LONG), c[STATUS]);
         c[STATUS] = pick(going & ~(sum - sum == 0.0), flat(FAILED), c[STATUS]);
         EACH(k, h->held & ~bits(c[STATUS] <= (double)RESTING)) put(h, k);
     }
