@@ -23,6 +23,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -38,7 +39,7 @@ FIRST = ("test_outputs", "test_records", "test_scenefile", "test_ensemble_states
 # Slow, or of other things.
 NEVER = ("test_house", "test_notebooks", "test_cost", "test_cost_scenes", "test_compiled", "test_build",
          "test_extending", "test_all_weights")  # fmt: skip
-SLOW = 8  # times what the tree itself takes for its answers is a hang
+SLOW = 5  # times what the tree itself takes for its answers is a hang
 HANG_S = 90  # of one test; the slowest takes a tenth of it
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 
@@ -198,29 +199,6 @@ def planted(fault: Fault) -> str:
 # --- the work --------------------------------------------------------------------------------------------------------
 
 
-# What every Python started in a copy runs first: it writes which of the lines wanted are reached, each once.
-FOLLOW = """import os, sys, threading
-codes = {}
-def reached(code):
-    if id(code) not in codes:
-        lines = WANTED.get(code.co_filename)
-        codes[id(code)] = code, lines, lines and {line for *_, line in code.co_lines()}
-    _, lines, own = codes[id(code)]
-    return lines and own & lines
-def follow(frame, event, _, write=os.write):
-    if event != "line":
-        return follow if reached(frame.f_code) else None
-    if frame.f_lineno in (lines := WANTED[frame.f_code.co_filename]):
-        lines.discard(frame.f_lineno)
-        write(out, f"{frame.f_code.co_filename}:{frame.f_lineno}\\n".encode())
-    return follow
-if "MUTANTS_REACHED" in os.environ:
-    out = os.open(os.environ["MUTANTS_REACHED"], os.O_WRONLY | os.O_CREAT | os.O_APPEND)
-    threading.settrace(follow)
-    sys.settrace(follow)
-"""
-
-
 def copied(folder: Path) -> Path:
     for name in COPIED:
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", ".*"))
@@ -232,17 +210,10 @@ def copied(folder: Path) -> Path:
     return folder
 
 
-class Done(NamedTuple):
-    status: int | None  # none if it hangs
-    text: str
-    seconds: float
-
-
-def run(folder: Path, limit: float | None, *argv: str, **env: str) -> Done:
-    """A Python in the copy, ended with all that it started."""
-    env = {**os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"} | env
+def run(folder: Path, limit: float | None, *argv: str) -> tuple[int | None, str]:
+    """Exit status, none of a hang, and output of a Python in the copy, which is ended with all that it started."""
+    env = os.environ | {"PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"}
     with tempfile.TemporaryFile("w+") as out:
-        begin = time.monotonic()
         child = subprocess.Popen([sys.executable, *argv], cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=out,
                                  stderr=subprocess.DEVNULL, start_new_session=True)  # fmt: skip
         try:
@@ -254,33 +225,38 @@ def run(folder: Path, limit: float | None, *argv: str, **env: str) -> Done:
                 os.killpg(child.pid, signal.SIGKILL)
             child.wait()
         out.seek(0)
-        return Done(status, out.read(), time.monotonic() - begin)
+        return status, out.read()
 
 
-def probed(folder: Path, limit: float | None = None) -> dict[str, Any] | None:
-    done = run(folder, limit, "tests/mutants.py", "--answers")
-    return json.loads(done.text) if done.status == 0 else None
+def probed(folder: Path, limit: float | None = None, what: str = "--answers") -> Any:
+    status, text = run(folder, limit, "tests/mutants.py", what)
+    return json.loads(text) if status == 0 else None
 
 
 def tested(folder: Path, *names: str) -> tuple[bool, str]:
-    """Whether tests are green, and the first that is not."""
+    """Whether tests are green, and the function of the first that is not."""
     hang = ("-o", f"faulthandler_timeout={HANG_S}", "-o", "faulthandler_exit_on_timeout=true")
-    done = run(folder, None, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *hang, *names)
-    red = re.search(r"^(?:FAILED|ERROR) (tests/\S*(?: \S+\])?)", done.text, re.MULTILINE)
-    return done.status == 0, red[1] if red else ""
+    status, text = run(folder, None, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *hang, *names)
+    red = re.search(r"^(?:FAILED|ERROR) (tests/[^\s\[]*)", text, re.MULTILINE)
+    return status == 0, red[1] if red else ""
 
 
-def reached(folder: Path) -> tuple[Done, list[Fault]]:
-    """The answers, and the faults whose lines they run in any of their processes."""
-    wanted: dict[str, set[int]] = {}
-    for fault in faults():
-        wanted.setdefault(f"{folder}/{fault.path}", set()).update(fault.reach)
-    (start := folder / "sitecustomize.py").write_text(f"WANTED = {wanted}\n{FOLLOW}", "utf-8")
-    (out := folder / "reached").write_text("")
-    done = run(folder, None, "tests/mutants.py", "--answers", MUTANTS_REACHED=str(out))
-    start.unlink()
-    lines = set(out.read_text("utf-8").split())
-    return done, [f for f in faults() if any(f"{folder}/{f.path}:{line}" in lines for line in f.reach)]
+def reached(folder: Path) -> list[str]:
+    """The lines of the package that the answers run, ``path:line``."""
+    found: dict[str, None] = {}
+
+    def follow(frame: Any, event: str, _: Any) -> Any:
+        if not frame.f_code.co_filename.startswith(f"{folder}/slipcircle/"):
+            return None
+        if event == "line":
+            found[f"{frame.f_code.co_filename[len(str(folder)) + 1 :]}:{frame.f_lineno}"] = None
+        return follow
+
+    threading.settrace(follow)
+    sys.settrace(follow)
+    dict(answers())
+    sys.settrace(None)
+    return list(found)
 
 
 def judged(folder: Path, fault: Fault, good: dict[str, Any], limit: float, files: list[str], seen: Counter[str]) -> str:
@@ -316,10 +292,11 @@ def main() -> int:
     parser.add_argument("--tests", nargs="+", default=["test_*.py"], help="files of tests asked, all unless given")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--answers", action="store_true", help="print the answers of this tree, and do nothing else")
+    parser.add_argument("--lines", action="store_true", help="print the lines that they run, and do nothing else")
     options = parser.parse_args()
-    if options.answers:
+    if options.answers or options.lines:
         sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
-        print(json.dumps(dict(answers())))
+        print(json.dumps(reached(ROOT) if options.lines else dict(answers())))
         return 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.jobs) as pool:
         free: Queue[Path] = Queue()
@@ -333,8 +310,10 @@ def main() -> int:
             finally:
                 free.put(here)
 
-        done, places = reached(first)
-        one, two = json.loads(done.text), probed(first) or {}
+        lines, begin = set(probed(first, None, "--lines")), time.monotonic()
+        places = [f for f in faults() if any(f"{f.path}:{line}" in lines for line in f.reach)]
+        one, two = probed(first), probed(first)
+        limit = SLOW * (time.monotonic() - begin)
         good = {k: v for k, v in one.items() if not differ(v, two[k])}  # what holds no time of this run
         random.Random(options.seed).shuffle(places)
         chosen = {k: f for k, f in enumerate(places[: options.count]) if k in (options.only or range(options.count))}
@@ -344,7 +323,6 @@ def main() -> int:
         files = [f"tests/{stem}.py" for stem in order]
         seen: Counter[str] = Counter()
         assert tested(first, files[0])[0], f"{files[0]} is red without a fault"
-        limit = SLOW * done.seconds
         falls = {pool.submit(away, judged, f, good, limit, files, seen): (k, f) for k, f in chosen.items()}
         caught = counted = 0
         for fall in as_completed(falls):
