@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS, choose, plain
 from slipcircle.flow import cells as its
-from slipcircle.flow import compiled, frozen, stiff, tables, walk
+from slipcircle.flow import compiled, frozen, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
 from slipcircle.flow.columns import Columns
 from slipcircle.flow.program import Program
@@ -46,6 +46,8 @@ def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = Non
         cells[its.STATUS, asking] = its.MOVING
     long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS) & (cells[its.OMEGA] > 0.0)
     if np.any(long):
+        from slipcircle.flow import stiff  # only here
+
         stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
     return cells
 

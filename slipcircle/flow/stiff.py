@@ -35,7 +35,9 @@ POINTS = 12
 TOLERANCE = 1e-13  # of the last coefficients of a step's polynomial, relative
 CREEP = 1e-12  # of its greatest speed, with which a mass without an end is taken to creep for ever
 ENDLESS = 1e12  # dimensionless time, thirty thousand years and more, after which a motion has no end
-MOST_STEPS = 2_000  # for one lane, breaks of what changes with time left out
+# Of one lane, breaks of what changes with time left out. A step no longer than some explicit ones counts for ten: then
+# the motion is not stiff, but trembles or swings for long.
+MOST_STEPS, EXPLICIT = 2_000, 8.0
 
 
 def _radau(count: int) -> tuple[Floats, Floats, Floats]:
@@ -77,15 +79,16 @@ class _Implicit(Walker):
         self.rates = [rate for _, _, rate in p.states]
         watched, net = self._watched(), p.roles["net"]
         r, last = self._series(int(c[its.ORDER].max()))
-        h = 4.0 * float(self._length(r, last, [register for _, register, _ in p.states])[0])
+        explicit = float(np.minimum(self._length(r, last, [register for _, register, _ in p.states]), 1e3)[0])
+        h = 4.0 * explicit
         first, hit, creeps = float(c[its.TIME, 0]), -1, False
         time, y = first, c[self.cells, 0]
         now = self._registers(np.array([time]), y[:, None])[:, 0]
         while hit < 0 and time < limit and not creeps:
             h, whole = min(h, limit - time), h >= limit - time
             end = limit if whole else time + h
-            self.left -= not whole
-            if not self.left or end == time or (time - first > ENDLESS and np.isinf(limit)):
+            self.left -= 0 if whole else 1 if h > EXPLICIT * explicit else 10
+            if self.left <= 0 or end == time or (time - first > ENDLESS and np.isinf(limit)):
                 break
             found = self._polynomial(time, h, y, now)
             if not found.error <= TOLERANCE:

@@ -124,8 +124,8 @@ def _refuse(motion: Motion) -> None:
         )
     if status == Status.ENDLESS and motion.turnings < 20:
         raise ValueError(
-            "end_time: this mass creeps to its rest, ever more slowly as what resists falls with the speed, and never "
-            "quite reaches it; give end_time in s"
+            "end_time: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or trembles"
+            f" on: it has not rested after {motion.stopped_at:.3g} s; give end_time in s"
         )
     if status == Status.ENDLESS:
         times = min(motion.turnings, MOST_TURNS)
