@@ -2,12 +2,15 @@
 
 A fault is one changed node of a module's syntax tree: a sign, a comparison, a constant, swapped arguments, a statement
 left out. Each is planted alone in a copy of the project. It counts if it changes an answer (numbers of the golden
-scenes, ensembles, what the command line prints and writes); then the tests have to turn red: fast ones first, and of
-what survives those, all that know the package. What hangs counts as caught. The exit status is 1 below 90 per cent.
+scenes, ensembles, what the command line prints and writes); then a test has to turn red that is green in the same copy
+without it. Asked are all files of tests that know the package, those first that caught most. What hangs is caught. A
+verdict is printed when it falls, with the counts so far; ``--only 7 12`` repeats single faults of the same seed,
+``--tests test_arc.py`` asks fewer files. The exit status is 1 below 90 per cent.
 """
 
 import argparse
 import ast
+import compileall
 import contextlib
 import io
 import json
@@ -16,23 +19,28 @@ import os
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
+from py_compile import PycInvalidationMode
 from queue import Queue
 from typing import Any, NamedTuple
 
 ROOT = Path(__file__).parents[1]
 COPIED = ("slipcircle", "generated", "derive", "tests", "notebooks")
-FAST = ("test_golden", "test_borders", "test_outputs", "test_ensemble_states", "test_cli", "test_scenefile")
+FIRST = ("test_outputs", "test_records", "test_scenefile", "test_ensemble_states", "test_backanalysis", "test_ensemble")
 # Slow, or of other things.
 NEVER = ("test_house", "test_notebooks", "test_cost", "test_cost_scenes", "test_compiled", "test_build",
          "test_extending", "test_all_weights")  # fmt: skip
-SLOW = 5  # times what the tree itself takes for its answers is a hang; for its tests, this many times more
+SLOW = 5  # times what the tree itself takes for its answers is a hang
+HANG_S = 90  # of one test; the slowest takes a tenth of it
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 
 
@@ -125,10 +133,16 @@ OPERATORS: dict[type, type] = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast
 
 
 class Fault(NamedTuple):
-    path: Path
+    path: str
+    place: int  # among the module's changes
     line: int
     words: str
-    source: str
+    reach: range  # its lines in the normal form of the module
+
+
+def normal(text: str) -> str:
+    """The form that planting gives a module, so that the fault alone is what differs from the tree that is measured."""
+    return ast.unparse(ast.parse(text))
 
 
 def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
@@ -165,22 +179,21 @@ def changes(tree: ast.AST) -> Iterator[tuple[ast.AST, str, Callable[[], None]]]:
                     yield line, "left out", lambda b=body, k=k: b.__setitem__(k, ast.Pass())  # type: ignore[misc]
 
 
-def faults(count: int, seed: int, run: dict[str, list[int]]) -> list[Fault]:
-    """Random ones, every place that the answers pass as likely as any other."""
-    rng, places = random.Random(seed), []
-    for name, lines in run.items():
-        tree, passed = ast.parse((ROOT / name).read_text("utf-8")), set(lines)
-        for k, (node, _, _) in enumerate(changes(tree)):
-            if passed.intersection(range(node.lineno, node.end_lineno + 1)):  # type: ignore[attr-defined]
-                places.append((name, k))
-    found = []
-    for name, k in rng.sample(places, count):
-        tree = ast.parse((ROOT / name).read_text("utf-8"))
-        node, words, plant = list(changes(tree))[k]
-        before, line = ast.unparse(node).partition("\n")[0][:70], node.lineno  # type: ignore[attr-defined]
-        plant()
-        found.append(Fault(Path(name), line, f"{words}: {before}", ast.unparse(ast.fix_missing_locations(tree))))
-    return found
+def faults() -> Iterator[Fault]:
+    """Every fault of the package."""
+    for path in sorted((ROOT / "slipcircle").rglob("*.py")):
+        text = path.read_text("utf-8")
+        given, written = (changes(ast.parse(t)) for t in (text, normal(text)))
+        for place, ((old, words, _), (new, _, _)) in enumerate(zip(given, written, strict=True)):
+            words = f"{words}: {ast.unparse(old).partition(chr(10))[0][:70]}"
+            reach = range(new.lineno, new.end_lineno + 1)  # type: ignore[attr-defined]
+            yield Fault(str(path.relative_to(ROOT)), place, old.lineno, words, reach)  # type: ignore[attr-defined]
+
+
+def planted(fault: Fault) -> str:
+    tree = ast.parse((ROOT / fault.path).read_text("utf-8"))
+    list(changes(tree))[fault.place][2]()
+    return ast.unparse(ast.fix_missing_locations(tree))
 
 
 # --- the work --------------------------------------------------------------------------------------------------------
@@ -191,63 +204,82 @@ def copied(folder: Path) -> Path:
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", ".*"))
     for path in (p for p in ROOT.iterdir() if p.is_file()):
         shutil.copy(path, folder)
+    for path in (folder / "slipcircle").rglob("*.py"):
+        path.write_text(normal(path.read_text("utf-8")), "utf-8")
+    compileall.compile_dir(folder, quiet=1, invalidation_mode=PycInvalidationMode.CHECKED_HASH)
     return folder
 
 
-def run(folder: Path, limit: float, *argv: str) -> subprocess.CompletedProcess[str] | None:
-    """A Python in the copy; None if it takes too long."""
+def run(folder: Path, limit: float | None, *argv: str) -> tuple[int | None, str]:
+    """Exit status, none of a hang, and output of a Python in the copy, which is ended with all that it started."""
     env = os.environ | {"PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1", "OMP_NUM_THREADS": "1"}
-    try:
-        return subprocess.run([sys.executable, *argv], cwd=folder, env=env, capture_output=True, text=True,
-                              timeout=None if limit == math.inf else limit, stdin=subprocess.DEVNULL,
-                              check=False)  # fmt: skip
-    except subprocess.TimeoutExpired:
-        return None
+    with tempfile.TemporaryFile("w+") as out:
+        child = subprocess.Popen([sys.executable, *argv], cwd=folder, env=env, stdin=subprocess.DEVNULL, stdout=out,
+                                 stderr=subprocess.DEVNULL, start_new_session=True)  # fmt: skip
+        try:
+            status: int | None = child.wait(limit)
+        except subprocess.TimeoutExpired:
+            status = None
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(child.pid, signal.SIGKILL)
+            child.wait()
+        out.seek(0)
+        return status, out.read()
 
 
-def passed(folder: Path) -> dict[str, list[int]]:
-    """The lines of the package that the answers run, by file."""
-    found: dict[str, set[int]] = {}
-    home = f"{folder}/slipcircle/"
+def probed(folder: Path, limit: float | None = None, what: str = "--answers") -> Any:
+    status, text = run(folder, limit, "tests/mutants.py", what)
+    return json.loads(text) if status == 0 else None
+
+
+def tested(folder: Path, *names: str) -> tuple[bool, str]:
+    """Whether tests are green, and the function of the first that is not."""
+    hang = ("-o", f"faulthandler_timeout={HANG_S}", "-o", "faulthandler_exit_on_timeout=true")
+    status, text = run(folder, None, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *hang, *names)
+    red = re.search(r"^(?:FAILED|ERROR) (tests/[^\s\[]*)", text, re.MULTILINE)
+    return status == 0, red[1] if red else ""
+
+
+def reached(folder: Path) -> list[str]:
+    """The lines of the package that the answers run, ``path:line``."""
+    found: dict[str, None] = {}
 
     def follow(frame: Any, event: str, _: Any) -> Any:
-        if not frame.f_code.co_filename.startswith(home):
+        if not frame.f_code.co_filename.startswith(f"{folder}/slipcircle/"):
             return None
         if event == "line":
-            found.setdefault(frame.f_code.co_filename[len(str(folder)) + 1 :], set()).add(frame.f_lineno)
+            found[f"{frame.f_code.co_filename[len(str(folder)) + 1 :]}:{frame.f_lineno}"] = None
         return follow
 
+    threading.settrace(follow)
     sys.settrace(follow)
     dict(answers())
     sys.settrace(None)
-    return {name: sorted(lines) for name, lines in sorted(found.items())}
+    return list(found)
 
 
-def probed(folder: Path, limit: float, what: str = "--answers") -> dict[str, Any] | None:
-    done = run(folder, limit, "tests/mutants.py", what)
-    return json.loads(done.stdout) if done and not done.returncode else None
-
-
-def judged(folder: Path, fault: Fault, good: dict[str, Any], limit: float) -> str:
+def judged(folder: Path, fault: Fault, good: dict[str, Any], limit: float, files: list[str], seen: Counter[str]) -> str:
     """What became of a fault: no answer changed, caught by which test, or SURVIVED."""
     target = folder / fault.path
-    whole = target.read_text("utf-8")
-    target.write_text(fault.source, "utf-8")
+    whole, begin = target.read_text("utf-8"), time.monotonic()
     try:
+        target.write_text(planted(fault), "utf-8")
         found = probed(folder, limit)
         changed = [k for k in good if differ(good[k], found.get(k))] if found else ["everything"]
         if not changed:
             return "no answer changed"
-        every = {p.stem for p in (folder / "tests").glob("test_*.py") if "slipcircle" in p.read_text("utf-8")}
-        for names in (FAST, sorted(every - {*FAST, *NEVER})):
-            files = [f"tests/{n}.py" for n in names if (folder / f"tests/{n}.py").exists()]
-            done = run(folder, SLOW * limit, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", *files)
-            if done is None:
-                return "caught: hangs"
-            if done.returncode:
-                red = re.search(r"^(?:FAILED|ERROR) tests/([^ \[]*)", done.stdout, re.MULTILINE)
-                return f"caught by {red[1] if red else 'the import'}"
-        return f"SURVIVED, changes {len(changed)} answers: {', '.join(changed[:3])}"
+        skip: list[str] = []
+        while True:
+            target.write_text(planted(fault), "utf-8")
+            green, name = tested(folder, *skip, *sorted(files, key=lambda f: -seen[f]))
+            if green:
+                return f"SURVIVED, skipped {skip}, changes {len(changed)} answers: {changed[:4]}"
+            target.write_text(whole, "utf-8")
+            if not name or tested(folder, name)[0]:
+                seen[name.partition("::")[0]] += 1
+                return f"caught by {name or 'a hang'} after {time.monotonic() - begin:.0f} s"
+            skip.append(f"--deselect={name}")  # red without the fault too
     finally:
         target.write_text(whole, "utf-8")
 
@@ -256,40 +288,49 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
     parser.add_argument("--count", type=int, default=60)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", type=int, nargs="+", help="these of them alone, by number")
+    parser.add_argument("--tests", nargs="+", default=["test_*.py"], help="files of tests asked, all unless given")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--answers", action="store_true", help="print the answers of this tree, and do nothing else")
     parser.add_argument("--lines", action="store_true", help="print the lines that they run, and do nothing else")
     options = parser.parse_args()
     if options.answers or options.lines:
         sys.path[:0] = [str(ROOT), str(ROOT / "tests")]
-        print(json.dumps(passed(ROOT) if options.lines else dict(answers())))
+        print(json.dumps(reached(ROOT) if options.lines else dict(answers())))
         return 0
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(options.jobs) as pool:
         free: Queue[Path] = Queue()
         for k in range(options.jobs):
-            free.put(copied(Path(folder) / f"{k}"))
-        begin = time.monotonic()
-        one, two = (probed(Path(folder) / "0", math.inf) for _ in range(2))
-        assert one, "the tree itself gives no answers"
-        assert two
-        limit = SLOW * (time.monotonic() - begin) / 2
-        good = {k: v for k, v in one.items() if not differ(v, two[k])}  # what holds no time of this run
+            free.put(first := copied(Path(folder) / f"{k}"))
 
-        def work(fault: Fault) -> str:
+        def away(work: Callable[..., Any], *arguments: Any) -> Any:
             here = free.get()
             try:
-                return judged(here, fault, good, limit)
+                return work(here, *arguments)
             finally:
                 free.put(here)
 
-        lines = probed(Path(folder) / "0", math.inf, "--lines") or {}
-        chosen, verdicts = faults(options.count, options.seed, lines), []
-        for fault, verdict in zip(chosen, pool.map(work, chosen), strict=True):
-            verdicts.append(verdict)
-            print(f"{fault.path}:{fault.line}: {fault.words}: {verdict}", flush=True)
-    caught = sum(v.startswith("caught") for v in verdicts)
-    counted = sum(not v.startswith("no answer") for v in verdicts)
-    print(f"{counted} of {len(verdicts)} faults change an answer; {caught} are caught, {counted - caught} survive")
+        lines, begin = set(probed(first, None, "--lines")), time.monotonic()
+        places = [f for f in faults() if any(f"{f.path}:{line}" in lines for line in f.reach)]
+        one, two = probed(first), probed(first)
+        limit = SLOW * (time.monotonic() - begin)
+        good = {k: v for k, v in one.items() if not differ(v, two[k])}  # what holds no time of this run
+        random.Random(options.seed).shuffle(places)
+        chosen = {k: f for k, f in enumerate(places[: options.count]) if k in (options.only or range(options.count))}
+        able = {p for word in options.tests for p in (ROOT / "tests").glob(word) if p.stem not in NEVER}
+        known = [p.stem for p in able if "slipcircle" in p.read_text("utf-8")]
+        order = [stem for stem in FIRST if stem in known] + sorted({*known} - {*FIRST})
+        files = [f"tests/{stem}.py" for stem in order]
+        seen: Counter[str] = Counter()
+        assert tested(first, files[0])[0], f"{files[0]} is red without a fault"
+        falls = {pool.submit(away, judged, f, good, limit, files, seen): (k, f) for k, f in chosen.items()}
+        caught = counted = 0
+        for fall in as_completed(falls):
+            (k, fault), verdict = falls[fall], fall.result()
+            caught += verdict.startswith("caught")
+            counted += not verdict.startswith("no answer")
+            print(f"{k} {fault.path}:{fault.line}: {fault.words}: {verdict} [{caught} of {counted}]", flush=True)
+    print(f"{counted} of {len(falls)} faults change an answer; {caught} are caught, {counted - caught} survive")
     return int(caught < 0.9 * counted)
 
 

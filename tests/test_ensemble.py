@@ -206,7 +206,7 @@ def test_a_latin_hypercube_fills_every_stratum() -> None:
 
 def test_proportion_and_ranks_cover() -> None:
     """SciPy's exact interval; ranks from the binomial distribution itself."""
-    for hits, n in ((0, 50), (50, 50), (3, 50), (499_000, 1_000_000)):
+    for hits, n in ((0, 50), (1, 50), (49, 50), (50, 50), (3, 50), (499_000, 1_000_000)):
         wanted = stats.binomtest(hits, n).proportion_ci(0.95)
         assert proportion(hits, n, 0.95) == pytest.approx((wanted.low, wanted.high), abs=1e-12)
     for p, n in ((0.5, 100), (0.95, 1000), (0.01, 1_000_000), (0.3, 10**8), (0.5, 3), (1e-4, 50)):
@@ -429,6 +429,8 @@ def test_the_probability_of_moving() -> None:
         assert np.all((curve.low <= curve.probability) & (curve.probability <= curve.high))
         truth = np.array([np.mean(found.samples["run_out"] >= x) for x in curve.at])
         np.testing.assert_allclose(curve.probability, truth, rtol=1e-14)
+    # One of one moves, of which the chance is p itself: the interval's lower end is its tail (Clopper and Pearson).
+    assert tuple(ensemble(scene, 1, 3).moving) == pytest.approx((1.0, 0.025, 1.0), rel=1e-12)
 
 
 def test_what_is_no_scene_is_counted_and_left_out() -> None:
