@@ -21,30 +21,32 @@ if getattr(generated, "__project__", None) != "slipcircle":
     )
 
 from slipcircle.base import VERSION
-from slipcircle.motion.motion import Motion
-from slipcircle.motion.plan import Plan, plan
-from slipcircle.motion.solver import solve
-from slipcircle.motion.states import Energy, State, Status
-from slipcircle.scene.arc import Arc
-from slipcircle.scene.scene import Scene
-from slipcircle.scene.section import Section
-from slipcircle.scene.weights import Dimensionless
 
 if TYPE_CHECKING:
     from slipcircle.files.scenefile import load
+    from slipcircle.motion.motion import Motion
+    from slipcircle.motion.plan import Plan, plan
+    from slipcircle.motion.solver import solve
+    from slipcircle.motion.states import Energy, State, Status
+    from slipcircle.scene.arc import Arc
+    from slipcircle.scene.scene import Scene
     from slipcircle.scene.search import Critical, critical
+    from slipcircle.scene.section import Section
     from slipcircle.scene.stability import Slope
+    from slipcircle.scene.weights import Dimensionless
     from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
     from slipcircle.studies.conduct import ensemble, grid
     from slipcircle.studies.study import Study
 
 __version__ = VERSION
-# Asked for by name, since one motion needs nothing of them.
-_LATE = {
-    "BackAnalysis": "studies.backanalysis", "Critical": "scene.search", "Slope": "scene.stability",
-    "Study": "studies.study", "Unattainable": "studies.backanalysis", "backanalyse": "studies.backanalysis",
-    "critical": "scene.search", "ensemble": "studies.conduct", "grid": "studies.conduct",
-    "load": "files.scenefile",
+# Each is loaded when it is asked for: where it is.
+_PLACES = {
+    "Arc": "scene.arc", "BackAnalysis": "studies.backanalysis", "Critical": "scene.search",
+    "Dimensionless": "scene.weights", "Energy": "motion.states", "Motion": "motion.motion", "Plan": "motion.plan",
+    "Scene": "scene.scene", "Section": "scene.section", "Slope": "scene.stability", "State": "motion.states",
+    "Status": "motion.states", "Study": "studies.study", "Unattainable": "studies.backanalysis",
+    "backanalyse": "studies.backanalysis", "critical": "scene.search", "ensemble": "studies.conduct",
+    "grid": "studies.conduct", "load": "files.scenefile", "plan": "motion.plan", "solve": "motion.solver",
 }  # fmt: skip
 __all__ = [
     "Arc",
@@ -72,9 +74,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """What is loaded when it is asked for."""
-    if name in _LATE:
-        return getattr(import_module(f"slipcircle.{_LATE[name]}"), name)
+    if name in _PLACES:
+        return getattr(import_module(f"slipcircle.{_PLACES[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
