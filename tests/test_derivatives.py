@@ -247,3 +247,23 @@ def test_the_command_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
     assert record["elasticities"][row][column("radius")] == pytest.approx(1.0, abs=1e-12)
     assert main(["sensitivity", "vaiont-softening"]) == 0
     assert "friction.length_m" in capsys.readouterr().out
+
+
+def test_a_creep_is_differentiated_by_implicit_steps() -> None:
+    """A month through a viscous layer: 45,000 explicit steps, against differences of motions."""
+
+    def creep(friction: float, viscosity: float) -> Motion[float]:
+        effects = {"rotation": {}, "viscosity": {"viscosity": viscosity, "thickness": 0.5}}
+        return solve(Scene(Arc(60.0, 3.75, 4.83, 2e4), friction, effects, end_time=30 * 86400.0))
+
+    found = creep(0.19, 1e10).sensitivity()
+    for name, k in (("friction", 0), ("viscosity.viscosity", 1)):
+        at = np.array([0.19, 1e10])
+        aside = np.where(np.arange(2) == k, 1e-5 * at, 0.0)
+        above, below = (creep(*(at + sign * aside)) for sign in (1, -1))
+        column = found.values[:, list(found.parameters).index(name)]
+        for row, more, less in (
+            (0, above.peak.velocity, below.peak.velocity), (1, above.run_out, below.run_out),
+        ):  # fmt: skip
+            assert column[row] == pytest.approx((more - less) / (2 * aside[k]), rel=1e-7)
+        assert column[2] == 0.0

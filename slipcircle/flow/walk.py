@@ -82,6 +82,8 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats
 class Walker(Resting):
     """Lanes on their way, which this class steps."""
 
+    stiff_step = its.STIFF_STEP
+
     def round(self) -> None:
         status = self.c[its.STATUS].copy()
         self.on(status == its.START, "start")
@@ -124,7 +126,7 @@ class Walker(Resting):
         self._peak(net, x, omega, tau)
         self._read(c[its.TIME], np.where(at_limit, limit, c[its.TIME] + tau), (x, omega, net, r))
         stiff = (np.abs(net[0]) * tau < 1e-3 * omega[0]) & (event < 0)
-        c[its.STEPS] += np.where(stiff, its.STIFF_STEP, 1.0) * ~at_limit  # a record takes as many as it has samples
+        c[its.STEPS] += np.where(stiff, self.stiff_step, 1.0) * ~at_limit  # a record takes as many as it has samples
         for cell, register, _ in p.states:
             c[cell] += increment(r[register], tau)
         for k in self.timed:

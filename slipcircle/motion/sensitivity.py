@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.flow import cells as its
-from slipcircle.flow.bind import law_parts
+from slipcircle.flow.bind import Bound, law_parts
 from slipcircle.flow.polynomials import shifted, slopes, value
 from slipcircle.flow.program import Program, Table
 from slipcircle.flow.solve import Lanes, walked
@@ -80,18 +80,15 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
         if name in places and places[name] in tangent.cells:
             bound.cells[tangent.cells[places[name]]] = dot
     bound.cells[tangent.cells[its.OMEGA]] = np.abs(seeds.omega) * np.sign(seeds.omega * bound.cells[its.OMEGA])
-    walks: list[_Walk] = []
-
-    def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
-        if not walks:
-            walks.append(_Walk(program, data, cells, seeds))
-        walks[0].tables = data
-        with np.errstate(all="ignore"):
-            while walks[0].c[its.STATUS, 0] <= its.RESTING:
-                walks[0].round()
-
-    walked(bound, walker=follow)
-    one, scale, radius = walks[0], float(bound.time_scale), float(np.asarray(lanes.arc.radius))
+    for stiff_step in (1000.0, 1.0):  # what a step held short by what decays at once counts for
+        one, events, handed = _walked(bound, seeds, stiff_step)
+        # Implicit steps know no jumps of derivatives: they may go on smoothly to the end that is asked for, not more.
+        smooth = one.c[its.STATUS, 0] == its.ENDED and not events and one.c[its.PEAK_TIME, 0] <= handed
+        if smooth or np.isinf(handed):
+            break
+    else:
+        raise ValueError("sensitivity: this motion is too stiff for its derivatives; compare motions of other values")
+    scale, radius = float(bound.time_scale), float(np.asarray(lanes.arc.radius))
     c = one.c[:, 0]
     ended = c[its.STATUS] == its.ENDED
     rotation = one.dot(its.ROTATION)
@@ -101,6 +98,28 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     run_out = radius * (rotation + c[its.END_ROTATION] * seeds.radius_growth)
     duration = 0.0 * peak if ended else scale * (one.rest_dot + c[its.REST_SINCE] * seeds.time_growth)
     return np.array([radius / scale * peak, run_out, duration])
+
+
+def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", its.Log, float]:
+    """The walk at its end, events after implicit steps have taken over, and when they did: infinite if they did not.
+
+    They take over where nothing breaks any more; before, at 0.
+    """
+    walks, log, handed = list[_Walk](), list[Any](), [np.inf]
+
+    def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
+        if not walks:
+            walks.append(_Walk(program, data, cells, seeds))
+        one = walks[0]
+        one.tables, one.stiff_step = data, stiff_step
+        with np.errstate(all="ignore"):
+            while one.c[its.STATUS, 0] <= its.RESTING:
+                one.round()
+        if one.c[its.STATUS, 0] == its.TOO_LONG:
+            handed[0] = float(one.c[its.TIME, 0]) if np.isinf(one._break()[0]) else 0.0
+
+    walked(bound, log=log, walker=follow)
+    return walks[0], log, handed[0]
 
 
 class _Walk(Walker):
