@@ -45,7 +45,7 @@ def main(samples: int) -> None:
             if name.startswith("dask"):  # its scheduler is a thread of this process
                 os.environ[TRIM] = str(2**16 if name == "dask" else 2**28)
                 cluster = stack.enter_context(
-                    LocalCluster(n_workers=workers, threads_per_worker=1, host="127.0.0.1", dashboard_address=None)
+                    LocalCluster(n_workers=workers, threads_per_worker=1, host="127.0.0.1", dashboard_address=":0")
                 )
                 address = cluster.scheduler_address
             pool = stack.enter_context(engine(name.partition(",")[0], workers, address))

@@ -252,7 +252,7 @@ def scheduler(engine: str) -> Iterator[list[str]]:
         return
     distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None, silence_logs=50
+        n_workers=1, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=":0", silence_logs=50
     ) as cluster:
         yield ["--scheduler", cluster.scheduler_address]
 

@@ -130,7 +130,7 @@ def test_every_engine_gives_the_same_bits(name: str, serial: list[bytes]) -> Non
     if name == "dask":
         distributed = pytest.importorskip("distributed")
         with distributed.LocalCluster(
-            n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None
+            n_workers=1, threads_per_worker=2, processes=False, dashboard_address=":0"
         ) as cluster, distributed.Client(cluster) as client:  # fmt: skip
             assert bits(client.get_executor()) == serial
         return
