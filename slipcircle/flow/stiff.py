@@ -91,9 +91,9 @@ class _Implicit(Walker):
             if self.left <= 0 or end == time or (time - first > ENDLESS and np.isinf(limit)):
                 break
             found = self._polynomial(time, h, y, now)
-            if not found.error <= TOLERANCE:
+            if found is None or not found.error <= TOLERANCE:
                 self.left -= whole
-                h *= max(0.1, 0.9 * (TOLERANCE / found.error) ** (1 / POINTS)) if found.error < np.inf else 0.25
+                h *= max(0.1, 0.9 * (TOLERANCE / found.error) ** (1 / POINTS)) if found else 0.25
                 continue
             for kind, f in watched:
                 at = self._first_zero(f, found, time, y, now)
@@ -151,8 +151,8 @@ class _Implicit(Walker):
         read = compiled.registers if compiled.module() else registers
         return read(self.program, self._tables(times.size), self._at(times, states))
 
-    def _polynomial(self, time: float, h: float, y: Floats, now: Floats) -> "_Step":
-        """A step from a time, states and registers there."""
+    def _polynomial(self, time: float, h: float, y: Floats, now: Floats) -> "_Step | None":
+        """A step from a time, states and registers there; none where Newton's iteration does not converge."""
         count, whole = len(y), len(y) * POINTS
         rate = h * now[self.rates]
         found = y + AT[:, None] * rate
@@ -184,7 +184,7 @@ class _Implicit(Walker):
             if not most < before:
                 break
             before = most
-        return _Step(time, h, y, times, found.T, read, np.inf)
+        return None
 
     def _first_zero(self, f: Watched, step: "_Step", time: float, y: Floats, now: Floats) -> float:
         """The time at which a function that is above zero has first passed it; by false position and halves."""

@@ -23,7 +23,9 @@ SIGNS = np.array([np.roll(_FIRST, k) for k in range(7)], dtype=float)
 # Steps over the radius of convergence, of the motion itself and its companions, which go one order further. Longer ones
 # cost less than shorter ones would, and with that order still leave out less than the motion does.
 FACTORS = np.array([STEP, 0.136, 0.138, 0.140, 0.142, 0.145, 0.148, 0.151])
-TIMES, LEAST = 4.5, 8 * EPS / 2  # the spread counts so often, and is at least this
+# What the spread counts for, and what the estimate is at least: of 1,000 random scenes three times the spread lay below
+# the error in one, at 0.74 of it.
+TIMES, LEAST = 4.5, 8 * EPS / 2
 UNDECIDED = 8.0  # units of rounding by which a decision at rest has to be clear
 SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compared
 
@@ -61,14 +63,13 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
     decides whether the mass moves or rests.
     """
     bound, single, own = lanes.bound, lanes.count == 1, _told(cells)
-    among = np.arange(8)
     moves, size = cells[its.PHASES] > 0.0, np.maximum(np.abs(own), 1e-300)
     samples = None
     if single:  # all at once, beside the motion itself
-        times = np.repeat(SHARES[:, None] * own[0], len(among), axis=1)
+        times = np.repeat(SHARES[:, None] * own[0], 8, axis=1)
         samples = its.Samples(times, np.zeros((2 + len(bound.program.states), *times.shape)))
     spread, unlike = np.zeros(1), np.asarray(cells[its.CLOSE] < UNDECIDED)
-    for which in [among] if single else among[1:, None]:
+    for which in [np.arange(8)] if single else np.arange(1, 8)[:, None]:
         other = walked(companions(bound, which, lanes.arc.rounding), lanes.closed, samples)
         spread = np.fmax(spread, np.fmax.reduce(np.abs(_told(other) - own) / size))
         unlike = unlike | (other[its.STATUS] != cells[its.STATUS]) | ((other[its.PHASES] > 0.0) != moves)

@@ -101,9 +101,9 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
 
 
 def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", its.Log, float]:
-    """The walk at its end, events after implicit steps have taken over, and when they did: infinite if they did not.
+    """The walk at its end, events since implicit steps took over, and when they did.
 
-    They take over where nothing breaks any more; before, at 0.
+    That time is infinite where they did not, and 0 where something that changes with time still broke after it.
     """
     walks, log, handed = list[_Walk](), list[Any](), [np.inf]
 
