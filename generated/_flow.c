@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "e7a6c120587ec48b6850b12d0afa4117fd6704ccc73bb98567b79953f1017fe0"
+#define DIGEST "4a86423a48c495dea003c0089a899be5b811ee9138bcbd740d9efc78247ea1e3"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -577,7 +577,7 @@ static V first_zero(const V *p, int n, V h, unsigned which)
 {
     V slope, high = h;
     V last = with_slope(p, n, h, &slope);
-    unsigned crosses = which & bits(last <= 0.0);
+    unsigned crosses = which & bits((last < 0.0) | ((last == 0.0) & (p[0] > 0.0))); /* what is nothing has none */
     const unsigned dips = which & ~crosses & bits((p[1] < 0.0) & (slope > 0.0));
     if (dips) {
         V s[HIGHEST + 2];
@@ -1193,7 +1193,8 @@ static void step(Hand *h, unsigned which)
         function(e, omega, top, one, zero, from_rest);
         for (int i = 0; i < 2; i++) function(e, e, top, one, zero, from_rest & (e[0] == 0.0));
         const V at = first_zero(e, top, tau, ask);
-        TAKE(pick(lanes(ask) & (e[0] < 0.0), zero, at), STANDS);
+        const M nothing = from_rest & (e[0] == 0.0) & (last == 0.0); /* its drive vanished to rounding */
+        TAKE(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), STANDS);
     }
     if (role->normal >= 0) {
         const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);

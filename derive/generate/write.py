@@ -144,11 +144,11 @@ def _package(names: list[str]) -> str:
 
 
 def present(folder: Path = FOLDER) -> dict[str, str]:
-    """Text of the files that are there; caches and built binaries do not count."""
+    """Text of the files that are there; caches, built binaries and what a killed build has left do not count."""
     return {
         str(path.relative_to(folder)): path.read_text(encoding="utf-8")
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".so", ".pyd", ".dylib")
+        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".so", ".pyd", ".dylib", ".o")
     }
 
 

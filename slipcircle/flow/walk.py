@@ -187,7 +187,7 @@ class Walker(Resting):
             w = divided(w, w[0] == 0.0)
         found, which = first_root(w, h), np.zeros(h.shape, dtype=np.intp)
         # It rests at once where its drive vanished to rounding or points backwards.
-        found = np.where(w[0] < 0.0, 0.0, found)
+        found = np.where((w[0] < 0.0) | ((w[0] == 0.0) & (value(omega, h) == 0.0)), 0.0, found)
 
         def later(k: int, series: Floats, passed: Any = False) -> None:
             nonlocal found, which

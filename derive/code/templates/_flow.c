@@ -431,7 +431,7 @@ static V first_zero(const V *p, int n, V h, unsigned which)
 {
     V slope, high = h;
     V last = with_slope(p, n, h, &slope);
-    unsigned crosses = which & bits(last <= 0.0);
+    unsigned crosses = which & bits((last < 0.0) | ((last == 0.0) & (p[0] > 0.0))); /* what is nothing has none */
     const unsigned dips = which & ~crosses & bits((p[1] < 0.0) & (slope > 0.0));
     if (dips) {
         V s[HIGHEST + 2];
@@ -1047,7 +1047,8 @@ static void step(Hand *h, unsigned which)
         function(e, omega, top, one, zero, from_rest);
         for (int i = 0; i < 2; i++) function(e, e, top, one, zero, from_rest & (e[0] == 0.0));
         const V at = first_zero(e, top, tau, ask);
-        TAKE(pick(lanes(ask) & (e[0] < 0.0), zero, at), STANDS);
+        const M nothing = from_rest & (e[0] == 0.0) & (last == 0.0); /* its drive vanished to rounding */
+        TAKE(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), STANDS);
     }
     if (role->normal >= 0) {
         const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
