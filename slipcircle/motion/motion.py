@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, Generic
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from generated import cells as its
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.base.kinds import Numbers
-from slipcircle.flow import cells as its
+from slipcircle.flow.program import Log
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
@@ -83,7 +84,7 @@ class Motion(Results, Generic[Numbers]):
     A motion of many lanes has a length and is indexed; `to_dict`, `to_pandas` and `to_xarray` turn it into tables.
     """
 
-    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: its.Log) -> None:
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
 

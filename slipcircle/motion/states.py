@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.flow import cells as its
+from generated import cells as its
 
 
 class Status(IntEnum):
