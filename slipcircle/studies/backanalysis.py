@@ -17,11 +17,10 @@ from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
 from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene, checked
-from slipcircle.scene.varied import number_in, scene_with
+from slipcircle.scene.varied import scene_with
 from slipcircle.studies import search
-from slipcircle.studies.asked import Bounds, Observations, Observed, between, check, observations
+from slipcircle.studies.asked import Bounds, Observations, Observed, observations, searched
 from slipcircle.studies.motions import derivatives
-from slipcircle.studies.ranges import range_of
 from slipcircle.studies.sampling import sobol
 
 Floats = NDArray[np.float64]
@@ -127,16 +126,6 @@ class BackAnalysis:
     warnings: tuple[str, ...] = ()
 
     @property
-    def field(self) -> str:
-        """The first field."""
-        return next(iter(self.units))
-
-    @property
-    def unit(self) -> str:
-        """Of the first field."""
-        return self.units[self.field]
-
-    @property
     def value(self) -> float:
         """Of the first solution and field."""
         return self.solutions[0].value
@@ -214,19 +203,7 @@ def backanalyse(
     observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-    paths = [field] if isinstance(field, str) else list(field) if isinstance(field, Sequence) else []
-    if not paths or not isinstance(bounds, tuple | Mapping | None):
-        raise ValueError(f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
-                         "pair of numbers or a mapping from keys to such")  # fmt: skip
-    given = dict.fromkeys(paths[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
-    try:
-        fields = [number_in(scene, path) for path in paths]
-        limits = {number_in(scene, path).key: b for path, b in given.items()}
-    except ValueError as error:
-        raise ValueError(f"backanalyse: field: {error}") from error
-    check(scene, fields, observed, bounds, limits)
-    ranges = [between(f.key, *limits[f.key]) if f.key in limits else range_of(scene, f, len(fields) == 1)
-              for f in fields]  # fmt: skip
+    fields, ranges = searched(scene, field, bounds, observed)
     if len(fields) == len(observed) == 1:
         return _met(scene, fields[0], observed, ranges[0])
     return _fitted(scene, fields, observed, ranges)
@@ -236,9 +213,9 @@ def _met(scene: Scene, field: Number, observed: Observations, values: Floats) ->
     """All values with the one observation."""
     ((name, (wanted, _)),) = observed.items()
 
-    def sample(at: Floats) -> tuple[Floats, NDArray[np.int64]]:
-        found = search.sampled(scene, [field], at[None, :])
-        return found.outcomes[name], found.kind
+    def sample(at: Floats) -> tuple[Floats, search.Kinds]:
+        outcomes, kinds = search.sampled(scene, [field], at[None, :])
+        return outcomes[name], kinds
 
     solutions = [_solution(scene, [field], [v], observed) for v in search.roots(sample, values, wanted)]
     if solutions:
@@ -278,8 +255,7 @@ def _fitted(scene: Scene, fields: Sequence[Number], observed: Observations, rang
     sigmas = [sigma for _, sigma in observed.values()]
     far = all(sigmas) and len(fields) == len(observed) and first.chi_square > _FAR**2
     if far or (first.covariance is None and first.chi_square > _MET):
-        outcomes = search.outcomes_of(first.motion, list(observed))
-        near = ", ".join(f"{n} = {y:.6g} {OUTCOMES[n].unit}" for n, y in zip(observed, outcomes, strict=True))
+        near = ", ".join(f"{n} = {float(first.motion.outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in observed)
         at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
         off = f"that is {math.sqrt(first.chi_square):.3g} standard errors off"
         how = off if far else "with standard errors that is fitted"
@@ -295,48 +271,51 @@ def _best(solutions: Sequence[Solution], observed: Observations) -> tuple[Soluti
     """What fits about as well as the best one, which comes first; the fewest swings, where all is met exactly."""
     ordered = sorted(solutions, key=lambda s: (max(s.chi_square, _MET), len(s.motion.phases)))
     best = ordered[0].chi_square
-    known = all(sigma is not None for _, sigma in observed.values())
-    limit = best + 9.0 if known else 4 * best + _MET  # three standard errors; without them, twice the misfit
+    limit = best + 9.0 if _weighed(observed) else 4 * best + _MET  # three standard errors, or twice the misfit
     return tuple(s for s in ordered if s.chi_square <= limit)
 
 
+def _weighed(observed: Observations) -> bool:
+    """Whether standard errors are known: all of them are, or none."""
+    return all(sigma is not None for _, sigma in observed.values())
+
+
 def _solution(scene: Scene, fields: Sequence[Number], values: Sequence[float], observed: Observations) -> Solution:
-    si = {f.name: float(f.to_si(v)) for f, v in zip(fields, values, strict=True)}
-    there = scene_with(scene, si)
-    motion = solve(there)
-    sizes = np.array([sigma or abs(seen) for seen, sigma in observed.values()])
-    missed = search.outcomes_of(motion, list(observed)) - [seen for seen, _ in observed.values()]
-    _, slopes = derivatives(there, si)
-    changes = np.array([[slopes[n][f.name] * f.slope(v) for f, v in zip(fields, values, strict=True)]
-                        for n in observed]) / sizes[:, None]  # fmt: skip
-    chi_square = float(np.sum((missed / sizes) ** 2))
-    at = np.array(values)
-    relative = changes * np.where(at == 0.0, 1.0, np.abs(at))
-    off = motion.error_estimate * np.abs(search.outcomes_of(motion, list(observed))) / sizes
-    told = bool(np.all(np.isfinite(relative))) and bool(np.all(np.any(relative != 0.0, axis=0)))
-    error = float(max(np.max(np.abs(np.linalg.pinv(relative)) @ off), EPS)) if told else math.inf
-    return Solution({f.key: float(v) for f, v in zip(fields, values, strict=True)}, motion,
-                    dict(zip(observed, missed.tolist(), strict=True)),
-                    _covariance(fields, at, observed, changes, chi_square), error, chi_square)  # fmt: skip
+    """What is known of values that explain the observations.
 
-
-def _covariance(fields: Sequence[Number], at: Floats, observed: Observations, changes: Floats,
-                chi_square: float) -> Floats | None:  # fmt: skip
-    """Covariance of the fields to first order, from the standard errors, or else from the misfit that is left.
-
-    Without either, as where one value without an error is met exactly, there is none.
+    Their covariance is to first order from the standard errors, or else from the misfit that is left; without either,
+    as where one value without an error is met exactly, there is none.
 
     Raises
     ------
     ValueError
         If the observations do not tell the fields apart.
     """
-    if not np.all(np.isfinite(changes)):
-        return None
-    unit = np.where(at == 0.0, 1.0, np.abs(at))
-    relative = changes * unit  # residuals by relative changes
+    si = {f.name: float(f.to_si(v)) for f, v in zip(fields, values, strict=True)}
+    there = scene_with(scene, si)
+    motion, (_, slopes) = solve(there), derivatives(there, si)
+    outcomes = np.array([float(motion.outcomes[n]) for n in observed])
+    sizes = np.array([sigma or abs(seen) for seen, sigma in observed.values()])
+    missed = outcomes - [seen for seen, _ in observed.values()]
+    chi_square, free = float(np.sum((missed / sizes) ** 2)), len(observed) - len(fields)
+    unit = np.array([abs(v) or 1.0 for v in values])
+    relative = np.array([[slopes[n][f.name] * f.slope(v) for f, v in zip(fields, values, strict=True)]
+                         for n in observed]) / sizes[:, None] * unit  # fmt: skip
+    covariance, error = None, math.inf
+    if np.all(np.isfinite(relative)):
+        _tell_apart(fields, relative, ", ".join(observed))
+        inverse = np.linalg.pinv(relative)
+        error = float(max(np.max(np.abs(inverse) @ (motion.error_estimate * np.abs(outcomes) / sizes)), EPS))
+        if _weighed(observed) or free:
+            scaled = inverse * unit[:, None]
+            covariance = np.asarray(scaled @ scaled.T * (1.0 if _weighed(observed) else chi_square / free))
+    return Solution({f.key: float(v) for f, v in zip(fields, values, strict=True)}, motion,
+                    dict(zip(observed, missed.tolist(), strict=True)), covariance, error, chi_square)  # fmt: skip
+
+
+def _tell_apart(fields: Sequence[Number], relative: Floats, names: str) -> None:
+    """Refuse residuals that do not change with one of the fields, or with several of them together."""
     size = np.linalg.norm(relative, axis=0)
-    names = ", ".join(observed)
     if idle := [f.key for f, s in zip(fields, size, strict=True) if not s > _NOISE * np.max(size)]:
         raise ValueError(f"backanalyse: {', '.join(idle)}: changes nothing of {names}, and cannot be found from it")
     _, singular, rows = np.linalg.svd(relative / size)
@@ -345,12 +324,6 @@ def _covariance(fields: Sequence[Number], at: Floats, observed: Observations, ch
         way = way / np.max(np.abs(way))
         steps = " and ".join(f"{f.key} by {100 * w:+.3g} %" for f, w in zip(fields, way, strict=True))
         raise ValueError(f"backanalyse: changing {steps} changes nothing of {names}: they cannot be told apart by it")
-    known = all(sigma is not None for _, sigma in observed.values())
-    free = len(observed) - len(fields)
-    if not known and not free:
-        return None
-    inverse = np.linalg.pinv(relative) * unit[:, None]
-    return np.asarray(inverse @ inverse.T * (1.0 if known else chi_square / free))
 
 
 def _doubts(first: Solution, observed: Observations, ranges: Mapping[str, Floats]) -> tuple[str, ...]:

@@ -174,24 +174,13 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
     result["moving"] = np.array([np.count_nonzero(outputs["moves"] == 1.0)])
     for name in OUTCOMES:
         values = outputs[name][answered]
-        result[f"{name}.bins"], result[f"{name}.counts"] = _filled(bins(values))
+        result[f"{name}.bins"], result[f"{name}.counts"] = np.unique(bins(values), return_counts=True)
         result[f"{name}.moments"] = moments(values)
         result[f"{name}.ends"] = np.array([values.min(), values.max()]) if values.size else np.array([np.inf, -np.inf])
     if design.keep:
         result |= {f"sample.{u.key}": x for u, x in zip(design.inputs.values(), drawn, strict=True)}
         result |= {f"sample.{n}": outputs[n] for n in OUTCOMES} | {"sample.status": status}
     return result
-
-
-def _filled(found: NDArray[np.int64]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
-    """Bins that are not empty, and their counts."""
-    some = found[found > 0]  # without what does not move, the rest mostly lies close together
-    least = int(some.min()) if some.size else 0
-    counts = np.bincount(some - least)
-    filled = np.flatnonzero(counts)
-    none = [0] if some.size < found.size else []
-    return (np.concatenate([none, filled + least]).astype(np.int32),
-            np.concatenate([[found.size - some.size] * len(none), counts[filled]]).astype(np.int32))  # fmt: skip
 
 
 def _sums(design: Design, batch: int, seed: int) -> Floats:

@@ -18,7 +18,7 @@ import signal
 import sys
 import time
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from contextlib import contextmanager
 from pathlib import Path
@@ -145,7 +145,7 @@ def _first(running: Iterable[Future[Result]]) -> set[Future[Result]]:
 class Folder:
     """Finished blocks on the disk, for one study, seed and size."""
 
-    def __init__(self, path: str | os.PathLike[str], description: Mapping[str, Any]) -> None:
+    def __init__(self, path: str | os.PathLike[str], description: dict[str, Any]) -> None:
         self.path = Path(path)
         try:
             self.path.mkdir(parents=True, exist_ok=True)
@@ -154,9 +154,7 @@ class Folder:
         held = stored(self.path)
         if held is None:
             write(self.path / "study.json", json.dumps(description, indent=2).encode())
-            return
-        wanted = json.loads(json.dumps(description))
-        if other := [k for k in wanted | held if wanted.get(k) != held.get(k)]:
+        elif other := [k for k in description | held if description.get(k) != held.get(k)]:
             raise ValueError(
                 f"{self.path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder"
             )
@@ -194,49 +192,34 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
 
 def computed(
     design: Design, seed: int, size: int, executor: Executor | None = None, folder: Folder | None = None,
-    progress: Callable[[int, int], None] = lambda scenes, kept: None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Iterator[Result]:  # fmt: skip
-    """Results of all blocks of a design, in their order.
-
-    Parameters
-    ----------
-    design : Design
-    seed, size : int
-    executor : concurrent.futures.Executor, optional
-    folder : Folder, optional
-    progress : callable, optional
-        Told how many scenes each finished block had, and how many of them were there already.
-    """
-    blocks = design.blocks(size)
+    """Results of all blocks of a design, in their order; `Progress` hears of each that is finished."""
+    blocks, ahead, following = design.blocks(size), _AHEAD if executor else 1, 0
     finished: dict[int, Result] = {}
     running: dict[Future[Result], int] = {}
 
-    def start(index: int) -> None:
-        kept = folder.load(index) if folder else None
-        if kept is not None:
-            finished[index] = kept
-            progress(design.scenes(index, size), design.scenes(index, size))
-        elif executor:
-            running[executor.submit(run_block, design, index, seed, size)] = index
-        else:
-            done(index, run_block(design, index, seed, size))
-
-    def done(index: int, result: Result) -> None:
+    def done(index: int, result: Result, fresh: bool = True) -> None:
         finished[index] = result
-        if folder:
+        if folder and fresh:
             folder.save(index, result)
-        progress(design.scenes(index, size), 0)
+        if progress:
+            scenes = design.scenes(index, size)
+            progress(scenes, 0 if fresh else scenes)
 
-    ahead = _AHEAD if executor else 1
-    following = 0
     try:
         for index in range(blocks):
-            while index not in finished or (running and following < min(index + ahead, blocks)):
-                while following < min(index + ahead, blocks):
-                    start(following)
-                    following += 1
-                if index in finished:
-                    break
+            until = min(index + ahead, blocks)
+            for k in range(following, until):
+                kept = folder.load(k) if folder else None
+                if kept is not None:
+                    done(k, kept, fresh=False)
+                elif executor:
+                    running[executor.submit(run_block, design, k, seed, size)] = k
+                else:
+                    done(k, run_block(design, k, seed, size))
+            following = until
+            while index not in finished:
                 for future in _first(running):
                     done(running.pop(future), future.result())
             yield finished.pop(index)

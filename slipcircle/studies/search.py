@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
-from slipcircle.motion.motion import Motion
 from slipcircle.motion.states import ANSWERED, Status
 from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene
 from slipcircle.studies.motions import motions
 
 Floats = NDArray[np.float64]
-Curve = Callable[[Floats], tuple[Floats, NDArray[Any]]]  # of values an outcome, and of what kind each motion is
+Kinds = NDArray[Any]
+Curve = Callable[[Floats], tuple[Floats, Kinds]]  # of values an outcome, and of what kind each motion is
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
 PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 FINE = 1e-13  # accuracy of motions in a search
@@ -29,15 +29,11 @@ STEPS = 80  # of a fit
 SMALL = 1e-6  # step of differences, of a range
 
 
-class Sampled(NamedTuple):
-    """Outcomes at values of numbers, NaN where a motion does not count; and of what kind each is."""
+def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> tuple[Mapping[str, Floats], Kinds]:
+    """Outcomes at values (fields, count) in the fields' units, and of what kind the motions are.
 
-    outcomes: Mapping[str, Floats]
-    kind: NDArray[np.int64]
-
-
-def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> Sampled:
-    """Motions at values (fields, count) in the fields' units: those that move, and rest or end before long."""
+    NaN where they do not count: those do that move, and rest or end before long.
+    """
     until = PATIENCE * float(scene.arc.time_scale)
     followed = scene if scene.end_time is not None else replace(scene, end_time=until, uncertain={})
     motion = motions(followed, {f.name: f.to_si(v) for f, v in zip(fields, values, strict=True)}, FINE)
@@ -45,7 +41,7 @@ def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> Sampled:
     if scene.end_time is None:
         counts &= motion.status != Status.MOVING
     kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
-    return Sampled({n: np.where(counts, y, np.nan) for n, y in motion.outcomes.items()}, kind)
+    return {n: np.where(counts, y, np.nan) for n, y in motion.outcomes.items()}, kind
 
 
 # --- one number, one observation -------------------------------------------------------------------------------------
@@ -81,7 +77,7 @@ def roots(sample: Curve, values: Floats, wanted: float) -> list[float]:
     return [value for value, _ in best]
 
 
-def _worth_a_look(x: Floats, miss: Floats, kind: NDArray[Any], wanted: float) -> tuple[Floats, Floats]:
+def _worth_a_look(x: Floats, miss: Floats, kind: Kinds, wanted: float) -> tuple[Floats, Floats]:
     """Both ends of the stretches within rows that may hold a root."""
     a, b, left, right = miss[:, :-1], miss[:, 1:], x[:, :-1], x[:, 1:]
     share = (right - left) / np.maximum(np.maximum(np.abs(left), np.abs(right)), 1e-300)
@@ -131,7 +127,7 @@ class Space:
 
     def residuals(self, shares: Floats) -> Floats:
         """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
-        found = sampled(self.scene, self.fields, self.at(shares)).outcomes
+        found, _ = sampled(self.scene, self.fields, self.at(shares))
         return np.stack([(found[n] - seen) / (sigma or abs(seen)) for n, (seen, sigma) in self.observed.items()])
 
     def changes(self, shares: Floats) -> tuple[Floats, Floats]:
@@ -203,8 +199,3 @@ def _descended(space: Space, s: Floats) -> tuple[Floats, Floats, Floats, NDArray
     push = -np.einsum("ofn,on->fn", slopes, r) / np.where(length > 0.0, length, 1.0)
     still = (np.abs(push) < 1e-3) | ((s <= 0.0) & (push < 0.0)) | ((s >= 1.0) & (push > 0.0))
     return s, r, slopes, np.all(still, axis=0) | (np.linalg.norm(r, axis=0) < 1e-7)
-
-
-def outcomes_of(motion: Motion, names: Sequence[str]) -> Floats:
-    """Outcomes of a single motion."""
-    return np.array([float(motion.outcomes[n]) for n in names])

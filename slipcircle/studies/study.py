@@ -18,11 +18,12 @@ from slipcircle.scene.scene import Scene
 from slipcircle.studies import written
 from slipcircle.studies.design import Design, Result
 from slipcircle.studies.motions import motions
-from slipcircle.studies.propagation import Linear, Sampled, disagreement, propagated
+from slipcircle.studies.propagation import Linear, disagreement, propagated
 from slipcircle.studies.statistics import (
     BINS,
     Estimate,
     Indices,
+    Spread,
     edges,
     histogram_quantile,
     indices,
@@ -92,17 +93,21 @@ class Study:
     # -- what people take from it
 
     def __repr__(self) -> str:
-        counted = ", ".join(f"{int(c)} {words(s.name)}" for s, c in zip(Status, self.counts, strict=True) if c)
-        name, of = self.scene.name, [" ".join(row) for row in self._summary()]
-        return f"<Study {name}: {'; '.join([f'{self.design.n} scenes, {self.design.method}', counted, *of])}>"
+        of = [f"{self.design.n} scenes, {self.design.method}", ", ".join(f"{n} {name}" for name, n in self._counted())]
+        return f"<Study {self.scene.name}: {'; '.join([*of, *(' '.join(row) for row in self._summary())])}>"
 
     def _repr_html_(self) -> str:
-        counted = [[words(s.name), str(int(c))] for s, c in zip(Status, self.counts, strict=True) if c]
-        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*counted, *self._summary()]))
+        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*self._counted(), *self._summary()]))
+
+    def _counted(self) -> list[list[str]]:
+        return [[words(s.name), str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
 
     def _summary(self) -> list[list[str]]:
-        ends = {n: [shown(self.quantile(n, p).value) for p in (0.05, 0.5, 0.95)] for n in OUTCOMES}
-        return [[words(n), f"{mid} ({low} to {high}) {OUTCOMES[n].unit}"] for n, (low, mid, high) in ends.items()]
+        rows = []
+        for name, of in OUTCOMES.items():
+            low, middle, high = (shown(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
+            rows.append([words(name), f"{middle} ({low} to {high}) {of.unit}"])
+        return rows
 
     def __len__(self) -> int:
         return self.design.n
@@ -112,10 +117,8 @@ class Study:
 
     def __getitem__(self, index: int) -> Motion:
         """The motion of one sample, solved again; a ValueError says why where it is no scene."""
-        keys = {n: self._kept[number.key][[index]] for n, number in self.design.inputs.items()}
-        return motions(self.scene, {n: self.design.inputs[n].to_si(x) for n, x in keys.items()}, self.design.accuracy)[
-            0
-        ]
+        given = {n: u.to_si(self._kept[u.key][[index]]) for n, u in self.design.inputs.items()}
+        return motions(self.scene, given, self.design.accuracy)[0]
 
     @property
     def _kept(self) -> Mapping[str, NDArray[Any]]:
@@ -168,47 +171,42 @@ class Study:
     @property
     def moving(self) -> Estimate:
         """Probability that the mass moves."""
-        curve = self._probability(self._moving[:, None])
-        return Estimate(*(float(x[0]) for x in curve))
+        return Estimate(*(float(x[0]) for x in self._probability(self._moving[:, None])))
 
     def quantile(self, output: str, p: float) -> Estimate:
         """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it."""
-        counts, ends = self._histograms[output], self._ends[output]
         if not self.n:
             return Estimate(math.nan, math.nan, math.nan)
-        if output in self.samples:
-            values = self._ordered(output)
-            value = float(values[max(0, math.ceil(p * self.n) - 1)])
-        else:
-            value = float(histogram_quantile(counts.sum(axis=0), p, ends))
+        counts, ends = self._histograms[output], self._ends[output]
+        values = self._ordered(output) if output in self.samples else None
+
+        def at(share: float) -> float:
+            if not 0.0 <= share <= 1.0:
+                return math.nan
+            if values is not None:
+                return float(values[max(0, math.ceil(share * self.n) - 1)])
+            return float(histogram_quantile(counts.sum(axis=0), share, ends))
+
         if self.design.replicates > 1:
             each = np.array([histogram_quantile(c, p, ends) for c in counts if c.any()])
             half = float(student(each, self.confidence))
-            return Estimate(value, max(0.0, value - half), value + half)
+            return Estimate(at(p), max(0.0, at(p) - half), at(p) + half)
         low, high = ranks(p, self.n, self.confidence)
-
-        def at(rank: int) -> float:
-            if not 1 <= rank <= self.n:
-                return math.nan
-            if output in self.samples:
-                return float(values[rank - 1])
-            return float(histogram_quantile(counts.sum(axis=0), rank / self.n, ends))
-
-        return Estimate(value, at(low), at(high))
+        return Estimate(at(p), at((low - 0.5) / self.n), at((high - 0.5) / self.n))
 
     def mean(self, output: str) -> Estimate:
         """Mean of an output; what does not move counts as 0."""
-        mean, error, _, _ = self._sampled(output)
-        return self._interval(mean, error)
+        found = self._sampled(output)
+        return self._interval(found.mean, found.mean_error)
 
     def std(self, output: str) -> Estimate:
         """Standard deviation of an output; what does not move counts as 0."""
-        _, _, std, error = self._sampled(output)
-        return self._interval(std, error)
+        found = self._sampled(output)
+        return self._interval(found.std, found.std_error)
 
-    def _sampled(self, output: str) -> Sampled:
+    def _sampled(self, output: str) -> Spread:
         each = self._moments[output]
-        found = Sampled(*spread(reduce(pooled, each)))
+        found = spread(reduce(pooled, each))
         filled = each[each[:, 0] > 1]
         if self.design.replicates == 1 or len(filled) < 2:
             return found
@@ -232,8 +230,6 @@ class Study:
 
     @cached_property
     def _linear(self) -> tuple[Mapping[str, Linear], str]:
-        if self.design.method == "grid":
-            return {}, "values on a grid have no distribution"
         try:
             return propagated(self.design), ""
         except ValueError as error:
@@ -271,10 +267,8 @@ class Study:
             filled = self._answered > 0
             half = student(hits[filled] / self._answered[filled, None], self.confidence)
             sure = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
-            low, high = (
-                np.where(sure, low, np.maximum(value - half, 0)),
-                np.where(sure, high, np.minimum(value + half, 1)),
-            )
+            low = np.where(sure, low, np.maximum(value - half, 0))
+            high = np.where(sure, high, np.minimum(value + half, 1))
         return value, low, high
 
     # -- merging
@@ -306,9 +300,8 @@ class Study:
                 self.convergence.append(Convergence(self.n, self.moving, self.quantile("reach", 0.5), upper))
         self.samples = {name: np.concatenate(values) for name, values in kept.items()}
         if sums:
-            every = np.stack(sums)
             names = ("moves", *OUTCOMES)
-            self.sensitivity = {n: indices(every[:, k], self.confidence) for k, n in enumerate(names)}
+            self.sensitivity = {n: indices(np.stack(sums)[:, k], self.confidence) for k, n in enumerate(names)}
 
     # -- what to know
 
