@@ -47,43 +47,25 @@ class Profile:
 
 @dataclass(frozen=True)
 class Row:
-    """One way to compute one function.
-
-    Attributes
-    ----------
-    bound, bound_ulp
-        Proved bounds of the relative error and of the error in ulp of `kind`; None: sampled only.
-    error, ulp
-        The worst seen, on so many `points`; NaN for the floor, which computes nothing.
-    worst_input, worst_input_ulp
-        Where.
-    ns_1, ns_1e4, ns_1e6
-        Time of an element, ns, with N elements in a call: the median of several turns; None: not measured.
-    elements
-        How many elements the last of them was measured on; fewer than N for slow ways.
-    memory
-        Most that a call on so many took beside its arguments, bytes of Python and NumPy; None: not measured.
-    verdict
-        "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate.
-    """
+    """One way to compute one function."""
 
     function: str
     way: str
-    error: float
-    worst_input: tuple[float, ...]
-    ns_1: float | None = None
+    error: float  # the worst relative one seen, on so many `points`; NaN for the floor, which computes nothing
+    worst_input: tuple[float, ...]  # where
+    ns_1: float | None = None  # of an element, with N elements in a call: the median of several turns
     ns_1e4: float | None = None
     ns_1e6: float | None = None
-    elements: int = 1
-    bound: float | None = None
-    bound_ulp: float | None = None
-    ulp: float | None = None
+    elements: int = 1  # how many the last of them was measured on; fewer than N for slow ways
+    bound: float | None = None  # proved, of the relative error; None: sampled only
+    bound_ulp: float | None = None  # proved, of the error in ulp of `kind`
+    ulp: float | None = None  # the worst seen
     worst_input_ulp: tuple[float, ...] = ()
     points: int = 1
     kind: str = "float64"
-    memory: int | None = None
+    memory: int | None = None  # most that a call on so many took beside its arguments, bytes of Python and NumPy
     ours: bool = False
-    verdict: str = ""
+    verdict: str = ""  # "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate
     profile: Profile | None = field(default=None, repr=False, compare=False)
 
     @property

@@ -20,63 +20,29 @@ _BLOCK = 2**16  # nodes of a Gauss-Legendre rule that are evaluated at once
 
 @dataclass(frozen=True)
 class Way:
-    """One way to compute a function.
+    """One way to compute a function."""
 
-    Attributes
-    ----------
-    name : str
-        As the table has it; a tier's is "tier, form".
-    function : callable
-        Arrays in, an array out.
-    into : callable, optional
-        ``into(*arrays, out)``, which allocates no result.
-    kind : str
-        Format of its input and result, in which it is judged.
-    bound, bound_ulp : float, optional
-        Proved bounds of the relative error and of the error in ulp; without one the way is sampled only.
-    ours : bool
-        Whether this package offers it.
-    needs : str
-        A package that may be missing.
-    """
-
-    name: str
-    function: Callable[..., Any]
-    into: Callable[..., Any] | None = None
-    kind: str = "float64"
-    bound: float | None = None
-    bound_ulp: float | None = None
-    ours: bool = False
-    needs: str = ""
+    name: str  # as the table has it; a tier's is "tier, form"
+    function: Callable[..., Any]  # arrays in, an array out
+    into: Callable[..., Any] | None = None  # into(*arrays, out), which allocates no result
+    kind: str = "float64"  # format of its input and result, in which it is judged
+    bound: float | None = None  # proved, of the relative error; without one the way is sampled only
+    bound_ulp: float | None = None  # proved, of the error in ulp
+    ours: bool = False  # whether this package offers it
+    needs: str = ""  # a package that may be missing
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What is priced in one table.
-
-    Attributes
-    ----------
-    name : str
-    ways : list of Way
-    reference : callable
-        What they are judged by, in a format.
-    bulk : callable
-        So many arguments to time them with, one row per argument.
-    sizes : tuple of int
-        Which of `cost.SIZES` count.
-    patience : float
-        A pass may take so many times as long as others.
-    weighed : bool
-        Whether memory is measured too.
-    """
+    """What is priced in one table."""
 
     name: str
     ways: list[Way]
-    reference: Callable[[str], Reference | Answers]
-    bulk: Callable[[int], Floats]
-    sizes: tuple[int, ...] = (0, 1, 2)
-    patience: float = 1.0
-    weighed: bool = False
+    reference: Callable[[str], Reference | Answers]  # what they are judged by, in a format
+    bulk: Callable[[int], Floats]  # so many arguments to time them with, one row per argument
+    sizes: tuple[int, ...] = (0, 1, 2)  # which of `cost.SIZES` count
+    patience: float = 1.0  # a pass may take so many times as long as others
+    weighed: bool = False  # whether memory is measured too
 
 
 def variants(name: str) -> list[Way]:

@@ -10,6 +10,7 @@ from dataclasses import fields
 from typing import IO, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
@@ -143,32 +144,31 @@ def ensemble(
          "sensitivity indices are of independent inputs; leave out correlation or sensitivity"),
     ) if not right])  # fmt: skip
     seed, n, drawn, scene = _seed(rng, folder), int(n), dict(scene.uncertain), along_means(scene)
-    pairs = _pairs(drawn, correlation or {})
+    matrix = _correlation(drawn, correlation or {})
     base = sensitivity
     if base is None:
-        base = min(_BASE, n) if len(drawn) > 1 and n > 1 and not pairs else 0
+        base = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation else 0
     design = Design(scene, plan(scene, accuracy).accuracy, {k: u.number for k, u in drawn.items()}, drawn, (), method,
-                    n, base, n <= _KEEP if keep is None else keep, pairs)  # fmt: skip
-    if np.linalg.eigvalsh(design.correlations)[0] <= 1e-12:
-        raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
+                    n, base, n <= _KEEP if keep is None else keep, matrix)  # fmt: skip
     return conduct(design, seed, size or _size(n // design.replicates), executor, confidence, folder, progress)
 
 
-def _pairs(
-    drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]
-) -> tuple[tuple[str, str, float], ...]:
-    """Correlated inputs by their names."""
-    names = {u.key: n for n, u in drawn.items()} | {n: n for n in drawn}
-    said, found = [], list[tuple[str, str, float]]()
+def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
+    """Of all inputs, from pairs of their keys or names."""
+    names, keys = [*drawn], [u.key for u in drawn.values()]
+    known, found, said = [*keys, *names], np.eye(len(drawn)), list[str]()
     for pair, value in given.items():
-        if unknown := [k for k in pair if k not in names]:
-            said.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(names)}")
-        elif len(pair) != 2 or names[pair[0]] == names[pair[1]] or not -1.0 < value < 1.0:
+        at = [known.index(k) % len(drawn) for k in pair if k in known]
+        if unknown := [k for k in pair if k not in known]:
+            said.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(known)}")
+        elif len(at) != 2 or at[0] == at[1] or not -1.0 < value < 1.0:
             said.append(f"correlation of {' and '.join(pair)} = {value!r}: must be between -1 and 1, of two numbers")
         else:
-            found.append((names[pair[0]], names[pair[1]], float(value)))
+            found[at, at[::-1]] = value
     raise_all("ensemble", said)
-    return tuple(found)
+    if np.linalg.eigvalsh(found)[0] <= 1e-12:
+        raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
+    return found
 
 
 def _size(n: int) -> int:
@@ -213,7 +213,7 @@ def grid(
         said.append(f"{n} combinations: they are held in memory, so {_MOST_GRID} at most; draw samples instead")
     raise_all("grid", said if levels else ["no values are given"])
     axes = tuple(np.asarray(v, dtype=np.float64) for v in levels.values())
-    design = Design(scene, plan(scene, accuracy).accuracy, inputs, {}, axes, "grid", n, 0, True)
+    design = Design(scene, plan(scene, accuracy).accuracy, inputs, {}, axes, "grid", n, 0, True, np.eye(len(inputs)))
     return conduct(design, 0, _size(n), executor, 0.95, folder, progress)
 
 
@@ -222,11 +222,9 @@ def conduct(
     folder: str | os.PathLike[str] | None, progress: IO[str] | None,
 ) -> Study:  # fmt: skip
     """Compute a design's blocks and add them up."""
-    found = Study(design, seed, size, confidence)
     kept = Folder(folder, _described(design, seed, size)) if folder is not None else None
     told = Progress(sum(design.scenes(k, size) for k in range(design.blocks(size))), progress) if progress else None
-    found._merge(computed(design, seed, size, executor, kept, told))
-    return found
+    return Study(design, seed, size, confidence, computed(design, seed, size, executor, kept, told))
 
 
 def _described(design: Design, seed: int, size: int) -> dict[str, Any]:

@@ -37,50 +37,18 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True)
 class Design:
-    """What is computed, as plain data.
+    """What is computed, as plain data."""
 
-    Attributes
-    ----------
-    scene : Scene
-        Its own values hold where no input has others.
-    accuracy : float
-    inputs : mapping
-        Numbers that vary, by name.
-    drawn : mapping
-        How those vary that are drawn, by name.
-    levels : tuple of ndarray
-        Values of each input, in its key's unit: a grid, the last input fastest. Empty where inputs are drawn.
-    method : str
-        One of `METHODS`, or "grid".
-    n : int
-        How many samples.
-    base : int
-        Base points of the sensitivity indices, each of which takes the number of inputs and two more scenes.
-    keep : bool
-        Whether blocks return their samples too.
-    correlation : tuple
-        Two inputs' names and the correlation of their normal scores, for each pair that is not independent.
-    """
-
-    scene: Scene
+    scene: Scene  # its own values hold where no input has others
     accuracy: float
-    inputs: Mapping[str, Number]
-    drawn: Mapping[str, Uncertain]
-    levels: tuple[Floats, ...]
-    method: str
-    n: int
-    base: int
-    keep: bool
-    correlation: tuple[tuple[str, str, float], ...] = ()
-
-    @property
-    def correlations(self) -> Floats:
-        """The matrix of `correlation`, (inputs, inputs)."""
-        names, found = list(self.inputs), np.eye(len(self.inputs))
-        for one, other, value in self.correlation:
-            k, j = names.index(one), names.index(other)
-            found[k, j] = found[j, k] = value
-        return found
+    inputs: Mapping[str, Number]  # that vary, by name
+    drawn: Mapping[str, Uncertain]  # how those vary that are drawn, by name
+    levels: tuple[Floats, ...]  # values of each input, in its key's unit: a grid, the last input fastest
+    method: str  # one of `METHODS`, or "grid"
+    n: int  # samples
+    base: int  # base points of the sensitivity indices, each of which takes the number of inputs and two more scenes
+    keep: bool  # whether blocks return their samples too
+    correlation: Floats  # of the inputs' normal scores, (inputs, inputs)
 
     @property
     def replicates(self) -> int:
@@ -115,19 +83,15 @@ class Design:
         return self.base // batches + (batch < self.base % batches)
 
 
-def _points(design: Design, piece: Piece, seed: int) -> Floats:
-    dimensions = len(design.inputs)
-    if design.method == "sobol":
-        return sobol(seed, (1, piece.replicate), piece.start, piece.length, dimensions)
-    if design.method == "latin-hypercube":
-        return latin(seed, design.n, dimensions)[:, piece.start : piece.start + piece.length]
-    return monte_carlo(seed, (0,), piece.start, piece.length, dimensions)
+def _points(design: Design, seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
+    sequence = sobol if design.method == "sobol" else monte_carlo
+    return sequence(seed, stream, start, count, dimensions)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
-    if design.correlation:  # a Gaussian copula: normal scores are mixed, whatever the distributions
+    if np.any(design.correlation != np.eye(len(points))):  # a Gaussian copula: normal scores are mixed
         normal = statistics().norm
-        mixed = np.tensordot(np.linalg.cholesky(design.correlations), normal.ppf(points), 1)
+        mixed = np.tensordot(np.linalg.cholesky(design.correlation), normal.ppf(points), 1)
         points = np.clip(normal.cdf(mixed), 2.0**-54, 1.0 - 2.0**-53)
     return [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(design.drawn.values(), points, strict=True)]
 
@@ -143,15 +107,7 @@ def _solve(design: Design, values: list[Floats]) -> tuple[NDArray[np.int8], dict
 
 
 def run_block(design: Design, index: int, seed: int, size: int) -> Result:
-    """Compute a block.
-
-    Parameters
-    ----------
-    design : Design
-    index : int
-        From 0 to ``design.blocks(size)``.
-    seed, size : int
-        The study's seed, and how many samples its blocks have; a power of two, 4 at least.
+    """Compute a block of a study with a seed, whose blocks have a size: a power of two, 4 at least.
 
     Returns
     -------
@@ -166,8 +122,12 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
     if design.method == "grid":
         at = np.unravel_index(np.arange(piece.start, piece.start + piece.length), [len(x) for x in design.levels])
         drawn = [x[k] for x, k in zip(design.levels, at, strict=True)]
+    elif design.method == "latin-hypercube":
+        points = latin(seed, design.n, len(design.inputs))
+        drawn = _drawn(design, points[:, piece.start : piece.start + piece.length])
     else:
-        drawn = _drawn(design, _points(design, piece, seed))
+        stream = (1, piece.replicate) if design.method == "sobol" else (0,)
+        drawn = _drawn(design, _points(design, seed, stream, piece.start, piece.length, len(design.inputs)))
     status, outputs = _solve(design, drawn)
     result: Result = {"status": np.bincount(status, minlength=len(Status))}
     answered = ~np.isnan(outputs["moves"])
@@ -186,10 +146,7 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
 def _sums(design: Design, batch: int, seed: int) -> Floats:
     """`sums` of each output for a batch of base points A, B, and A with one column of B for each input."""
     count, d = design._batch(batch), len(design.inputs)
-    if design.method == "sobol":
-        points = sobol(seed, (2, batch), 0, count, 2 * d)
-    else:
-        points = monte_carlo(seed, (2, batch), 0, count, 2 * d)
+    points = _points(design, seed, (2, batch), 0, count, 2 * d)
     laid = np.tile(points[:d, None, :], (1, d + 2, 1))
     laid[:, 1] = points[d:]
     for k in range(d):

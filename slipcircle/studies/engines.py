@@ -19,8 +19,9 @@ import sys
 import time
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from contextlib import contextmanager
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from threading import Event
 from typing import IO, Any
@@ -68,16 +69,11 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
     if (name == "dask") != (scheduler is not None):
         raise ValueError("--engine dask and --scheduler ADDRESS belong together: the address of a running scheduler")
     if name == "threads":
-        from concurrent.futures import ThreadPoolExecutor
-
         with _stopping(ThreadPoolExecutor(workers)) as pool:
             yield pool
     elif name == "processes":
-        from concurrent.futures import ProcessPoolExecutor
-        from multiprocessing import get_context
-
-        with _stopping(ProcessPoolExecutor(workers, mp_context=get_context("spawn"))) as processes:
-            yield processes
+        with _stopping(ProcessPoolExecutor(workers, mp_context=get_context("spawn"))) as pool:
+            yield pool
     elif name == "dask":
         try:
             from distributed import Client
@@ -107,8 +103,6 @@ def _stopping(pool: Executor) -> Iterator[Executor]:
     try:
         yield pool
     except BaseException:
-        from multiprocessing import active_children
-
         ended = active_children()
         for child in ended:
             child.terminate()

@@ -49,7 +49,7 @@ def propagated(design: Design) -> dict[str, Linear]:
     found = {}
     for outcome, by in slopes.items():
         shares = np.array([by[n] * step for n, step in steps.items()])
-        variance = float(shares @ design.correlations @ shares)
+        variance = float(shares @ design.correlation @ shares)
         found[outcome] = Linear(abs(at[outcome]), math.sqrt(max(variance, 0.0)))
     return found
 

@@ -138,12 +138,10 @@ class Space:
             moved[f, 1 + 2 * f] = np.minimum(shares[f] + SMALL, 1.0)
             moved[f, 2 + 2 * f] = np.maximum(shares[f] - SMALL, 0.0)
         r = self.residuals(moved.reshape(k, -1)).reshape(-1, 1 + 2 * k, count)
-        slopes = []
-        for f in range(k):
-            high, low = (np.where(np.isnan(r[:, j]), r[:, 0], r[:, j]) for j in (1 + 2 * f, 2 + 2 * f))
-            ends = [np.where(np.isnan(r[0, j]), shares[f], moved[f, j]) for j in (1 + 2 * f, 2 + 2 * f)]
-            slopes.append((high - low) / np.maximum(ends[0] - ends[1], 1e-300))
-        return r[:, 0], np.stack(slopes, axis=1)
+        known = ~np.isnan(r).any(axis=0)
+        r, moved = np.where(known, r, r[:, :1]), np.where(known, moved, shares[:, None])
+        width = np.stack([moved[f, 1 + 2 * f] - moved[f, 2 + 2 * f] for f in range(k)])
+        return r[:, 0], (r[:, 1::2] - r[:, 2::2]) / np.maximum(width, 1e-300)
 
 
 class Fit(NamedTuple):

@@ -141,9 +141,8 @@ def indices(sums: Floats, confidence: float) -> Indices:
         whole, others = _indices(np.sum(sums, axis=0)), _indices(np.sum(sums, axis=0) - sums)
         # What leaving each out makes of it behaves like a mean of as many pseudo-values (Tukey 1958).
         half = student(batches * whole - (batches - 1) * others, confidence)
-    first, total = ([Estimate(float(v), float(v - h), float(v + h)) for v, h in zip(*rows, strict=True)]
-                    for rows in zip(whole, half, strict=True))  # fmt: skip
-    return Indices(first, total)
+    rows = zip(whole, half, strict=True)
+    return Indices(*([Estimate(float(v), float(v - h), float(v + h)) for v, h in zip(*r, strict=True)] for r in rows))
 
 
 def _indices(sums: Floats) -> Floats:

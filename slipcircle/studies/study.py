@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from typing import Any, NamedTuple
 
@@ -56,7 +55,6 @@ class Convergence(NamedTuple):
     upper: Estimate
 
 
-@dataclass(repr=False)
 class Study:
     """What a study found; intervals hold with the confidence at each place, not everywhere at once.
 
@@ -76,14 +74,47 @@ class Study:
         Inputs by key, in the key's unit, outputs and status, where they were kept.
     """
 
-    design: Design
-    seed: int
-    size: int
-    confidence: float
-    counts: NDArray[np.int64] = field(init=False)
-    sensitivity: Mapping[str, Indices] = field(init=False)
-    convergence: list[Convergence] = field(init=False, default_factory=list)
-    samples: Mapping[str, NDArray[Any]] = field(init=False, default_factory=dict)
+    def __init__(self, design: Design, seed: int, size: int, confidence: float, results: Iterable[Result]) -> None:
+        self.design, self.seed, self.size, self.confidence = design, seed, size, confidence
+        self.counts = np.zeros(len(Status), np.int64)
+        self.sensitivity: Mapping[str, Indices] = {}
+        self.convergence: list[Convergence] = []
+        self.samples: Mapping[str, NDArray[Any]] = {}
+        replicates = design.replicates
+        self._answered = np.zeros(replicates, np.int64)
+        self._moving = np.zeros(replicates, np.int64)
+        self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
+        self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
+        self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
+        kept, sums = dict[str, list[NDArray[Any]]](), list[Floats]()
+        for index, result in enumerate(results):
+            if "sums" in result:
+                sums.append(result["sums"])
+                continue
+            self._add(index % replicates, result)
+            for name, values in result.items():
+                if name.startswith("sample."):
+                    kept.setdefault(name.removeprefix("sample."), []).append(values)
+            turns, rest = divmod(index + 1, replicates)
+            last = index + 1 == design.sample_blocks(size)
+            if design.method != "grid" and not rest and (turns & (turns - 1) == 0 or last):
+                median, upper = (self.quantile("reach", p) for p in (0.5, 0.95))
+                self.convergence.append(Convergence(self.n, self.moving, median, upper))
+        self.samples = {name: np.concatenate(values) for name, values in kept.items()}
+        if sums:
+            names = ("moves", *OUTCOMES)
+            self.sensitivity = {n: indices(np.stack(sums)[:, k], confidence) for k, n in enumerate(names)}
+
+    def _add(self, replicate: int, result: Result) -> None:
+        """Add a block up."""
+        self.counts += result["status"]
+        self._answered[replicate] += result["duration.counts"].sum()
+        self._moving[replicate] += result["moving"][0]
+        for name in OUTCOMES:
+            self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
+            self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
+            ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
+            self._ends[name] = min(ends[0], low), max(ends[1], high)
 
     @property
     def scene(self) -> Scene:
@@ -152,16 +183,6 @@ class Study:
         if self.design.method == "grid":
             return frame.set_index(keys).to_xarray()
         return frame.rename_axis("sample").to_xarray().set_coords(keys)
-
-    def __post_init__(self) -> None:
-        replicates = self.design.replicates
-        self.counts = np.zeros(len(Status), np.int64)
-        self.sensitivity = {}
-        self._answered = np.zeros(replicates, np.int64)
-        self._moving = np.zeros(replicates, np.int64)
-        self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
-        self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
-        self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
 
     @property
     def n(self) -> int:
@@ -270,38 +291,6 @@ class Study:
             low = np.where(sure, low, np.maximum(value - half, 0))
             high = np.where(sure, high, np.minimum(value + half, 1))
         return value, low, high
-
-    # -- merging
-
-    def _merge(self, results: Iterable[Result]) -> None:
-        """Add blocks up, in their order."""
-        design, samples = self.design, self.design.sample_blocks(self.size)
-        kept: dict[str, list[NDArray[Any]]] = {}
-        sums = []
-        for index, result in enumerate(results):
-            if index >= samples:
-                sums.append(result["sums"])
-                continue
-            replicate = index % design.replicates
-            self.counts += result["status"]
-            self._answered[replicate] += result["duration.counts"].sum()
-            self._moving[replicate] += result["moving"][0]
-            for name in OUTCOMES:
-                self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
-                self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
-                ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
-                self._ends[name] = min(ends[0], low), max(ends[1], high)
-            for name, values in result.items():
-                if name.startswith("sample."):
-                    kept.setdefault(name.removeprefix("sample."), []).append(values)
-            turns, rest = divmod(index + 1, design.replicates)
-            if design.method != "grid" and not rest and (turns & (turns - 1) == 0 or index + 1 == samples):
-                upper = self.quantile("reach", 0.95)
-                self.convergence.append(Convergence(self.n, self.moving, self.quantile("reach", 0.5), upper))
-        self.samples = {name: np.concatenate(values) for name, values in kept.items()}
-        if sums:
-            names = ("moves", *OUTCOMES)
-            self.sensitivity = {n: indices(np.stack(sums)[:, k], self.confidence) for k, n in enumerate(names)}
 
     # -- what to know
 
