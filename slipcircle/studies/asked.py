@@ -1,7 +1,7 @@
 """What a back-analysis is asked: observations, fields and where these may lie, closer where motions change faster."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -94,19 +94,20 @@ def _range(scene: Scene, field: Number, alone: bool) -> Floats:
     stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
     speed, own = 2 * math.sqrt(gravity * radius), value_in(scene, field)
     near = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
-    ranges: Mapping[str, Callable[[], Floats]] = {
-        "initial_velocity": lambda: np.linspace(-speed, speed, 241),
-        "dip": lambda: np.pi / 2 * np.concatenate([-near[:0:-1], near]),
-        "theta_1": lambda: number(scene.numbers["theta_2"]) - np.pi * near[1:],
-        "theta_2": lambda: number(scene.numbers["theta_1"]) + np.pi * near[1:],
-        "cohesion.cohesion": lambda: np.concatenate([[0.0], stress * np.geomspace(1e-6, 100.0, 161)]),
-        "pore_pressure.ratio": lambda: near,
-        "pore_pressure.pressure": lambda: stress * near,
-        "drag.xi": lambda: gravity * np.geomspace(1e-3, 1e9, 193),
-        "friction.length": lambda: radius * np.geomspace(1e-9, 10.0, 161),
+    theta_1, theta_2 = (number(scene.numbers.get(n, 0.0)) for n in ("theta_1", "theta_2"))
+    ranges: Mapping[str, Floats] = {
+        "initial_velocity": np.linspace(-speed, speed, 241),
+        "dip": np.pi / 2 * np.concatenate([-near[:0:-1], near]),
+        "theta_1": theta_2 - np.pi * near[1:],
+        "theta_2": theta_1 + np.pi * near[1:],
+        "cohesion.cohesion": np.concatenate([[0.0], stress * np.geomspace(1e-6, 100.0, 161)]),
+        "pore_pressure.ratio": near,
+        "pore_pressure.pressure": stress * near,
+        "drag.xi": gravity * np.geomspace(1e-3, 1e9, 193),
+        "friction.length": radius * np.geomspace(1e-9, 10.0, 161),
     }
     if field.name in ranges:
-        values = ranges[field.name]()
+        values = ranges[field.name]
     elif field.name.startswith("friction") and (field.tangent or not field.unit):
         values = _frictions(scene, field, alone)
     elif own is None:

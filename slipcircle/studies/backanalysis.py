@@ -252,8 +252,7 @@ def _fitted(scene: Scene, fields: Sequence[Number], observed: Observations, rang
         raise untold[0]
     found = _best(solutions, observed)
     first = found[0]
-    sigmas = [sigma for _, sigma in observed.values()]
-    far = all(sigmas) and len(fields) == len(observed) and first.chi_square > _FAR**2
+    far = _weighed(observed) and len(fields) == len(observed) and first.chi_square > _FAR**2
     if far or (first.covariance is None and first.chi_square > _MET):
         near = ", ".join(f"{n} = {float(first.motion.outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in observed)
         at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
@@ -338,7 +337,7 @@ def _doubts(first: Solution, observed: Observations, ranges: Mapping[str, Floats
         elif (first.standard_errors or {}).get(name, 0.0) > abs(value):
             said.append(f"{name} = {value:.6g} is hardly told by what is observed: its standard error is larger")
     free = len(observed) - len(first.values)
-    if all(sigma is not None for _, sigma in observed.values()):
+    if _weighed(observed):
         from scipy.special import chdtrc
 
         chance = float(chdtrc(free, first.chi_square)) if free else float(first.chi_square < 1.0)

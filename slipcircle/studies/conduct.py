@@ -21,7 +21,7 @@ from slipcircle.scene.numbers import Number, Uncertain, numbers_in
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.section import Section
 from slipcircle.scene.varied import absent, along_means, number_in, value_in
-from slipcircle.studies.design import METHODS, Design
+from slipcircle.studies.design import METHODS, REPLICATES, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN
 from slipcircle.studies.study import Study
@@ -149,8 +149,8 @@ def ensemble(
     if base is None:
         base = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation else 0
     design = Design(scene, plan(scene, accuracy).accuracy, {k: u.number for k, u in drawn.items()}, drawn, (), method,
-                    n, base, n <= _KEEP if keep is None else keep, matrix)  # fmt: skip
-    return conduct(design, seed, size or _size(n // design.replicates), executor, confidence, folder, progress)
+                    n, base, n <= _KEEP if keep is None else keep, matrix, seed, size or _size(n, method))  # fmt: skip
+    return conduct(design, executor, confidence, folder, progress)
 
 
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
@@ -171,9 +171,11 @@ def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str],
     return found
 
 
-def _size(n: int) -> int:
-    """Samples of a block, of n in a sequence."""
-    return min(max(2 ** max(n // 8, 1).bit_length() // 2, 256), 2**14 if n <= 2**22 else 2**16 if n <= 2**28 else 2**18)
+def _size(n: int, method: str) -> int:
+    """Samples of a block."""
+    each = max(n // (REPLICATES if method == "sobol" else 1), 1)  # of a sequence
+    most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
+    return min(max(2 ** max(each // 8, 1).bit_length() // 2, 256), most)
 
 
 def grid(
@@ -213,21 +215,22 @@ def grid(
         said.append(f"{n} combinations: they are held in memory, so {_MOST_GRID} at most; draw samples instead")
     raise_all("grid", said if levels else ["no values are given"])
     axes = tuple(np.asarray(v, dtype=np.float64) for v in levels.values())
-    design = Design(scene, plan(scene, accuracy).accuracy, inputs, {}, axes, "grid", n, 0, True, np.eye(len(inputs)))
-    return conduct(design, 0, _size(n), executor, 0.95, folder, progress)
+    design = Design(scene, plan(scene, accuracy).accuracy, inputs, {}, axes, "grid", n, 0, True, np.eye(len(inputs)), 0,
+                    _size(n, "grid"))  # fmt: skip
+    return conduct(design, executor, 0.95, folder, progress)
 
 
 def conduct(
-    design: Design, seed: int, size: int, executor: Executor | None, confidence: float,
-    folder: str | os.PathLike[str] | None, progress: IO[str] | None,
+    design: Design, executor: Executor | None, confidence: float, folder: str | os.PathLike[str] | None,
+    progress: IO[str] | None,
 ) -> Study:  # fmt: skip
     """Compute a design's blocks and add them up."""
-    kept = Folder(folder, _described(design, seed, size)) if folder is not None else None
-    told = Progress(sum(design.scenes(k, size) for k in range(design.blocks(size))), progress) if progress else None
-    return Study(design, seed, size, confidence, computed(design, seed, size, executor, kept, told))
+    kept = Folder(folder, _described(design)) if folder is not None else None
+    told = Progress(design.n + design.base * (len(design.inputs) + 2), progress) if progress else None
+    return Study(design, confidence, computed(design, executor, kept, told))
 
 
-def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
+def _described(design: Design) -> dict[str, Any]:
     """What tells one study from another, as a folder remembers it."""
     scene, arc = design.scene, design.scene.arc
     section = {f.name: getattr(arc, f.name) for f in fields(arc)} if isinstance(arc, Section) else {}
@@ -237,6 +240,6 @@ def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
         "given": arc.given or {}, "friction": scene.friction, "effects": scene.called,
         "inputs": [u.key for u in design.inputs.values()], "drawn": [u.record for u in design.drawn.values()],
         "levels": design.levels, "method": design.method, "samples": design.n, "sensitivity_base": design.base,
-        "keep": design.keep, "seed": seed, "block": size, "correlation": design.correlation,
+        "keep": design.keep, "seed": design.seed, "block": design.size, "correlation": design.correlation,
     }  # fmt: skip
     return dict(json.loads(json.dumps(described, default=_known)))

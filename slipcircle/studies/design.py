@@ -1,12 +1,12 @@
 """The design of a study: which scenes it solves, drawn or on a grid, cut into blocks that anybody may compute.
 
-`run_block` is a pure function of the design, the block's index, the seed and the blocks' size: where and when it runs
-does not matter, nor how often. Blocks of samples come first, then those for the sensitivity indices.
+`run_block` is a pure function of the design and the block's index: where and when it runs does not matter, nor how
+often. Blocks of samples come first, then those for the sensitivity indices.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,14 +27,6 @@ REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is 
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
 
 
-class Piece(NamedTuple):
-    """A stretch of a sequence of points."""
-
-    replicate: int
-    start: int
-    length: int
-
-
 @dataclass(frozen=True)
 class Design:
     """What is computed, as plain data."""
@@ -49,6 +41,8 @@ class Design:
     base: int  # base points of the sensitivity indices, each of which takes the number of inputs and two more scenes
     keep: bool  # whether blocks return their samples too
     correlation: Floats  # of the inputs' normal scores, (inputs, inputs)
+    seed: int
+    size: int  # samples of a block, a power of two, 4 at least
 
     @property
     def replicates(self) -> int:
@@ -59,33 +53,36 @@ class Design:
         """How many samples a replicate has."""
         return self.n // self.replicates + (replicate < self.n % self.replicates)
 
-    def sample_blocks(self, size: int) -> int:
+    @property
+    def sample_blocks(self) -> int:
         """How many blocks of samples there are; the replicates take turns."""
-        return self.replicates * -(-self.share(0) // size)
+        return self.replicates * -(-self.share(0) // self.size)
 
-    def blocks(self, size: int) -> int:
+    @property
+    def blocks(self) -> int:
         """How many blocks there are."""
-        return self.sample_blocks(size) + (min(BATCHES, self.base) if self.drawn else 0)
+        return self.sample_blocks + min(BATCHES, self.base)
 
-    def piece(self, index: int, size: int) -> Piece:
-        """The stretch of a block of samples; a replicate's last one may be empty."""
+    def piece(self, index: int) -> tuple[int, int, int]:
+        """Replicate, start and length of the stretch of a block of samples; a replicate's last one may be empty."""
         turn, replicate = divmod(index, self.replicates)
-        start = turn * size
-        return Piece(replicate, start, max(0, min(size, self.share(replicate) - start)))
+        start = turn * self.size
+        return replicate, start, max(0, min(self.size, self.share(replicate) - start))
 
-    def scenes(self, index: int, size: int) -> int:
-        """How many scenes a block solves."""
-        first = self.sample_blocks(size)
-        return self.piece(index, size).length if index < first else self._batch(index - first) * (len(self.inputs) + 2)
-
-    def _batch(self, batch: int) -> int:
+    def batch(self, index: int) -> int:
+        """How many base points a block of those has."""
         batches = min(BATCHES, self.base)
-        return self.base // batches + (batch < self.base % batches)
+        return self.base // batches + (index - self.sample_blocks < self.base % batches)
+
+    def scenes(self, index: int) -> int:
+        """How many scenes a block solves."""
+        drawn = index < self.sample_blocks
+        return self.piece(index)[2] if drawn else self.batch(index) * (len(self.inputs) + 2)
 
 
-def _points(design: Design, seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
+def _points(design: Design, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
     sequence = sobol if design.method == "sobol" else monte_carlo
-    return sequence(seed, stream, start, count, dimensions)
+    return sequence(design.seed, stream, start, count, dimensions)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
@@ -106,8 +103,8 @@ def _solve(design: Design, values: list[Floats]) -> tuple[NDArray[np.int8], dict
     return motion.status, {"moves": moves} | {n: found[n] for n in OUTCOMES}
 
 
-def run_block(design: Design, index: int, seed: int, size: int) -> Result:
-    """Compute a block of a study with a seed, whose blocks have a size: a power of two, 4 at least.
+def run_block(design: Design, index: int) -> Result:
+    """Compute a block.
 
     Returns
     -------
@@ -115,19 +112,17 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
         ``status`` counts; of each output the bins that are not empty, their counts, the extremes and the `moments`; the
         samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
     """
-    first = design.sample_blocks(size)
-    if index >= first:
-        return {"sums": _sums(design, index - first, seed)}
-    piece = design.piece(index, size)
+    if index >= design.sample_blocks:
+        return {"sums": _sums(design, index)}
+    replicate, start, length = design.piece(index)
     if design.method == "grid":
-        at = np.unravel_index(np.arange(piece.start, piece.start + piece.length), [len(x) for x in design.levels])
+        at = np.unravel_index(np.arange(start, start + length), [len(x) for x in design.levels])
         drawn = [x[k] for x, k in zip(design.levels, at, strict=True)]
     elif design.method == "latin-hypercube":
-        points = latin(seed, design.n, len(design.inputs))
-        drawn = _drawn(design, points[:, piece.start : piece.start + piece.length])
+        drawn = _drawn(design, latin(design.seed, design.n, len(design.inputs))[:, start : start + length])
     else:
-        stream = (1, piece.replicate) if design.method == "sobol" else (0,)
-        drawn = _drawn(design, _points(design, seed, stream, piece.start, piece.length, len(design.inputs)))
+        stream = (1, replicate) if design.method == "sobol" else (0,)
+        drawn = _drawn(design, _points(design, stream, start, length, len(design.inputs)))
     status, outputs = _solve(design, drawn)
     result: Result = {"status": np.bincount(status, minlength=len(Status))}
     answered = ~np.isnan(outputs["moves"])
@@ -143,10 +138,10 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
     return result
 
 
-def _sums(design: Design, batch: int, seed: int) -> Floats:
+def _sums(design: Design, index: int) -> Floats:
     """`sums` of each output for a batch of base points A, B, and A with one column of B for each input."""
-    count, d = design._batch(batch), len(design.inputs)
-    points = _points(design, seed, (2, batch), 0, count, 2 * d)
+    count, d = design.batch(index), len(design.inputs)
+    points = _points(design, (2, index - design.sample_blocks), 0, count, 2 * d)
     laid = np.tile(points[:d, None, :], (1, d + 2, 1))
     laid[:, 1] = points[d:]
     for k in range(d):

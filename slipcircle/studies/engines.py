@@ -185,11 +185,11 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
 
 
 def computed(
-    design: Design, seed: int, size: int, executor: Executor | None = None, folder: Folder | None = None,
+    design: Design, executor: Executor | None = None, folder: Folder | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Iterator[Result]:  # fmt: skip
     """Results of all blocks of a design, in their order; `Progress` hears of each that is finished."""
-    blocks, ahead, following = design.blocks(size), _AHEAD if executor else 1, 0
+    blocks, ahead, following = design.blocks, _AHEAD if executor else 1, 0
     finished: dict[int, Result] = {}
     running: dict[Future[Result], int] = {}
 
@@ -198,7 +198,7 @@ def computed(
         if folder and fresh:
             folder.save(index, result)
         if progress:
-            scenes = design.scenes(index, size)
+            scenes = design.scenes(index)
             progress(scenes, 0 if fresh else scenes)
 
     try:
@@ -209,9 +209,9 @@ def computed(
                 if kept is not None:
                     done(k, kept, fresh=False)
                 elif executor:
-                    running[executor.submit(run_block, design, k, seed, size)] = k
+                    running[executor.submit(run_block, design, k)] = k
                 else:
-                    done(k, run_block(design, k, seed, size))
+                    done(k, run_block(design, k))
             following = until
             while index not in finished:
                 for future in _first(running):

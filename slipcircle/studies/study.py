@@ -74,8 +74,8 @@ class Study:
         Inputs by key, in the key's unit, outputs and status, where they were kept.
     """
 
-    def __init__(self, design: Design, seed: int, size: int, confidence: float, results: Iterable[Result]) -> None:
-        self.design, self.seed, self.size, self.confidence = design, seed, size, confidence
+    def __init__(self, design: Design, confidence: float, results: Iterable[Result]) -> None:
+        self.design, self.seed, self.size, self.confidence = design, design.seed, design.size, confidence
         self.counts = np.zeros(len(Status), np.int64)
         self.sensitivity: Mapping[str, Indices] = {}
         self.convergence: list[Convergence] = []
@@ -96,7 +96,7 @@ class Study:
                 if name.startswith("sample."):
                     kept.setdefault(name.removeprefix("sample."), []).append(values)
             turns, rest = divmod(index + 1, replicates)
-            last = index + 1 == design.sample_blocks(size)
+            last = index + 1 == design.sample_blocks
             if design.method != "grid" and not rest and (turns & (turns - 1) == 0 or last):
                 median, upper = (self.quantile("reach", p) for p in (0.5, 0.95))
                 self.convergence.append(Convergence(self.n, self.moving, median, upper))
