@@ -64,17 +64,12 @@ def roots(sample: Curve, values: Floats, wanted: float) -> list[float]:
             break
         rows = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, PARTS + 1)
         rows[:, -1] = right
-    best: list[tuple[float, float]] = []
-    if found:
-        ends = np.unique(found)
-        miss = np.abs(sample(ends)[0] - wanted)
-        for value, off in zip(ends.tolist(), miss.tolist(), strict=True):
-            if off <= MET * abs(wanted):
-                if best and abs(value - best[-1][0]) <= MET * abs(value):
-                    best[-1] = min(best[-1], (value, off), key=lambda pair: pair[1])
-                else:
-                    best.append((value, off))
-    return [value for value, _ in best]
+    ends = np.unique(found)
+    miss = np.abs(sample(ends)[0] - wanted) if found else ends
+    ends, miss = ends[miss <= MET * abs(wanted)], miss[miss <= MET * abs(wanted)]
+    apart = np.flatnonzero(np.diff(ends) > MET * np.abs(ends[1:])) + 1
+    both = zip(np.split(ends, apart), np.split(miss, apart), strict=True)
+    return [float(near[np.argmin(off)]) for near, off in both if near.size]
 
 
 def _worth_a_look(x: Floats, miss: Floats, kind: Kinds, wanted: float) -> tuple[Floats, Floats]:

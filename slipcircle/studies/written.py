@@ -18,14 +18,14 @@ def record(found: Any) -> dict[str, Any]:
     """As JSON holds it: SI units but for inputs, null for what cannot be said."""
     outputs = {}
     for name, unit in UNITS.items():
-        curve = zip(*found.exceedance(name), strict=True)
+        curve = found.exceedance(name)
         outputs[name] = {
             "unit": unit,
             "mean": _estimate(found.mean(name)),
             "std": _estimate(found.std(name)),
             "linear": found.linear[name]._asdict() if name in found.linear else None,
             "quantiles": [{"p": p} | _estimate(found.quantile(name, p)) for p in QUANTILES],
-            "exceedance": [dict(zip(found.exceedance(name)._fields, map(float, row), strict=True)) for row in curve],
+            "exceedance": [dict(zip(curve._fields, row, strict=True)) for row in np.stack(curve, axis=1).tolist()],
         }
     return {
         "scene": found.scene.name,
