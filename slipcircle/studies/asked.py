@@ -15,7 +15,7 @@ from slipcircle.scene.friction import law_depends
 from slipcircle.scene.numbers import Number, lengths
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.varied import DIP, number_in, scenes_with, value_in
-from slipcircle.studies.search import MOST_SWINGS
+from slipcircle.studies.search import MOST_SWINGS, Space
 
 Floats = NDArray[np.float64]
 Observed = float | tuple[float, float]
@@ -47,8 +47,8 @@ def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float,
     return found
 
 
-def searched(scene: Scene, field: Any, bounds: Any, observed: Observations) -> tuple[list[Number], list[Floats]]:
-    """The fields, and values of each over its range, in its unit."""
+def searched(scene: Scene, field: Any, bounds: Any, observed: Observations) -> Space:
+    """The fields over their ranges, in their units."""
     paths = [field] if isinstance(field, str) else list(field) if isinstance(field, Sequence) else []
     if not paths or not isinstance(bounds, tuple | Mapping | None):
         raise ValueError(f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
@@ -75,9 +75,9 @@ def searched(scene: Scene, field: Any, bounds: Any, observed: Observations) -> t
          f"bounds = {bounds!r}: of several fields give a mapping, such as {{{keys[0]!r}: {bounds!r}}}"),
         (other, f"bounds: {', '.join(other)} is none of the fields"),
     ) if wrong])  # fmt: skip
-    return fields, [
-        _between(f.key, *limits[f.key]) if f.key in limits else _range(scene, f, len(fields) == 1) for f in fields
-    ]
+    ranges = [_between(f.key, *limits[f.key]) if f.key in limits else _range(scene, f, len(fields) == 1)
+              for f in fields]  # fmt: skip
+    return Space(scene, fields, ranges, observed)
 
 
 def _between(name: str, low: float, high: float) -> Floats:

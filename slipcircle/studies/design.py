@@ -98,9 +98,8 @@ def _solve(design: Design, values: list[Floats]) -> tuple[NDArray[np.int8], dict
     with np.errstate(all="ignore"):
         given = {n: number.to_si(x) for (n, number), x in zip(design.inputs.items(), values, strict=True)}
     motion = motions(design.scene, given, design.accuracy)
-    found = {n: np.abs(v) for n, v in motion.outcomes.items()}
     moves = np.where(np.isin(motion.status, ANSWERED), motion.moves, np.nan)
-    return motion.status, {"moves": moves} | {n: found[n] for n in OUTCOMES}
+    return motion.status, {"moves": moves} | {n: np.abs(motion.outcomes[n]) for n in OUTCOMES}
 
 
 def run_block(design: Design, index: int) -> Result:

@@ -19,9 +19,8 @@ import sys
 import time
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
-from multiprocessing import active_children, get_context
 from pathlib import Path
 from threading import Event
 from typing import IO, Any
@@ -72,6 +71,9 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
         with _stopping(ThreadPoolExecutor(workers)) as pool:
             yield pool
     elif name == "processes":
+        from concurrent.futures import ProcessPoolExecutor  # only here, as it loads much
+        from multiprocessing import get_context
+
         with _stopping(ProcessPoolExecutor(workers, mp_context=get_context("spawn"))) as pool:
             yield pool
     elif name == "dask":
@@ -103,6 +105,8 @@ def _stopping(pool: Executor) -> Iterator[Executor]:
     try:
         yield pool
     except BaseException:
+        from multiprocessing import active_children
+
         ended = active_children()
         for child in ended:
             child.terminate()

@@ -29,19 +29,68 @@ STEPS = 80  # of a fit
 SMALL = 1e-6  # step of differences, of a range
 
 
-def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> tuple[Mapping[str, Floats], Kinds]:
-    """Outcomes at values (fields, count) in the fields' units, and of what kind the motions are.
+class Space:
+    """What is looked for and where: fields of a scene over their ranges, and what was observed.
 
-    NaN where they do not count: those do that move, and rest or end before long.
+    As shares from 0 to 1 of the ranges, of the logarithm where one is wide.
     """
-    until = PATIENCE * float(scene.arc.time_scale)
-    followed = scene if scene.end_time is not None else replace(scene, end_time=until, uncertain={})
-    motion = motions(followed, {f.name: f.to_si(v) for f, v in zip(fields, values, strict=True)}, FINE)
-    counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
-    if scene.end_time is None:
-        counts &= motion.status != Status.MOVING
-    kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
-    return {n: np.where(counts, y, np.nan) for n, y in motion.outcomes.items()}, kind
+
+    def __init__(self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats],
+                 observed: Mapping[str, tuple[float, float | None]]) -> None:  # fmt: skip
+        self.scene, self.fields, self.ranges, self.observed = scene, fields, ranges, observed
+        self.weighed = all(sigma is not None for _, sigma in observed.values())  # all standard errors, or none
+        self.seen, self.sizes = np.array([(seen, sigma or abs(seen)) for seen, sigma in observed.values()]).T
+        self.low, self.high = (np.array([r[k] for r in ranges])[:, None] for k in (0, -1))
+        self.wide = (self.low > 0.0) & (self.high > 1e3 * self.low)
+
+    @property
+    def free(self) -> int:
+        """Degrees of freedom."""
+        return len(self.observed) - len(self.fields)
+
+    def sampled(self, values: Floats) -> tuple[Floats, Kinds]:
+        """What would be observed at values (fields, count) in the fields' units, and of what kind the motions are.
+
+        NaN where they do not count: those do that move, and rest or end before long.
+        """
+        scene = self.scene
+        until = PATIENCE * float(scene.arc.time_scale)
+        followed = scene if scene.end_time is not None else replace(scene, end_time=until, uncertain={})
+        motion = motions(followed, {f.name: f.to_si(v) for f, v in zip(self.fields, values, strict=True)}, FINE)
+        counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
+        if scene.end_time is None:
+            counts &= motion.status != Status.MOVING
+        kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
+        return np.where(counts, np.stack([motion.outcomes[n] for n in self.observed]), np.nan), kind
+
+    def at(self, shares: Floats) -> Floats:
+        """Values of shares, (fields, count)."""
+        ratio = np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), 1.0)
+        return np.asarray(np.where(self.wide, self.low * ratio**shares, self.low + (self.high - self.low) * shares))
+
+    def shares(self, values: Floats) -> Floats:
+        """The other way round."""
+        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), math.e))
+        logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
+        return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
+
+    def residuals(self, shares: Floats) -> Floats:
+        """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
+        found, _ = self.sampled(self.at(shares))
+        return (found - self.seen[:, None]) / self.sizes[:, None]
+
+    def changes(self, shares: Floats) -> tuple[Floats, Floats]:
+        """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
+        k, count = shares.shape
+        moved = np.repeat(shares[:, None, :], 1 + 2 * k, axis=1)
+        for f in range(k):
+            moved[f, 1 + 2 * f] = np.minimum(shares[f] + SMALL, 1.0)
+            moved[f, 2 + 2 * f] = np.maximum(shares[f] - SMALL, 0.0)
+        r = self.residuals(moved.reshape(k, -1)).reshape(-1, 1 + 2 * k, count)
+        known = ~np.isnan(r).any(axis=0)
+        r, moved = np.where(known, r, r[:, :1]), np.where(known, moved, shares[:, None])
+        width = np.stack([moved[f, 1 + 2 * f] - moved[f, 2 + 2 * f] for f in range(k)])
+        return r[:, 0], (r[:, 1::2] - r[:, 2::2]) / np.maximum(width, 1e-300)
 
 
 # --- one number, one observation -------------------------------------------------------------------------------------
@@ -86,57 +135,18 @@ def _worth_a_look(x: Floats, miss: Floats, kind: Kinds, wanted: float) -> tuple[
     return (np.concatenate([left[passes], x[:, :-2][turns]]), np.concatenate([right[passes], x[:, 2:][turns]]))
 
 
-def extreme(sample: Curve, values: Floats, sign: float) -> tuple[float, float]:
-    """The greatest (sign 1) or least (sign -1) outcome that is found, and where."""
+def extreme(sample: Curve, values: Floats, sign: float) -> float:
+    """Where the greatest (sign 1) or least (sign -1) outcome is found."""
     best = (-math.inf, math.nan)
     for _ in range(ROUNDS):
         y = np.nan_to_num(sign * sample(values)[0], nan=-math.inf)
         k = int(np.argmax(y))
         best = max(best, (float(y[k]), float(values[k])))
         values = np.linspace(values[max(k - 1, 0)], values[min(k + 1, len(values) - 1)], 2 * PARTS + 1)
-    return sign * best[0], best[1]
+    return best[1]
 
 
 # --- least squares ---------------------------------------------------------------------------------------------------
-
-
-class Space:
-    """Fields over their ranges as shares from 0 to 1, of the logarithm where a range is wide; and their residuals."""
-
-    def __init__(self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats],
-                 observed: Mapping[str, tuple[float, float | None]]) -> None:  # fmt: skip
-        self.scene, self.fields, self.observed = scene, fields, observed
-        self.low, self.high = (np.array([r[k] for r in ranges])[:, None] for k in (0, -1))
-        self.wide = (self.low > 0.0) & (self.high > 1e3 * self.low)
-
-    def at(self, shares: Floats) -> Floats:
-        """Values of shares, (fields, count)."""
-        ratio = np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), 1.0)
-        return np.asarray(np.where(self.wide, self.low * ratio**shares, self.low + (self.high - self.low) * shares))
-
-    def shares(self, values: Floats) -> Floats:
-        """The other way round."""
-        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), math.e))
-        logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
-        return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
-
-    def residuals(self, shares: Floats) -> Floats:
-        """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
-        found, _ = sampled(self.scene, self.fields, self.at(shares))
-        return np.stack([(found[n] - seen) / (sigma or abs(seen)) for n, (seen, sigma) in self.observed.items()])
-
-    def changes(self, shares: Floats) -> tuple[Floats, Floats]:
-        """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
-        k, count = shares.shape
-        moved = np.repeat(shares[:, None, :], 1 + 2 * k, axis=1)
-        for f in range(k):
-            moved[f, 1 + 2 * f] = np.minimum(shares[f] + SMALL, 1.0)
-            moved[f, 2 + 2 * f] = np.maximum(shares[f] - SMALL, 0.0)
-        r = self.residuals(moved.reshape(k, -1)).reshape(-1, 1 + 2 * k, count)
-        known = ~np.isnan(r).any(axis=0)
-        r, moved = np.where(known, r, r[:, :1]), np.where(known, moved, shares[:, None])
-        width = np.stack([moved[f, 1 + 2 * f] - moved[f, 2 + 2 * f] for f in range(k)])
-        return r[:, 0], (r[:, 1::2] - r[:, 2::2]) / np.maximum(width, 1e-300)
 
 
 class Fit(NamedTuple):
@@ -160,7 +170,7 @@ def fits(space: Space, shares: Floats) -> list[Fit]:
         return []
     s, r, slopes, settled = _descended(space, shares[:, chosen])
     found: list[Fit] = []
-    told = 1.0 if all(sigma for _, sigma in space.observed.values()) else 1e-3  # apart, in standard errors or shares
+    told = 1.0 if space.weighed else 1e-3  # apart, in standard errors or shares
     for k in np.argsort(np.sum(r**2, axis=0)):
         fit = Fit(s[:, k], float(np.sum(r[:, k] ** 2)), bool(settled[k]))
         off = [s[:, k] - other.shares for other in found]
