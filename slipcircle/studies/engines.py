@@ -51,16 +51,10 @@ def forecast(blocks: int, seconds: float, overhead: float, workers: int) -> floa
 
 @contextmanager
 def engine(name: str, workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor | None]:
-    """An executor by the engine's name; none for "serial".
+    """An executor by the engine's name, one of `ENGINES`; none for "serial".
 
-    Parameters
-    ----------
-    name : str
-        One of `ENGINES`.
-    workers : int, optional
-        Threads or processes; by default one for each processor.
-    scheduler : str, optional
-        Address of a running Dask scheduler, such as tcp://10.0.0.1:8786.
+    With so many workers, by default one for each processor, or those of the Dask scheduler at an address, such as
+    tcp://10.0.0.1:8786.
     """
     if workers is not None and workers < 1:
         raise ValueError(f"--workers {workers}: must be 1 at least; leave it out for one for each processor")

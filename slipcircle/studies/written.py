@@ -10,17 +10,16 @@ from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.states import Status
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
-UNITS = {n: q.unit for n, q in OUTCOMES.items()}
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
 
 
 def record(found: Any) -> dict[str, Any]:
     """As JSON holds it: SI units but for inputs, null for what cannot be said."""
     outputs = {}
-    for name, unit in UNITS.items():
+    for name, quantity in OUTCOMES.items():
         curve = found.exceedance(name)
         outputs[name] = {
-            "unit": unit,
+            "unit": quantity.unit,
             "mean": _estimate(found.mean(name)),
             "std": _estimate(found.std(name)),
             "linear": found.linear[name]._asdict() if name in found.linear else None,
