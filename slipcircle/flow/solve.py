@@ -25,9 +25,9 @@ ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its s
 
 
 def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, log: Log | None = None,
-           walker: Any = None) -> Floats:  # fmt: skip
-    """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
-    cells, data = bound.start(), list(bound.tables)
+           walker: Any = None, cells: Any = None) -> Floats:  # fmt: skip
+    """The cells of lanes at their end, by default a copy's; tables of Python functions grow on the way."""
+    cells, data = bound.start() if cells is None else cells, list(bound.tables)
     if closed:
         frozen.walk(bound.program, data, cells, samples, log)
     walker = walker or (compiled.run if compiled.module() else walk.walk)
@@ -122,6 +122,10 @@ class Lanes:
 
     @cached_property
     def bound(self) -> Bound:
+        """What programs are asked with, again and again."""
+        return self._bind()
+
+    def _bind(self) -> Bound:
         found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
         if self.invalid is not False:
             found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
@@ -150,7 +154,10 @@ class Lanes:
 
     def solve(self, log: Log | None = None) -> Floats:
         """The cells of all lanes at their end."""
-        return walked(self.bound, self.closed, None, log)
+        if self.count == 1:
+            return walked(self.bound, self.closed, None, log)
+        bound = self._bind()  # of many lanes copies and what is kept cost as much as the walk
+        return walked(bound, self.closed, None, log, cells=bound.cells)
 
     def _sampled(self, bound: Bound, times: Floats, closed: bool) -> tuple[Floats, Floats]:
         """As `read`, of any bound lanes; and their last cells."""
