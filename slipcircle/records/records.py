@@ -112,7 +112,7 @@ def read_pore_pressure(
         k = int(bad[0])
         allowed = "a ratio of at least 0 and below 1" if is_ratio else "a pressure of at least 0"
         raise ValueError(
-            f"{path}, line {found.line(k)}: value = {float(found.values[k])!r}: must be {allowed}; mend the value, or "
+            f"{path}, line {found.lines[k]}: value = {float(found.values[k])!r}: must be {allowed}; mend the value, or "
             "check the units and the column"
         )
     return {"ratio" if is_ratio else "pressure": Series(found.time, found.values * PORE_PRESSURE.units[found.units])}
@@ -152,11 +152,11 @@ def _read(
     if wrong is None and gaps == "refuse":
         wrong = _gap(found.time)
     if wrong is not None:
-        raise ValueError(f"{name}, line {found.line(wrong[0])}: {wrong[1]}")
+        raise ValueError(f"{name}, line {found.lines[wrong[0]]}: {wrong[1]}")
     time = found.time if start is None else found.time - found.time[0] + start
     if time[0] < 0.0:
         raise ValueError(
-            f"{name}, line {found.line(0)}: time = {float(time[0])!r} s: must not be before 0, when the scene starts; "
+            f"{name}, line {found.lines[0]}: time = {float(time[0])!r} s: must not be before 0, when the scene starts; "
             "give start, the time of the first sample in s"
         )
     return found._replace(time=time, units=asked or found.units)
