@@ -5,7 +5,6 @@ A grid, an uncertain number, a back-analysis and a derivative name a number in t
 list that it stands in, the number of its point from 0, and x or y: ``ground.points_m.3.y``, in SI units ``ground.3.y``.
 """
 
-import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
@@ -17,56 +16,8 @@ import numpy as np
 from slipcircle.base.distributions import distribution_mistakes, made
 from slipcircle.scene.friction import law_names
 from slipcircle.scene.ground import FAR
+from slipcircle.scene.keys import Number as Number
 from slipcircle.scene.keys import Table, tables_of
-
-
-@dataclass(frozen=True)
-class Number:
-    """A number of a scene.
-
-    Attributes
-    ----------
-    key : str
-        How people name it: a scene file's key, or the name.
-    name : str
-        In `Scene.numbers`.
-    unit : str
-        Of the key.
-    low, high, closed
-        Its open bounds, in the key's unit, and whether the lower one is allowed as well.
-    per_unit, tangent
-        SI units in the key's unit; or whether the key is the angle of a coefficient, in degrees.
-    si : str
-        Unit of the name.
-    """
-
-    key: str
-    name: str
-    unit: str = ""
-    low: float = -math.inf
-    high: float = math.inf
-    closed: bool = False
-    per_unit: float = 1.0
-    tangent: bool = False
-    si: str = ""
-
-    @property
-    def plain(self) -> "Number":
-        """The same in SI units, by its name."""
-        low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
-        return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
-
-    def to_si(self, values: Any) -> Any:
-        """Values in the key's unit as the scene has them."""
-        return np.tan(np.deg2rad(values)) if self.tangent else np.asarray(values) * self.per_unit
-
-    def from_si(self, values: Any) -> Any:
-        """Values of the scene in the key's unit."""
-        return np.rad2deg(np.arctan(values)) if self.tangent else np.asarray(values) / self.per_unit
-
-    def slope(self, value: float) -> float:
-        """Derivative of what the scene has by the key's value."""
-        return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
 
 
 def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
@@ -74,13 +25,11 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
     found = {}
     for path, table in tables.items():
         for k, key in table.keys.items():
-            if key.kind in ("number", "series") and path != "arc.given" and key.name != "accuracy":
+            if key.kind in ("number", "series"):
                 constant = (path, key.name) == ("friction", "coefficient")
                 name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
-                shown, limits = f"{path}.{k}".lstrip("."), key.limits
-                low, high = limits.get("gt", limits.get("ge", -math.inf)), limits.get("lt", math.inf)
-                found[shown] = Number(shown, name, key.unit, low, high, "ge" in limits, key.per_unit, key.tangent,
-                                      key.si)  # fmt: skip
+                shown = f"{path}.{k}".lstrip(".")
+                found[shown] = replace(key.number, key=shown, name=name)
     return found
 
 
@@ -214,14 +163,12 @@ class Uncertain:
 
     def drawn(self, p: Any) -> Any:
         """Quantiles, in the number's unit."""
-        found = self.distribution
-        return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
+        return self.distribution.ppf(p)
 
     @property
     def moments(self) -> tuple[float, float]:
         """Mean and standard deviation, in the number's unit."""
-        found = self.distribution
-        return float(found.mean()), float((found.std if hasattr(found, "std") else found.standard_deviation)())
+        return float(self.distribution.mean()), float(self.distribution.std())
 
     @property
     def record(self) -> dict[str, Any]:
@@ -229,8 +176,6 @@ class Uncertain:
         if isinstance(self.given, Mapping):
             return {"key": self.key} | dict(self.given)
         d = self.given
-        if not hasattr(d, "kwds"):
-            return {"key": self.key, "distribution": repr(d)}
         said = [*map(repr, map(float, d.args)), *(f"{k}={float(v)!r}" for k, v in sorted(d.kwds.items()))]
         return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
 
@@ -250,7 +195,7 @@ def declared(given: Mapping[str, Any], friction: Any, arc: Any) -> tuple[dict[st
             continue
         if isinstance(value, Mapping):
             said += [f"uncertain.{path}: {m}" for m in distribution_mistakes(value, (number.low, number.high))]
-        elif not hasattr(value, "ppf") and not hasattr(value, "icdf"):
+        elif not hasattr(value, "ppf"):
             said.append(f"uncertain.{path} = {value!r}: must be a distribution: of scipy.stats, or a mapping such as "
                         "{'distribution': 'normal', 'mean': 10, 'std': 1}")  # fmt: skip
         if number.name in found:

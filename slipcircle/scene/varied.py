@@ -15,13 +15,15 @@ from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import soil
 
-DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180)  # down-slope; both ends of the arc turn
+DIP = Number(
+    "arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad"
+)  # down-slope; both ends of the arc turn
 
 
 def number_in(scene: Scene, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
     if path in (DIP.key, DIP.name) and isinstance(scene.arc, Arc):
-        return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
+        return DIP if path == DIP.key else DIP.plain
     only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
     return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction, scene.arc)
 
@@ -139,12 +141,8 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
 
 def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
     """Where values are out of their bounds, as `Arc`, `Section` and `Scene` would refuse them one by one."""
-    known = {n.name: n.plain for n in keyed(scene.friction, scene.arc).values() if not n.tangent} | {
-        DIP.name: Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
-    }
+    known = {n.name: n.plain for n in (*keyed(scene.friction, scene.arc).values(), DIP) if not n.tangent}
     bad = np.zeros(np.broadcast_shapes(*(np.shape(v) for v in values.values())), dtype=bool)
     for name, value in values.items():
-        number = known[name]
-        least = value >= number.low if number.closed else value > number.low
-        bad |= ~(np.isfinite(value) & least & (value < number.high))
+        bad |= ~known[name].holds(value)
     return bad
