@@ -66,16 +66,9 @@ def read(path: str | PathLike[str]) -> Scene[float]:
 
 
 def searched(name: str | PathLike[str], method: str | None, told: Callable[[str], None]) -> tuple[str, str, Critical]:
-    """Name, note and critical circle of the slope in a file; where that gives a circle, the factors of this one.
+    """Name, note and critical circle of the slope in a file, by default as it says, or by Bishop's method.
 
-    Parameters
-    ----------
-    name : str or path-like
-        As of `load`; a circle is not needed.
-    method : str, optional
-        Whose least factor is looked for; by default what the file says, or bishop.
-    told : callable
-        Takes a line of progress.
+    Where it gives a circle, the factors of this one. What is told is a line of progress.
     """
     source, file = find(name), str(name)
     document = _document(source, file)

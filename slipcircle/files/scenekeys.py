@@ -5,8 +5,8 @@ from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import DISTRIBUTIONS
-from slipcircle.scene.friction import RATE_LAWS
-from slipcircle.scene.keys import SLOPING, Key, Table, law_table, may_have_rate, tables_of
+from slipcircle.scene.friction import RATE_LAWS, may_have_rate
+from slipcircle.scene.keys import SLOPING, Key, Table, law_table, tables_of
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.flow import cells as its
-from slipcircle.flow.bind import Bound, law_parts
+from slipcircle.flow.bind import Bound
 from slipcircle.flow.polynomials import shifted, slopes, value
 from slipcircle.flow.program import Program, Table
 from slipcircle.flow.solve import Lanes, walked
@@ -22,6 +22,7 @@ from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 from slipcircle.motion.derivatives import Sensitivity
 from slipcircle.motion.seeds import Seeds
+from slipcircle.scene.friction import law_parts
 from slipcircle.scene.numbers import named
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section

@@ -33,11 +33,6 @@ def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, A
     return dict(given)
 
 
-def greatest(function: Any) -> float:
-    """The greatest size of a function of time."""
-    return float(np.max(np.abs(function.values))) if isinstance(function, Series) else abs(function.amplitude)
-
-
 def factor(effect: str, given: Mapping[str, Any], name: str) -> Any:
     """What a parameter of a resolved effect is multiplied by: shaking has an amplitude, a scale or a peak."""
     if effect != "shaking":
@@ -45,7 +40,7 @@ def factor(effect: str, given: Mapping[str, Any], name: str) -> Any:
     if isinstance(given.get(name), Pulse):
         return given.get("vertical_amplitude" if name == "vertical" else "amplitude", 1.0)
     scale = given.get("scale", 1.0)
-    return given["peak"] / (greatest(given["horizontal"]) or 1.0) if "peak" in given else scale
+    return given["peak"] / (given["horizontal"].greatest or 1.0) if "peak" in given else scale
 
 
 def in_time(called: Mapping[str, Mapping[str, Any]]) -> dict[str, Series | Pulse]:

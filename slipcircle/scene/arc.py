@@ -105,8 +105,7 @@ class Arc(Mass, Generic[Numbers]):
             bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
             if "weight_moment" in bounds:
                 bounds["weight_moment"] = (-INFINITY, INFINITY, "a finite number")
-            found += [f"given: {m}" for m in mistakes(self.given, bounds)]
-            found += [f"given.{n}: must be one number" for n in bounds if np.ndim(self.given[n])]
+            found += [f"given: {m}" for m in mistakes(self.given, bounds, one=bounds)]
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
 

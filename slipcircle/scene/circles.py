@@ -54,30 +54,16 @@ def _clearance(x: Two, y: Two, radius: Any) -> Two:
 
 
 class Cut(NamedTuple):
-    """The parts of a ground's edges that lie inside circles, each from left to right.
+    """The parts of a ground's edges that lie inside circles, each from left to right, (n, E)."""
 
-    Attributes
-    ----------
-    x, y : ndarray
-        First end, (n, E).
-    e_x, e_y : ndarray
-        From the first end to the second; 0 where the edge is outside.
-    first, second : ndarray
-        1 - rho^2 at both ends, 0 on the circle.
-    stretch : ndarray of int
-        Number of the stretch that the part belongs to, from 0; -1 before the first crossing.
-    enters, leaves : ndarray of bool
-        Whether the ground enters or leaves the circle here.
-    """
-
-    x: Floats
+    x: Floats  # first end
     y: Floats
-    e_x: Floats
+    e_x: Floats  # from the first end to the second; 0 where the edge is outside
     e_y: Floats
-    first: Floats
+    first: Floats  # 1 - rho^2 at both ends, 0 on the circle
     second: Floats
-    stretch: NDArray[np.int64]
-    enters: NDArray[np.bool_]
+    stretch: NDArray[np.int64]  # number of the stretch that the part belongs to, from 0; -1 before the first crossing
+    enters: NDArray[np.bool_]  # whether the ground enters or leaves the circle here
     leaves: NDArray[np.bool_]
 
     def only(self, lanes: Any) -> "Cut":
@@ -149,15 +135,9 @@ def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray
 
 def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
     """The left and the right crossing of one stretch for each circle, (2, n) each."""
-    i, j = (k for k in zip((np.arange(len(parts.x)),) * 2, edges(parts, number), strict=True))
-    left, right = np.stack([parts.x[i], parts.y[i]]), np.stack([parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]])
-    return left, right
-
-
-def edges(parts: Cut, number: Any) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """The edges of the ground on which one stretch of each circle begins and ends."""
-    mine = parts.stretch == np.asarray(number)[:, None]
-    return np.argmax(parts.enters & mine, axis=1), np.argmax(parts.leaves & mine, axis=1)
+    mine, each = parts.stretch == np.asarray(number)[:, None], np.arange(len(parts.x))
+    i, j = (each, np.argmax(parts.enters & mine, axis=1)), (each, np.argmax(parts.leaves & mine, axis=1))
+    return np.stack([parts.x[i], parts.y[i]]), np.stack([parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]])
 
 
 def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:

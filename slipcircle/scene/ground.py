@@ -77,12 +77,13 @@ def section_mistakes(given: Mapping[str, Any]) -> list[str]:
         "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"), "base": (-FAR, FAR, "one finite number in m"),
         "between": (-FAR, FAR, "two x in m, from left to right"),
     }.items() if given[n] is not None or n not in ("base", "between")}  # fmt: skip
-    found = mistakes(given, bounds)
+    found = mistakes(given, bounds, one=("base", "water_unit_weight"))
     if not found:  # all of them are numbers
-        form = {"base": (), "water_unit_weight": (), "between": (2,), "centre": (*np.shape(given["centre"])[:-1], 2)}
-        odd = [n for n in form if n in bounds and np.shape(given[n]) != form[n]]
-        odd += ["between"] if "between" in bounds and not odd and given["between"][0] >= given["between"][1] else []
-        found = [f"{n} = {given[n]!r}: must be {'one number' if not form[n] else bounds[n][2]}" for n in odd]
+        odd = [] if np.shape(given["centre"])[-1:] == (2,) else ["centre"]
+        pair = given["between"]
+        if pair is not None and not (np.shape(pair) == (2,) and pair[0] < pair[1]):
+            odd.append("between")
+        found = [f"{n} = {given[n]!r}: must be {bounds[n][2]}" for n in odd]
     found += line_mistakes("ground", given["ground"], many=True)
     found += [] if given["level"] is None else line_mistakes("level", given["level"], many=True)
     if not found:
@@ -93,10 +94,10 @@ def section_mistakes(given: Mapping[str, Any]) -> list[str]:
     return found
 
 
-def simple_slope(
-    height: float, *, angle: float | None = None, run: float | None = None, flat: float | None = None
-) -> Floats:
+def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:
     """Points of a straight slope that falls to the right between level ground, its toe at the origin, m.
+
+    The level ground on either side is four heights and the run long.
 
     Parameters
     ----------
@@ -104,8 +105,6 @@ def simple_slope(
         m.
     angle, run : float
         Of the slope in rad, up to upright, or its horizontal length in m; one of them.
-    flat : float, optional
-        Length of the level ground on either side, by default four heights and the run.
     """
     found = mistakes({"height": height}, {"height": (0.0, INFINITY, "a positive length in m")})
     if (angle is None) == (run is None):
@@ -118,8 +117,15 @@ def simple_slope(
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
     assert run is not None
-    flat = 4 * height + run if flat is None else flat
+    flat = 4 * height + run
     return np.array([[-run - flat, height], [-run, height], [0.0, 0.0], [flat, 0.0]])
+
+
+def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Floats, Floats]:
+    """Two points, or many pairs of them, each from left to right."""
+    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    swap = p[..., :1] > q[..., :1]
+    return np.where(swap, q, p), np.where(swap, p, q)
 
 
 def circle_through(
@@ -132,8 +138,7 @@ def circle_through(
     ValueError
         For points above each other, a radius below half their distance, or a depth above it (beyond a half disc).
     """
-    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
-    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
+    p, q = _from_left(first, second)
     half = np.hypot(*np.moveaxis(q - p, -1, 0)) / 2
     found = ["radius or depth: give one of them"] if (radius is None) == (depth is None) else []
     if np.any(p[..., 0] == q[..., 0]):
@@ -161,8 +166,7 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     ValueError
         For a level that is not below both points.
     """
-    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
-    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
+    p, q = _from_left(first, second)
     low = np.asarray(level, dtype=np.float64)
     a, b, run = p[..., 1] - low, q[..., 1] - low, (q - p)[..., 0]
     if np.any((a <= 0.0) | (b <= 0.0)) or np.any(run == 0.0):

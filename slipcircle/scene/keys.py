@@ -13,7 +13,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
 from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
-from slipcircle.scene.friction import RATE_LAWS
+from slipcircle.scene.friction import RATE_LAWS, may_have_rate
 from slipcircle.scene.stability import METHODS
 
 ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
@@ -21,33 +21,17 @@ ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
 
 @dataclass(frozen=True)
 class Number:
-    """A number of a scene.
+    """A number of a scene, as people name it and as the scene has it."""
 
-    Attributes
-    ----------
-    key : str
-        How people name it: a scene file's key, or the name.
-    name : str
-        In `Scene.numbers`.
-    unit : str
-        Of the key.
-    low, high, closed
-        Its open bounds, in the key's unit, and whether the lower one is allowed as well.
-    per_unit, tangent
-        SI units in the key's unit; or whether the key is the angle of a coefficient, in degrees.
-    si : str
-        Unit of the name.
-    """
-
-    key: str = ""
-    name: str = ""
-    unit: str = ""
-    low: float = -math.inf
+    key: str = ""  # a scene file's key, or the name
+    name: str = ""  # in `Scene.numbers`
+    unit: str = ""  # of the key
+    low: float = -math.inf  # open bounds, in the key's unit
     high: float = math.inf
-    closed: bool = False
-    per_unit: float = 1.0
-    tangent: bool = False
-    si: str = ""
+    closed: bool = False  # whether the lower one is allowed as well
+    per_unit: float = 1.0  # SI units in the key's unit
+    tangent: bool = False  # whether the key is the angle of a coefficient, in degrees
+    si: str = ""  # unit of the name
 
     @property
     def plain(self) -> "Number":
@@ -220,11 +204,6 @@ def _table(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] 
 def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
     law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", name)
     return _table(LAWS[name].help, LAWS[name].parameters, {"law": law})
-
-
-def may_have_rate(law: str) -> bool:
-    """Whether a law may be multiplied by one of speed."""
-    return not {"speed", "time"} & set(LAWS[law].depends_on)
 
 
 def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:

@@ -140,14 +140,7 @@ def listed(keys: Collection[str]) -> str:
 
 @dataclass(frozen=True)
 class Uncertain:
-    """A number that is known by its distribution.
-
-    Attributes
-    ----------
-    number : Number
-    given : mapping or scipy.stats frozen distribution
-        As a scene file has it, or SciPy's; in the number's unit.
-    """
+    """A number that is known by its distribution, as a scene file has it, or SciPy's frozen one; in the key's unit."""
 
     number: Number
     given: Any

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, Parameter
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, mistakes, parameter_mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.base.series import Pulse, Series
-from slipcircle.records.given import factor, greatest, resolved
+from slipcircle.records.given import factor, resolved
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
 from slipcircle.scene.numbers import declared, numbers_in
@@ -190,7 +190,7 @@ class Scene(Generic[Numbers]):
         shaken = self.called.get("shaking", {})
         if isinstance(record := shaken.get("horizontal"), Series):  # its peak and its scale stand for each other
             share = factor("shaking", shaken, "horizontal")
-            found |= {"shaking.scale": share, "shaking.peak": share * greatest(record)}
+            found |= {"shaking.scale": share, "shaking.peak": share * record.greatest}
         return found | {
             f"{e}.{n}": value
             for e, given in self.called.items()
@@ -206,8 +206,7 @@ class Scene(Generic[Numbers]):
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:
     """A sentence if it is given, and no relative error."""
-    one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
-    return [] if accuracy is None else mistakes({"accuracy": one}, {"accuracy": ACCURACY})
+    return [] if accuracy is None else mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))
 
 
 def checked(scene: Any, what: str) -> Scene:
@@ -235,21 +234,12 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
-    wanted = {p.name: p for p in effect.parameters if p.kind != "rotation"}
-    needed = [p for p in effect.parameters if not p.optional]
-    found = [f"effects.{name}: {p.name!r} is missing: {p.help} ({p.unit})" for p in needed if p.name not in parameters]
+    given = [(p, parameters[p.name]) for p in effect.parameters if p.name in parameters]
+    found = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
     if effect.any_of and not any(n in parameters for n in effect.any_of):
         found.append(f"effects.{name}: one of {', '.join(effect.any_of)} is missing")
-    found += [
-        f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}"
-        for n in parameters
-        if n not in wanted
-    ]
-    given = [(p, parameters[p.name]) for p in wanted.values() if p.name in parameters]
-    words = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
-    numbers = {p.name: v for p, v in given if p.kind in ("number", "list", "series") and p.key and not callable(v)}
-    bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in numbers}
-    return found + words + [f"effects.{name}.{m}" for m in mistakes(numbers, bounds)]
+    wanted = [p for p in effect.parameters if p.kind != "rotation"]
+    return found + parameter_mistakes(f"effects.{name}", parameters, wanted)
 
 
 def _odd(p: Parameter, value: Any) -> bool:

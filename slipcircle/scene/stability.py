@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated import slopes
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Floats
 from slipcircle.scene.ground import line_mistakes, ponds
@@ -97,17 +97,15 @@ class Slope:
     base: float | None = None
 
     def __post_init__(self) -> None:
-        positive, any_of = "a positive unit weight in N/m^3", "a finite number"
-        found = mistakes(vars(self), {
+        positive = "a positive unit weight in N/m^3"
+        bounds: dict[str, Bounds] = {
             "cohesion": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"),
             "friction": (_BELOW_0, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
             "unit_weight": (0.0, INFINITY, positive), "water_unit_weight": (0.0, INFINITY, positive),
             "pore_ratio": (_BELOW_0, 1.0, "at least 0 and below 1"),
             "pressure": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"), "k_h": (-1.0, 1.0, "between -1 and 1"),
-            **({} if self.base is None else {"base": (-INFINITY, INFINITY, any_of)}),
-        })  # fmt: skip
-        found += [f"{n} = {v!r}: must be one number" for n, v in vars(self).items() if n not in _LINES and np.ndim(v)]
-        found += line_mistakes("ground", self.ground)
+        } | ({} if self.base is None else {"base": (-INFINITY, INFINITY, "a finite number")})  # fmt: skip
+        found = mistakes(vars(self), bounds, one=bounds) + line_mistakes("ground", self.ground)
         if self.level is not None:
             found += line_mistakes("level", self.level)
             if self.pore_ratio != 0.0:

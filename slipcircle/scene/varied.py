@@ -75,9 +75,14 @@ def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
     """An arc or a section with other values, which were checked elsewhere, or will be; itself, where none is other."""
     if all(value is getattr(arc, name) for name, value in values.items()):
         return arc
-    found = object.__new__(type(arc))
-    for f in fields(arc):
-        object.__setattr__(found, f.name, values.get(f.name, getattr(arc, f.name)))
+    return _unchecked(arc, values)
+
+
+def _unchecked(whole: Any, values: Mapping[str, Any]) -> Any:
+    """A dataclass with other values, which it does not look at."""
+    found = object.__new__(type(whole))
+    for f in fields(whole):
+        object.__setattr__(found, f.name, values.get(f.name, getattr(whole, f.name)))
     return found
 
 
@@ -131,12 +136,7 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
         if more is None:
             break
         bad = bad | (more if more.size == 1 else more.reshape(bad.shape))
-    found = object.__new__(Scene)
-    for f in fields(Scene):
-        object.__setattr__(found, f.name, getattr(scene, f.name))
-    for name, value in (parts | {"arc": arc}).items():
-        object.__setattr__(found, name, value)
-    return found, bad
+    return _unchecked(scene, parts | {"arc": arc}), bad
 
 
 def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
