@@ -43,7 +43,7 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    keys = named(scene.friction, scene.arc)
+    keys = named(scene)
     parameters = {n: keys[n].si for n in _parameters(scene)}
     values = np.zeros((len(OUTPUTS), len(parameters)))
     if any(outputs.values()):

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, Fault, first, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
 
 FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
@@ -30,7 +30,7 @@ def line_faults(name: str, lines: Floats) -> Iterator[Fault]:
     )
 
 
-def line_mistakes(name: str, given: Any, many: bool = False) -> list[str]:
+def line_mistakes(name: str, given: Any, many: bool) -> list[str]:
     """What is wrong with points that should make a line from left to right, or with the first of many that is."""
     try:
         points = np.asarray(given)
@@ -68,28 +68,39 @@ def ponds(grounds: Floats, levels: Floats) -> Fault:
     return ~both.any(axis=1) | (over.max(axis=1) > 1e-9 * np.ptp(grounds, axis=(1, 2))), said
 
 
-def section_mistakes(given: Mapping[str, Any]) -> list[str]:
-    """What is wrong with the fields of a section, each by itself and as shapes."""
-    length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
-    bounds = {n: b for n, b in {
-        "radius": (0.0, FAR, length), "unit_weight": (0.0, 1e6, weight), "width": (0.0, INFINITY, length),
-        "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"), "water_unit_weight": (0.0, 1e6, weight),
-        "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"), "base": (-FAR, FAR, "one finite number in m"),
-        "between": (-FAR, FAR, "two x in m, from left to right"),
-    }.items() if given[n] is not None or n not in ("base", "between")}  # fmt: skip
-    found = mistakes(given, bounds, one=("base", "water_unit_weight"))
-    if not found:  # all of them are numbers
-        odd = [] if np.shape(given["centre"])[-1:] == (2,) else ["centre"]
-        pair = given["between"]
+_WEIGHT, _STRESS = "a positive unit weight in N/m^3", "a stress of at least 0 in Pa"
+_BOUNDS: Mapping[str, Bounds] = {
+    "radius": (0.0, FAR, "a positive length below 1e9 m"), "unit_weight": (0.0, 1e6, _WEIGHT),
+    "width": (0.0, INFINITY, "a positive length in m"), "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
+    "water_unit_weight": (0.0, 1e6, _WEIGHT), "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
+    "base": (-FAR, FAR, "one finite number in m"), "between": (-FAR, FAR, "two x in m, from left to right"),
+    "cohesion": (-5e-324, INFINITY, _STRESS), "pressure": (-5e-324, INFINITY, _STRESS),
+    "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
+    "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"), "k_h": (-1.0, 1.0, "between -1 and 1"),
+}  # fmt: skip
+
+
+def field_mistakes(given: Mapping[str, Any], many: bool = False) -> list[str]:
+    """What is wrong with the fields of a slope, or of many sections, each by itself."""
+    bounds = {n: b for n, b in _BOUNDS.items() if n in given and (given[n] is not None or n not in ("base", "between"))}
+    found = mistakes(given, bounds, one=("base", "water_unit_weight") if many else bounds)
+    if not found and many:  # all of them are numbers
+        pair, odd = given["between"], [] if np.shape(given["centre"])[-1:] == (2,) else ["centre"]
         if pair is not None and not (np.shape(pair) == (2,) and pair[0] < pair[1]):
             odd.append("between")
         found = [f"{n} = {given[n]!r}: must be {bounds[n][2]}" for n in odd]
-    found += line_mistakes("ground", given["ground"], many=True)
-    found += [] if given["level"] is None else line_mistakes("level", given["level"], many=True)
+    lines = [n for n in ("ground", "level") if n == "ground" or given[n] is not None]
+    return found + [m for n in lines for m in line_mistakes(n, given[n], many)]
+
+
+def section_mistakes(given: Mapping[str, Any]) -> list[str]:
+    """What is wrong with the fields of sections, each by itself and as shapes."""
+    found = field_mistakes(given, many=True)
     if not found:
-        shaped = {n: given[n] for n in ("radius", "unit_weight", "gravity", "width")}
-        shaped |= {"centre": np.asarray(given["centre"])[..., 0], "ground": np.asarray(given["ground"])[..., 0, 0]}
-        shaped |= {} if given["level"] is None else {"level": np.asarray(given["level"])[..., 0, 0]}
+        axes = {"radius": 0, "unit_weight": 0, "gravity": 0, "width": 0, "centre": 1, "ground": 2, "level": 2}
+        shaped = {
+            n: np.empty(np.shape(given[n])[: np.ndim(given[n]) - k]) for n, k in axes.items() if given[n] is not None
+        }
         found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
     return found
 

@@ -33,6 +33,7 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
     return found
 
 
+DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad")  # down-slope; both ends turn
 _POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "water.level_m"}  # where files have them
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
 
@@ -58,13 +59,10 @@ def lengths(arc: Any) -> set[str]:
 def numbers_in(arc: Any) -> dict[str, Any]:
     """The numbers of an arc or a section by name: each a number, or an array of one a lane."""
     found: dict[str, Any] = {}
-    for field, axes in arc.quantities.items():
+    for field in arc.quantities:
         value = getattr(arc, field)
-        if not axes:
-            found[field] = value
-            continue
         lanes = np.asarray(value)
-        found |= {name: lanes[(..., *at)] for name, at in places(arc, field).items()}
+        found |= {name: lanes[(..., *at)] if at else value for name, at in places(arc, field).items()}
     return found
 
 
@@ -88,14 +86,14 @@ def fields_with(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
-def keyed(friction: Any, arc: Any) -> dict[str, Number]:
-    """The numbers of a scene with this friction and arc by their keys."""
-    law, *rate = law_names(friction)
+def keyed(scene: Any) -> dict[str, Number]:
+    """The numbers that a scene with its friction and arc may have, by their keys."""
+    arc, (law, *rate) = scene.arc, law_names(scene.friction)
     known = numbers(tables_of("constant" if law == "callable" else law, *rate))
     if law == "callable":
         known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
     if "ground" not in arc.quantities:
-        return known
+        return known | {DIP.key: DIP}
     found = {}
     for k, n in known.items():  # a slope's file has what an arc has in other tables
         if n.name in arc.quantities:
@@ -108,20 +106,14 @@ def keyed(friction: Any, arc: Any) -> dict[str, Number]:
     return found
 
 
-def named(friction: Any, arc: Any) -> dict[str, Number]:
+def named(scene: Any) -> dict[str, Number]:
     """The same by their names: of two keys, as friction has, the first."""
-    return {n.name: n for n in reversed(keyed(friction, arc).values())}
+    return {n.name: n for n in reversed(keyed(scene).values())}
 
 
-def number_of(path: str, friction: Any, arc: Any) -> Number:
-    """The number that a path stands for, a key of a scene file or a name in SI units.
-
-    Raises
-    ------
-    ValueError
-        If a scene with this friction and arc has no such number.
-    """
-    known = keyed(friction, arc)
+def number_in(scene: Any, path: str) -> Number:
+    """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
+    known = keyed(scene)
     if path in known:
         return known[path]
     for n in known.values():
@@ -173,16 +165,16 @@ class Uncertain:
         return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
 
 
-def declared(given: Mapping[str, Any], friction: Any, arc: Any) -> tuple[dict[str, Uncertain], list[str]]:
+def declared(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
     """Uncertain numbers by their names in `Scene.numbers`, and a sentence for each mistake."""
     found: dict[str, Uncertain] = {}
     said = []
-    for path, value in given.items():
+    for path, value in scene.uncertain.items():
         if isinstance(value, Uncertain):
             found[path] = value
             continue
         try:
-            number = number_of(path, friction, arc)
+            number = number_in(scene, path)
         except ValueError as error:
             said.append(f"uncertain.{error}")
             continue

@@ -126,35 +126,32 @@ class Scene(Generic[Numbers]):
                              "says the pore pressure already; leave one out")  # fmt: skip
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds) + accuracy_mistakes(self.accuracy)
         found += law_mistakes(self.friction)
-        if (
-            isinstance(self.arc, Arc)
-            and self.arc.given is not None
-            and any(EFFECTS[e].turns for e in effects if e in EFFECTS)
-        ):
+        if known and self.arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
             found.append(
                 "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
             )
-        wrong = {name: _effect_mistakes(name, parameters) for name, parameters in effects.items()}
-        for name, said in wrong.items():
-            found += said
-            if not said and known:
-                gravity = np.unique(self.arc.gravity).tolist()
-                if "record" in effects[name] and (
-                    len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}
-                ):
-                    found.append("arc.gravity: must be one number with a record, which is read over gravity; give "
-                                 "effects.shaking.horizontal as a Series over gravity instead")  # fmt: skip
-                    continue
+        gravity = np.unique(self.arc.gravity).tolist() if known else []
+        for name, parameters in effects.items():
+            said = _effect_mistakes(name, parameters)
+            if (
+                not said
+                and "record" in parameters
+                and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain})
+            ):
+                said = ["arc.gravity: must be one number with a record, which is read over gravity; give "
+                        "effects.shaking.horizontal as a Series over gravity instead"]  # fmt: skip
+            elif not said:
                 try:
-                    effects[name] = resolved(name, effects[name], max(gravity, default=9.81))
+                    effects[name] = resolved(name, parameters, max(gravity, default=9.81))
                 except ValueError as error:
-                    found.append(str(error))
+                    said = [str(error)]
+            found += said
         found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
         uncertain: Any = self.uncertain
         if not isinstance(uncertain, Mapping):
             found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
         elif self.uncertain and not found:
-            drawn, found = declared(self.uncertain, self.friction, self.arc)
+            drawn, found = declared(self)
             found += [
                 f"uncertain.{u.key}: the scene has no value of it to vary"
                 for n, u in drawn.items()
@@ -206,7 +203,8 @@ class Scene(Generic[Numbers]):
 
 def accuracy_mistakes(accuracy: Any) -> list[str]:
     """A sentence if it is given, and no relative error."""
-    return [] if accuracy is None else mistakes({"accuracy": accuracy}, {"accuracy": ACCURACY}, one=("accuracy",))
+    one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
+    return [] if accuracy is None else mistakes({"accuracy": one}, {"accuracy": ACCURACY})
 
 
 def checked(scene: Any, what: str) -> Scene:

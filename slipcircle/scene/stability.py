@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated import slopes
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all
+from slipcircle.base.checks import raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Floats
-from slipcircle.scene.ground import line_mistakes, ponds
+from slipcircle.scene.ground import field_mistakes, ponds
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -47,7 +47,6 @@ of from a fifth on. Beside Taylor's friction circles Bishop's least factor is ri
 would be 4 to 23 % too great there. With mu = 0 the share is without meaning."""
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
-_BELOW_0 = -5e-324
 _LINES = ("ground", "level")
 _ROUNDS, _LEAST = 20, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
@@ -97,19 +96,9 @@ class Slope:
     base: float | None = None
 
     def __post_init__(self) -> None:
-        positive = "a positive unit weight in N/m^3"
-        bounds: dict[str, Bounds] = {
-            "cohesion": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"),
-            "friction": (_BELOW_0, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
-            "unit_weight": (0.0, INFINITY, positive), "water_unit_weight": (0.0, INFINITY, positive),
-            "pore_ratio": (_BELOW_0, 1.0, "at least 0 and below 1"),
-            "pressure": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"), "k_h": (-1.0, 1.0, "between -1 and 1"),
-        } | ({} if self.base is None else {"base": (-INFINITY, INFINITY, "a finite number")})  # fmt: skip
-        found = mistakes(vars(self), bounds, one=bounds) + line_mistakes("ground", self.ground)
-        if self.level is not None:
-            found += line_mistakes("level", self.level)
-            if self.pore_ratio != 0.0:
-                found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
+        found = field_mistakes(vars(self))
+        if self.level is not None and self.pore_ratio != 0.0:
+            found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
             for name in _LINES if self.level is not None else _LINES[:1]:
                 object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))

@@ -7,30 +7,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated.effects import EFFECTS
 from slipcircle.scene.arc import Arc
-from slipcircle.scene.numbers import Number, fields_with, keyed, listed, named, number_of, numbers_in
+from slipcircle.scene.numbers import DIP, Number, fields_with, keyed, listed, named, number_in, numbers_in
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import soil
 
-DIP = Number(
-    "arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad"
-)  # down-slope; both ends of the arc turn
-
-
-def number_in(scene: Scene, path: str) -> Number:
-    """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
-    if path in (DIP.key, DIP.name) and isinstance(scene.arc, Arc):
-        return DIP if path == DIP.key else DIP.plain
-    only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
-    return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction, scene.arc)
-
 
 def absent(scene: Scene, path: str) -> str:
     """What to say of a number that a scene has no value of."""
-    keys = named(scene.friction, scene.arc)
+    keys = named(scene)
     return f"{path}: the scene has no value of it to vary; it has {listed([keys[n].key for n in scene.numbers])}"
 
 
@@ -141,7 +128,7 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
 
 def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
     """Where values are out of their bounds, as `Arc`, `Section` and `Scene` would refuse them one by one."""
-    known = {n.name: n.plain for n in (*keyed(scene.friction, scene.arc).values(), DIP) if not n.tangent}
+    known = {n.name: n.plain for n in keyed(scene).values() if not n.tangent}
     bad = np.zeros(np.broadcast_shapes(*(np.shape(v) for v in values.values())), dtype=bool)
     for name, value in values.items():
         bad |= ~known[name].holds(value)

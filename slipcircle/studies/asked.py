@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import raise_all
-from slipcircle.scene.numbers import Number
+from slipcircle.scene.numbers import DIP, Number
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import DIP
 
 Floats = NDArray[np.float64]
 Observed = float | tuple[float, float]

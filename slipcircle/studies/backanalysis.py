@@ -15,9 +15,9 @@ from slipcircle.base.checks import EPS
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
-from slipcircle.scene.numbers import Number
+from slipcircle.scene.numbers import Number, number_in
 from slipcircle.scene.scene import Scene, checked
-from slipcircle.scene.varied import number_in, scene_with
+from slipcircle.scene.varied import scene_with
 from slipcircle.studies import search
 from slipcircle.studies.asked import Bounds, Observations, Observed, between, check, observations
 from slipcircle.studies.motions import derivatives
