@@ -24,6 +24,13 @@ def choose(mask: Any, one: Any, other: Any) -> Any:
     return np.where(mask, one, other) if isinstance(mask, np.ndarray) else one if mask else other
 
 
+def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
+    """A sum and its rounding error (Knuth's TwoSum)."""
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
 def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
     """A sentence for each field that is no finite real number within its open bounds, or many where it must be one."""
     found = []

@@ -32,9 +32,23 @@ def shipped() -> tuple[str, ...]:
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
-    """A scene that ships, by name, or one's own, by the path of its file."""
+    """A scene that ships, by name, or one's own, by the path of its TOML file.
+
+    Raises
+    ------
+    ValueError
+        If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
+    """
     source = find(name)
-    return _scene(source, str(source))
+    file = str(source)
+    parts, tables = _parts(_document(source, file), file)
+    if parts["stability"]:
+        parts["stability"] = parts["stability"].without_map()
+    try:
+        return Scene(**parts)
+    except ValueError as error:
+        said = str(error).removeprefix(f"Scene {parts['name']}: ")
+        raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
 
 
 def find(name: str | PathLike[str]) -> Any:
@@ -52,17 +66,6 @@ def find(name: str | PathLike[str]) -> Any:
         raise ValueError(f"{path}: is a folder; give a scene's file")
     said = f"{path}: there is no such file" if is_path else f"scene {str(name)!r} is unknown"
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
-
-
-def read(path: str | PathLike[str]) -> Scene[float]:
-    """The scene that a TOML file describes.
-
-    Raises
-    ------
-    ValueError
-        If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
-    """
-    return _scene(Path(path), str(path))
 
 
 def searched(name: str | PathLike[str], method: str | None, told: Callable[[str], None]) -> tuple[str, str, Critical]:
@@ -97,17 +100,6 @@ def _document(source: Any, file: str) -> dict[str, Any]:
         raise ValueError(f"{file}: is not UTF-8 text: {error.reason} at byte {error.start}") from error
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise ValueError(f"{file}: is not TOML: {error}") from error
-
-
-def _scene(source: Any, file: str) -> Scene:
-    parts, tables = _parts(_document(source, file), file)
-    if parts["stability"]:
-        parts["stability"] = parts["stability"].without_map()
-    try:
-        return Scene(**parts)
-    except ValueError as error:
-        said = str(error).removeprefix(f"Scene {parts['name']}: ")
-        raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
 
 
 def _parts(

@@ -149,12 +149,7 @@ _ARC = tuple(
         ("width", "width_m", "m", 1.0, f"length across the section, by default {WIDTH}"),
     )
 )  # fmt: skip
-_GIVEN = [
-    _declare(
-        n, n, "", f"{n.replace('_', ' ')}, dimensionless", -INFINITY if n == "weight_moment" else 0.0, kind="fixed"
-    )
-    for n in GIVEN
-]
+_GIVEN = [_declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", *b[:2], kind="fixed") for n, b in GIVEN.items()]
 
 
 def _number(p: Parameter, title: str, unit: str = "", required: bool = False, tangent: bool = False) -> Key:

@@ -176,7 +176,7 @@ class Scene(Generic[Numbers]):
         found = numbers_in(self.arc)
         law = self.friction
         if isinstance(law, Mapping):
-            tables = any(p.kind == "list" for p in LAWS[str(law["law"])].parameters) if law.get("law") in LAWS else True
+            tables = LAWS[str(law["law"])].parameters[0].kind == "list"
             found |= {f"friction.{n}": value for n, value in law.items() if n not in ("law", "rate") and not tables}
         elif not callable(law):
             found["friction"] = law

@@ -125,17 +125,9 @@ def factors(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: F
             methods: Collection[str] = METHODS, pieces: int = 1) -> dict[str, Floats]:  # fmt: skip
     """Factors of safety of the masses between circles and the ground, from one point of the ground to another.
 
-    Parameters
-    ----------
-    slope : Slope
-    centre, radius : ndarray
-        (n, 2) and (n,), m.
-    left, right : ndarray
-        Ends of the arcs, (n, 2), m; between them the ground lies inside the circle.
-    methods : collection of str
-        Which of ``METHODS``; the others are NaN.
-    pieces : int
-        Into which arcs are cut, besides at kinks, for the sake of ``negative``, which is counted at 10 points of each.
+    Of circles (n, 2) and (n,), and the ends of their arcs, (n, 2), m, between which the ground lies inside the circle;
+    by the methods that are asked for, the others are NaN. Cut into pieces, besides at kinks, an arc is counted at 10
+    points of each for the sake of ``negative``.
 
     Returns
     -------
