@@ -11,7 +11,6 @@ EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # lower, upper (both open), and the same in words
 Fault = tuple[Any, Callable[[int], str]]  # which lanes have a mistake, and what to say of one
-number: Callable[[Any], float] = float  # of a field that may be an array, where it is none
 
 
 def plain(value: Any) -> Any:
@@ -39,11 +38,9 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
             value = np.asarray(fields[name])
         except ValueError:  # a ragged list
             value = np.asarray(None)
-        if name in one and value.ndim:
-            found.append(f"{name} = {fields[name]!r}: must be one number")
-            continue
-        if value.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-            found.append(f"{name} = {fields[name]!r}: must be {allowed}")
+        many = name in one and value.ndim > 0
+        if many or value.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
+            found.append(f"{name} = {fields[name]!r}: must be {'one number' if many else allowed}")
             continue
         bad = ~(np.isfinite(value) & (value > lower) & (value < upper))
         if np.any(bad):

@@ -18,6 +18,7 @@ from slipcircle.files import slopefile
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
 from slipcircle.scene.keys import SLOPING, Key, Table, law_table, sloping, tables_of
+from slipcircle.scene.numbers import numbers
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import Critical
 from slipcircle.scene.section import Section
@@ -172,6 +173,7 @@ class _Said(NamedTuple):
 def _said(document: Mapping[str, Any], tables: Mapping[str, Table]) -> _Said:
     """Its tables in SI units, of each distribution the median; a sentence for each mistake, with path and value."""
     out = _Said({}, {}, [], set())
+    odd: dict[str, list[str]] = {}  # distributions
     missing: dict[str, str] = {}
     meant: set[str] = set()  # what is misspelt is not missing as well
 
@@ -182,7 +184,8 @@ def _said(document: Mapping[str, Any], tables: Mapping[str, Table]) -> _Said:
     def value_of(full: str, key: Key, value: Any, held: Mapping[str, Any], table: Table) -> Any:
         if isinstance(value, dict) and key.kind in ("number", "series"):
             if found := distribution_mistakes(value, (key.number.low, key.number.high)):
-                return say(full, *(f"{full}: {m}" for m in found))
+                odd[full] = [f"{full}: {m}" for m in found]
+                return say(full)
             out.uncertain[full] = value
             value = float(made(value).median())
         found = [f"{full}{place} = {_shown(given)}: must be {key.allowed}{_asked(key, given, table)}"
@@ -227,7 +230,9 @@ def _said(document: Mapping[str, Any], tables: Mapping[str, Table]) -> _Said:
     look("", document)
     for path, words in missing.items():
         say(path, *([] if path in meant else [f"{path}: is missing: {words}"]))
-    return out
+    known = numbers(tables)  # their order is that of samples
+    drawn = {k: out.uncertain[k] for k in known if k in out.uncertain}
+    return out._replace(uncertain=drawn, mistakes=[m for k in known for m in odd.get(k, [])] + out.mistakes)
 
 
 def _asked(key: Key, given: Any, table: Table) -> str:

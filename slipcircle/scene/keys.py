@@ -83,13 +83,11 @@ class Key(NamedTuple):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
         if isinstance(value, list) and self.kind == "points" and len(value) > 1:
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
-        if self.kind in ("number", "fixed", "series"):
-            right = self._number(value)
-        elif self.kind in ("text", "flag"):
-            right = isinstance(value, str if self.kind == "text" else bool)
-        else:
-            right = self._pair(value) if self.kind == "pair" else value in self.kind.split("|")
-        return [] if right else [("", value)]
+        right = dict.fromkeys(("number", "fixed", "series"), self._number(value)) | {
+            "text": isinstance(value, str), "flag": isinstance(value, bool), "pair": self._pair(value), "list": False,
+            "points": False,
+        }  # fmt: skip
+        return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
 
     def convert(self, value: Any) -> Any:
         """A right value as an argument, in SI units."""
@@ -99,9 +97,7 @@ class Key(NamedTuple):
             return float(value[0]), float(value[1])
         if self.kind not in ("number", "fixed", "list", "series"):
             return value
-        return (
-            [float(self.number.to_si(v)) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
-        )
+        return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
 
     def _number(self, value: Any) -> bool:
         return isinstance(value, int | float) and not isinstance(value, bool) and bool(self.number.holds(value))

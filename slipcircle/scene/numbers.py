@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from generated.effects import EFFECTS
 from slipcircle.base.distributions import distribution_mistakes, made
 from slipcircle.scene.friction import law_names
 from slipcircle.scene.ground import FAR
@@ -114,6 +115,8 @@ def named(scene: Any) -> dict[str, Number]:
 def number_in(scene: Any, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
     known = keyed(scene)
+    only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
+    path = only[0] if len(only) == 1 else path  # of an effect with one number
     if path in known:
         return known[path]
     for n in known.values():
@@ -148,12 +151,14 @@ class Uncertain:
 
     def drawn(self, p: Any) -> Any:
         """Quantiles, in the number's unit."""
-        return self.distribution.ppf(p)
+        found = self.distribution
+        return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
 
     @property
     def moments(self) -> tuple[float, float]:
         """Mean and standard deviation, in the number's unit."""
-        return float(self.distribution.mean()), float(self.distribution.std())
+        found = self.distribution
+        return float(found.mean()), float((found.std if hasattr(found, "std") else found.standard_deviation)())
 
     @property
     def record(self) -> dict[str, Any]:
@@ -161,6 +166,8 @@ class Uncertain:
         if isinstance(self.given, Mapping):
             return {"key": self.key} | dict(self.given)
         d = self.given
+        if not hasattr(d, "kwds"):
+            return {"key": self.key, "distribution": repr(d)}
         said = [*map(repr, map(float, d.args)), *(f"{k}={float(v)!r}" for k, v in sorted(d.kwds.items()))]
         return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
 
@@ -180,7 +187,7 @@ def declared(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
             continue
         if isinstance(value, Mapping):
             said += [f"uncertain.{path}: {m}" for m in distribution_mistakes(value, (number.low, number.high))]
-        elif not hasattr(value, "ppf"):
+        elif not hasattr(value, "ppf") and not hasattr(value, "icdf"):
             said.append(f"uncertain.{path} = {value!r}: must be a distribution: of scipy.stats, or a mapping such as "
                         "{'distribution': 'normal', 'mean': 10, 'std': 1}")  # fmt: skip
         if number.name in found:

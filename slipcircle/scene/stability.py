@@ -18,6 +18,7 @@ from generated import slopes
 from slipcircle.base.checks import raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Floats
+from slipcircle.scene.friction import law_parts
 from slipcircle.scene.ground import field_mistakes, ponds
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -209,13 +210,9 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, f
     def first(value: Any) -> float:
         return float(np.ravel(value(0.0) if callable(value) else value)[0])
 
-    law = friction if isinstance(friction, Mapping) else {"coefficient": friction}
     given, water = effects.get("cohesion", {}), effects.get("pore_pressure", {})
-    laws = [law, law["rate"]] if "rate" in law else [law]
-    strength = {
-        "friction": math.prod(first(of["peak"] if "peak" in of else of["coefficient"]) for of in laws),
-        "cohesion": first(given.get("cohesion", 0.0)),
-    }
+    laws = [[of[n] for n in ("peak", "coefficient", "function") if n in of] for _, of in law_parts(friction)]
+    strength = {"friction": math.prod(first(of[0]) for of in laws), "cohesion": first(given.get("cohesion", 0.0))}
     if "record" in water or not any(strength.values()):
         return {}
     return strength | {"pore_ratio": first(water.get("ratio", 0.0)), "pressure": first(water.get("pressure", 0.0))}

@@ -77,10 +77,10 @@ def other_way(scene: Scene) -> Scene:
     """A shaken scene with its horizontal shaking turned around."""
     if "shaking" not in scene.called:
         raise ValueError(f"{scene.name}: nothing shakes it, so that it has no other polarity")
-    pushed = scene.called["shaking"]["horizontal"]
-    turned = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
-    effects = parts_with(scene, {"shaking.horizontal": turned})["effects"]
-    return replace(scene, effects=effects, name=f"{scene.name} reversed")
+    assert isinstance(scene.effects, dict)
+    shaking = scene.effects["shaking"]
+    turned = {"shaking": shaking | {"horizontal": shaking["horizontal"].scaled(-1.0)}}
+    return replace(scene, effects=scene.effects | turned, name=f"{scene.name} reversed")
 
 
 def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
