@@ -193,4 +193,6 @@ def declared(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
         if number.name in found:
             said.append(f"uncertain.{path}: {found[number.name].key} says the same; leave one out")
         found[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)
+    values = scene.numbers
+    said += [f"uncertain.{u.key}: the scene has no value of it to vary" for n, u in found.items() if n not in values]
     return found, said

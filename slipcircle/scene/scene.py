@@ -112,9 +112,7 @@ class Scene(Generic[Numbers]):
     def __post_init__(self) -> None:
         effects, found = _named(self.effects)
         object.__setattr__(self, "effects", effects)
-        bounds: dict[str, Bounds] = {
-            "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
-        }
+        bounds: dict[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
         known = isinstance(self.arc, Arc | Section)
@@ -152,11 +150,6 @@ class Scene(Generic[Numbers]):
             found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
         elif self.uncertain and not found:
             drawn, found = declared(self)
-            found += [
-                f"uncertain.{u.key}: the scene has no value of it to vary"
-                for n, u in drawn.items()
-                if n not in self.numbers
-            ]
             object.__setattr__(self, "uncertain", drawn)
         raise_all(f"Scene {self.name}".rstrip(), found)
 
