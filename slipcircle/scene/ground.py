@@ -93,14 +93,12 @@ def field_mistakes(given: Mapping[str, Any], many: bool = False) -> list[str]:
     return found + [m for n in lines for m in line_mistakes(n, given[n], many)]
 
 
-def section_mistakes(given: Mapping[str, Any]) -> list[str]:
-    """What is wrong with the fields of sections, each by itself and as shapes."""
+def section_mistakes(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[str]:
+    """What is wrong with the fields of sections, each by itself, and as shapes in front of the axes of one."""
     found = field_mistakes(given, many=True)
     if not found:
-        axes = {"radius": 0, "unit_weight": 0, "gravity": 0, "width": 0, "centre": 1, "ground": 2, "level": 2}
-        shaped = {
-            n: np.empty(np.shape(given[n])[: np.ndim(given[n]) - k]) for n, k in axes.items() if given[n] is not None
-        }
+        held = {n: np.shape(given[n]) for n in axes if given[n] is not None}
+        shaped = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in held.items()}
         found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
     return found
 

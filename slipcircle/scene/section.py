@@ -92,7 +92,7 @@ class Section(Mass):
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        raise_all("Section", section_mistakes(vars(self)) or first(faults(self), self.shape))
+        raise_all("Section", section_mistakes(vars(self), self.quantities) or first(faults(self), self.shape))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
