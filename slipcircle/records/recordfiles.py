@@ -184,13 +184,11 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
     return Found(time, numbers[:, chosen].copy(), unit, lines)
 
 
-_COMMENTS = ["#", "%", "!"]  # begin a line that says nothing in numbers
-
-
 def _said(line: str) -> str:
-    """A line but for blanks around it; nothing of a comment."""
-    line = line.strip()
-    return "" if line[:1] in _COMMENTS else line
+    """A line but for a comment, and blanks around it."""
+    for mark in "#%!":
+        line = line.partition(mark)[0]
+    return line.strip()
 
 
 def _split(line: str, separator: str | None) -> list[str]:
