@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
-from slipcircle.base.checks import number, raise_all
+from slipcircle.base.checks import raise_all
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import lanes_of
 from slipcircle.scene.friction import law_depends
-from slipcircle.scene.numbers import Number, lengths
+from slipcircle.scene.numbers import DIP, Number, lengths, number_in
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import DIP, number_in, scenes_with, value_in
+from slipcircle.scene.varied import scenes_with, value_in
 from slipcircle.studies.search import MOST_SWINGS, Space
 
 Floats = NDArray[np.float64]
@@ -94,7 +94,7 @@ def _range(scene: Scene, field: Number, alone: bool) -> Floats:
     stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
     speed, own = 2 * math.sqrt(gravity * radius), value_in(scene, field)
     near = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
-    theta_1, theta_2 = (number(scene.numbers.get(n, 0.0)) for n in ("theta_1", "theta_2"))
+    theta_1, theta_2 = (float(np.asarray(scene.numbers.get(n, 0.0))) for n in ("theta_1", "theta_2"))
     ranges: Mapping[str, Floats] = {
         "initial_velocity": np.linspace(-speed, speed, 241),
         "dip": np.pi / 2 * np.concatenate([-near[:0:-1], near]),

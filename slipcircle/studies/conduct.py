@@ -17,10 +17,10 @@ from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.scene.numbers import Number, Uncertain, numbers_in
+from slipcircle.scene.numbers import Number, Uncertain, number_in, numbers_in
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.section import Section
-from slipcircle.scene.varied import absent, along_means, number_in, value_in
+from slipcircle.scene.varied import absent, along_means, value_in
 from slipcircle.studies.design import METHODS, REPLICATES, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN
