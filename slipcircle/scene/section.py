@@ -328,6 +328,8 @@ class Section(Mass):
     @cached_property
     def pressure_kinks(self) -> Any:
         """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
+        if self.level is None:
+            return self._shaped(np.empty((len(self._facing), 0)))
         _, kinks = self._water
         turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
         return self._shaped(np.sort(turns, axis=1))
