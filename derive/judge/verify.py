@@ -246,7 +246,7 @@ def _appendix(claim: Claim) -> Judgement:
         proof = simplify(claim.subject)
     except (ProofError, ValueError) as error:
         return "nothing: it is no such integral", "wrong", f"cause not found ({error})"
-    before, after = proof.operations
+    before, after = (sp.count_ops(x.expression) for x in (proof.steps[0], proof.steps[-1]))
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
     brackets, (claimed,) = _brackets(claim.subject), m.read(claim.expression)
     said = [brackets] if brackets else []
