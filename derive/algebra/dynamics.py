@@ -6,6 +6,7 @@ S0(z) = sinh(sqrt z)/sqrt z, an entire function, at z = a b t**2, and decaying e
 """
 
 from dataclasses import dataclass, replace
+from functools import cache
 
 import sympy as sp
 
@@ -20,6 +21,7 @@ mu, theta_star, j_r, j_theta, polar = sp.symbols("mu Theta J_r J_theta I_p", rea
 omega_star, rate_star, sigma_mean = sp.symbols("omega_star rate_star sigma_mean", real=True)
 
 
+@cache
 def balance() -> dict[str, sp.Expr]:
     """Right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), from the balance laws, by their numbers.
 
@@ -48,6 +50,7 @@ def balance() -> dict[str, sp.Expr]:
     }
 
 
+@cache
 def solution() -> dict[str, sp.Expr]:
     """Solve (3.16) with omega(0) = omega_0, for a b > 0, and continue it to any sign; y is that of omega = y'/(b y)."""
     y = sp.Function("y")

@@ -15,7 +15,7 @@ import mpmath as mp
 import sympy as sp
 
 from derive.algebra.appendices import APPENDIX_I, APPENDIX_II, Appendix
-from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
+from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, solution, theta_star
 from derive.declare.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2
 from derive.judge import mechanics as m
 from derive.judge import postulates
@@ -128,7 +128,7 @@ CLAIMS = (
           dimension="1/T", given=("rigid body",)),
     Claim("(1.2)", "angle of an end", "theta_i0 + int_0^t omega(t) dt", "theta_1 + Integral(omega_of(t), (t, 0, t))",
           lambda: m.end(theta_1), causes=_notation(_SLIP, "(t), (t", "(s), (s"),
-          law=lambda e: [sp.diff(e, t) - m.omega_of(t)], given=("rigid body",)),
+          given=("rigid body",)),
     Claim("(1.3)", "rotation, by its rate", "phi = int omega dt <=> omega = dphi/dt", "diff(phi, t)",
           lambda: m.way()["omega"], "definition", shows="rate of the derived phi: {}", note="up to the constant phi(0)",
           dimension="1/T"),
@@ -290,7 +290,7 @@ CLAIMS = (
           lambda: sp.expand(m.step("3.17")), given=_MOTION),
     Claim("(3.18)", "brake", "b = lam A mu/Theta*", "lam*A*mu/Theta", lambda: m.step("3.18"), shows="{}, lam A = I_p*",
           given=_MOTION),
-    Claim("(3.19)", "starts from rest", "omega*(0) = 0", "0", lambda: m.solution()["angular_velocity"].subs(t, 0),
+    Claim("(3.19)", "starts from rest", "omega*(0) = 0", "0", lambda: solution()["angular_velocity"].subs(t, 0),
           "definition", shows="derived motion: omega*(0) = {}", dimension="1"),
     Claim("(3.20)", "solution", "sqrt(a/b) tanh(sqrt(a b t*))", "sqrt(a/b)*tanh(sqrt(a*b*t))",
           lambda: m.motion("angular_velocity"), given=(*_MOTION, *_SOLVED[1:]),

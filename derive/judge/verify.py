@@ -11,10 +11,9 @@ import re
 import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import astuple, dataclass, fields
 from functools import cache
 from itertools import combinations, product, takewhile
-from typing import Any
+from typing import Any, NamedTuple
 
 import mpmath as mp
 import sympy as sp
@@ -26,7 +25,7 @@ from derive.algebra.integrate import quadrature
 from derive.algebra.prove import prove_zero
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD
-from derive.declare.symbols import in_words, theta, theta_m
+from derive.declare.symbols import alpha, in_words, theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
 from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Claim
@@ -37,8 +36,7 @@ _TINY = mp.mpf(10) ** -20
 Domain = tuple[tuple[str, Any, Any], ...]
 
 
-@dataclass(frozen=True)
-class Row:
+class Row(NamedTuple):
     """A judged claim."""
 
     id: str
@@ -50,22 +48,14 @@ class Row:
     assumes: str
 
 
-KEYS = tuple(x.name for x in fields(Row))
+KEYS = Row._fields
 
 
 # --- proof -----------------------------------------------------------------------------------------------
 
 
-def _join(form: sp.Expr) -> sp.Expr:
-    """Write log tan(pi/4 + y/2) as artanh(sin y), where the two have one derivative and both vanish at y = 0."""
-    for log in sorted(form.atoms(sp.log), key=sp.default_sort_key):
-        inside = log.args[0].replace(sp.Abs, lambda x: x)  # positive for every |y| < pi/2
-        if isinstance(inside, sp.tan):
-            y = sp.Dummy("y", positive=True)
-            was, now = sp.log(sp.tan(sp.pi / 4 + y / 2)), sp.atanh(sp.sin(y))
-            prove_zero(sp.simplify(sp.diff(was - now, y).rewrite(sp.exp)), "log tan(pi/4 + y/2) = artanh(sin y)")
-            form = form.subs(log, now.subs(y, sp.expand(2 * inside.args[0] - sp.pi / 2)))
-    return form
+# How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
+_LOG, _ARTANH = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))), sp.atanh(sp.sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
@@ -97,7 +87,11 @@ def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
         if not found.is_finite or abs(found) > sp.Float(_TINY):
             return False
     signs = {x: "positive" if low >= 0 else "negative" if high <= 0 else "real" for x, (low, high) in reach.items()}
-    prove_zero(_join(form.subs({x: sp.Symbol(x.name, **{signs[x]: True}) for x in free})), "a printed form")
+    if form.has(_LOG):
+        slopes = sp.diff(_LOG.replace(sp.Abs, lambda x: x) - _ARTANH, alpha)
+        prove_zero(sp.simplify(slopes.rewrite(sp.exp)), "log tan(pi/4 + alpha/2) = artanh(sin alpha)")
+        form = form.subs(_LOG, _ARTANH)
+    prove_zero(form.subs({x: sp.Symbol(x.name, **{signs[x]: True}) for x in free}), "a printed form")
     return True
 
 
@@ -168,12 +162,8 @@ def _assumed(claim: Claim) -> list[str]:
     named = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
         named |= {x.name for form in (*m.read(claim.expression), *_derived(claim)) for x in form.free_symbols}
-    where = []
-    for x, (low, high) in limits(claim.domain).items():
-        if x in named:
-            where.append(
-                f"{x} = {low}" if low == high else f"{x} > {low}" if high == sp.oo else f"{low} < {x} < {high}"
-            )
+    lives = ((x, low, high) for x, (low, high) in limits(claim.domain).items() if x in named)
+    where = (f"{x} = {a}" if a == b else f"{x} > {a}" if b == sp.oo else f"{a} < {x} < {b}" for x, a, b in lives)
     return [*where, *claim.given]
 
 
@@ -331,13 +321,13 @@ def _text(judged: Sequence[Row]) -> str:
 
 
 def _json(judged: Sequence[Row]) -> str:
-    return json.dumps([dict(zip(KEYS, astuple(row), strict=True)) for row in judged], indent=2)
+    return json.dumps([row._asdict() for row in judged], indent=2)
 
 
 def _markdown(judged: Sequence[Row]) -> str:
     def table(chosen: Iterable[Row]) -> list[str]:
         head = ("where", "claim", "printed", "definitions give", "verdict", "cause", "assumes")
-        cells = ([x.replace("|", "\\|").replace("*", "\\*") for x in astuple(row)] for row in chosen)
+        cells = ([x.replace("|", "\\|").replace("*", "\\*") for x in row] for row in chosen)
         return ["| " + " | ".join(x) + " |" for x in (head, ["---"] * len(KEYS), *cells)]
 
     rules = [f"* *{verdict}*: {rule}." for verdict, rule in VERDICTS.items()]
