@@ -22,7 +22,8 @@ def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: objec
     """Do one stage, and say how long it took and what came of it; ``{0}`` in ``told`` is the result."""
     start = time.perf_counter()
     result = work(*args)
-    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {told.format(result)}")
+    shown = len(result) if isinstance(result, list) else result
+    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {told.format(shown)}")
     return result
 
 
@@ -56,11 +57,11 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
         for reduced in timed(f"appendix {appendix.name}", "reduce", "", simplify, appendix).steps:
             say(f"{'':<52}{count_ops(reduced.expression):4d} operations: {reduced.text} ({reduced.proof})")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
-    timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
-    timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
-    timed("slopes", "balance", "{0} claims proved", lambda: len(slopes.prove()))
-    timed("arc", "slopes", "{0} claims proved", lambda: len(growth.prove_arc_growth(integrate.closed_forms())))
-    timed("rounded angles", "carried", "{0} claims proved", lambda: len(functions.prove_carried()))
+    timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
+    timed("flow", "series", "{0} operations proved", operations.prove)
+    timed("slopes", "balance", "{0} claims proved", slopes.prove)
+    timed("arc", "slopes", "{0} claims proved", growth.prove_arc_growth, integrate.closed_forms())
+    timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)
 

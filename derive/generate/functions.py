@@ -16,16 +16,7 @@ from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.effects import (
-    EFFECTS,
-    LAWS,
-    LIMITS,
-    VALUE,
-    Effect,
-    Law,
-    Parameter,
-    formulas,
-)
+from derive.declare.effects import EFFECTS, LAWS, LIMITS, VALUE, Effect, Law, Parameter, formulas
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -53,13 +44,19 @@ def kernels(proved: Iterable[Record] = ()) -> list[Function]:
     found = []
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # In its fitted tiers, or in its stable form where nothing is fitted (yet).
-        symbol, tiers = x.kernel[1], _tiers(name)
+        symbol, tiers = x.kernel[1] if isinstance(x, Moment) else x.symbol, _tiers(name)
         found.append(Function(
             tiers.get("best") or program(name, ("alpha",), form, let=_CLIP), f"{symbol}: {x.help}, dimensionless.",
             f"{symbol} = {formulas[name]}", f"eq. ({x.equation}) of {PAPER}", (_ALPHA,), f"{symbol}.", _ALPHA_DOMAIN,
             _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds.get(name)), tiers,
         ))  # fmt: skip
-    return found + [_weight(derive(m)) for m in MOMENTS if m.amplitude] + [_limit_friction()]
+    friction = _of_ends(
+        "limit_friction", _LIMIT, "weight_moment_per_radial_weight",
+        "mu_eq: friction coefficient at limit equilibrium.",
+        "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
+        "3.21", ACCURACY,
+    )  # fmt: skip
+    return [*found, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
 
 
 def _tiers(name: str) -> dict[str, Program]:
@@ -168,28 +165,23 @@ def prove_carried() -> list[str]:
     return claims
 
 
-def _limit_friction() -> Function:
-    """J_theta/J_r = (C_theta/C_r) tan(psi), from reduced functions."""
-    let = _ENDS | {_KERNEL: _tiers("weight_moment_per_radial_weight")["best"]}
-    return Function(
-        program("limit_friction", ("theta_1", "theta_2"), _LIMIT, let=let),
-        "mu_eq: friction coefficient at limit equilibrium.",
-        "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
-        f"eq. (3.21) of {PAPER}", _ARC, "mu_eq.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), ACCURACY,
-    )  # fmt: skip
+def _of_ends(
+    name: str, form: sp.Expr, kernel: str, summary: str, formula: str, equation: str, accuracy: str
+) -> Function:
+    """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
+    made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
+    source, symbol = f"eq. ({equation}) of {PAPER}", summary.partition(":")[0]
+    return Function(made, summary, formula, source, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy)
 
 
 def _weight(d: Derivation) -> Function:
-    """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
-    assert d.moment.amplitude
-    name, symbol = d.moment.amplitude
-    return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), _carried(d), let=_ENDS | {_KERNEL: _tiers(name)["best"]}),
-        f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
-        f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
+    """J_r or J_theta."""
+    m, (name, symbol) = d.moment, d.moment.kernel
+    return _of_ends(
+        m.name, _carried(d), name, f"{m.symbol}: {m.help}, dimensionless.",
+        f"{m.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-        f"eq. ({d.moment.equation}) of {PAPER}", _ARC, f"{d.moment.symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0),
-        f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
+        m.equation, f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
     )  # fmt: skip
 
 
@@ -241,12 +233,12 @@ def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
 
 def laws() -> list[tuple[Program, str]]:
     """Each friction law that has a formula."""
-    order = ("slip", "speed", *(p.name for law in LAWS for p in law.parameters))
     found = []
     for law in LAWS:
         if law.coefficient is not None:
-            inputs = sorted((x.name for x in law.coefficient.free_symbols), key=order.index)
-            found.append((program(f"friction_{law.name}", tuple(inputs), law.coefficient), f"friction: {law.help}"))
+            free = {x.name for x in law.coefficient.free_symbols}
+            inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in free)
+            found.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
     return found
 
 
