@@ -34,7 +34,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     """
     from sympy import count_ops
 
-    from derive.algebra import dynamics, growth, integrate, rules, slopes
+    from derive.algebra import dynamics, integrate, rules, slopes
     from derive.algebra.appendices import APPENDICES, simplify
     from derive.approximate import search, shapes
     from derive.declare.quantities import MOMENTS
@@ -60,7 +60,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
     timed("flow", "series", "{0} operations proved", operations.prove)
     timed("slopes", "balance", "{0} claims proved", slopes.prove)
-    timed("arc", "slopes", "{0} claims proved", growth.prove_arc_growth, integrate.closed_forms())
+    timed("arc", "slopes", "{0} claims proved", rules.prove_arc_growth, integrate.closed_forms())
     timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)

@@ -7,11 +7,10 @@ import sympy as sp
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
-from derive.algebra.growth import arc_growth
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import prove_equal, stable
+from derive.algebra.rules import arc_growth, prove_equal, stable
 from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
