@@ -183,24 +183,15 @@ def measured(cases: tuple[HardCase, ...] = CASES) -> list[Result]:
 
 
 def _measure(case: HardCase, function: Callable[..., Any], form: Form) -> Result:
-    exact = _exactly(form.exact, form.program.inputs, case.arguments)
     arrays = [np.array(x) for x in case.arguments]
     with np.errstate(all="ignore"):
         naive, ours = float(measure.run(form.program, *arrays)), float(function(*arrays))
-    with mpmath.workdps(60):
-        unit = mpmath.mpf(float(np.spacing(abs(float(exact)))))
-        error = abs(mpmath.mpf(ours) - exact)
-        wrong = float(abs(mpmath.mpf(naive) - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+    with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
+        of: Callable[..., mpmath.mpf] = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
+        exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
+        unit, error = float(np.spacing(abs(float(exact)))), abs(ours - exact)
+        wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
         return Result(case, form.words, wrong, float(error / abs(exact)), float(error / unit))
-
-
-def _exactly(form: sp.Expr, inputs: tuple[str, ...], arguments: tuple[float, ...]) -> mpmath.mpf:
-    """A closed form at exact arguments, zeros a little off zero, with digits enough for what cancels."""
-    lost = sum(abs(math.log10(abs(x))) for x in arguments if x)
-    with mpmath.workdps(60 + int(4 * lost) + 1200 * (0.0 in arguments)):
-        symbols = [sp.Symbol(x, real=True) for x in inputs]
-        function: Callable[..., mpmath.mpf] = sp.lambdify(symbols, form, "mpmath")
-        return mpmath.re(function(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in arguments)))
 
 
 def report(form: Literal["text", "json"]) -> str:
