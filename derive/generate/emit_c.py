@@ -106,27 +106,22 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
         )
     loops = [f"LOOP(double, {identifier(k, t)}, FORM, LEVEL)" for k, t in tiers if t != "float32"]
     loops += [f"LOOP(float, {name}, FORM, LEVEL)" for name in single.values()]
-    ufuncs = []
-    for k, t in tiers:
-        if t != "float32":  # it is the float32 loop of the best tier
-            of_float = f"(void *){single[k]}_##LEVEL##_float" if t == "best" else "NULL"
-            ufuncs.append(f'{{"{k}", "{t}", {{{of_float}, (void *){identifier(k, t)}_##LEVEL##_double}}}},')
+    floats = {(k, "best"): f"(void *){name}_##LEVEL##_float" for k, name in single.items()}
+    ufuncs = [f'{{"{k}", "{t}", {{{floats.get((k, t), "NULL")}, (void *){identifier(k, t)}_##LEVEL##_double}}}},'
+              for k, t in tiers if t != "float32"]  # fmt: skip
+    table = ["static Ufunc ufuncs_##LEVEL[] = {", *ufuncs, "{NULL, NULL, {NULL, NULL}}};"]
     filled = {
         "HALF_PI": HALF_PI.hex(),
         "END_double": END["double"].hex(),
         "END_float": END["float"].hex(),
         "LAST_double": pattern(HALF_PI, "double"),
         "LAST_float": pattern(HALF_PI, "float"),
-        "POLYNOMIALS": "".join(
-            f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST)
-        ),
+        "POLYNOMIALS": "".join(f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n"
+                               for n in range(2, MOST)),
         "BODIES": f"#ifndef NO_FMA\n{bodies['fused']}#endif\n\n{bodies['plain']}",
-        "LOOPS": _macro("LOOPS(LEVEL, FORM)", loops) + "LEVELS(LOOPS)\n",
-        "UFUNCS": _macro(
-            "UFUNCS(LEVEL, FORM)", ["static Ufunc ufuncs_##LEVEL[] = {", *ufuncs, "{NULL, NULL, {NULL, NULL}}};"]
-        )
-        + "LEVELS(UFUNCS)\n",
-    }
+        "LOOPS": _macro("LOOPS", loops),
+        "UFUNCS": _macro("UFUNCS", table),
+    }  # fmt: skip
     text = TEMPLATE.read_text(encoding="utf-8")
     for name, value in filled.items():
         text = text.replace(f"@{name}@", value)
@@ -137,5 +132,6 @@ def _comment(words: str) -> str:
     return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n" if words else ""
 
 
-def _macro(head: str, lines: Sequence[str]) -> str:
-    return " \\\n    ".join([f"#define {head}", *lines]) + "\n"
+def _macro(name: str, lines: Sequence[str]) -> str:
+    """For every level."""
+    return " \\\n    ".join([f"#define {name}(LEVEL, FORM)", *lines]) + f"\nLEVELS({name})\n"
