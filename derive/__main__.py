@@ -33,8 +33,6 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
 
     Shapes of kernels are searched for where there is no record of them, or ``anew`` for all, with so many ``trials``.
     """
-    from sympy import count_ops
-
     from derive.algebra import dynamics, integrate, rules, slopes
     from derive.algebra.appendices import APPENDICES, simplify
     from derive.approximate import search, shapes
@@ -56,7 +54,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
             say(f"{'':<32} {step.rule:<11} {step.seconds:6.2f} s  operations {counts}")
     for appendix in APPENDICES:
         for reduced in timed(f"appendix {appendix.name}", "reduce", "", simplify, appendix).steps:
-            say(f"{'':<52}{count_ops(reduced.expression):4d} operations: {reduced.text} ({reduced.proof})")
+            say(f"{'':<52}{reduced.operations:4d} operations: {reduced.text} ({reduced.proof})")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
     timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
     timed("flow", "series", "{0} operations proved", operations.prove)

@@ -151,6 +151,11 @@ class Step(NamedTuple):
     proof: str
     expression: sp.Expr
 
+    @property
+    def operations(self) -> int:
+        """Of the expression."""
+        return int(sp.count_ops(self.expression))
+
 
 class Proof(NamedTuple):
     """What an appendix truly is: `expression` in (alpha, theta_m), the double integral of `integrand`."""
@@ -158,6 +163,11 @@ class Proof(NamedTuple):
     expression: sp.Expr
     integrand: sp.Expr
     steps: tuple[Step, ...]
+
+    @property
+    def operations(self) -> tuple[int, int]:
+        """Of the print, and of the one line."""
+        return self.steps[0].operations, self.steps[-1].operations
 
 
 def integrand(expression: sp.Expr) -> sp.Expr:

@@ -22,7 +22,7 @@ from sympy.core.function import AppliedUndef
 from derive.algebra.appendices import Appendix, parse, real_arithmetic_fails, repairs, simplify, unreadable
 from derive.algebra.dynamics import R
 from derive.algebra.integrate import quadrature
-from derive.algebra.prove import prove_zero
+from derive.algebra.prove import prove_zero, refute
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD
 from derive.declare.symbols import alpha, in_words, theta, theta_m
@@ -63,42 +63,32 @@ def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
     return DOMAINS | {name: (low, high) for name, low, high in domain}
 
 
-def _inside(reach: tuple[sp.Expr, ...], share: sp.Rational) -> sp.Expr:
-    """A point of an interval, or of what it leaves of the numbers below 1 where it has no end."""
-    low, high = reach
-    if low == -sp.oo:
-        return -share if high == 0 else share * (-1) ** (share.p % 2)
-    return low + share * (1 if high == sp.oo else high - low)
-
-
 @cache
 def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
-    """Decide whether a form is zero on a domain: refuted at a point with many digits, or else proved."""
+    """Decide whether a form is zero on a domain, for each sign of its symbols: refuted at a point, or else proved."""
     form = sp.sympify(form).as_dummy()
+    if form.has(sp.Order):
+        return False
     for kind in (sp.Integral, sp.Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
         atoms = sorted(form.atoms(kind), key=sp.default_sort_key)
         form = form.xreplace({x: sp.Symbol(f"_{x}", real=True) for x in atoms})
-    reach = {x: tuple(map(sp.sympify, limits(domain).get(x.name, (0, sp.oo)))) for x in form.free_symbols}
-    form = form.subs({x: low for x, (low, high) in reach.items() if low == high})
-    free = sorted(form.free_symbols, key=lambda x: x.name)
-    for start in range(3):
-        point = {x: _inside(reach[x], sp.Rational(3 + (k + start) * 7 % 11, 17 + k)) for k, x in enumerate(free)}
-        found = sp.N(form.subs(point), _DIGITS)
-        if not found.is_finite or abs(found) > sp.Float(_TINY):
-            return False
-    signs = {x: "positive" if low >= 0 else "negative" if high <= 0 else "real" for x, (low, high) in reach.items()}
+    ways = []
+    for x in sorted(form.free_symbols, key=lambda x: x.name):
+        (low, high), size = limits(domain).get(x.name, (0, sp.oo)), sp.Symbol(x.name, positive=True)
+        signs = [sign for sign, there in ((1, high > 0), (-1, low < 0)) if there]
+        ways.append([(x, low)] if low == high else [(x, sign * size) for sign in signs])
+    try:
+        for way in product(*ways):
+            refute(form.subs(dict(way)), "a printed form")
+    except ProofError:
+        return False
     if form.has(_LOG):
         slopes = sp.diff(_LOG.replace(sp.Abs, lambda x: x) - _ARTANH, alpha)
         prove_zero(sp.simplify(slopes.rewrite(sp.exp)), "log tan(pi/4 + alpha/2) = artanh(sin alpha)")
         form = form.subs(_LOG, _ARTANH)
-    prove_zero(form.subs({x: sp.Symbol(x.name, **{signs[x]: True}) for x in free}), "a printed form")
+    for way in product(*ways):
+        prove_zero(form.subs(dict(way)), "a printed form")
     return True
-
-
-def _equal(printed: sp.Expr, derived: sp.Expr, domain: Domain) -> bool:
-    if printed.has(sp.Order) or derived.has(sp.Order):
-        return bool(printed == derived)
-    return vanishes(printed - derived, domain)
 
 
 def _captured(form: sp.Expr) -> bool:
@@ -129,7 +119,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
     return (
         len(printed) == len(derived)
         and not any(map(_captured, printed))
-        and all(_equal(x, y.subs(put), claim.domain) for x, y in zip(printed, derived, strict=True))
+        and all(x == (y := z.subs(put)) or vanishes(x - y, claim.domain) for x, z in zip(printed, derived, strict=True))
         and (not claim.dimension or _homogeneous(printed[0], claim.dimension))
         and (claim.weight is None or _integrates(printed[0], claim.weight, claim.domain))
         and (claim.law is None or all(vanishes(x.subs(put), claim.domain) for x in claim.law(printed[0])))
@@ -236,13 +226,13 @@ def _appendix(claim: Claim) -> Judgement:
         proof = simplify(claim.subject)
     except (ProofError, ValueError) as error:
         return "nothing: it is no such integral", "wrong", f"cause not found ({error})"
-    before, after = (sp.count_ops(x.expression) for x in (proof.steps[0], proof.steps[-1]))
+    before, after = proof.operations
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
     brackets, (claimed,) = _brackets(claim.subject), m.read(claim.expression)
     said = [brackets] if brackets else []
     if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.FIRST_END + s.HALF)):
         said.append("NaN in real arithmetic here")
-    if not _equal(proof.integrand, claimed, ()):
+    if not vanishes(proof.integrand - claimed):
         number = _digits(s.value(proof.expression))
         said.insert(0, f"integrates {words(proof.integrand)}, not {words(claimed)}: {number} here")
         return computed, "wrong", "; ".join(said)
