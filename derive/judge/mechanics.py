@@ -175,6 +175,7 @@ def names() -> dict[str, Any]:
     }  # fmt: skip
 
 
+@cache
 def read(forms: str) -> tuple[sp.Expr, ...]:
     """Transcribed forms, separated by semicolons."""
     return tuple(sp.parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))
