@@ -52,7 +52,7 @@ def balance() -> dict[str, sp.Expr]:
 
 @cache
 def solution() -> dict[str, sp.Expr]:
-    """The solution of (3.16), omega(0) = omega_0, for a b > 0 and continued to any sign; y is that of omega = y'/(b y)."""
+    """The solution of (3.16), for a b > 0 and continued to any sign, with y of omega = y'/(b y)."""
     k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
     ways = {
         "y": Y,
