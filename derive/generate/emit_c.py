@@ -1,12 +1,13 @@
 """Programs become C: inline functions of named parts, and the lists from which the template makes loops and ufuncs."""
 
 import re
-import struct
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
+
+import numpy as np
 
 from derive.approximate.programs import Code, Variant, logarithm
 from derive.approximate.search import DIVISION
@@ -85,10 +86,10 @@ class CText:
 
 def pattern(limit: float, number: str, included: bool = True) -> str:
     """The bits of the largest double, or float, that is not above a positive limit, or below it."""
-    letter, width = {"double": ("dQ", 64), "float": ("fI", 32)}[number]
-    (bits,) = struct.unpack(f"<{letter[1]}", struct.pack(f"<{letter[0]}", limit))
-    (nearest,) = struct.unpack(f"<{letter[0]}", struct.pack(f"<{letter[0]}", limit))
-    return f"UINT{width}_C({bits if nearest < limit or (included and nearest == limit) else bits - 1:#x})"
+    width = {"double": 64, "float": 32}[number]
+    nearest = np.array(limit, f"float{width}")
+    inside = float(nearest) < limit or (included and float(nearest) == limit)
+    return f"UINT{width}_C({int(nearest.view(f'uint{width}')) - (not inside):#x})"
 
 
 def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:

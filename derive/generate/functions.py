@@ -1,7 +1,7 @@
 """What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
@@ -30,11 +30,8 @@ _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
 
 
-def kernels(proved: Iterable[Record] = ()) -> list[Function]:
+def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
-    bounds: dict[str, dict[tuple[str, str], float]] = {}
-    for r in proved:
-        bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
     closed = closed_forms()
     formulas = {name: str(form) for name, form in closed.items()}
     for q in QUOTIENTS:
@@ -47,7 +44,7 @@ def kernels(proved: Iterable[Record] = ()) -> list[Function]:
         found.append(Function(
             tiers.get("best") or program(name, ("alpha",), form, let=_CLIP), f"{symbol}: {x.help}, dimensionless.",
             f"{symbol} = {formulas[name]}", f"eq. ({x.equation}) of {PAPER}", (_ALPHA,), f"{symbol}.", _ALPHA_DOMAIN,
-            _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds.get(name)), tiers,
+            _ALPHA_INSIDE, (0.0,), _accuracy(name, [r for r in proved if r["kernel"] == name]), tiers,
         ))  # fmt: skip
     friction = _of_ends(
         "limit_friction", _LIMIT, "weight_moment_per_radial_weight",
@@ -63,16 +60,14 @@ def _tiers(name: str) -> dict[str, Program]:
     return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
 
 
-def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
+def _accuracy(name: str, proved: Sequence[Record]) -> str:
     """What is proved of a kernel, in words."""
-    if not bounds:
+    if not proved:
         return ACCURACY
+    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in proved}
     plain = bounds["best", "plain"]
-    cheap = "".join(
-        f"; accuracy={tier}: {bound:.3g} relative"
-        for (tier, form), bound in bounds.items()
-        if form == "fused" and tier[0] == "1"
-    )
+    cheap = "".join(f"; accuracy={tier}: {bound:.3g} relative" for (tier, form), bound in bounds.items()
+                    if form == "fused" and tier[0] == "1")  # fmt: skip
     single = f"; float32: {bounds['float32', 'fused']:.3g} ulp" if ("float32", "fused") in bounds else ""
     return (
         f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
@@ -85,12 +80,10 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
     known = {f.program.name: f for f in kernels}
     found = {}
     for r in proved:
-        f, tier = known[r["kernel"]], r["tier"]
-        unit = "relative" if tier[0] == "1" else "ulp"
-        found[r["kernel"], tier, r["form"]] = (
-            f"{f.formula.rstrip('.')}, 0 <= alpha <= pi/2, {tier}, {r['form']}: "
-            f"proved within {r['bound']:.3g} {unit} (certificates/{r['kernel']}.json)"
-        )
+        kernel, tier, form = r["kernel"], r["tier"], r["form"]
+        bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
+        formula = known[kernel].formula.rstrip(".")
+        found[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
     return found
 
 
