@@ -10,7 +10,7 @@ def refute(expression: sp.Expr, claim: str) -> None:
     symbols = sorted(expression.free_symbols, key=sp.default_sort_key)
     point = {x: sp.Rational(2 * i + 3, 2 * i + 7) for i, x in enumerate(symbols)}
     value = sp.N(expression, 30, subs=point)
-    if value.is_Number and abs(value) > sp.Rational(1, 10**20):
+    if value in (sp.nan, sp.zoo) or (value.is_Number and abs(value) > sp.Rational(1, 10**20)):
         raise ProofError(claim, f"{sp.N(value, 8)} at {point}")
 
 
