@@ -1,28 +1,17 @@
 """From a definition to source text: SymPy derives, simplifies, stabilises and writes the package `generated`.
 
 Nothing here is imported at run time. What does not hold raises a `ProofError` with the claim, what was found and what
-was wanted, and stops the run: the docstrings do not repeat it. The stages, in the order in which `python -m derive`
-walks them:
+was wanted, and stops the run: the docstrings do not repeat it. The folders, each needing only those above it:
 
-``quantities``, ``symbols``   what is derived, declared once as data
-``integrate``                 definition -> closed form, each step proved
-``rules``, ``remainders``     closed form -> form without cancellation, by named rules, each step proved
-``minimax``, ``shapes``       closed form -> best polynomials and rationals, in the shapes that are recorded
-``programs``, ``search``      shapes -> the kernels' programs for each tier of accuracy; and where the shapes come from
-``dynamics``                  balance laws -> equation of motion -> its solution in time, proved
-``effects``                   what a scene may ask for, declared once as data
-``growth``                    how the moments of an arc grow with its half angle, proved
-``fragments``, ``lowering``   effects, laws and the balance -> operations on Taylor series: the parts of flow programs
-``series``, ``tangents``      what these operations do, proved, in C and in NumPy; and their derivatives
-``program``, ``exact``        SymPy expression -> straight-line `Program`, and its value as every machine rounds it
-``functions``                 the functions of `generated`: each with its program, its domain and its words
-``emit``, ``emit_c``          `Program` -> NumPy source, and C source of ufunc loops
-``certificates``              the error bound of each kernel, proved by ``certify``, ``truth`` and ``rounding``
-``write``                     source -> the files of `generated`, atomically, or a diff against them
-``build``, ``build_hook``     C source -> extension module, here and at install time
-
-Beside them stands ``judge``: what follows from the definitions (``appendices``, ``mechanics``, ``section``,
-``postulates``), what the ``paper`` claims, and ``verify``, which compares; ``hard`` measures the hard cases.
+``check``         the error bound of each kernel, from its certificate alone
+``declare``       the quantities that are derived, and the effects that a scene may ask for, as data
+``algebra``       definition -> closed form -> form without cancellation; balance laws -> motion; each step proved
+``code``          SymPy expression -> straight-line `Program` -> its text, and its value as every machine rounds it
+``approximate``   closed form -> best polynomials and rationals -> the kernels' programs for each tier of accuracy
+``flow``          effects, laws and the balance -> operations on Taylor series, in C, in NumPy, and their derivatives
+``generate``      the functions of `generated`, each with its program, its domain and its words -> its files
+``judge``         what the paper claims, beside what follows from the definitions; and the hard cases
+``build``         C source -> extension module, here and at install time
 
 To add something, declare it, then run ``python -m derive``: it proves the declaration, writes `generated`, and from
 there it is in plans, scene files and `slipcircle schema`. The tests follow what stands here to the letter.

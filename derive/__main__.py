@@ -4,6 +4,7 @@ import argparse
 import sys
 import time
 from collections.abc import Callable
+from importlib import import_module
 from importlib.util import find_spec
 from threading import Thread
 from typing import TypeVar
@@ -22,7 +23,8 @@ def timed(what: str, stage: str, told: str, work: Callable[..., T], *args: objec
     """Do one stage, and say how long it took and what came of it; ``{0}`` in ``told`` is the result."""
     start = time.perf_counter()
     result = work(*args)
-    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {told.format(result)}")
+    shown = len(result) if isinstance(result, list) else result
+    say(f"{what:<32} {stage:<11} {time.perf_counter() - start:6.2f} s  {told.format(shown)}")
     return result
 
 
@@ -31,7 +33,7 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
 
     Shapes of kernels are searched for where there is no record of them, or ``anew`` for all, with so many ``trials``.
     """
-    from derive.algebra import dynamics, growth, integrate, rules, slopes
+    from derive.algebra import dynamics, integrate, rules, slopes
     from derive.algebra.appendices import APPENDICES, simplify
     from derive.approximate import search, shapes
     from derive.declare.quantities import MOMENTS
@@ -54,11 +56,11 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
         for reduced in timed(f"appendix {appendix.name}", "reduce", "", simplify, appendix).steps:
             say(f"{'':<52}{reduced.operations:4d} operations: {reduced.text} ({reduced.proof})")
     timed("equation of motion", "balance", "(2.20), (3.8)-(3.18), (3.21) derived", dynamics.balance)
-    timed("equation of motion", "solve", "{0} claims proved", lambda: len(dynamics.prove_forms()))
-    timed("flow", "series", "{0} operations proved", lambda: len(operations.prove()))
-    timed("slopes", "balance", "{0} claims proved", lambda: len(slopes.prove()))
-    timed("arc", "slopes", "{0} claims proved", lambda: len(growth.prove_arc_growth(integrate.closed_forms())))
-    timed("rounded angles", "carried", "{0} claims proved", lambda: len(functions.prove_carried()))
+    timed("equation of motion", "solve", "{0} claims proved", dynamics.prove_forms)
+    timed("flow", "series", "{0} operations proved", operations.prove)
+    timed("slopes", "balance", "{0} claims proved", slopes.prove)
+    timed("arc", "slopes", "{0} claims proved", rules.prove_arc_growth, integrate.closed_forms())
+    timed("rounded angles", "carried", "{0} claims proved", functions.prove_carried)
     proved = timed("kernels", "certify", "", write.proofs)
     return timed("generated", "emit", "", write.files, proved)
 
@@ -73,6 +75,15 @@ def binary() -> str:
         return f"NumPy serves: {error}"
 
 
+_JSON = {"json": "a list of objects on stdout"}
+COMMANDS = {
+    "verify": ("judge every numbered equation, table entry and appendix of the paper",
+               _JSON | {"markdown": "a page for a colleague"}),
+    "hard": ("the hard cases: error of the printed form beside ours", _JSON),
+    "prove": ("prove the error bounds of the kernels again, from their certificates alone", {}),
+}  # fmt: skip
+
+
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     parser = argparse.ArgumentParser(
@@ -85,16 +96,11 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--trials", type=int, metavar="N", help="let a search judge N shapes for one quantity (40)")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
 
-    def command(name: str, words: str) -> argparse.ArgumentParser:
-        return commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
-
-    verify = command("verify", "judge every numbered equation, table entry and appendix of the paper")
-    form = verify.add_mutually_exclusive_group()
-    form.add_argument("--json", action="store_true", help="a list of objects on stdout")
-    form.add_argument("--markdown", action="store_true", help="a page for a colleague")
-    hard = command("hard", "the hard cases: error of the printed form beside ours")
-    hard.add_argument("--json", action="store_true", help="a list of objects on stdout")
-    command("prove", "prove the error bounds of the kernels again, from their certificates alone")
+    for name, (words, forms) in COMMANDS.items():
+        added = commands.add_parser(name, help=words, description=f"{words[0].upper()}{words[1:]}.")
+        form = added.add_mutually_exclusive_group()
+        for x, shown in forms.items():
+            form.add_argument(f"--{x}", dest="form", action="store_const", const=x, default="text", help=shown)
     options = parser.parse_args(argv)
     needed = ("flint",) if options.command == "prove" else ("sympy", "mpmath", "flint")
     if missing := [name for name in needed if find_spec(name) is None]:
@@ -104,32 +110,21 @@ def main(argv: list[str] | None = None) -> int:
         from derive.check.table import prove_all
 
         return 0 if prove_all() else 1
-    if options.command == "verify":
-        from derive.judge.verify import report
-
-        print(report("json" if options.json else "markdown" if options.markdown else "text"))
+    if options.command in ("verify", "hard"):
+        report = import_module(f"derive.judge.{options.command}").report
+        print(report(options.form))
         return 0
-    if options.command == "hard":
-        from derive.judge.hard import report as hard_report
-
-        print(hard_report("json" if options.json else "text"))
-        return 0
-    return regenerate(options.check, options.search, options.trials)
-
-
-def regenerate(check: bool, search: bool, trials: int | None) -> int:
-    """Derive everything, then write what has changed, or show it."""
     from derive.approximate import shapes
     from derive.generate import write
 
     start = time.perf_counter()
     try:
-        texts = derive_all(search, trials)
+        texts = derive_all(options.search, options.trials)
     except ProofError as fault:
         say(f"{fault}; nothing is written")
         return 1
     records = {shapes.RECORDS.name: shapes.text()}
-    if check:
+    if options.check:
         diff = write.difference(texts) + write.difference(records, shapes.RECORDS.parent)
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0

@@ -11,7 +11,7 @@ import pytest
 from mpmath import mpf
 
 from derive.algebra import integrate
-from derive.algebra.growth import prove_arc_growth
+from derive.algebra.rules import prove_arc_growth
 from generated import growth
 
 ULP = 2.0**-52

@@ -6,6 +6,7 @@ S0(z) = sinh(sqrt z)/sqrt z, an entire function, at z = a b t**2, and decaying e
 """
 
 from dataclasses import dataclass, replace
+from functools import cache
 
 import sympy as sp
 
@@ -20,6 +21,7 @@ mu, theta_star, j_r, j_theta, polar = sp.symbols("mu Theta J_r J_theta I_p", rea
 omega_star, rate_star, sigma_mean = sp.symbols("omega_star rate_star sigma_mean", real=True)
 
 
+@cache
 def balance() -> dict[str, sp.Expr]:
     """Right-hand sides of (2.20) and (3.11)-(3.21), and both sides of (3.8), from the balance laws, by their numbers.
 
@@ -48,13 +50,10 @@ def balance() -> dict[str, sp.Expr]:
     }
 
 
+@cache
 def solution() -> dict[str, sp.Expr]:
-    """Solve (3.16) with omega(0) = omega_0, for a b > 0, and continue it to any sign; y is that of omega = y'/(b y)."""
-    y = sp.Function("y")
+    """The solution of (3.16), for a b > 0 and continued to any sign, with y of omega = y'/(b y)."""
     k = _ROOT  # k**2 = a b; even in k, so valid for imaginary k, that is for a b < 0
-    conditions = {y(0): 1, y(t).diff(t).subs(t, 0): b * omega_0}
-    linear = sp.dsolve(y(t).diff(t, 2) - k**2 * y(t), y(t), ics=conditions).rhs
-    prove_zero((linear - Y).rewrite(sp.exp), "y = cosh(kt) + b omega_0 sinh(kt)/k")
     ways = {
         "y": Y,
         "angular_velocity": (omega_0 * sp.cosh(k * t) + a * sp.sinh(k * t) / k) / Y,
@@ -62,15 +61,15 @@ def solution() -> dict[str, sp.Expr]:
         "angular_acceleration": (a - b * omega_0**2) / Y**2,
     }
     omega = ways["angular_velocity"]
-    on_shell = {a: k**2 / b}
     for claim, zero in {
         "(3.16) holds": sp.diff(omega, t) - (a - b * omega**2),
         "the rotation's rate is the angular velocity": sp.diff(ways["rotation"], t) - omega,
         "the acceleration is the angular velocity's rate": ways["angular_acceleration"] - sp.diff(omega, t),
+        "y is linear": sp.diff(Y, t, 2) - k**2 * Y,
         "omega(0) = omega_0": omega.subs(t, 0) - omega_0,
         "phi(0) = 0": ways["rotation"].subs(t, 0),
     }.items():
-        prove_zero(zero.subs(on_shell).rewrite(sp.exp), claim)
+        prove_zero(zero.subs(a, k**2 / b).rewrite(sp.exp), claim)
     return ways
 
 
@@ -202,34 +201,28 @@ FORMS = (
 def prove_forms() -> list[str]:
     """Prove each stable formula equal to the solution, in each of its pieces; the claims."""
     ways = solution()
-    claims = []
-
-    k, later = sp.symbols("k t", positive=True)
-
-    def check(claim: str, zero: sp.Expr) -> None:
-        prove_zero(zero.subs({a: k**2 / b, t: later}).rewrite(sp.exp), claim)
-        claims.append(claim)
-
-    forms = {f.name: f for f in FORMS}
+    claims: dict[str, sp.Expr] = {}
+    forms = {f.name.removeprefix("frozen_"): f for f in FORMS}
     for large, regime in ((True, "a b t**2 > 1"), (False, "a b t**2 <= 1")):
         for name in ("angular_velocity", "angular_acceleration"):
-            check(f"{name}, {regime}", exact(forms[f"frozen_{name}"], large) - ways[name])
+            claims[f"{name}, {regime}"] = exact(forms[name], large) - ways[name]
         # Compared as exp(b phi) = y; with G kept as one symbol, log(1 + b G)/(b G) cancels.
-        rotation = exact(forms["frozen_rotation"], large, keep=_G)
-        g = exact(replace(forms["frozen_rotation"], result=_G), large=False)
-        y = sp.exp(sp.expand(sp.cancel(b * rotation))).subs(_G, g)
-        check(f"rotation, {regime}", y - ways["y"])
+        rotation = exact(forms["rotation"], large, keep=_G)
+        g = exact(replace(forms["rotation"], result=_G), large=False)
+        claims[f"rotation, {regime}"] = sp.exp(sp.expand(sp.cancel(b * rotation))).subs(_G, g) - ways["y"]
     # Arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a)).
     brake, b_, w = sp.symbols("brake b_ omega", positive=True)
     kappa = sp.sqrt(brake * b_)
     positive = {a: -brake, b: b_, omega_0: w}
-    time = unfold(forms["frozen_arrest_time"].result).subs(positive)
-    turn = unfold(forms["frozen_arrest_rotation"].result).subs(positive)
+    time, turn = (unfold(forms[f"arrest_{x}"].result).subs(positive) for x in ("time", "rotation"))
     y = sp.cos(kappa * t) + b_ * w * sp.sin(kappa * t) / kappa
     stopping = w * sp.cos(kappa * t) - brake * sp.sin(kappa * t) / kappa
-    check("omega = 0 at the arrest", sp.simplify(stopping.subs(t, time)))
-    check("rotation at the arrest", sp.simplify(sp.exp(2 * b_ * turn) - sp.simplify(y.subs(t, time)) ** 2))
-    return claims
+    claims["omega = 0 at the arrest"] = sp.simplify(stopping.subs(t, time))
+    claims["rotation at the arrest"] = sp.simplify(sp.exp(2 * b_ * turn) - sp.simplify(y.subs(t, time)) ** 2)
+    k, later = sp.symbols("k t", positive=True)
+    for claim, zero in claims.items():
+        prove_zero(zero.subs({a: k**2 / b, t: later}).rewrite(sp.exp), claim)
+    return [*claims]
 
 
 def exact(form: MotionForm, large: bool, keep: sp.Symbol | None = None) -> sp.Expr:

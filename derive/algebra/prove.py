@@ -10,7 +10,7 @@ def refute(expression: sp.Expr, claim: str) -> None:
     symbols = sorted(expression.free_symbols, key=sp.default_sort_key)
     point = {x: sp.Rational(2 * i + 3, 2 * i + 7) for i, x in enumerate(symbols)}
     value = sp.N(expression, 30, subs=point)
-    if value.is_Number and abs(value) > sp.Rational(1, 10**20):
+    if value in (sp.nan, sp.zoo) or (value.is_Number and abs(value) > sp.Rational(1, 10**20)):
         raise ProofError(claim, f"{sp.N(value, 8)} at {point}")
 
 
@@ -25,21 +25,19 @@ def prove_zero(expression: sp.Expr, claim: str) -> None:
 
 
 def trig_normal(expression: sp.Expr) -> sp.Expr:
-    """Canonical form of a rational function in sines, cosines and artanh: sin**2 -> 1 - cos**2, then cancel."""
+    """Canonical form of a rational function in sines, cosines and artanh: sin**2 -> 1 - cos**2, no sine below."""
     expression = sp.expand_trig(expression)
     swaps = {f: sp.Dummy(str(f)) for f in sorted(expression.atoms(sp.sin, sp.cos, sp.atanh), key=sp.default_sort_key)}
-    relations = [
-        swaps[sp.sin(x)] ** 2 + swaps[sp.cos(x)] ** 2 - 1
-        for x in (f.args[0] for f in swaps if isinstance(f, sp.sin))
-        if sp.cos(x) in swaps
-    ]
-    sines = [swaps[f] for f in swaps if isinstance(f, sp.sin)]
-    cosines = [swaps[f] for f in swaps if isinstance(f, sp.cos)]
+    sines = {swaps[f]: swaps[sp.cos(f.args[0])] for f in swaps if isinstance(f, sp.sin) and sp.cos(f.args[0]) in swaps}
 
     def reduced(polynomial: sp.Expr) -> sp.Expr:
-        polynomial = sp.expand(polynomial)
-        return sp.reduced(polynomial, relations, *sines, *cosines)[1] if relations else polynomial
+        for sine, cosine in sines.items():
+            polynomial = sp.rem(polynomial, sine**2 + cosine**2 - 1, sine)
+        return sp.expand(polynomial)
 
-    parts = sp.fraction(sp.together(expression.subs(swaps)))
-    ratio = sp.cancel(reduced(parts[0]) / reduced(parts[1]))
-    return sp.expand(ratio).subs({v: k for k, v in swaps.items()})
+    top, bottom = map(reduced, sp.fraction(sp.together(expression.subs(swaps))))
+    for sine in sines:
+        if bottom.has(sine):
+            mirrored = bottom.subs(sine, -sine)
+            top, bottom = reduced(top * mirrored), reduced(bottom * mirrored)
+    return sp.expand(sp.cancel(top / bottom)).subs({v: k for k, v in swaps.items()})

@@ -52,9 +52,6 @@ class Primitive(sp.Function):
     def fdiff(self, argindex: int = 1) -> sp.Expr:
         return sp.diff(self.func(X).definition(), X).subs(X, self.args[0])
 
-    def _eval_rewrite(self, rule: object, args: tuple[sp.Expr], **hints: object) -> sp.Expr:
-        return self.definition()
-
 
 def unfold(expression: sp.Expr) -> sp.Expr:
     """Replace every primitive by its definition, Horner's schemes by polynomials, and rounding errors by zero."""

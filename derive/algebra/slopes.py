@@ -16,8 +16,6 @@ rings
     Gauss' rule of ``NODES`` nodes leaves about (3.87 + sqrt(3.87^2 - 1))^(-2 NODES) < 1e-17 of the greatest value.
 """
 
-from collections.abc import Callable
-
 import sympy as sp
 
 from derive.algebra.integrate import antiderivative
@@ -194,57 +192,53 @@ def head() -> sp.Expr:
 
 def prove() -> list[str]:
     """Prove what the forms above rest on; the claims."""
-    claims = []
-
-    def claim(zero: sp.Expr, words: str) -> None:
-        prove_zero(zero, words)
-        claims.append(words)
-
-    # dL/dt2 = 1/r2, where L is computed from d/(r1 + r2).
-    ratio = (_T2 - _T1) / (_rho(_T1) + _rho(_T2))
-    claim(sp.diff(2 * sp.atanh(ratio), _T2) - 1 / _rho(_T2), "L grows by dt/rho")
-    # The ring along the edge: dtheta/ds = P1 x e/rho^2, and 1 - rho^2 is a sum of positive terms inside the circle.
+    ratio = (_T2 - _T1) / (_rho(_T1) + _rho(_T2))  # L is computed from it
+    # The ring along the edge: 1 - rho^2 is a sum of positive terms inside the circle.
     s, g1, g2 = sp.symbols("s g1 g2", real=True)
     x, y = X + s * E_X, Y + s * E_Y
-    claim(sp.diff(sp.atan2(y, x), s) - (X * E_Y - Y * E_X) / (x**2 + y**2), "dtheta = P1 x e ds/rho^2")
     parts = (1 - s) * g1 + s * g2 + s * (1 - s) * (E_X**2 + E_Y**2)
     ends = {g1: 1 - X**2 - Y**2, g2: 1 - (X + E_X) ** 2 - (Y + E_Y) ** 2}
-    claim(parts.subs(ends) - (1 - x**2 - y**2), "1 - rho^2 along an edge")
-    declared = {m.name: m for m in MOMENTS}
-    for of, (name, sign) in MEANS.items():
-        moment = declared[of]
-        claim(moment.weight - sign * WEIGHTS[name], f"{moment.symbol} is {'-' if sign < 0 else ''}{name}")
+    claims = {
+        "L grows by dt/rho": sp.diff(2 * sp.atanh(ratio), _T2) - 1 / _rho(_T2),
+        "dtheta = P1 x e ds/rho^2": sp.diff(sp.atan2(y, x), s) - (X * E_Y - Y * E_X) / (x**2 + y**2),
+        "1 - rho^2 along an edge": parts.subs(ends) - (1 - x**2 - y**2),
+    }
+    for moment in MOMENTS:
+        if moment.name in MEANS:
+            name, sign = MEANS[moment.name]
+            claims[f"{moment.symbol} is {'-' if sign < 0 else ''}{name}"] = moment.weight - sign * WEIGHTS[name]
         if moment.name in SLOPES:
-            slope, slope_sign = SLOPES[moment.name]
+            name, sign = SLOPES[moment.name]
             turned = sp.expand_trig(moment.weight.subs(theta, theta + _PHI))
-            two = moment.weight * sp.cos(_PHI) - slope_sign * WEIGHTS[slope] * sp.sin(_PHI)
-            claim(turned - two, f"{moment.symbol} of the turned mass")
-    _prove_slices(claim)
-    return claims
+            two = moment.weight * sp.cos(_PHI) - sign * WEIGHTS[name] * sp.sin(_PHI)
+            claims[f"{moment.symbol} of the turned mass"] = turned - two
+    claims |= _of_one_chord()
+    for words, zero in claims.items():
+        prove_zero(zero, words)
+    return [*claims]
 
 
-def _prove_slices(claim: Callable[[sp.Expr, str], None]) -> None:
-    """The slices of the mass under one straight chord give the paper's closed forms."""
+def _of_one_chord() -> dict[str, sp.Expr]:
+    """That the slices of the mass under one straight chord give the paper's closed forms."""
     forms, middle = slices(), sp.Symbol("beta_m", real=True)
     height = (sp.cos(BETA - middle) - sp.cos(alpha)) / sp.cos(middle)
     chord = {SINE: sp.sin(BETA), COSINE: sp.cos(BETA), HEIGHT: height, K_H: 0, PRESSURE: 0}
 
-    def whole(integrand: sp.Expr) -> sp.Expr:
+    def whole(name: str) -> sp.Expr:
         u = sp.Symbol("u", real=True)
-        centred = sp.expand(sp.expand_trig(integrand.subs(BETA, middle + u)))
-        primitive = antiderivative(centred, u)
+        primitive = antiderivative(sp.expand_trig(forms[name].subs(chord).subs(BETA, middle + u)), u)
         return primitive.subs(u, alpha) - primitive.subs(u, -alpha)
 
-    drive = whole(forms["drive"].subs(chord))
-    claim(drive + sp.Rational(2, 3) * sp.sin(alpha) ** 3 * sp.sin(middle), "one chord: the drive of slices is J_theta")
     # Fellenius' normal force of one chord, closed: the mean of h cos^2 over the arc.
-    normal = whole(forms["ordinary_normal"].subs(chord))
     even = (sp.sin(alpha) - alpha * sp.cos(alpha)) + (
         (sp.sin(alpha) + sp.sin(3 * alpha) / 3) / 2 - sp.cos(alpha) * sp.sin(2 * alpha) / 2
     ) * sp.cos(2 * middle)
-    claim(normal * sp.cos(middle) - even, "one chord: the ordinary method's normal force in closed form")
     low, unfolded = sp.Symbol("low", real=True), unfold(head())
     above = HEIGHT + SLOPE * (sp.sin(low + ANGLE) - sp.sin(low)) + sp.cos(low + ANGLE) - sp.cos(low)
     grown = sp.diff(unfolded.subs({SINE: sp.sin(low), COSINE: sp.cos(low)}), ANGLE)
-    claim(sp.expand_trig(grown - above), "height of a line above the arc")
-    claim(sp.limit(unfolded, ANGLE, 0), "no height over no angle")
+    return {
+        "the drive of slices is J_theta": whole("drive") + sp.Rational(2, 3) * sp.sin(alpha) ** 3 * sp.sin(middle),
+        "the ordinary method's normal force in closed form": whole("ordinary_normal") * sp.cos(middle) - even,
+        "height of a line above the arc": sp.expand_trig(grown - above),
+        "no height over no angle": sp.limit(unfolded, ANGLE, 0),
+    }

@@ -124,7 +124,7 @@ _LENGTH = Parameter("length", "m", 0.0, _INFINITY, "slip over which friction fal
 _PEAK = _friction("peak", "friction coefficient at the start")
 _RESIDUAL = _friction("residual", "friction coefficient after much slip")
 
-SLIP, MORE, SPEED, _P, _R, _L, _V = sp.symbols("slip more speed peak residual length velocity", real=True)
+SLIP, SPEED, _P, _R, _L, _V = sp.symbols("slip speed peak residual length velocity", real=True)
 
 LAWS = (
     Law("constant", "1.14", (_friction("coefficient", "friction coefficient, tan(phi)", "angle_deg"),), (),
@@ -165,14 +165,11 @@ _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
-def _series(name: str, help: str, symbol: sp.Symbol) -> Parameter:
-    """A function of time, given in Python."""
-    return Parameter(name, "", -_INFINITY, _INFINITY, help, "", 1.0, symbol, optional=True, kind="series")
-
-
-def _optional(name: str, help: str, unit: str = "", key: str = "", kind: str = "number") -> Parameter:
-    """Any number, or a text, that may be left out."""
-    return Parameter(name, unit, -_INFINITY, _INFINITY, help, key or name, optional=True, kind=kind)
+def _optional(name: str, help: str, unit: str = "", key: str | None = None, kind: str = "number",
+              symbol: sp.Symbol | None = None) -> Parameter:  # fmt: skip
+    """Any number, a function of time or a text, that may be left out."""
+    key = name if key is None else key
+    return Parameter(name, unit, -_INFINITY, _INFINITY, help, key, symbol=symbol, optional=True, kind=kind)
 
 
 _OF_A_RECORD = (
@@ -219,8 +216,8 @@ EFFECTS = (
         Parameter("thickness", "m", 0.0, _INFINITY, "thickness of the sheared layer", "thickness_m")), ("speed",),
            "viscous resistance of a sheared layer, which grows with the speed", resistance=THETA * _VISCOSITY * OMEGA),
     Effect("shaking", "3.11", (
-        _series("horizontal", "k_h(t), driving acceleration over g, positive down-slope", _K_H),
-        _series("vertical", "k_v(t), acceleration over g that lightens the mass", _K_V),
+        _optional("horizontal", "k_h(t), driving acceleration over g, positive down-slope", "", "", "series", _K_H),
+        _optional("vertical", "k_v(t), acceleration over g that lightens the mass", "", "", "series", _K_V),
         _optional("pulse", "name of a pulse", kind="rectangular|half-sine|triangular|sine"),
         _optional("amplitude", "greatest k_h of the pulse, positive down-slope", key="amplitude_g"),
         _optional("vertical_amplitude", "greatest k_v of the pulse, by default 0", key="vertical_amplitude_g"),

@@ -53,32 +53,24 @@ class Moment:
 
 
 @dataclass(frozen=True)
-class _OfAlpha:
-    """A function of alpha that is no integral."""
+class Elementary:
+    """A quantity by its form in alpha, and its definition in the checker's words."""
 
     name: str
     symbol: str
     equation: str
-
-    @property
-    def kernel(self) -> tuple[str, str]:
-        """Name and symbol of its function of alpha."""
-        return self.name, self.symbol
-
-
-@dataclass(frozen=True)
-class Elementary(_OfAlpha):
-    """A quantity by its form in alpha, and its definition in the checker's words."""
-
     form: sp.Expr
     help: str
     definition: tuple[str, ...]
 
 
 @dataclass(frozen=True)
-class Quotient(_OfAlpha):
+class Quotient:
     """A ratio of two base quantities, O(1) as alpha -> 0 although both fall like alpha**3."""
 
+    name: str
+    symbol: str
+    equation: str
     numerator: str
     denominator: str
     help: str

@@ -7,21 +7,9 @@ limit branch of a ``Piecewise`` without a word.
 import sympy as sp
 
 # Geometry of the arc (paper, section 1): half opening angle, polar angles of its ends and of its bisector.
-alpha = sp.Symbol("alpha", real=True)
-theta = sp.Symbol("theta", real=True)
-theta_1 = sp.Symbol("theta_1", real=True)
-theta_2 = sp.Symbol("theta_2", real=True)
-theta_m = sp.Symbol("theta_m", real=True)
-
-# Integration variables of the definitions: r* = r/R and u = theta - theta_m.
-r = sp.Symbol("r", real=True)
-u = sp.Symbol("u", real=True)
-
-# Motion, dimensionless: d(omega)/dt = a - b*omega**2 (3.16), omega(0) = omega_0.
-a = sp.Symbol("a", real=True)
-b = sp.Symbol("b", real=True)
-omega_0 = sp.Symbol("omega_0", real=True)
-t = sp.Symbol("t", real=True)
+alpha, theta, theta_1, theta_2, theta_m = sp.symbols("alpha theta theta_1 theta_2 theta_m", real=True)
+r, u = sp.symbols("r u", real=True)  # of the definitions' integrals: r* = r/R and u = theta - theta_m
+a, b, omega_0, t = sp.symbols("a b omega_0 t", real=True)  # d(omega)/dt = a - b*omega**2 (3.16), omega(0) = omega_0
 
 
 def in_words(form: sp.Expr) -> str:

@@ -7,22 +7,7 @@ import sympy as sp
 
 from derive.algebra.remainders import Select
 from derive.declare import effects as declared
-from derive.declare.effects import (
-    BY_PSI,
-    DEGREE,
-    EFFECTS,
-    FALL,
-    LAMBDA,
-    LAWS,
-    LEVEL,
-    MU,
-    OMEGA,
-    PRESS,
-    SLIP,
-    THETA,
-    Effect,
-    Law,
-)
+from derive.declare.effects import BY_PSI, DEGREE, EFFECTS, FALL, LAMBDA, LAWS, LEVEL, MU, OMEGA, PRESS, SLIP, THETA
 from derive.flow.lowering import Fragment, Increment, Lowering, cell, series, total
 
 # What every scene gives, all over Theta*.
@@ -43,7 +28,7 @@ NORMAL, FRICTION = cell("normal"), cell("friction")
 # In the rate of a state these count in full: there is no base to subtract.
 TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 # A Python function of slip, which the runtime turns into pieces.
-CALLABLE = Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
+CALLABLE = declared.Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
 def seen(q: sp.Symbol) -> sp.Symbol:
@@ -67,16 +52,12 @@ def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
 
 def scaled(e: sp.Expr) -> sp.Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
-    over = {
-        declared.J_THETA: THETA * FALL,
-        declared.J_R: THETA * PRESS,
-        LAMBDA: THETA * LEVEL,
-        declared.A: declared.POLAR / LEVEL,
-    }
-    return sp.expand(sp.expand(sp.expand(e).subs(over | {declared.OMEGA_2: OMEGA**2})) / THETA)
+    over = {declared.J_THETA: THETA * FALL, declared.J_R: THETA * PRESS, LAMBDA: THETA * LEVEL}
+    over |= {declared.A: declared.POLAR / LEVEL, declared.OMEGA_2: OMEGA**2}
+    return sp.expand(sp.expand(sp.expand(e).subs(over)) / THETA)
 
 
-def quantities(effect: Effect) -> dict[str, sp.Expr]:
+def quantities(effect: declared.Effect) -> dict[str, sp.Expr]:
     """What an effect adds to the quantities of the balance."""
     return {
         "driving": scaled(effect.fall),
@@ -86,7 +67,7 @@ def quantities(effect: Effect) -> dict[str, sp.Expr]:
     }
 
 
-def odd(effect: Effect) -> set[sp.Symbol]:
+def odd(effect: declared.Effect) -> set[sp.Symbol]:
     """The parameters that change sign in a mirror, in which the drive does and nothing else.
 
     Raises
@@ -103,7 +84,7 @@ def odd(effect: Effect) -> set[sp.Symbol]:
     raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
 
 
-def moving(effect: Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
+def moving(effect: declared.Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
     """What may change along a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
     found = position() | {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
@@ -124,7 +105,7 @@ def powers(table: str, argument: str, degree: int) -> Increment:
     return {(argument,) * k: cell(f"{table}.Q{k}") for k in range(1, degree + 1)}
 
 
-def of_effect(effect: Effect) -> Fragment:
+def of_effect(effect: declared.Effect) -> Fragment:
     """What an effect adds to the quantities of the balance, and the rates of its states."""
     if effect.turns:
         return rotation(effect)
@@ -146,7 +127,7 @@ def of_effect(effect: Effect) -> Fragment:
     )
 
 
-def of_law(law: Law) -> Fragment:
+def of_law(law: declared.Law) -> Fragment:
     """Friction of a law: its base and its increment, from its formula or as the polynomial of a table's piece."""
     low, words = Lowering(law.name, moving()), [f"({law.equation}) {law.help}"]
     coefficient = law.coefficient if law.depends_on else cell("coefficient")
@@ -171,7 +152,7 @@ def of_law(law: Law) -> Fragment:
     return low.fragment(words, {"mu": value}, table=(law.name, law.depends_on[0], argument, law.degree))
 
 
-def pieces(law: Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:
+def pieces(law: declared.Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:
     """Where the pieces of a law with kinks begin, over its scale, and their polynomials in what is beyond.
 
     A piece takes the branch of each minimum or maximum that holds there, so that a constant piece is the number given.
@@ -202,12 +183,11 @@ def gravity() -> Fragment:
     return low.fragment(words, {"driving": FALL, "pressing": PRESS})
 
 
-def rotation(effect: Effect) -> Fragment:
+def rotation(effect: declared.Effect) -> Fragment:
     """The turning of the weight: its components where the phase begins, and the series that they turn by."""
     low = Lowering(effect.name, {})
-    low.cells |= {
-        str(seen(q)): sign(q) * (q * sp.cos(ROTATION) - slope * sp.sin(ROTATION)) for q, slope in BY_PSI.items()
-    }
+    for q, slope in BY_PSI.items():
+        low.cells[str(seen(q))] = sign(q) * (q * sp.cos(ROTATION) - slope * sp.sin(ROTATION))
     low.turn(series("x"), ONE, ONE)
     low.put("lin", "upright", str(seen(PRESS)), low.sum(position()[PRESS][1]))
     words = [f"({effect.equation}) {effect.help}", *declared.formulas(effect),
@@ -269,7 +249,7 @@ def energy() -> Fragment:
     return low.fragment(words, {}, states={"work": driving * omega, "dissipation": brakes * omega})
 
 
-def fragments(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> dict[str, Fragment]:
+def fragments(effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[declared.Law] = LAWS) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
     declared = {e.name: of_effect(e) for e in effects} | {law.name: of_law(law) for law in (*laws, CALLABLE)}
     joints = {"product": product(), "balance": balance(), "energy": energy()}

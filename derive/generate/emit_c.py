@@ -1,12 +1,13 @@
 """Programs become C: inline functions of named parts, and the lists from which the template makes loops and ufuncs."""
 
 import re
-import struct
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
+
+import numpy as np
 
 from derive.approximate.programs import Code, Variant, logarithm
 from derive.approximate.search import DIVISION
@@ -85,10 +86,10 @@ class CText:
 
 def pattern(limit: float, number: str, included: bool = True) -> str:
     """The bits of the largest double, or float, that is not above a positive limit, or below it."""
-    letter, width = {"double": ("dQ", 64), "float": ("fI", 32)}[number]
-    (bits,) = struct.unpack(f"<{letter[1]}", struct.pack(f"<{letter[0]}", limit))
-    (nearest,) = struct.unpack(f"<{letter[0]}", struct.pack(f"<{letter[0]}", limit))
-    return f"UINT{width}_C({bits if nearest < limit or (included and nearest == limit) else bits - 1:#x})"
+    width = {"double": 64, "float": 32}[number]
+    nearest = np.array(limit, f"float{width}")
+    inside = float(nearest) < limit or (included and float(nearest) == limit)
+    return f"UINT{width}_C({int(nearest.view(f'uint{width}')) - (not inside):#x})"
 
 
 def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str] | None = None) -> str:
@@ -106,27 +107,22 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
         )
     loops = [f"LOOP(double, {identifier(k, t)}, FORM, LEVEL)" for k, t in tiers if t != "float32"]
     loops += [f"LOOP(float, {name}, FORM, LEVEL)" for name in single.values()]
-    ufuncs = []
-    for k, t in tiers:
-        if t != "float32":  # it is the float32 loop of the best tier
-            of_float = f"(void *){single[k]}_##LEVEL##_float" if t == "best" else "NULL"
-            ufuncs.append(f'{{"{k}", "{t}", {{{of_float}, (void *){identifier(k, t)}_##LEVEL##_double}}}},')
+    floats = {(k, "best"): f"(void *){name}_##LEVEL##_float" for k, name in single.items()}
+    ufuncs = [f'{{"{k}", "{t}", {{{floats.get((k, t), "NULL")}, (void *){identifier(k, t)}_##LEVEL##_double}}}},'
+              for k, t in tiers if t != "float32"]  # fmt: skip
+    table = ["static Ufunc ufuncs_##LEVEL[] = {", *ufuncs, "{NULL, NULL, {NULL, NULL}}};"]
     filled = {
         "HALF_PI": HALF_PI.hex(),
         "END_double": END["double"].hex(),
         "END_float": END["float"].hex(),
         "LAST_double": pattern(HALF_PI, "double"),
         "LAST_float": pattern(HALF_PI, "float"),
-        "POLYNOMIALS": "".join(
-            f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST)
-        ),
+        "POLYNOMIALS": "".join(f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n"
+                               for n in range(2, MOST)),
         "BODIES": f"#ifndef NO_FMA\n{bodies['fused']}#endif\n\n{bodies['plain']}",
-        "LOOPS": _macro("LOOPS(LEVEL, FORM)", loops) + "LEVELS(LOOPS)\n",
-        "UFUNCS": _macro(
-            "UFUNCS(LEVEL, FORM)", ["static Ufunc ufuncs_##LEVEL[] = {", *ufuncs, "{NULL, NULL, {NULL, NULL}}};"]
-        )
-        + "LEVELS(UFUNCS)\n",
-    }
+        "LOOPS": _macro("LOOPS", loops),
+        "UFUNCS": _macro("UFUNCS", table),
+    }  # fmt: skip
     text = TEMPLATE.read_text(encoding="utf-8")
     for name, value in filled.items():
         text = text.replace(f"@{name}@", value)
@@ -137,5 +133,6 @@ def _comment(words: str) -> str:
     return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n" if words else ""
 
 
-def _macro(head: str, lines: Sequence[str]) -> str:
-    return " \\\n    ".join([f"#define {head}", *lines]) + "\n"
+def _macro(name: str, lines: Sequence[str]) -> str:
+    """For every level."""
+    return " \\\n    ".join([f"#define {name}(LEVEL, FORM)", *lines]) + f"\nLEVELS({name})\n"

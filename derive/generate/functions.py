@@ -1,31 +1,21 @@
 """What `generated` holds: its functions, each with its program, its domain and the words of its docstring."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
-from derive.algebra.growth import arc_growth
 from derive.algebra.integrate import PSI, Derivation, closed_forms, derive
 from derive.algebra.prove import prove_zero
 from derive.algebra.remainders import RoundingError
-from derive.algebra.rules import prove_equal, stable
+from derive.algebra.rules import arc_growth, prove_equal, stable
 from derive.approximate.programs import variants
 from derive.check.records import Record
 from derive.code.emit import Function
 from derive.code.program import Program, program
-from derive.declare.effects import (
-    EFFECTS,
-    LAWS,
-    LIMITS,
-    VALUE,
-    Effect,
-    Law,
-    Parameter,
-    formulas,
-)
+from derive.declare.effects import EFFECTS, LAWS, LIMITS, VALUE, Effect, Law, Parameter, formulas
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
@@ -40,11 +30,8 @@ _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
 _CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
 
 
-def kernels(proved: Iterable[Record] = ()) -> list[Function]:
+def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     """The base quantities, their quotients, and the two weights of (theta_1, theta_2); with what is proved of them."""
-    bounds: dict[str, dict[tuple[str, str], float]] = {}
-    for r in proved:
-        bounds.setdefault(r["kernel"], {})[r["tier"], r["form"]] = r["bound"]
     closed = closed_forms()
     formulas = {name: str(form) for name, form in closed.items()}
     for q in QUOTIENTS:
@@ -53,13 +40,19 @@ def kernels(proved: Iterable[Record] = ()) -> list[Function]:
     found = []
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # In its fitted tiers, or in its stable form where nothing is fitted (yet).
-        symbol, tiers = x.kernel[1], _tiers(name)
+        symbol, tiers = x.kernel[1] if isinstance(x, Moment) else x.symbol, _tiers(name)
         found.append(Function(
             tiers.get("best") or program(name, ("alpha",), form, let=_CLIP), f"{symbol}: {x.help}, dimensionless.",
             f"{symbol} = {formulas[name]}", f"eq. ({x.equation}) of {PAPER}", (_ALPHA,), f"{symbol}.", _ALPHA_DOMAIN,
-            _ALPHA_INSIDE, (0.0,), _accuracy(name, bounds.get(name)), tiers,
+            _ALPHA_INSIDE, (0.0,), _accuracy(name, [r for r in proved if r["kernel"] == name]), tiers,
         ))  # fmt: skip
-    return found + [_weight(derive(m)) for m in MOMENTS if m.amplitude] + [_limit_friction()]
+    friction = _of_ends(
+        "limit_friction", _LIMIT, "weight_moment_per_radial_weight",
+        "mu_eq: friction coefficient at limit equilibrium.",
+        "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
+        "3.21", ACCURACY,
+    )  # fmt: skip
+    return [*found, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
 
 
 def _tiers(name: str) -> dict[str, Program]:
@@ -67,16 +60,14 @@ def _tiers(name: str) -> dict[str, Program]:
     return {v.tier: v.program for form in ("plain", "numpy") for v in variants() if (v.kernel, v.form) == (name, form)}
 
 
-def _accuracy(name: str, bounds: Mapping[tuple[str, str], float] | None) -> str:
+def _accuracy(name: str, proved: Sequence[Record]) -> str:
     """What is proved of a kernel, in words."""
-    if not bounds:
+    if not proved:
         return ACCURACY
+    bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in proved}
     plain = bounds["best", "plain"]
-    cheap = "".join(
-        f"; accuracy={tier}: {bound:.3g} relative"
-        for (tier, form), bound in bounds.items()
-        if form == "fused" and tier[0] == "1"
-    )
+    cheap = "".join(f"; accuracy={tier}: {bound:.3g} relative" for (tier, form), bound in bounds.items()
+                    if form == "fused" and tier[0] == "1")  # fmt: skip
     single = f"; float32: {bounds['float32', 'fused']:.3g} ulp" if ("float32", "fused") in bounds else ""
     return (
         f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
@@ -89,12 +80,10 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
     known = {f.program.name: f for f in kernels}
     found = {}
     for r in proved:
-        f, tier = known[r["kernel"]], r["tier"]
-        unit = "relative" if tier[0] == "1" else "ulp"
-        found[r["kernel"], tier, r["form"]] = (
-            f"{f.formula.rstrip('.')}, 0 <= alpha <= pi/2, {tier}, {r['form']}: "
-            f"proved within {r['bound']:.3g} {unit} (certificates/{r['kernel']}.json)"
-        )
+        kernel, tier, form = r["kernel"], r["tier"], r["form"]
+        bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
+        formula = known[kernel].formula.rstrip(".")
+        found[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
     return found
 
 
@@ -168,28 +157,23 @@ def prove_carried() -> list[str]:
     return claims
 
 
-def _limit_friction() -> Function:
-    """J_theta/J_r = (C_theta/C_r) tan(psi), from reduced functions."""
-    let = _ENDS | {_KERNEL: _tiers("weight_moment_per_radial_weight")["best"]}
-    return Function(
-        program("limit_friction", ("theta_1", "theta_2"), _LIMIT, let=let),
-        "mu_eq: friction coefficient at limit equilibrium.",
-        "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
-        f"eq. (3.21) of {PAPER}", _ARC, "mu_eq.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), ACCURACY,
-    )  # fmt: skip
+def _of_ends(
+    name: str, form: sp.Expr, kernel: str, summary: str, formula: str, equation: str, accuracy: str
+) -> Function:
+    """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
+    made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
+    source, symbol = f"eq. ({equation}) of {PAPER}", summary.partition(":")[0]
+    return Function(made, summary, formula, source, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy)
 
 
 def _weight(d: Derivation) -> Function:
-    """J_r or J_theta: alpha and theta_m as sum and difference, each with its rounding error carried to first order."""
-    assert d.moment.amplitude
-    name, symbol = d.moment.amplitude
-    return Function(
-        program(d.moment.name, ("theta_1", "theta_2"), _carried(d), let=_ENDS | {_KERNEL: _tiers(name)["best"]}),
-        f"{d.moment.symbol}: {d.moment.help}, dimensionless.",
-        f"{d.moment.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
+    """J_r or J_theta."""
+    m, (name, symbol) = d.moment, d.moment.kernel
+    return _of_ends(
+        m.name, _carried(d), name, f"{m.symbol}: {m.help}, dimensionless.",
+        f"{m.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-        f"eq. ({d.moment.equation}) of {PAPER}", _ARC, f"{d.moment.symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0),
-        f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
+        m.equation, f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
     )  # fmt: skip
 
 
@@ -241,12 +225,12 @@ def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
 
 def laws() -> list[tuple[Program, str]]:
     """Each friction law that has a formula."""
-    order = ("slip", "speed", *(p.name for law in LAWS for p in law.parameters))
     found = []
     for law in LAWS:
         if law.coefficient is not None:
-            inputs = sorted((x.name for x in law.coefficient.free_symbols), key=order.index)
-            found.append((program(f"friction_{law.name}", tuple(inputs), law.coefficient), f"friction: {law.help}"))
+            free = {x.name for x in law.coefficient.free_symbols}
+            inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in free)
+            found.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
     return found
 
 

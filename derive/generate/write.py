@@ -15,7 +15,7 @@ from derive.approximate import certificates
 from derive.approximate.programs import variants
 from derive.check.records import Record, read
 from derive.code import emit
-from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
+from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
 from derive.flow import cells, series
 from derive.flow import emit as flow
@@ -120,13 +120,10 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
 
 def definitions_module(closed: Mapping[str, sp.Expr]) -> str:
     """What each function of alpha is, for whoever compares it with other ways to compute it."""
-    forms, integrands = [], []
-    for x in (*MOMENTS, RESISTANCE):
-        name = x.kernel[0]
-        text = re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(closed[name]).replace("alpha", "x"))
-        forms.append(f"    {name!r}: lambda m, x: {text},\n")
-        if isinstance(x, Moment) and x.certified:
-            integrands.append(f"    {name!r}: ({sp.degree(x.weight, r)}, {x.weight.has(theta)}),\n")
+    over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
+    forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
+    certified = ((m.kernel[0], m.weight) for m in MOMENTS if m.certified)
+    integrands = [f"    {name!r}: ({sp.degree(weight, r)}, {weight.has(theta)}),\n" for name, weight in certified]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
         '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'

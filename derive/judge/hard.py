@@ -8,9 +8,9 @@ import json
 import math
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, dataclass
 from functools import cache, partial
-from typing import Any, Literal
+from itertools import groupby
+from typing import Any, Literal, NamedTuple
 
 import mpmath
 import numpy as np
@@ -26,8 +26,7 @@ from derive.flow.fragments import balance
 from derive.generate import functions
 
 
-@dataclass(frozen=True)
-class HardCase:
+class HardCase(NamedTuple):
     """One value, and why it is hard."""
 
     function: str
@@ -35,8 +34,7 @@ class HardCase:
     why: str
 
 
-@dataclass(frozen=True)
-class Form:
+class Form(NamedTuple):
     """The form of a function that fails: its name in the paper, its program, and what it is in exact arithmetic."""
 
     words: str
@@ -44,8 +42,7 @@ class Form:
     exact: sp.Expr
 
 
-@dataclass(frozen=True)
-class Result:
+class Result(NamedTuple):
     """A hard case, measured: relative errors, and ours also in ulp. No number where a form gives none."""
 
     case: HardCase
@@ -81,16 +78,12 @@ def _motion() -> dict[str, tuple[str, sp.Expr]]:
 def forms() -> dict[str, Form]:
     """The naive form of every function: as the paper prints it, or integrated term by term."""
     printed, closed = {p.name: (words, p) for p, words in functions.printed()}, closed_forms()
-    terms, found = {name: _terms(form) for name, form in closed.items()}, {}
-
-    def of_alpha(name: str, words: str, naive: sp.Expr, exact: sp.Expr) -> None:
-        found[name] = Form(*(printed.get(name) or (words, program(name, ("alpha",), naive))), exact)
-
-    for name, form in closed.items():
-        of_alpha(name, "its integral, term by term", terms[name], form)
-    for q in QUOTIENTS:
-        words = " over ".join(found[part].words for part in (q.numerator, q.denominator))
-        of_alpha(q.name, words, *(x[q.numerator] / x[q.denominator] for x in (terms, closed)))
+    terms = {name: _terms(form) for name, form in closed.items()}
+    found = {x: Form("its integral, term by term", program(x, ("alpha",), terms[x]), closed[x]) for x in closed}
+    found |= {name: Form(*printed[name], form) for name, form in closed.items() if name in printed}
+    for name, top, bottom in ((q.name, q.numerator, q.denominator) for q in QUOTIENTS):
+        own = f"{found[top].words} over {found[bottom].words}", program(name, ("alpha",), terms[top] / terms[bottom])
+        found[name] = Form(*printed.get(name, own), closed[top] / closed[bottom])
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
     turned: dict[str, tuple[str, sp.Expr, sp.Expr]] = {}
     for d in (derive(m) for m in MOMENTS if m.amplitude):
@@ -190,48 +183,36 @@ def measured(cases: tuple[HardCase, ...] = CASES) -> list[Result]:
 
 
 def _measure(case: HardCase, function: Callable[..., Any], form: Form) -> Result:
-    exact = _exactly(form.exact, form.program.inputs, case.arguments)
     arrays = [np.array(x) for x in case.arguments]
     with np.errstate(all="ignore"):
         naive, ours = float(measure.run(form.program, *arrays)), float(function(*arrays))
-    with mpmath.workdps(60):
-        unit = mpmath.mpf(float(np.spacing(abs(float(exact)))))
-        error = abs(mpmath.mpf(ours) - exact)
-        wrong = float(abs(mpmath.mpf(naive) - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+    with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
+        of: Callable[..., mpmath.mpf] = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
+        exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
+        unit, error = float(np.spacing(abs(float(exact)))), abs(ours - exact)
+        wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
         return Result(case, form.words, wrong, float(error / abs(exact)), float(error / unit))
-
-
-def _exactly(form: sp.Expr, inputs: tuple[str, ...], arguments: tuple[float, ...]) -> mpmath.mpf:
-    """A closed form at exact arguments, zeros a little off zero, with digits enough for what cancels."""
-    lost = sum(abs(math.log10(abs(x))) for x in arguments if x)
-    with mpmath.workdps(60 + int(4 * lost) + 1200 * (0.0 in arguments)):
-        symbols = [sp.Symbol(x, real=True) for x in inputs]
-        function: Callable[..., mpmath.mpf] = sp.lambdify(symbols, form, "mpmath")
-        return mpmath.re(function(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in arguments)))
 
 
 def report(form: Literal["text", "json"]) -> str:
     """The hard cases, each with the error of the printed form beside ours."""
     results = measured()
     if form == "json":
-        rows = [asdict(x) | {"naive_error": _number(x.naive_error)} for x in results]
-        return json.dumps([row.pop("case") | row for row in rows], indent=2)
+        rows = [x.case._asdict() | x._asdict() | {"naive_error": _number(x.naive_error)} for x in results]
+        return json.dumps([{name: value for name, value in row.items() if name != "case"} for row in rows], indent=2)
     lines = ["Relative error of the printed form, and of ours (also in units of the last place).", "",
              f"{'printed':>9} {'ours':>8} {'ulp':>6}   input"]  # fmt: skip
-    name = ""
-    for x in results:
-        if x.case.function != name:
-            name = x.case.function
-            lines += ["", name]
-        ours = f"{x.our_error:8.0e} {x.our_ulp:6.1f}"
-        given = ", ".join(map(repr, x.case.arguments))
-        lines += [f"{_short(x.naive_error):>9} {ours}   ({given})"]
-        lines += textwrap.wrap(f"{x.case.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
+    for name, group in groupby(results, key=lambda x: x.case.function):
+        lines += ["", name]
+        for x in group:
+            given = ", ".join(map(repr, x.case.arguments))
+            lines += [f"{_short(x.naive_error):>9} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({given})"]
+            lines += textwrap.wrap(f"{x.case.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
     return "\n".join(lines)
 
 
 def _short(error: float) -> str:
-    return f"{error:.0e}" if math.isfinite(error) else "NaN" if math.isnan(error) else "inf"
+    return f"{error:.0e}".replace("nan", "NaN")
 
 
 def _number(error: float) -> float | str:

@@ -10,8 +10,7 @@ from typing import Any
 import sympy as sp
 
 from derive.algebra import dynamics
-from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rho, theta_star
-from derive.declare import symbols
+from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
 from derive.declare.quantities import CHORD, RESISTANCE
 from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1, theta_2, u
 
@@ -118,12 +117,9 @@ def radial() -> sp.Expr:
     return sp.expand((body(inertia * AREA) - body(weight * AREA)) / reaction()[0].coeff(sigma_n))
 
 
-_balance = cache(dynamics.balance)
-
-
 def step(equation: str) -> sp.Expr:
     """A derived form of the balance, for a mass that turns."""
-    return _balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
+    return dynamics.balance()[equation].subs({dynamics.j_r: j_r, dynamics.j_theta: j_theta})
 
 
 def momentum() -> Pair:
@@ -133,20 +129,17 @@ def momentum() -> Pair:
 
 def lever() -> sp.Expr:
     """What mu sigma* is multiplied by, in (3.8) over ell rho g R^3."""
-    resistance = -momentum()[1].coeff(dynamics.sigma_mean) / (g * R**3)
+    resistance = -momentum()[1].coeff(sigma_mean) / (g * R**3)
     return sp.simplify(resistance / mu * rho * g * DEPTH)
 
 
 # --- motion ----------------------------------------------------------------------------------------------
 
 
-solution = cache(dynamics.solution)
-
-
 @cache
 def motion(name: str) -> sp.Expr:
     """The derived motion from rest, under constant a and b."""
-    return sp.simplify(solution()[name].subs(omega_0, 0)).subs(sp.Symbol("k", positive=True), sp.sqrt(a * b))
+    return sp.simplify(dynamics.solution()[name].subs(omega_0, 0)).subs(sp.Symbol("k", positive=True), sp.sqrt(a * b))
 
 
 @cache
@@ -172,25 +165,17 @@ def series(motion: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 @cache
 def names() -> dict[str, Any]:
     """The notation of the transcribed forms."""
-    plain = (R, g, rho, ell, mu, polar, omega_star, dynamics.rate_star, dynamics.sigma_mean, *RATES, omega, omega_dot)
-    shared = ("alpha", "theta", "theta_1", "theta_2", "r", "u", "t", "a", "b")
-    return (
-        {x.name: x for x in (*plain, sigma_n, tau_n)}
-        | {x: getattr(symbols, x) for x in shared}
-        | {
-            "Theta": theta_star,
-            "lam": LEVER,
-            "A": polar / LEVER,
-            "gamma": rho * g,
-            "f": DEPTH,
-            "sigma_ref": rho * g * DEPTH,
-        }
-        | {"J_r": j_r, "J_theta": j_theta, "J_r0": j_r.subs(turn, 0), "J_theta0": j_theta.subs(turn, 0)}
-        | {"sigma": sigma, "omega_of": omega_of, "mu_of": mu_of, "a_of": a_of, "b_of": b_of, "phi": way()["phi"]}
-        | {"chord": CHORD, "body": body, "body_star": body_star}
-    )
+    shared = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
+    shared += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
+    functions = {f.__name__: f for f in (sigma, omega_of, mu_of, a_of, b_of, body, body_star)}
+    return {x.name: x for x in shared} | functions | {
+        "lam": LEVER, "A": polar / LEVER, "gamma": rho * g, "f": DEPTH, "sigma_ref": rho * g * DEPTH, "chord": CHORD,
+        "J_r": j_r, "J_theta": j_theta, "J_r0": j_r.subs(turn, 0), "J_theta0": j_theta.subs(turn, 0),
+        "phi": way()["phi"],
+    }  # fmt: skip
 
 
+@cache
 def read(forms: str) -> tuple[sp.Expr, ...]:
     """Transcribed forms, separated by semicolons."""
     return tuple(sp.parse_expr(x.strip(), local_dict=names()) for x in forms.split(";"))

@@ -15,7 +15,7 @@ import mpmath as mp
 import sympy as sp
 
 from derive.algebra.appendices import APPENDIX_I, APPENDIX_II, Appendix
-from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, theta_star
+from derive.algebra.dynamics import R, ell, g, mu, omega_star, polar, rate_star, rho, sigma_mean, solution, theta_star
 from derive.declare.symbols import alpha, omega_0, r, t, theta, theta_1, theta_2
 from derive.judge import mechanics as m
 from derive.judge import postulates
@@ -33,9 +33,8 @@ VERDICTS = {
 }
 
 DIMENSIONS = {
-    "R": "L", "r": "L", "ell": "L", "g": "L/T**2", "rho": "M/L**3", "dV": "L**3", "omega": "1/T", "omega_dot": "1/T**2",
-    "t": "T", "sigma_mean": "M/(L*T**2)", "sigma_n": "M/(L*T**2)", "tau_n": "M/(L*T**2)", "c0": "1/T", "c1": "L/T",
-    "c2": "1/T",
+    "R": "L", "r": "L", "ell": "L", "g": "L/T**2", "rho": "M/L**3", "dV": "L**3", "t": "T", "c0": "1/T", "c2": "1/T",
+    **dict.fromkeys(("sigma_mean", "sigma_n", "tau_n"), "M/(L*T**2)"),
 }  # fmt: skip
 
 # Where forms are claimed: open intervals, or one value. Whatever is not named is real and positive.
@@ -60,9 +59,9 @@ class Cause:
 class Claim:
     """One claim of the paper.
 
-    ``expression`` transcribes ``printed``; ``definition`` derives what it must equal; ``dimension`` and ``law`` are
-    what else it has to satisfy, and ``weight`` the integrand whose quadrature it has to equal on its whole domain.
-    What it takes for granted is data: ``domain`` where it is not that of `DOMAINS`, and ``given``.
+    ``expression`` transcribes ``printed``; ``definition`` derives what it must equal; ``dimension`` (of what names
+    something) and ``law`` are what else it has to satisfy, and ``weight`` the integrand whose quadrature it has to
+    equal on its whole domain. What it takes for granted is data: ``domain`` where not that of `DOMAINS`, and ``given``.
     """
 
     id: str
@@ -127,8 +126,7 @@ CLAIMS = (
           lambda: sp.diff(m.end(theta_2) - m.end(theta_1), t), "definition", shows="d(theta_2 - theta_1)/dt = {}",
           dimension="1/T", given=("rigid body",)),
     Claim("(1.2)", "angle of an end", "theta_i0 + int_0^t omega(t) dt", "theta_1 + Integral(omega_of(t), (t, 0, t))",
-          lambda: m.end(theta_1), causes=_notation(_SLIP, "(t), (t", "(s), (s"),
-          law=lambda e: [sp.diff(e, t) - m.omega_of(t)], given=("rigid body",)),
+          lambda: m.end(theta_1), causes=_notation(_SLIP, "(t), (t", "(s), (s"), given=("rigid body",)),
     Claim("(1.3)", "rotation, by its rate", "phi = int omega dt <=> omega = dphi/dt", "diff(phi, t)",
           lambda: m.way()["omega"], "definition", shows="rate of the derived phi: {}", note="up to the constant phi(0)",
           dimension="1/T"),
@@ -136,14 +134,13 @@ CLAIMS = (
           "definition", dimension="L"),
     Claim("(1.5)", "velocity is tangential", "v_P = v_theta e_theta", "0; r*omega", lambda: m.rate(1)),
     Claim("(1.6)", "acceleration", "a_P = a_r e_r + a_theta e_theta", "-r*omega**2; r*omega_dot", lambda: m.rate(2)),
-    Claim("(1.7)", "velocity", "v_theta = r omega", "r*omega", lambda: m.rate(1)[1], dimension="L/T"),
-    Claim("(1.8)", "radial acceleration", "a_r = -r omega^2", "-r*omega**2", lambda: m.rate(2)[0], dimension="L/T**2"),
-    Claim("(1.9)", "tangential acceleration", "a_theta = r domega/dt", "r*omega_dot", lambda: m.rate(2)[1],
-          dimension="L/T**2"),
+    Claim("(1.7)", "velocity", "v_theta = r omega", "r*omega", lambda: m.rate(1)[1]),
+    Claim("(1.8)", "radial acceleration", "a_r = -r omega^2", "-r*omega**2", lambda: m.rate(2)[0]),
+    Claim("(1.9)", "tangential acceleration", "a_theta = r domega/dt", "r*omega_dot", lambda: m.rate(2)[1]),
     Claim("(1.10)", "weight of a point", "dW = dm g = rho dV g", "rho*dV*g", lambda: m.read("gamma*dV")[0],
           "definition", dimension="M*L/T**2", given=("dry mass, gravity alone",)),
     Claim("(1.11)", "gravity in polar components", "-g sin(theta) e_r - g cos(theta) e_theta",
-          "-g*sin(theta); -g*cos(theta)", lambda: m.GRAVITY, dimension="L/T**2"),
+          "-g*sin(theta); -g*cos(theta)", lambda: m.GRAVITY),
     Claim("(1.12)", "normal reaction", "dN = -sigma_n dS e_r", "-sigma_n", lambda: m.reaction()[0], "definition",
           shows="over dS: {}", dimension="M/(L*T**2)"),
     Claim("(1.13)", "tangential reaction", "dT = -tau_n dS e_theta", "-tau_n", lambda: m.reaction()[1], "definition",
@@ -157,20 +154,18 @@ CLAIMS = (
           "-rho*g*sin(theta); -sigma_n; -rho*r*omega**2",
           lambda: (rho * m.GRAVITY[0], m.reaction()[0], rho * m.rate(2)[0]), note="its domain (m) is the volume (V)",
           given=_SUM),
-    Claim("(2.3)", "volume element", "dV = ell r dr dtheta", "ell*r", lambda: ell * m.AREA,
-          shows="over dr dtheta: {}"),
+    Claim("(2.3)", "volume element", "dV = ell r dr dtheta", "ell*r", lambda: ell * m.AREA, shows="over dr dtheta: {}"),
     Claim("(2.4)", "surface element", "dS = ell R dtheta", "ell*R", lambda: ell * m.ARC, shows="over dtheta: {}"),
     Claim("(2.5)", "radial balance, integrated", "R int sigma_n = rho g int int(-sin theta) r dr dtheta"
           " + rho omega^2 int int r^2 dr dtheta", f"rho*g*{_W} + rho*omega**2*body(r**2)", m.radial, given=_SUM),
     Claim("(2.6)", "chord in polar coordinates", "R_1 = R cos(alpha)/cos(theta - theta_1 - alpha)",
-          "R*cos(alpha)/cos(theta - theta_1 - alpha)", m.chord, dimension="L"),
+          "R*cos(alpha)/cos(theta - theta_1 - alpha)", m.chord),
     Claim("(2.7)", "(2.5) over rho g", "R/(rho g) int_0^{2 alpha} sigma_n dalpha = W + omega^2/g I_p",
           f"R/(rho*g)*{_STRESS}; {_W} + omega**2/g*body(r**2)",
           lambda: (R / (rho * g) * m.STRESS_SUM, sp.expand(m.radial() / (rho * g))), causes=_notation(_SLIP, *_ONCE),
           given=_SUM),
     Claim("(2.8)", "polar surface moment", "I_p = int int r^2 dr dtheta", "body(r**2)",
-          lambda: sp.expand(m.radial() / rho).coeff(m.omega, 2), note="a first moment of area, despite its name",
-          dimension="L**3"),
+          lambda: sp.expand(m.radial() / rho).coeff(m.omega, 2), note="a first moment of area, despite its name"),
     Claim("(2.9)", "uniform stress, and its mean", "sigma_n = 1/(2 alpha) int_0^{2 alpha} sigma_n dalpha",
           f"sigma_mean; {_STRESS}/(2*alpha)", lambda: (m.sigma(theta), m.STRESS_SUM / (2 * alpha)),
           causes=_notation(_SLIP, *_ONCE)),
@@ -178,7 +173,7 @@ CLAIMS = (
           f"{_W} + omega**2/g*body(r**2)", lambda: sp.expand(m.radial() / (rho * g)), given=_MEAN),
     Claim("(2.11)", "depth of the chord", "h = R (1 - cos(alpha)/cos(theta - theta_1 - alpha))",
           "R*(1 - cos(alpha)/cos(theta - theta_1 - alpha))", lambda: R - m.chord(), "definition", dimension="L"),
-    Claim("(2.12)", "largest depth", "f = R (1 - cos(alpha))", "R*(1 - cos(alpha))", m.deepest, dimension="L"),
+    Claim("(2.12)", "largest depth", "f = R (1 - cos(alpha))", "R*(1 - cos(alpha))", m.deepest),
     Claim("(2.13)", "reference stress", "sigma_ref = rho g f", "rho*g*f", lambda: rho * g * R * m.LEVER / (2 * alpha),
           "definition", shows="what (3.14) needs: {}", dimension="M/(L*T**2)"),
     Claim("(2.14)", "radius over R", "r* = r/R", "r/R", lambda: sp.solve(sp.Eq(r, R * theta), theta)[0], "definition",
@@ -200,7 +195,7 @@ CLAIMS = (
           lambda: m.step("2.20"), given=_MEAN),
     Claim("(2.21)", "angular velocity, scaled", "omega* = omega/sqrt(g/R)", "omega/sqrt(g/R)",
           lambda: m.omega * sp.sqrt(R**2 * rho * polar / (2 * alpha * rho * g * m.DEPTH) / (polar / m.LEVER)),
-          shows="what makes (2.10) into (2.20): {}", dimension="1"),
+          shows="what makes (2.10) into (2.20): {}"),
     Claim("(2.22)", "static stress", "J_r/(2 alpha (1 - cos(alpha)))", "J_r/(2*alpha*(1 - cos(alpha)))",
           lambda: m.step("2.20").subs(omega_star, 0), given=_MEAN),
     Claim("(2.23)", "radial weight", "J_r = int int_{r_1*}^1 r*(-sin theta) dr* dtheta",
@@ -254,17 +249,16 @@ CLAIMS = (
           lambda: (mu * ell * m.ARC * m.STRESS_SUM).subs(m.STRESS_SUM, 2 * alpha * sigma_mean),
           note="for any distribution of the stress", given=_MOTION),
     Claim("(3.6)", "mean stress", "sigma_ref (sigma_st* + A omega*^2)", "sigma_ref*(J_r/lam + A*omega_star**2)",
-          lambda: m.step("2.10"), dimension="M/(L*T**2)", given=_MEAN),
+          lambda: m.step("2.10"), given=_MEAN),
     Claim("(3.7)", "moment of the weight", "ell rho g int int r^2(-cos theta) dr dtheta",
-          "ell*rho*g*body(-r**2*cos(theta))", lambda: ell * rho * m.body(m.moment_of(r, m.GRAVITY) * m.AREA),
-          dimension="M*L**2/T**2"),
+          "ell*rho*g*body(-r**2*cos(theta))", lambda: ell * rho * m.body(m.moment_of(r, m.GRAVITY) * m.AREA)),
     Claim("(3.8)", "angular momentum, written out", "int int r^3 domega/dt = g int int r^2(-cos theta)"
           " - R^2 g/gamma 2 alpha mu sigma_n",
           "R**4*Theta*g/R*rate_star; g*R**3*J_theta - R**2*g/gamma*2*alpha*mu*sigma_mean", m.momentum, given=_MOTION),
     Claim("(3.9)", "time factor", "t_c = sqrt(R/g)", "sqrt(R/g)", lambda: 1 / sp.sqrt(g / R), "definition",
           shows="what (2.21) needs: {}", dimension="T"),
     Claim("(3.10)", "angular acceleration", "domega/dt = g/R domega*/dt*", "g/R*rate_star",
-          lambda: sp.diff(rate_star * (t * sp.sqrt(g / R)) * sp.sqrt(g / R), t), dimension="1/T**2"),
+          lambda: sp.diff(rate_star * (t * sp.sqrt(g / R)) * sp.sqrt(g / R), t)),
     Claim("(3.11)", "equation of motion", "Theta* domega*/dt* = J_theta - lam (sigma_0* + A omega*^2) mu",
           "J_theta - lam*(J_r0/lam + A*omega_star**2)*mu", lambda: m.step("3.11"), given=_MOTION),
     Claim("(3.12)", "moment of inertia, dimensionless", "int int_{R_1*}^1 r*^3 dr* dtheta", "body_star(r**3)",
@@ -274,7 +268,7 @@ CLAIMS = (
     Claim("(3.14)", "lever of the resistance",
           "lam = 2 alpha sigma_ref/(gamma R) = 2 alpha f/R = 2 alpha (1 - cos(alpha))",
           "2*alpha*sigma_ref/(gamma*R); 2*alpha*f/R; 2*alpha*(1 - cos(alpha))", lambda: (m.lever(),) * 3,
-          shows="coefficient of mu sigma*: {}", dimension="1"),
+          shows="coefficient of mu sigma*: {}"),
     Claim("(3.15)", "moment of inertia, closed form", "(alpha - sin(2 alpha) (1 + 2 cos(alpha)^2)/6)/2",
           "(alpha - sin(2*alpha)*(1 + 2*cos(alpha)**2)/6)/2", lambda: s.derivation("moment_of_inertia").amplitude,
           weight=r**3),
@@ -290,7 +284,7 @@ CLAIMS = (
           lambda: sp.expand(m.step("3.17")), given=_MOTION),
     Claim("(3.18)", "brake", "b = lam A mu/Theta*", "lam*A*mu/Theta", lambda: m.step("3.18"), shows="{}, lam A = I_p*",
           given=_MOTION),
-    Claim("(3.19)", "starts from rest", "omega*(0) = 0", "0", lambda: m.solution()["angular_velocity"].subs(t, 0),
+    Claim("(3.19)", "starts from rest", "omega*(0) = 0", "0", lambda: solution()["angular_velocity"].subs(t, 0),
           "definition", shows="derived motion: omega*(0) = {}", dimension="1"),
     Claim("(3.20)", "solution", "sqrt(a/b) tanh(sqrt(a b t*))", "sqrt(a/b)*tanh(sqrt(a*b*t))",
           lambda: m.motion("angular_velocity"), given=(*_MOTION, *_SOLVED[1:]),
@@ -325,21 +319,21 @@ CLAIMS = (
     _number("Table 4-1 phi_C,eq", "limit friction angle, degrees", "24", lambda: s.degrees(s.limit_friction()),
             _LIMIT_ANGLE, given=_MOTION),
     Claim("(4.2)", "angular velocity", "omega = c0 tanh(c2 t)", "c0*tanh(c2*t)", lambda: m.way()["omega"],
-          dimension="1/T", given=_SOLVED),
+          given=_SOLVED),
     _reached("(4.2) c0", "largest angular velocity, 1/s", s.IMPLYING["c0"]),
     _reached("(4.2) c2", "rate of approach, 1/s", "0.00317"),
     _figure("Fig. 4-2", "angular velocity over time", "omega* after 30 s: {} with the paper's slips, {} corrected",
             lambda: s.both("omega*"), "its curve is (3.20), mended"),
     Claim("(4.3)", "rotation", "phi = c0/c2 ln(cosh(c2 t))", "c0/c2*log(cosh(c2*t))", lambda: m.way()["phi"],
-          dimension="1", given=_SOLVED),
+          given=_SOLVED),
     _figure("Fig. 4-3", "rotation over time", "phi after 30 s: {} rad with the paper's slips, {} corrected",
             lambda: s.both("phi"), "its curve is (4.3)"),
     Claim("(4.4)", "velocity", "c1 tanh(c2 t) = c1 (c2 t + O((c2 t)^2))", "c1*tanh(c2*t); c1*c2*t; O(t**2)",
-          lambda: m.series(m.way()["v"]), dimension="L/T", given=_SOLVED,
+          lambda: m.series(m.way()["v"]), given=_SOLVED,
           causes=(Cause("true but not sharp: tanh is odd", "imprecise", edit=("O(t**2)", "O(t**3)")),)),
     _reached("(4.4) c1", "largest velocity, m/s", "165"),
     Claim("(4.5)", "displacement", "c1 ln cosh(c2 t) = c1 ((c2 t)^2/2 + O((c2 t)^4))",
-          "c1*log(cosh(c2*t)); c1*(c2*t)**2/2; O(t**4)", lambda: m.series(m.way()["s"]), dimension="L", given=_SOLVED,
+          "c1*log(cosh(c2*t)); c1*(c2*t)**2/2; O(t**4)", lambda: m.series(m.way()["s"]), given=_SOLVED,
           causes=(Cause("c1/c2, not c1: it has to be a length, and its rate the velocity", "misprint",
                         edit=("c1*", "c1/c2*")),)),
     _figure("Fig. 4-4", "velocity and displacement over time",

@@ -6,7 +6,7 @@ checks both, so that no verdict rests on an opinion. How much it matters is repo
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 from itertools import takewhile
 from typing import Any
 
@@ -34,13 +34,14 @@ class State:
     psi: mp.mpf = s.DIP
     omega: mp.mpf | int = 0
 
+    @cached_property
     def total(self) -> mp.mpf:
         """The stress added up along the arc, by (2.5)."""
         return s.moment("radial_weight", psi=self.psi) + s.moment("polar_moment") * self.omega**2
 
     def normal(self, u: Any) -> mp.mpf:
         """The stress at u."""
-        return self.stress(u) if self.stress else self.total() / (2 * s.HALF)
+        return self.stress(u) if self.stress else self.total / (2 * s.HALF)
 
 
 def sum_of(f: Along) -> mp.mpf:
@@ -100,7 +101,7 @@ POSTULATES = (
               "20 % from end to end change the friction force by {} if columns stand alone",
               lambda: sum_of(lambda u: uneven(u) * columns(u)) / sum_of(lambda u: s.RESIDUAL * columns(u)) - 1),
     Postulate("radial components of different directions are added as scalars", ((u, sp.Integer(0)),),
-              lambda x: sum_of(x.normal) / x.total() - 1,
+              lambda x: sum_of(x.normal) / x.total - 1,
               "vector balance along the bisector", lambda: State(along_bisector),
               "stress at rest larger by {}", lambda: _of_uniform(along_bisector)),
     Postulate("uniform stress, where the distribution is undetermined", ((m.sigma(theta), sigma_mean),),
@@ -108,10 +109,10 @@ POSTULATES = (
               "radial columns that stand alone", lambda: State(columns),
               "0 at the ends, {} above the mean in the middle", lambda: _of_uniform(columns)),
     Postulate("centripetal stress neglected, for slow rotation", ((omega_star, sp.Integer(0)),),
-              lambda x: x.total() / State(psi=x.psi).total() - 1,
+              lambda x: x.total / State(psi=x.psi).total - 1,
               "a mass that moves", lambda: State(omega=s.reached("omega*")),
               "{} of the static stress after 30 s of (3.20)",
-              lambda: State(omega=s.reached("omega*")).total() / State().total() - 1),
+              lambda: State(omega=s.reached("omega*")).total / State().total - 1),
     Postulate("J_r frozen", ((m.j_r, m.j_r.subs(m.turn, 0)),), _changes("radial_weight"),
               "the mass turns", lambda: State(psi=s.DIP - s.reached("phi", as_printed=True)),
               "{} over the paper's rotation in 30 s", lambda: s.turned("radial_weight")),

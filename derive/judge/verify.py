@@ -11,10 +11,9 @@ import re
 import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import astuple, dataclass, fields
 from functools import cache
 from itertools import combinations, product, takewhile
-from typing import Any
+from typing import Any, NamedTuple
 
 import mpmath as mp
 import sympy as sp
@@ -23,10 +22,10 @@ from sympy.core.function import AppliedUndef
 from derive.algebra.appendices import Appendix, parse, real_arithmetic_fails, repairs, simplify, unreadable
 from derive.algebra.dynamics import R
 from derive.algebra.integrate import quadrature
-from derive.algebra.prove import prove_zero
+from derive.algebra.prove import prove_zero, refute
 from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD
-from derive.declare.symbols import in_words, theta, theta_m
+from derive.declare.symbols import alpha, in_words, theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
 from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Claim
@@ -37,8 +36,7 @@ _TINY = mp.mpf(10) ** -20
 Domain = tuple[tuple[str, Any, Any], ...]
 
 
-@dataclass(frozen=True)
-class Row:
+class Row(NamedTuple):
     """A judged claim."""
 
     id: str
@@ -50,22 +48,14 @@ class Row:
     assumes: str
 
 
-KEYS = tuple(x.name for x in fields(Row))
+KEYS = Row._fields
 
 
 # --- proof -----------------------------------------------------------------------------------------------
 
 
-def _join(form: sp.Expr) -> sp.Expr:
-    """Write log tan(pi/4 + y/2) as artanh(sin y), where the two have one derivative and both vanish at y = 0."""
-    for log in sorted(form.atoms(sp.log), key=sp.default_sort_key):
-        inside = log.args[0].replace(sp.Abs, lambda x: x)  # positive for every |y| < pi/2
-        if isinstance(inside, sp.tan):
-            y = sp.Dummy("y", positive=True)
-            was, now = sp.log(sp.tan(sp.pi / 4 + y / 2)), sp.atanh(sp.sin(y))
-            prove_zero(sp.simplify(sp.diff(was - now, y).rewrite(sp.exp)), "log tan(pi/4 + y/2) = artanh(sin y)")
-            form = form.subs(log, now.subs(y, sp.expand(2 * inside.args[0] - sp.pi / 2)))
-    return form
+# How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
+_LOG, _ARTANH = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))), sp.atanh(sp.sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
@@ -73,38 +63,32 @@ def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
     return DOMAINS | {name: (low, high) for name, low, high in domain}
 
 
-def _inside(reach: tuple[sp.Expr, ...], share: sp.Rational) -> sp.Expr:
-    """A point of an interval, or of what it leaves of the numbers below 1 where it has no end."""
-    low, high = reach
-    if low == -sp.oo:
-        return -share if high == 0 else share * (-1) ** (share.p % 2)
-    return low + share * (1 if high == sp.oo else high - low)
-
-
 @cache
 def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
-    """Decide whether a form is zero on a domain: refuted at a point with many digits, or else proved."""
+    """Decide whether a form is zero on a domain, for each sign of its symbols: refuted at a point, or else proved."""
     form = sp.sympify(form).as_dummy()
+    if form.has(sp.Order):
+        return False
     for kind in (sp.Integral, sp.Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
         atoms = sorted(form.atoms(kind), key=sp.default_sort_key)
         form = form.xreplace({x: sp.Symbol(f"_{x}", real=True) for x in atoms})
-    reach = {x: tuple(map(sp.sympify, limits(domain).get(x.name, (0, sp.oo)))) for x in form.free_symbols}
-    form = form.subs({x: low for x, (low, high) in reach.items() if low == high})
-    free = sorted(form.free_symbols, key=lambda x: x.name)
-    for start in range(3):
-        point = {x: _inside(reach[x], sp.Rational(3 + (k + start) * 7 % 11, 17 + k)) for k, x in enumerate(free)}
-        found = sp.N(form.subs(point), _DIGITS)
-        if not found.is_finite or abs(found) > sp.Float(_TINY):
-            return False
-    signs = {x: "positive" if low >= 0 else "negative" if high <= 0 else "real" for x, (low, high) in reach.items()}
-    prove_zero(_join(form.subs({x: sp.Symbol(x.name, **{signs[x]: True}) for x in free})), "a printed form")
+    ways = []
+    for x in sorted(form.free_symbols, key=lambda x: x.name):
+        (low, high), size = limits(domain).get(x.name, (0, sp.oo)), sp.Symbol(x.name, positive=True)
+        signs = [sign for sign, there in ((1, high > 0), (-1, low < 0)) if there]
+        ways.append([(x, low)] if low == high else [(x, sign * size) for sign in signs])
+    try:
+        for way in product(*ways):
+            refute(form.subs(dict(way)), "a printed form")
+    except ProofError:
+        return False
+    if form.has(_LOG):
+        slopes = sp.diff(_LOG.replace(sp.Abs, lambda x: x) - _ARTANH, alpha)
+        prove_zero(sp.simplify(slopes.rewrite(sp.exp)), "log tan(pi/4 + alpha/2) = artanh(sin alpha)")
+        form = form.subs(_LOG, _ARTANH)
+    for way in product(*ways):
+        prove_zero(form.subs(dict(way)), "a printed form")
     return True
-
-
-def _equal(printed: sp.Expr, derived: sp.Expr, domain: Domain) -> bool:
-    if printed.has(sp.Order) or derived.has(sp.Order):
-        return bool(printed == derived)
-    return vanishes(printed - derived, domain)
 
 
 def _captured(form: sp.Expr) -> bool:
@@ -135,7 +119,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
     return (
         len(printed) == len(derived)
         and not any(map(_captured, printed))
-        and all(_equal(x, y.subs(put), claim.domain) for x, y in zip(printed, derived, strict=True))
+        and all(x == (y := z.subs(put)) or vanishes(x - y, claim.domain) for x, z in zip(printed, derived, strict=True))
         and (not claim.dimension or _homogeneous(printed[0], claim.dimension))
         and (claim.weight is None or _integrates(printed[0], claim.weight, claim.domain))
         and (claim.law is None or all(vanishes(x.subs(put), claim.domain) for x in claim.law(printed[0])))
@@ -168,12 +152,8 @@ def _assumed(claim: Claim) -> list[str]:
     named = {name for name, *_ in claim.domain}
     if claim.kind in ("form", "definition") and claim.expression:
         named |= {x.name for form in (*m.read(claim.expression), *_derived(claim)) for x in form.free_symbols}
-    where = []
-    for x, (low, high) in limits(claim.domain).items():
-        if x in named:
-            where.append(
-                f"{x} = {low}" if low == high else f"{x} > {low}" if high == sp.oo else f"{low} < {x} < {high}"
-            )
+    lives = ((x, low, high) for x, (low, high) in limits(claim.domain).items() if x in named)
+    where = (f"{x} = {a}" if a == b else f"{x} > {a}" if b == sp.oo else f"{a} < {x} < {b}" for x, a, b in lives)
     return [*where, *claim.given]
 
 
@@ -252,7 +232,7 @@ def _appendix(claim: Claim) -> Judgement:
     said = [brackets] if brackets else []
     if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.FIRST_END + s.HALF)):
         said.append("NaN in real arithmetic here")
-    if not _equal(proof.integrand, claimed, ()):
+    if not vanishes(proof.integrand - claimed):
         number = _digits(s.value(proof.expression))
         said.insert(0, f"integrates {words(proof.integrand)}, not {words(claimed)}: {number} here")
         return computed, "wrong", "; ".join(said)
@@ -331,13 +311,13 @@ def _text(judged: Sequence[Row]) -> str:
 
 
 def _json(judged: Sequence[Row]) -> str:
-    return json.dumps([dict(zip(KEYS, astuple(row), strict=True)) for row in judged], indent=2)
+    return json.dumps([row._asdict() for row in judged], indent=2)
 
 
 def _markdown(judged: Sequence[Row]) -> str:
     def table(chosen: Iterable[Row]) -> list[str]:
         head = ("where", "claim", "printed", "definitions give", "verdict", "cause", "assumes")
-        cells = ([x.replace("|", "\\|").replace("*", "\\*") for x in astuple(row)] for row in chosen)
+        cells = ([x.replace("|", "\\|").replace("*", "\\*") for x in row] for row in chosen)
         return ["| " + " | ".join(x) + " |" for x in (head, ["---"] * len(KEYS), *cells)]
 
     rules = [f"* *{verdict}*: {rule}." for verdict, rule in VERDICTS.items()]
