@@ -83,6 +83,11 @@ class Quantity:
         return value * factor, unit
 
     @property
+    def heading(self) -> str:
+        """Name and unit as tables have them."""
+        return words(self.name, self.unit)
+
+    @property
     def head(self) -> str:
         """Name and unit as the head of a column."""
         return "_".join(filter(None, (self.name, self.unit.replace("/", "_").replace("^", ""))))

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, legend, number, sheet
+from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, legend, number
 from slipcircle.scene.search import Critical
 from slipcircle.scene.section import Section
 
@@ -13,16 +13,10 @@ _CELLS = 32  # of the map, across
 _ON_ARC = 200  # points of an outline
 
 
-def searched(found: Critical, figure: Any = None) -> Any:
-    """The section with the circle, and the least factor that any circle about each centre has.
-
-    Returns
-    -------
-    matplotlib figure
-    """
+def searched(found: Critical, figure: Any) -> Any:
+    """The section with the circle, and the least factor that any circle about each centre has, on an empty figure."""
     from matplotlib.patches import Polygon
 
-    figure = sheet(figure, (9.0, 6.0))
     ax, slope, mass = figure.add_subplot(), found.slope, outline(found.slope, found)
     ground, low, high = np.asarray(slope.ground), mass.min(axis=0), np.maximum(mass.max(axis=0), found.centre)
     reach = max(float(np.ptp(mass[:, 0])), 1.2 * float(np.ptp(ground[:, 1]))) * np.array([0.8, 0.4])

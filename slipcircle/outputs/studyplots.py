@@ -150,9 +150,8 @@ def tornado(
     return ax
 
 
-def tornados(found: "Sensitivity", figure: Any = None) -> Any:
-    """A tornado of each output, one above the other."""
-    figure = sheet(figure, (8.0, len(found.outputs) * (1.6 + 0.3 * len(found.parameters))))
+def tornados(found: "Sensitivity", figure: Any) -> Any:
+    """A tornado of each output, one above the other, on an empty figure."""
     for k, (output, ax) in enumerate(zip(found.outputs, figure.subplots(len(found.outputs), 1), strict=True)):
         tornado(found, output, ax=ax)
         if k:
@@ -178,10 +177,9 @@ def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     return ax
 
 
-def explained(found: "BackAnalysis", figure: Any = None) -> Any:
+def explained(found: "BackAnalysis", figure: Any) -> Any:
     """What was observed over each field, about the solutions, with the other fields as the first solution has them."""
     scene, best = found.motion.plan.scene, found.solutions[0]
-    figure = sheet(figure, (2.0 + 4.5 * len(found.units), 0.6 + 3.4 * len(found.observed)))
     every = figure.subplots(len(found.observed), len(found.units), squeeze=False, sharex="col", sharey="row")
     for column, key in enumerate(found.units):
         number_of = number_in(scene, key)

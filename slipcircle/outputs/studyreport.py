@@ -3,7 +3,7 @@
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +14,7 @@ from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
 from slipcircle.outputs.htmlpage import figure, folded, number, page, repeat
 from slipcircle.outputs.report import given
+from slipcircle.outputs.tables import Part
 from slipcircle.studies import written
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
@@ -23,33 +24,24 @@ if TYPE_CHECKING:
 PICTURED = 2  # parts before the picture
 
 
-class Part(NamedTuple):
-    """A table of a study, with its heads and a note; estimates are shown with their intervals."""
-
-    title: str
-    head: list[str]
-    rows: list[list[str | Estimate]]
-    note: str
-
-
 def parts(found: "Study") -> Iterator[Part]:
     """What is said of a study of samples, on the screen and in its report, in this order."""
-    study, heads = found.design, [words(n, q.unit) for n, q in OUTCOMES.items()]
+    study, heads = found.design, [q.heading for q in OUTCOMES.values()]
     percent = (
         f"{found.n} samples; in brackets the interval of {100 * found.confidence:g} % confidence from their number"
     )
-    yield Part("Whether it moves", [], [["probability of moving", found.moving]], percent)
+    yield Part([], [["probability of moving", found.moving]], "Whether it moves", percent)
     yield Part(
-        "How far and how fast", ["exceeded with probability", *heads],
-        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)]
-         for p in written.QUANTILES],
+        ["exceeded with probability", *heads],
+        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in written.QUANTILES],
+        "How far and how fast",
         "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
     )  # fmt: skip
     rows: list[list[str | Estimate]] = [["mean", *map(found.mean, OUTCOMES)], ["std", *map(found.std, OUTCOMES)]]
     for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
         rows.insert(2 * k + 1, [what, *(shown(found.linear[n][k]) for n in OUTCOMES)])
     linear = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
-    yield Part("Mean and standard deviation", ["", *heads], rows, linear)
+    yield Part(["", *heads], rows, "Mean and standard deviation", linear)
     if found.sensitivity:
         keys = [u.key for u in study.inputs.values()]
         shares: list[list[str | Estimate]] = [
@@ -57,11 +49,11 @@ def parts(found: "Study") -> Iterator[Part]:
             for output, of in found.sensitivity.items()
             for key, first, total in zip(keys, *of, strict=True)
         ]
-        yield Part("Which unknown matters", ["output", "input", "first-order index", "total index"], shares,
+        yield Part(["output", "input", "first-order index", "total index"], shares, "Which unknown matters",
                    "shares of the variance: what each explains on its own, and with all that it does together with "
                    f"others; from {study.base} base points")  # fmt: skip
-    yield Part("Convergence", ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
-               [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence], "")  # fmt: skip
+    yield Part(["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
+               [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence], "Convergence")  # fmt: skip
 
 
 def study_report(found: "Study", file: bytes | None = None, command: str = "") -> str:
@@ -100,7 +92,7 @@ def _study(found: "Study", file: bytes | None) -> Iterable[Raw]:
             yield tag("h3", "Pictures")
             caption = "The probability that greatest displacement and peak velocity are at least so large"
             caption += "; below, which unknown matters." if found.sensitivity else "."
-            yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.study, found))
+            yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.picture, "study", found))
         yield tag("h3", part.title)
         yield table([[_shown(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows], part.head)
         yield tag("p", part.note)
