@@ -80,6 +80,13 @@ def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
     )  # fmt: skip
 
 
+def finish(ax: Any, across: str, up: str) -> None:
+    """Make a section of what is drawn: to scale, with a grid and the legend."""
+    ax.set(xlabel=across, ylabel=up, aspect="equal")
+    ax.grid(alpha=0.3)
+    legend(ax)
+
+
 def mark(ax: Any, x: Any, y: Any, role: str, label: str) -> None:
     """One of `MARKS` at a place, also on the edge."""
     ax.plot(x, y, ls="", clip_on=False, zorder=4, label=label, **MARKS[role])

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, legend, number
+from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, finish, number
 from slipcircle.scene.search import Critical
 from slipcircle.scene.section import Section
 
@@ -40,8 +40,8 @@ def slide(motion: Motion, body: Section, ax: Any = None) -> Any:
     low, high = np.min(turned, axis=(0, 1)), np.max(turned, axis=(0, 1))
     for (role, _, words), corners in zip(shown, turned, strict=True):
         ax.add_patch(Polygon(corners, closed=True, label=words, zorder=2, **AREAS[role]))
-    stability, margin = motion.plan.scene.stability, 0.25 * float(max(high - low))
-    words = f"centre; radius {number(float(np.asarray(body.radius)))} m" + (factors(stability) if stability else "")
+    words = f"centre; radius {number(float(np.asarray(body.radius)))} m{factors(motion.plan.scene.stability)}"
+    margin = 0.25 * float(max(high - low))
     _scenery(ax, body, body, float(motion.end.rotation) if motion.moves else 0.0, words, low - margin, high + margin)
     return ax
 
@@ -57,9 +57,10 @@ def places(motion: Motion, ended: str, along: str = "") -> list[tuple[str, float
     return found
 
 
-def factors(found: Critical) -> str:
+def factors(found: Critical | None) -> str:
     """Factors of safety, in the words of a legend."""
-    known = [f"{method} {v:.3f}" for method, v in found.factor_of_safety.items() if v is not None]
+    by_method = found.factor_of_safety if found else {}
+    known = [f"{method} {v:.3f}" for method, v in by_method.items() if v is not None]
     return "\nfactor of safety: " + ",\n".join(filter(None, [known[0], ", ".join(known[1:])])) if known else ""
 
 
@@ -103,10 +104,8 @@ def _scenery(ax: Any, soil: Any, circle: Any, turn: float, words: str, low: Any,
         ax.plot(x, level[[0, *range(len(level)), -1], 1], color="#56B4E9", lw=1.6, zorder=3, label="water level")
     seen = np.all((circle.centre >= low) & (circle.centre <= high))
     ax.plot(*(circle.centre if seen else ([], [])), "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
-    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="$x$ (m)", ylabel="$y$ (m)")
-    ax.set_aspect("equal")
-    ax.grid(alpha=0.3)
-    legend(ax)
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    finish(ax, "$x$ (m)", "$y$ (m)")
 
 
 def _map(ax: Any, found: Critical) -> None:

@@ -64,20 +64,16 @@ def given_in_time(scene: Scene) -> dict[str, Any]:
 
 
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
-    """Motions over time as CSV, in full precision, by default at even times; of several the first column is the name.
+    """Motions over time as CSV, in full precision; of several the first column is the name.
 
-    Parameters
-    ----------
-    motions : sequence of Motion
-    times : ndarray, optional
-        s.
+    By default at even times; else at those, in s.
     """
-    named = len(motions) > 1
+    named = ["scene"] if len(motions) > 1 else []
 
     def rows() -> Iterator[list[Any]]:
         for motion in motions:
             columns = trace(motion, even_times(motion) if times is None else times)
             for row in zip(*(c.tolist() for c in columns.values()), strict=True):
-                yield [*([motion.plan.scene.name] if named else []), *row]
+                yield [*(motion.plan.scene.name for _ in named), *row]
 
-    return files.table([*(["scene"] if named else []), *(q.head for q in HISTORY.values())], rows())
+    return files.table([*named, *(q.head for q in HISTORY.values())], rows())
