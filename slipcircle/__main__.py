@@ -22,11 +22,12 @@ from typing import Any, TypeVar
 import slipcircle
 from slipcircle import Motion, Scene, load, plan, solve
 from slipcircle.base import files
-from slipcircle.files.scenefile import find, shipped
+from slipcircle.files.scenefile import find, searched, shipped
 from slipcircle.motion.quantities import OUTCOMES, plain, record, shown
 from slipcircle.outputs import tables
 from slipcircle.outputs.options import times
 from slipcircle.outputs.tables import Answer, Part, say
+from slipcircle.scene.stability import METHODS
 from slipcircle.scene.varied import other_way
 
 T = TypeVar("T")
@@ -132,11 +133,11 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
         return added
 
     def study(name: str, module: str, said: str) -> argparse.ArgumentParser:
-        added = command(name, None, said)
-        if name in argv:  # no other command needs what it loads
-            loaded = import_module(f"slipcircle.outputs.{module}")
-            loaded.arguments(added)
-            added.set_defaults(work=loaded.run)
+        if name not in argv:  # no other command needs what it loads
+            return command(name, None, said)
+        loaded = import_module(f"slipcircle.outputs.{module}")
+        added = command(name, loaded.run, said)
+        loaded.arguments(added)
         return added
 
     def writes(parser: argparse.ArgumentParser, drawn: str, **more: str) -> None:
@@ -164,10 +165,11 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     writes(swept, f"exceedance curves and which unknown matters, or a grid of one or two numbers{pictured}",
            report=reviewed, csv="one table of all results",
            npz="all results as NumPy arrays, the samples where kept")  # fmt: skip
-    searched = study(
-        "search", "searching", "the critical circle of a slope, and its factors of safety by three methods"
-    )
-    writes(searched, f"the section, the circle and the factors over centres{pictured}")
+    slope = command("search", _search, "the critical circle of a slope, and its factors of safety by three methods")
+    slope.add_argument("scenes", nargs="+", metavar="SLOPE", help="a scene that ships, by name, or the path of a TOML "
+                       "file with [ground] and soil")  # fmt: skip
+    slope.add_argument("--method", choices=METHODS, help="whose least factor is looked for; default bishop")
+    writes(slope, f"the section, the circle and the factors over centres{pictured}")
     back = study("backanalyse", "backanalysing", "the friction, or another number, that explains an observed motion")
     writes(back, f"what was observed over the fields{pictured}")
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
@@ -188,13 +190,13 @@ def _ready(options: argparse.Namespace) -> None:
     """See that all files of a command can be written and its pictures drawn, before the work."""
     asked = {f"--{k}": path for k in ("plot", "report", "csv", "npz") if (path := getattr(options, k, None))}
     given = vars(options)
-    names = given.get("scenes") or given.get("slopes") or [name for name in [given.get("scene")] if name]
+    names = given.get("scenes") or [name for name in [given.get("scene")] if name]
     files.check(options.command, asked, [str(find(name)) for name in names])
     if "--plot" in asked or "--report" in asked:
         from slipcircle.outputs import pictures
 
         for path in options.plot or [""]:
-            pictures.check(options.command, path, len(given.get("scenes", names[:1])))
+            pictures.check(options.command, path, len(names))
 
 
 # --- run and plan ----------------------------------------------------------------------------------------------------
@@ -278,6 +280,21 @@ def _plan(options: argparse.Namespace) -> Answer:
     return Answer(
         lambda: [tables.plan_record(chosen) | {"ladder": [asdict(r) for r in rungs]}],
         [tables.ladder_part(rungs, chosen.scene.name)],
+    )
+
+
+def _search(options: argparse.Namespace) -> Answer:
+    if options.plot and len(options.scenes) > 1:
+        raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
+    names, notes, found = zip(*(searched(name, options.method, say) for name in options.scenes), strict=True)
+    _draw(options.plot, "search", found[0])
+    for name, circle in zip(names, found, strict=True):
+        if circle.warning:
+            say(f"{name}: {circle.warning}")
+    columns = [tables.stability_column(circle) for circle in found]
+    note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
+    return Answer(
+        lambda: [circle.record() for circle in found], [Part(["", *names], tables.beside(columns), note=note)]
     )
 
 

@@ -19,13 +19,7 @@ from slipcircle.scene.varied import scene_with
 
 
 def library(name: str) -> Any:
-    """A library that only what gives its objects needs.
-
-    Raises
-    ------
-    ImportError
-        With what to type, where it is missing.
-    """
+    """A library that only what gives its objects needs, or what to type where it is missing."""
     try:
         return import_module(name)
     except ImportError as error:
@@ -50,16 +44,17 @@ class Results:
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
+        said = "; ".join(" ".join(row) for row in self._summary())
         if not self.shape:
-            return f"<Motion {name}{'; '.join(' '.join(row) for row in self._summary())}>"
+            return f"<Motion {name}{said}>"
         counted = ", ".join(f"{n} {words(status)}" for status, n in self.count().items())
-        return f"<{prod(self.shape)} motions {name}{counted}; {'; '.join(' '.join(row) for row in self._summary())}>"
+        return f"<{prod(self.shape)} motions {name}{counted}; {said}>"
 
     def _repr_html_(self) -> str:
-        name = self.plan.scene.name or "motion"
-        rows = [[q.label, q.text(self)] for q in results(self) if q.key] if not self.shape else self._summary()
-        counted = [[words(status), str(n)] for status, n in self.count().items()]
-        return Raw(tag("b", name) + table([*(counted if self.shape else []), *rows]))
+        rows = [[q.label, q.text(self)] for q in results(self) if q.key]
+        if self.shape:
+            rows = [*([words(status), str(n)] for status, n in self.count().items()), *self._summary()]
+        return Raw(tag("b", self.plan.scene.name or "motion") + table(rows))
 
     def _summary(self) -> list[list[str]]:
         """What repr says: of many lanes each outcome's least and greatest value."""
@@ -72,20 +67,19 @@ class Results:
         found = []
         for name, q in OUTCOMES.items():
             values = np.asarray(self.outcomes[name])[~np.isnan(self.outcomes[name])]
-            ends = [shown(float(x)) for x in (np.min(values), np.max(values))] if values.size else ["-", "-"]
-            found.append([words(name), f"{ends[0]} to {ends[1]} {q.unit}"])
+            low, high = (shown(float(f(values))) if values.size else "-" for f in (np.min, np.max))
+            found.append([words(name), f"{low} to {high} {q.unit}"])
         return found
 
     @property
     def reason(self) -> Any:
         """Why there is no answer, of each lane; empty where there is one."""
-        if not self.shape:
-            return self.status.reason
         return self._named("reason")
 
     def _named(self, what: str) -> Any:
-        kinds = np.array([getattr(s, what) for s in Status])
-        return kinds[np.asarray(self.status)]
+        if not self.shape:
+            return getattr(self.status, what)
+        return np.array([getattr(s, what) for s in Status])[self.status]
 
     def __len__(self) -> int:
         if not self.shape:
@@ -130,8 +124,6 @@ class Results:
             return {name: q.at(self, at) for name, q in HISTORY.items()}
         found = {n: self._full(v) for n, v in self.plan.scene.numbers.items() if np.ndim(v)}
         found |= {n: self._full(v) for q in results(self) for n, v in q.columns(self).items()}
-        if not self.shape:
-            return found | {"status": self.status.name, "reason": self.reason}
         return found | {"status": self._named("name"), "reason": self.reason}
 
     def _full(self, value: Any) -> Any:

@@ -20,15 +20,7 @@ _FRAMES, _SECONDS = 40, 5  # of an animation
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
-    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    ValueError
-        If not.
-    """
+    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated."""
     try:
         import matplotlib  # noqa: F401
     except ImportError as error:

@@ -22,21 +22,15 @@ class Input(NamedTuple):
 
     path: str
     value: str
-    unit: str
-    meaning: str
-    source: str
+    unit: str = ""
+    meaning: str = ""
+    source: str = ""
 
 
 def inputs(scene: Scene, file: str | None = None) -> list[Input]:
-    """The inputs of a scene: as its file has them, with the comments in it; without a file, in SI units.
+    """The inputs of a scene: as the text of its file has them, with its comments; without that, in SI units.
 
     What is uncertain says so.
-
-    Parameters
-    ----------
-    scene : Scene
-    file : str, optional
-        The text of its file.
     """
     drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name, f"arc.{u.number.name}")}
 
@@ -98,33 +92,32 @@ def comments(file: str) -> dict[str, str]:
 
 def _of_scene(scene: Scene) -> Iterator[Input]:
     for name in [n for n in scene.arc.quantities if getattr(scene.arc, n) is not None]:
-        yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name], "", "")
+        yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name])
     for name, coefficient in (scene.arc.given or {}).items():
-        yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given", "")
+        yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
     if callable(scene.friction):
-        yield Input("friction", "a Python function of slip", "", "friction coefficient", "")
+        yield Input("friction", "a Python function of slip", "", "friction coefficient")
     elif isinstance(scene.friction, Mapping):
         for path, given in (("friction", scene.friction), ("friction.rate", scene.friction.get("rate", {}))):
-            if not given:
-                continue
-            law = LAWS[given["law"]]
-            yield Input(f"{path}.law", given["law"], "", law.help, "")
-            yield from _parameters(path, law, given)
+            if given:
+                law = LAWS[given["law"]]
+                yield Input(f"{path}.law", given["law"], "", law.help)
+                yield from _parameters(path, law, given)
     else:
-        yield Input("friction", _shown(scene.friction), "", "friction coefficient, tan(phi)", "")
+        yield Input("friction", _shown(scene.friction), "", "friction coefficient, tan(phi)")
     for name, given in scene.called.items():
-        yield Input(name, "yes", "", EFFECTS[name].help, "")
+        yield Input(name, "yes", "", EFFECTS[name].help)
         yield from _parameters(name, EFFECTS[name], given)
-    yield Input("initial_velocity", _shown(scene.initial_velocity), "m/s", "velocity along the arc at the start", "")
-    end = "when the mass rests" if scene.end_time is None else _shown(scene.end_time)
-    yield Input("end_time", end, "s" if scene.end_time is not None else "", "time of the end", "")
+    yield Input("initial_velocity", _shown(scene.initial_velocity), "m/s", "velocity along the arc at the start")
+    end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
+    yield Input("end_time", *end, "time of the end")
 
 
 def _parameters(path: str, declared: Any, given: Mapping[str, Any]) -> Iterator[Input]:
     for p in declared.parameters:
         if p.name in given:
             value = "of the section's water level" if p.kind == "rotation" else _shown(given[p.name])
-            yield Input(f"{path}.{p.name}", value, p.unit, p.help, "")
+            yield Input(f"{path}.{p.name}", value, p.unit, p.help)
 
 
 def _shown(value: Any) -> str:
@@ -140,8 +133,6 @@ def _shown(value: Any) -> str:
     if callable(value):
         return repr(value)
     if isinstance(value, bool):
-        return "true" if value else "false"
-    if np.ndim(value) == 0:
-        return repr(np.asarray(value).item())
-    texts = [repr(x) for x in np.asarray(value).ravel().tolist()]
+        return str(value).lower()
+    texts = [repr(x) for x in np.ravel(value).tolist()]
     return ", ".join(texts if len(texts) <= 12 else [*texts[:3], "...", *texts[-3:], f"({len(texts)} numbers)"])
