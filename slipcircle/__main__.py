@@ -27,6 +27,7 @@ from slipcircle.motion.quantities import OUTCOMES, plain, record, shown
 from slipcircle.outputs import tables
 from slipcircle.outputs.options import times
 from slipcircle.outputs.tables import Answer, Part, say
+from slipcircle.outputs.trace import csv
 from slipcircle.scene.stability import METHODS
 from slipcircle.scene.varied import other_way
 
@@ -135,7 +136,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     def study(name: str, module: str, said: str) -> argparse.ArgumentParser:
         if name not in argv:  # no other command needs what it loads
             return command(name, None, said)
-        loaded = import_module(f"slipcircle.outputs.{module}")
+        loaded = _late(module)
         added = command(name, loaded.run, said)
         loaded.arguments(added)
         return added
@@ -193,10 +194,13 @@ def _ready(options: argparse.Namespace) -> None:
     names = given.get("scenes") or [name for name in [given.get("scene")] if name]
     files.check(options.command, asked, [str(find(name)) for name in names])
     if "--plot" in asked or "--report" in asked:
-        from slipcircle.outputs import pictures
-
         for path in options.plot or [""]:
-            pictures.check(options.command, path, len(names))
+            _late("pictures").check(options.command, path, len(names))
+
+
+def _late(module: str) -> Any:
+    """A module of the outputs that only some commands need."""
+    return import_module(f"slipcircle.outputs.{module}")
 
 
 # --- run and plan ----------------------------------------------------------------------------------------------------
@@ -214,17 +218,11 @@ def _run(options: argparse.Namespace) -> Answer:
     motions = [_speaking_of(scene, solve) for scene in scenes]
     made: dict[str, bytes] = {}  # all before the first is written
     if options.csv:
-        from slipcircle.outputs.trace import csv
-
         made[options.csv] = csv(motions, options.times)
     for path in options.plot:
-        from slipcircle.outputs import pictures
-
-        made[path] = pictures.overview(motions, path)
+        made[path] = _late("pictures").overview(motions, path)
     if options.report:
-        from slipcircle.outputs.report import report
-
-        made[options.report] = report(motions, sources, options.line).encode()
+        made[options.report] = _late("report").report(motions, sources, options.line).encode()
     for path, content in made.items():
         files.write(path, content)
     means = _means(motions) if options.polarities else {}
@@ -314,45 +312,41 @@ def _sensitivity(options: argparse.Namespace) -> Answer:
 
 def _draw(paths: Sequence[str], what: str, found: Any) -> None:
     if paths:
-        from slipcircle.outputs import pictures
-
-        pictures.write(paths, what, found)
+        _late("pictures").write(paths, what, found)
 
 
 def _schema(_: argparse.Namespace) -> Answer:
     from slipcircle.files.scenekeys import schema
-    from slipcircle.outputs.guide import guide
 
-    return Answer(schema, [guide()])
+    return Answer(schema, [_late("guide").guide()])
 
 
 def _cost(options: argparse.Namespace) -> Answer:
     from slipcircle.cost import cost, costtext
-    from slipcircle.outputs.info import machine
 
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
         files.write(options.csv, costtext.table_csv(found))
     for path in options.plot:
         from slipcircle.cost import costplot
-        from slipcircle.outputs import pictures
 
-        files.write(path, pictures.render(partial(costplot.overview, found), costplot.size(found), path))
+        files.write(path, _late("pictures").render(partial(costplot.overview, found), costplot.size(found), path))
+
+    machine = _late("info").machine()
 
     def parts() -> Iterator[Part | str]:
         for name in dict.fromkeys(row.function for row in found):
             rows = [row for row in found if row.function == name]
             yield Part(*costtext.table(rows), name)
             yield costtext.verdict(rows) + "\n"
-        yield costtext.wrapped([*costtext.NOTES, f"{machine()}."])
+        yield costtext.wrapped([*costtext.NOTES, f"{machine}."])
 
-    return Answer(lambda: {"machine": machine(), "rows": [costtext.record(row) for row in found]}, parts())
+    return Answer(lambda: {"machine": machine, "rows": [costtext.record(row) for row in found]}, parts())
 
 
 def _info(_: argparse.Namespace) -> Answer:
-    from slipcircle.outputs.info import facts
-
-    return Answer(facts, [Part([], list(facts().items()))])
+    facts = _late("info").facts()
+    return Answer(lambda: facts, [Part([], list(facts.items()))])
 
 
 if __name__ == "__main__":

@@ -51,9 +51,10 @@ class Results:
         return f"<{prod(self.shape)} motions {name}{counted}; {said}>"
 
     def _repr_html_(self) -> str:
-        rows = [[q.label, q.text(self)] for q in results(self) if q.key]
         if self.shape:
             rows = [*([words(status), str(n)] for status, n in self.count().items()), *self._summary()]
+        else:
+            rows = [[q.label, q.text(self)] for q in results(self) if q.key]
         return Raw(tag("b", self.plan.scene.name or "motion") + table(rows))
 
     def _summary(self) -> list[list[str]]:
