@@ -11,7 +11,7 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
 from slipcircle.scene.arc import QUANTITIES
 from slipcircle.scene.friction import RATE_LAWS
-from slipcircle.scene.keys import Key, Table, tables_of
+from slipcircle.scene.keys import SLOPING, Key, tables_of
 from slipcircle.scene.scene import Scene
 
 _SI = dict(zip((*QUANTITIES, "ground", "centre", "level"), ("m", "rad", "rad", "N/m^3", "m/s^2", *"mmmm"), strict=True))
@@ -46,24 +46,25 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
 def _of_file(file: str) -> Iterator[Input]:
     document, said = tomllib.loads(file), comments(file)
     friction = document.get("friction", {})
-    tables = tables_of(friction.get("law", "constant"), friction.get("rate", {}).get("law", RATE_LAWS[0]))
+    tables = tables_of(friction.get("law", "constant"), friction.get("rate", {}).get("law", RATE_LAWS[0])) | dict(
+        SLOPING
+    )
 
     def rows(path: str, given: Mapping[str, Any]) -> Iterator[Input]:
-        known = tables.get(path, Table("", {})).keys
+        known, dot = tables[path].keys, f"{path}." if path else ""
         for name, value in given.items():
-            where = f"{path}.{name}".lstrip(".")
-            if isinstance(value, dict) and "distribution" not in value:
-                meaning = tables[where].title if where in tables else ""
+            where = f"{dot}{name}"
+            if where in tables:
                 if not value:
-                    yield Input(where, "yes", "", meaning, said.get(where, ""))
+                    yield Input(where, "yes", "", tables[where].title, said.get(where, ""))
                 yield from rows(where, value)
-            elif name not in ("name", "note") or path:
-                key, source = known.get(name, Key(name, "")), said.get(where) or said.get(path, "")
+            elif where not in ("name", "note"):
+                key, source = known[name], said.get(where) or said.get(path, "")
                 yield Input(where, _shown(value), _unit(key) or "g" * name.endswith("_g"), key.title, source)
         for name, key in known.items():
-            if name not in given and ", by default " in key.title and name != "name":
-                title, _, default = key.title.partition(", by default ")
-                yield Input(f"{path}.{name}".lstrip("."), default, _unit(key), title, "default")
+            title, _, default = key.title.partition(", by default ")
+            if default and name not in given and name != "name":
+                yield Input(f"{dot}{name}", default, _unit(key), title, "default")
 
     yield from rows("", document)
 

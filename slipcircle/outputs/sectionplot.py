@@ -28,7 +28,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
     if isinstance(arc, Section):
         return slopeplot.slide(motion, arc, ax)
     ax = axis(ax, (7.0, 5.5))
-    radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
+    radius, first, second = (float(v) for v in (arc.radius, arc.theta_1, arc.theta_2))
     times, places = magnified(motion), slopeplot.places(motion, f"{number(motion.end.displacement)} m")
     turned = [times * rotation * arc.facing for _, rotation, _ in places]
     swept = np.linspace(first + min(turned), second + max(turned), 400)
@@ -164,7 +164,7 @@ def animate(motion: Motion, figure: Any = None, frames: int = 60) -> Any:
     if isinstance(arc, Section):
         centre, outline = np.asarray(arc.centre, dtype=np.float64), slopeplot.outline(arc, arc)
     else:
-        radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
+        radius, first, second = (float(v) for v in (arc.radius, arc.theta_1, arc.theta_2))
         centre, outline = np.zeros(2), _points(radius, np.linspace(first, second, 200)).T
     moving = ax.add_patch(Polygon(outline, closed=True, zorder=4, **AREAS["moving"]))
     times, larger = np.linspace(0.0, motion.duration, frames if motion.moves else 1), magnified(motion)

@@ -69,7 +69,7 @@ def outline(soil: Any, circle: Any) -> Any:
     first, last = _angles(circle)
     arc = _points(circle, np.linspace(first, last, _ON_ARC))
     ground, (left, right) = np.asarray(soil.ground, dtype=np.float64), sorted((circle.entry[0], circle.exit[0]))
-    within = np.hypot(*(ground - circle.centre).T) < (1 - 1e-9) * float(np.asarray(circle.radius))  # also on a scarp
+    within = np.hypot(*(ground - circle.centre).T) < (1 - 1e-9) * float(circle.radius)  # also on a scarp
     inner = ground[(ground[:, 0] >= left) & (ground[:, 0] <= right) & within]
     return np.concatenate([arc, inner[::-1]])
 
@@ -82,7 +82,7 @@ def _angles(circle: Any) -> list[float]:
 
 def _points(circle: Any, beta: Any) -> Any:
     turned = np.stack([np.sin(beta), -np.cos(beta)], axis=-1)
-    return np.asarray(circle.centre, dtype=np.float64) + float(np.asarray(circle.radius)) * turned
+    return np.asarray(circle.centre, dtype=np.float64) + float(circle.radius) * turned
 
 
 def _scenery(ax: Any, soil: Any, circle: Any, turn: float, words: str, low: Any, high: Any) -> None:
