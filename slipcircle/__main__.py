@@ -225,7 +225,11 @@ def _run(options: argparse.Namespace) -> Answer:
         made[options.report] = _late("report").report(motions, sources, options.line).encode()
     for path, content in made.items():
         files.write(path, content)
-    means = _means(motions) if options.polarities else {}
+    pairs = zip(motions[::2], motions[1::2], strict=True) if options.polarities else ()
+    means = {  # of the outcomes' sizes
+        f"{one.plan.scene.name} mean": {n: (abs(one.outcomes[n]) + abs(other.outcomes[n])) / 2 for n in OUTCOMES}
+        for one, other in pairs
+    }
     columns = [tables.motion_column(m, options.verbose) for m in motions]
     columns += [{q.label: f"{shown(mean[n])} {q.unit}" for n, q in OUTCOMES.items()} for mean in means.values()]
     note = "; ".join(f"{s.name}: {s.note}" for s in scenes if s.note)
@@ -244,16 +248,6 @@ def _warnings(motions: Sequence[Motion]) -> Iterator[str]:
         yield from (f"{scene.name}: {warning}" for warning in (*m.warnings, *more))
 
 
-def _means(motions: Sequence[Motion]) -> dict[str, dict[str, float]]:
-    """Outcomes of both polarities, their sizes' mean, by a name of each pair."""
-    pairs = zip(motions[::2], motions[1::2], strict=True)
-    return {
-        f"{one.plan.scene.name} mean": {
-            n: (abs(float(one.outcomes[n])) + abs(float(other.outcomes[n]))) / 2 for n in OUTCOMES
-        } for one, other in pairs
-    }  # fmt: skip
-
-
 def _speaking_of(scene: Scene, work: Callable[[Scene], T]) -> T:
     """What the work makes of a scene; an error says of which, and names the key of its file."""
     try:
@@ -269,14 +263,15 @@ def _plan(options: argparse.Namespace) -> Answer:
     if options.plot and not options.ladder:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
     chosen = plan(load(options.scene))
+    found = vars(chosen) | {"scene": chosen.scene.name}
     if not options.ladder:
-        return Answer(lambda: [tables.plan_record(chosen)], [tables.plan_part(chosen)])
+        return Answer(lambda: [found], [tables.plan_part(chosen)])
     from slipcircle.studies.ladder import ladder
 
     rungs = _speaking_of(chosen.scene, ladder)
     _draw(options.plot, "ladder", rungs)
     return Answer(
-        lambda: [tables.plan_record(chosen) | {"ladder": [asdict(r) for r in rungs]}],
+        lambda: [found | {"ladder": [asdict(r) for r in rungs]}],
         [tables.ladder_part(rungs, chosen.scene.name)],
     )
 
@@ -302,9 +297,10 @@ def _search(options: argparse.Namespace) -> Answer:
 def _sensitivity(options: argparse.Namespace) -> Answer:
     motion = solve(load(options.scene))
     found, name = motion.sensitivity(), motion.plan.scene.name
+    keys = {n: number.key for n, number in found.keys.items()}
     _draw(options.plot, "sensitivity", found)
     return Answer(
-        lambda: [{"scene": name} | tables.sensitivity_record(found)],
+        lambda: [{"scene": name} | vars(found) | {"keys": keys, "elasticities": found.elasticities}],
         [tables.sensitivity_part(found, name)],
         [f"{name}: {warning}" for warning in found.warnings],
     )

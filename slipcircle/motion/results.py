@@ -130,15 +130,18 @@ class Results:
     def _full(self, value: Any) -> Any:
         return np.broadcast_to(value, self.shape) if self.shape else value
 
+    def _wide(self, times: ArrayLike | None) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Axes by name, the last of them time where there are any, and columns over all of them."""
+        axes: dict[str, Any] = {name: np.arange(n) for name, n in zip(self._dims, self.shape, strict=True)}
+        if times is None:
+            return axes, self.to_dict()
+        axes["time"] = np.ravel(np.asarray(times, dtype=np.float64))
+        return axes, {n: v for n, v in self.to_dict(axes["time"]).items() if n != "time"}
+
     def to_pandas(self, times: ArrayLike | None = None) -> Any:
         """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
         pandas = library("pandas")
-        at = None if times is None else np.ravel(np.asarray(times, dtype=np.float64))
-        axes = {name: np.arange(n) for name, n in zip(self._dims, self.shape, strict=True)}
-        columns = self.to_dict(at)
-        if at is not None:
-            axes |= {"time": at}
-            columns.pop("time")
+        axes, columns = self._wide(times)
         frame = pandas.DataFrame({n: np.ravel(v) for n, v in columns.items()})
         if len(axes) > 1:
             frame.index = pandas.MultiIndex.from_product(axes.values(), names=[*axes])
@@ -156,17 +159,16 @@ class Results:
             If inputs name one dimension in two ways: NumPy has paired them element by element.
         """
         xarray = library("xarray")
-        at = None if times is None else np.ravel(np.asarray(times, dtype=np.float64))
-        dims, columns, units = self._dims, self.to_dict(at), self._units
-        wide = (*dims, *(["time"] if at is not None else []))
-        coords: dict[str, Any] = {} if at is None else {"time": ("time", at, {"units": "s"})}
+        axes, columns = self._wide(times)
+        dims, units = self._dims, self._units
+        coords: dict[str, Any] = {"time": ("time", axes["time"], {"units": "s"})} if "time" in axes else {}
         for name, value in self.plan.scene.numbers.items():
             sizes = np.shape(value)
             own = [(d, n) for d, n in zip(dims[len(dims) - len(sizes) :], sizes, strict=True) if n > 1]
             if sizes:
                 columns.pop(name, None)
                 coords[name] = ([d for d, _ in own], np.reshape(np.asarray(value), [n for _, n in own]))
-        variables = {n: (wide, np.asarray(v), {"units": units.get(n, "")}) for n, v in columns.items() if n != "time"}
+        variables = {n: ([*axes], np.asarray(v), {"units": units.get(n, "")}) for n, v in columns.items()}
         return xarray.Dataset(variables, coords, {"scene": self.plan.scene.name})
 
     @property

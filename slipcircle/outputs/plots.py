@@ -28,7 +28,8 @@ from slipcircle.outputs.plotstyle import (
     work,
 )
 from slipcircle.outputs.sectionplot import animate, section
-from slipcircle.outputs.trace import Floats, drawn, given_in_time
+from slipcircle.outputs.trace import Floats, drawn
+from slipcircle.records.given import in_time
 from slipcircle.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
@@ -164,7 +165,7 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     """
     ax = axis(ax, (7.0, 2.5))
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
-    given = given_in_time(motion.plan.scene)
+    given = in_time(motion.plan.scene.called)
     named = {"shaking.horizontal": ("down-slope $k_h$", "main"), "shaking.vertical": ("lightening $k_v$", "other")}
     curves = [(given[name], *said) for name, said in named.items() if name in given]
     if not curves:

@@ -45,10 +45,8 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
 
 def _of_file(file: str) -> Iterator[Input]:
     document, said = tomllib.loads(file), comments(file)
-    friction = document.get("friction", {})
-    tables = tables_of(friction.get("law", "constant"), friction.get("rate", {}).get("law", RATE_LAWS[0])) | dict(
-        SLOPING
-    )
+    law = document.get("friction", {})
+    tables = tables_of(law.get("law", "constant"), law.get("rate", {}).get("law", RATE_LAWS[0])) | dict(SLOPING)
 
     def rows(path: str, given: Mapping[str, Any]) -> Iterator[Input]:
         known, dot = tables[path].keys, f"{path}." if path else ""

@@ -107,11 +107,6 @@ def stability_column(found: Critical) -> dict[str, str]:
 # --- plans and ladders -----------------------------------------------------------------------------------------------
 
 
-def plan_record(plan: Plan) -> dict[str, Any]:
-    """A plan as JSON holds it."""
-    return vars(plan) | {"scene": plan.scene.name}
-
-
 def plan_part(plan: Plan) -> Part:
     """A plan as a table."""
     rows = [
@@ -152,12 +147,6 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------
-
-
-def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:
-    """Derivatives as JSON holds them: matrices of outputs by parameters in their order; null for what has no value."""
-    keys = {name: number.key for name, number in found.keys.items()}
-    return vars(found) | {"keys": keys, "elasticities": found.elasticities}
 
 
 def sensitivity_part(found: "Sensitivity", name: str) -> Part:
