@@ -15,7 +15,7 @@ from scipy import stats
 from slipcircle import Scene, ensemble, load, solve
 from slipcircle.__main__ import main
 from slipcircle.base.distributions import DISTRIBUTIONS, made
-from slipcircle.files.scenefile import read
+from slipcircle.files.scenefile import load as read
 from slipcircle.files.scenekeys import schema
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.states import Status

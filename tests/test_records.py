@@ -69,7 +69,6 @@ TABLES = {
     "a (m/s2)\n1\n-2\n": {"step": 0.5},
     "1\n-2\n": {"step": 0.5, "units": "m/s2"},
     "a (m/s2), time (s)\n1,3\n-2,3.5\n": {"start": 0.0},
-    "0 0.5\n0.5 -1\n": {"units": "m/s2", "scale": 2.0},
     "\ufefftime (s),acc (m/s2)\n0,1\n0.5,-2\n": {},
 }
 
@@ -134,7 +133,6 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "bad start": (HEAD + "0,1\n1,2\n", {"start": -1.0}, "start = -1: must be a time in s, not before 0"),
     "step and times": (HEAD + "0,1\n1,2\n", {"step": 0.1}, "step = 0.1: its column 'time' holds the times"),
     "bad step": ("1\n2\n", {"units": "g", "step": 0.0}, "step = 0: must be a positive time in s"),
-    "bad scale": (HEAD + "0,1\n1,2\n", {"scale": math.nan}, "scale = nan: must be a finite factor"),
     "early": (HEAD + "-1,1\n1,2\n", {}, "line 2: time = -1.0 s: must not be before 0"),
     "gap": (HEAD + "".join(f"{t / 10},1\n" for t in range(30) if t not in (20, 21)), {},
             "line 22: time = 2.2 s comes 0.3 s after the sample before, where the step is 0.1 s: samples are missing"),

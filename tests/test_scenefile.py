@@ -16,7 +16,8 @@ import slipcircle
 from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
 from slipcircle import Arc, Scene, load, solve
 from slipcircle.__main__ import main
-from slipcircle.files.scenefile import read, shipped
+from slipcircle.files.scenefile import load as read
+from slipcircle.files.scenefile import shipped
 from slipcircle.files.scenekeys import schema
 from slipcircle.outputs.guide import guide
 from slipcircle.scene.arc import QUANTITIES
@@ -70,7 +71,7 @@ def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
     motions = {name: solve(load(name)) for name in shipped()}
     for name, motion in motions.items():
         scene = load(name)
-        assert scene == read(FOLDER / f"{name}.toml")  # shipped files are not checked when they are loaded
+        assert scene == read(FOLDER / f"{name}.toml")
         assert (scene.name, bool(scene.note), motion.moves) == (name, True, True)
         assert motion.arrested == (scene.end_time is None)
     assert {name: round(m.run_out) for name, m in motions.items() if m.arrested} == {

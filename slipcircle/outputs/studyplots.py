@@ -12,7 +12,7 @@ import numpy as np
 
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.outputs.plotstyle import AREAS, LINES, axis, empty, legend, lines, mark, number, sheet
-from slipcircle.scene.varied import number_in
+from slipcircle.scene.numbers import number_in
 from slipcircle.studies.motions import motions
 
 if TYPE_CHECKING:
