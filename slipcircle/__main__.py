@@ -19,18 +19,19 @@ from textwrap import wrap
 from threading import Event, Thread, active_count
 from typing import Any, TypeVar
 
-import numpy as np
-
 import slipcircle
 from slipcircle import Motion, Scene, load, plan, solve
 from slipcircle.base import files
-from slipcircle.files.scenefile import find, shipped
-from slipcircle.motion.quantities import OUTCOMES, plain, record, shown, words
+from slipcircle.files.scenefile import find, searched, shipped
+from slipcircle.motion.quantities import OUTCOMES, plain, record, shown
 from slipcircle.outputs import tables
+from slipcircle.outputs.options import times
+from slipcircle.outputs.tables import Answer, Part, say
+from slipcircle.outputs.trace import csv
+from slipcircle.scene.stability import METHODS
 from slipcircle.scene.varied import other_way
 
 T = TypeVar("T")
-MOST_TIMES = 1_000_000
 SILENT = 5.0  # s, at most
 INTERRUPTED = 130
 EPILOG = """\
@@ -49,26 +50,26 @@ def main(argv: Sequence[str] | None = None) -> int:
     options.line = shlex.join(["slipcircle", *argv])
     try:
         _ready(options)
-        options.work(options)
+        _tell(options.work(options), options.json)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()
     except OSError as error:
         if error.filename is None and sys.stdout is sys.__stdout__ and sys.stdout is not None:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or it is flushed again, and complains
         if not isinstance(error, BrokenPipeError):  # nobody reads on, as with `| head`
-            _say(f"{error.filename or 'the output'}: {error.strerror or error}")
+            say(f"{error.filename or 'the output'}: {error.strerror or error}")
         return 1
     except MemoryError as error:
-        _say(f"not enough memory: {error}")
+        say(f"not enough memory: {error}")
         return 1
     except (ValueError, ImportError) as error:
-        _say(str(error))
+        say(str(error))
         return 1
     except KeyboardInterrupt:
         resume = getattr(options, "resume", None)
         kept = f"; finished blocks are in {resume}, and the same command continues from them" if resume else ""
         print(file=sys.stderr)
-        _say(f"interrupted{kept}")
+        say(f"interrupted{kept}")
         return INTERRUPTED
     return 0
 
@@ -102,8 +103,14 @@ def _heard(seconds: float) -> Iterator[None]:
         done.set()
 
 
-def _say(message: str) -> None:
-    print(f"slipcircle: {tables.clean(message)}", file=sys.stderr)
+def _tell(found: Answer, as_json: bool) -> None:
+    if as_json:
+        print(json.dumps(plain(found.record()), indent=2, allow_nan=False))
+        return
+    for part in found.parts:
+        print(part) if isinstance(part, str) else tables.show(*part)
+    for warning in found.warnings:
+        say(warning)
 
 
 def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
@@ -119,83 +126,87 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND", title="commands")
     which = "a scene that ships, by name (`slipcircle --help` lists them), or the path of a TOML file"
 
-    def command(name: str, work: Callable[[argparse.Namespace], None], said: str) -> argparse.ArgumentParser:
+    def command(name: str, work: Callable[[argparse.Namespace], Answer] | None, said: str) -> argparse.ArgumentParser:
         added = commands.add_parser(name, help=said, description=f"{said[0].upper()}{said[1:]}.")
         added.set_defaults(work=work)
         if name != "schema":
             added.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
         return added
 
-    def plot(parser: argparse.ArgumentParser, what: str, more: str = "") -> None:
-        parser.add_argument("--plot", metavar="FILE", action="append", default=[],
-                            help=f"draw {what}; .png, .svg, .pdf or .jpg{more}")  # fmt: skip
+    def study(name: str, module: str, said: str) -> argparse.ArgumentParser:
+        if name not in argv:  # no other command needs what it loads
+            return command(name, None, said)
+        loaded = _late(module)
+        added = command(name, loaded.run, said)
+        loaded.arguments(added)
+        return added
 
+    def writes(parser: argparse.ArgumentParser, drawn: str, **more: str) -> None:
+        parser.add_argument("--plot", metavar="FILE", action="append", default=[], help=f"draw {drawn}")
+        for name, what in more.items():
+            parser.add_argument(f"--{name}", metavar="FILE", help=f"write {what}")
+
+    pictured, reviewed = "; .png, .svg, .pdf or .jpg", "a report for a reviewer, one HTML file"
     run = command("run", _run, "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
     run.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
-    plot(run, "section, motion and energy", ", and the slide itself as .gif; may be given more than once")
     run.add_argument("--polarities", action="store_true", help="each shaken scene also with its horizontal shaking "
                      "turned around, and the mean of both")  # fmt: skip
-    run.add_argument("--report", metavar="FILE", help="write a report for a reviewer, one HTML file")
-    run.add_argument("--csv", metavar="FILE", help="write the motion over time, in SI units and full precision")
-    run.add_argument("--times", type=_times, metavar="FROM:TO:STEP", help="times of --csv in s, by default 401 even "
+    writes(run, f"section, motion and energy{pictured}, and the slide itself as .gif; may be given more than once",
+           report=reviewed, csv="the motion over time, in SI units and full precision")  # fmt: skip
+    run.add_argument("--times", type=times, metavar="FROM:TO:STEP", help="times of --csv in s, by default 401 even "
                      "ones from start to end: 0:60:1")  # fmt: skip
     planned = command("plan", _plan, "how a scene will be solved, and what that costs")
     what = planned.add_mutually_exclusive_group(required=True)
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
-    plot(planned, "the ladder")
-    swept = command("sweep", _sweep, "a scene on a grid of values, or for samples of its uncertain numbers")
-    swept.add_argument("scene", metavar="SCENE", help=which)
-    searched = command("search", _search, "the critical circle of a slope, and its factors of safety by three methods")
-    back = command("backanalyse", _backanalyse, "the friction, or another number, that explains an observed motion")
-    back.add_argument("scene", metavar="SCENE", help=which)
-    plot(back, "what was observed over the fields")
-    for one, module in ((swept, "sweep"), (searched, "searching"), (back, "backanalysing")):
-        if one.prog.split()[-1] in argv:  # no other command needs what it loads
-            import_module(f"slipcircle.outputs.{module}").arguments(one)
+    writes(planned, f"the ladder{pictured}")
+    swept = study("sweep", "sweep", "a scene on a grid of values, or for samples of its uncertain numbers")
+    writes(swept, f"exceedance curves and which unknown matters, or a grid of one or two numbers{pictured}",
+           report=reviewed, csv="one table of all results",
+           npz="all results as NumPy arrays, the samples where kept")  # fmt: skip
+    slope = command("search", _search, "the critical circle of a slope, and its factors of safety by three methods")
+    slope.add_argument("scenes", nargs="+", metavar="SLOPE", help="a scene that ships, by name, or the path of a TOML "
+                       "file with [ground] and soil")  # fmt: skip
+    slope.add_argument("--method", choices=METHODS, help="whose least factor is looked for; default bishop")
+    writes(slope, f"the section, the circle and the factors over centres{pictured}")
+    back = study("backanalyse", "backanalysing", "the friction, or another number, that explains an observed motion")
+    writes(back, f"what was observed over the fields{pictured}")
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
-    slopes.add_argument("scene", metavar="SCENE", help=which)
-    plot(slopes, "what a change of each number changes")
+    writes(slopes, f"what a change of each number changes{pictured}")
+    for one in (swept, back, slopes):
+        one.add_argument("scene", metavar="SCENE", help=which)
     schema = command("schema", _schema, "what a scene file may say: every effect, law, key and unit")
-    schema.add_argument("--text", action="store_true", help="for people; by default a JSON Schema, for editors")
+    schema.add_argument("--text", dest="json", action="store_false",
+                        help="for people; by default a JSON Schema, for editors")  # fmt: skip
     cost = command("cost", _cost, "measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
-    plot(cost, "error against time and error over alpha")
-    cost.add_argument("--csv", metavar="FILE", help="write every row in full precision")
+    writes(cost, f"error against time and error over alpha{pictured}", csv="every row in full precision")
     command("info", _info, "versions and digests of what is installed")
     return parser
-
-
-def _print(found: Any) -> None:
-    print(json.dumps(plain(found), indent=2, allow_nan=False))
 
 
 def _ready(options: argparse.Namespace) -> None:
     """See that all files of a command can be written and its pictures drawn, before the work."""
     asked = {f"--{k}": path for k in ("plot", "report", "csv", "npz") if (path := getattr(options, k, None))}
     given = vars(options)
-    names = given.get("scenes") or given.get("slopes") or [name for name in [given.get("scene")] if name]
+    names = given.get("scenes") or [name for name in [given.get("scene")] if name]
     files.check(options.command, asked, [str(find(name)) for name in names])
     if "--plot" in asked or "--report" in asked:
-        from slipcircle.outputs import pictures
-
         for path in options.plot or [""]:
-            pictures.check(options.command, path, len(given.get("scenes", names[:1])))
+            _late("pictures").check(options.command, path, len(names))
 
 
-def _draw(paths: Sequence[str], what: str, found: Any) -> None:
-    for path in paths:
-        from slipcircle.outputs import pictures
-
-        files.write(path, getattr(pictures, what)(found, path))
+def _late(module: str) -> Any:
+    """A module of the outputs that only some commands need."""
+    return import_module(f"slipcircle.outputs.{module}")
 
 
 # --- run and plan ----------------------------------------------------------------------------------------------------
 
 
-def _run(options: argparse.Namespace) -> None:
+def _run(options: argparse.Namespace) -> Answer:
     paths = [find(name) for name in options.scenes]
     if options.times is not None and not options.csv:
         raise ValueError("run: --times: are the rows of a CSV file; give --csv FILE as well")
@@ -207,45 +218,34 @@ def _run(options: argparse.Namespace) -> None:
     motions = [_speaking_of(scene, solve) for scene in scenes]
     made: dict[str, bytes] = {}  # all before the first is written
     if options.csv:
-        from slipcircle.outputs.trace import csv
-
         made[options.csv] = csv(motions, options.times)
     for path in options.plot:
-        from slipcircle.outputs import pictures
-
-        made[path] = pictures.overview(motions, path)
+        made[path] = _late("pictures").overview(motions, path)
     if options.report:
-        from slipcircle.outputs.report import report
-
-        made[options.report] = report(motions, sources, options.line).encode()
+        made[options.report] = _late("report").report(motions, sources, options.line).encode()
     for path, content in made.items():
         files.write(path, content)
-    means = _means(motions) if options.polarities else {}
-    if options.json:
-        _print([*(record(m) for m in motions), *({"scene": name} | mean for name, mean in means.items())])
-        return
+    pairs = zip(motions[::2], motions[1::2], strict=True) if options.polarities else ()
+    means = {  # of the outcomes' sizes
+        f"{one.plan.scene.name} mean": {n: (abs(one.outcomes[n]) + abs(other.outcomes[n])) / 2 for n in OUTCOMES}
+        for one, other in pairs
+    }
     columns = [tables.motion_column(m, options.verbose) for m in motions]
     columns += [{q.label: f"{shown(mean[n])} {q.unit}" for n, q in OUTCOMES.items()} for mean in means.values()]
-    tables.show(
-        ["", *(m.plan.scene.name for m in motions), *means],
-        tables.beside(columns),
-        caption="; ".join(f"{m.plan.scene.name}: {m.plan.scene.note}" for m in motions if m.plan.scene.note),
+    note = "; ".join(f"{s.name}: {s.note}" for s in scenes if s.note)
+    return Answer(
+        lambda: [*map(record, motions), *({"scene": name} | mean for name, mean in means.items())],
+        [Part(["", *(s.name for s in scenes), *means], tables.beside(columns), note=note)],
+        _warnings(motions),
     )
+
+
+def _warnings(motions: Sequence[Motion]) -> Iterator[str]:
     for m in motions:
-        drawn = [u.key for u in m.plan.scene.uncertain.values()]
-        more = [f"solved at the median of {', '.join(drawn)}; sweep draws them"] if drawn else []
-        for warning in (*m.warnings, *more):
-            _say(f"{m.plan.scene.name}: {warning}")
-
-
-def _means(motions: Sequence[Motion]) -> dict[str, dict[str, float]]:
-    """Outcomes of both polarities, their sizes' mean, by a name of each pair."""
-    pairs = zip(motions[::2], motions[1::2], strict=True)
-    return {
-        f"{one.plan.scene.name} mean": {
-            n: (abs(float(one.outcomes[n])) + abs(float(other.outcomes[n]))) / 2 for n in OUTCOMES
-        } for one, other in pairs
-    }  # fmt: skip
+        scene = m.plan.scene
+        drawn = ", ".join(u.key for u in scene.uncertain.values())
+        more = [f"solved at the median of {drawn}; sweep draws them"] if drawn else []
+        yield from (f"{scene.name}: {warning}" for warning in (*m.warnings, *more))
 
 
 def _speaking_of(scene: Scene, work: Callable[[Scene], T]) -> T:
@@ -256,138 +256,93 @@ def _speaking_of(scene: Scene, work: Callable[[Scene], T]) -> T:
         raise ValueError(f"{scene.name}: {re.sub('end_time(?!_)', 'end_time_s', str(error))}") from error
 
 
-def _times(text: str) -> Any:
-    """0:60:1 as times from 0 to 60 s."""
-    try:
-        first, last, step = map(float, text.split(":"))
-        count = np.floor((last - first) / step * (1 + 1e-12)) + 1
-        if not (0.0 <= first <= last and 0.0 < step and count <= MOST_TIMES):
-            raise ValueError
-    except (ValueError, ZeroDivisionError):
-        said = f"{text}: must be FROM:TO:STEP in s, such as 0:60:1, at most {MOST_TIMES} times"
-        raise argparse.ArgumentTypeError(said) from None
-    return first + step * np.arange(int(count))
-
-
-def _plan(options: argparse.Namespace) -> None:
+def _plan(options: argparse.Namespace) -> Answer:
     if options.all:
-        rows = tables.combination_rows()
-        if options.json:
-            _print([dict(zip(tables.COMBINATIONS, row, strict=True)) for row in rows])
-        else:
-            tables.show(tables.COMBINATIONS, rows)
-        return
+        every = tables.combinations_part()
+        return Answer(lambda: [dict(zip(every.head, row, strict=True)) for row in every.rows], [every])
     if options.plot and not options.ladder:
         raise ValueError("plan: --plot: draws the ladder; give --ladder as well")
     chosen = plan(load(options.scene))
-    if options.ladder:
-        from slipcircle.studies.ladder import ladder
+    found = vars(chosen) | {"scene": chosen.scene.name}
+    if not options.ladder:
+        return Answer(lambda: [found], [tables.plan_part(chosen)])
+    from slipcircle.studies.ladder import ladder
 
-        rungs = _speaking_of(chosen.scene, ladder)
-        _draw(options.plot, "ladder", rungs)
-    if options.json:
-        _print([tables.plan_record(chosen) | ({"ladder": [asdict(r) for r in rungs]} if options.ladder else {})])
-    elif options.ladder:
-        tables.show(tables.LADDER, tables.ladder_rows(rungs), chosen.scene.name)
-    else:
-        tables.show(["", chosen.scene.name], tables.plan_rows(chosen))
-
-
-# --- studies ---------------------------------------------------------------------------------------------------------
+    rungs = _speaking_of(chosen.scene, ladder)
+    _draw(options.plot, "ladder", rungs)
+    return Answer(
+        lambda: [found | {"ladder": [asdict(r) for r in rungs]}],
+        [tables.ladder_part(rungs, chosen.scene.name)],
+    )
 
 
-def _sweep(options: argparse.Namespace) -> None:
-    from slipcircle.outputs import sweep
-
-    found = sweep.run(options)
-    if options.json:
-        _print([sweep.record(found)])
-        return
-    sweep.show(found)
-    for warning in found.warnings:
-        _say(f"{found.scene.name}: {warning}")
-
-
-def _search(options: argparse.Namespace) -> None:
-    from slipcircle.outputs import searching
-
-    found = searching.run(options, _say)
-    if options.json:
-        _print([f.record() for f in found])
+def _search(options: argparse.Namespace) -> Answer:
+    if options.plot and len(options.scenes) > 1:
+        raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
+    names, notes, found = zip(*(searched(name, options.method, say) for name in options.scenes), strict=True)
+    _draw(options.plot, "search", found[0])
+    for name, circle in zip(names, found, strict=True):
+        if circle.warning:
+            say(f"{name}: {circle.warning}")
+    columns = [tables.stability_column(circle) for circle in found]
+    note = "; ".join(f"{name}: {text}" for name, text in zip(names, notes, strict=True) if text)
+    return Answer(
+        lambda: [circle.record() for circle in found], [Part(["", *names], tables.beside(columns), note=note)]
+    )
 
 
-def _backanalyse(options: argparse.Namespace) -> None:
-    from slipcircle.outputs import backanalysing
-
-    found = backanalysing.run(options)
-    _draw(options.plot, "backanalysis", found)
-    if options.json:
-        _print([backanalysing.record(found)])
-        return
-    backanalysing.show(found)
-    for warning in found.warnings:
-        _say(f"{found.motion.plan.scene.name}: {warning}")
+# --- about a scene, and about itself ---------------------------------------------------------------------------------
 
 
-def _sensitivity(options: argparse.Namespace) -> None:
+def _sensitivity(options: argparse.Namespace) -> Answer:
     motion = solve(load(options.scene))
     found, name = motion.sensitivity(), motion.plan.scene.name
+    keys = {n: number.key for n, number in found.keys.items()}
     _draw(options.plot, "sensitivity", found)
-    if options.json:
-        _print([{"scene": name} | tables.sensitivity_record(found)])
-        return
-    tables.show(
-        ["by", "value", *(words(n, unit) for n, unit in found.outputs.items())], tables.sensitivity_rows(found), name,
-        "change per unit of the key, and in brackets in per cent per per cent of it",
-    )  # fmt: skip
-    for warning in found.warnings:
-        _say(f"{name}: {warning}")
+    return Answer(
+        lambda: [{"scene": name} | vars(found) | {"keys": keys, "elasticities": found.elasticities}],
+        [tables.sensitivity_part(found, name)],
+        [f"{name}: {warning}" for warning in found.warnings],
+    )
 
 
-# --- about itself ----------------------------------------------------------------------------------------------------
+def _draw(paths: Sequence[str], what: str, found: Any) -> None:
+    if paths:
+        _late("pictures").write(paths, what, found)
 
 
-def _schema(options: argparse.Namespace) -> None:
-    if options.text:
-        from slipcircle.outputs.guide import guide
-
-        print(guide())
-        return
+def _schema(_: argparse.Namespace) -> Answer:
     from slipcircle.files.scenekeys import schema
 
-    _print(schema())
+    return Answer(schema, [_late("guide").guide()])
 
 
-def _cost(options: argparse.Namespace) -> None:
+def _cost(options: argparse.Namespace) -> Answer:
     from slipcircle.cost import cost, costtext
-    from slipcircle.outputs.info import machine
 
     found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
     if options.csv:
         files.write(options.csv, costtext.table_csv(found))
     for path in options.plot:
         from slipcircle.cost import costplot
-        from slipcircle.outputs import pictures
 
-        files.write(path, pictures.render(partial(costplot.overview, found), costplot.size(found), path))
-    if options.json:
-        _print({"machine": machine(), "rows": [costtext.record(row) for row in found]})
-        return
-    for name in dict.fromkeys(row.function for row in found):
-        rows = [row for row in found if row.function == name]
-        tables.show(*costtext.table(rows), title=name)
-        print(costtext.verdict(rows) + "\n")
-    print(costtext.wrapped([*costtext.NOTES, f"{machine()}."]))
+        files.write(path, _late("pictures").render(partial(costplot.overview, found), costplot.size(found), path))
+
+    machine = _late("info").machine()
+
+    def parts() -> Iterator[Part | str]:
+        for name in dict.fromkeys(row.function for row in found):
+            rows = [row for row in found if row.function == name]
+            yield Part(*costtext.table(rows), name)
+            yield costtext.verdict(rows) + "\n"
+        yield costtext.wrapped([*costtext.NOTES, f"{machine}."])
+
+    return Answer(lambda: {"machine": machine, "rows": [costtext.record(row) for row in found]}, parts())
 
 
-def _info(options: argparse.Namespace) -> None:
-    from slipcircle.outputs.info import facts
-
-    found = facts()
-    if options.json:
-        _print(found)
-    else:
-        tables.show(["", ""], list(found.items()))
+def _info(_: argparse.Namespace) -> Answer:
+    facts = _late("info").facts()
+    return Answer(lambda: facts, [Part([], list(facts.items()))])
 
 
 if __name__ == "__main__":

@@ -18,37 +18,16 @@ _PREFIXES = ((1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, 
 
 @dataclass(frozen=True)
 class Quantity:
-    """One number of a result.
+    """One number of a result."""
 
-    Attributes
-    ----------
-    name : str
-        In Python, JSON and heads of CSV files.
-    unit : str
-        SI, "" where it has none; angles are radians.
-    label : str
-        In words.
-    path : str
-        The attribute of a `Motion`, with dots; of a quantity over time its method, which takes times in s, and what to
-        take of that.
-    degrees : bool
-        Whether people read it as an angle in degrees: of radians, or of a friction coefficient.
-    solved : bool
-        Whether it is a result of the solution, which `Motion.error_estimate` is about.
-    key : bool
-        Whether it stands in every table; the others are asked for.
-    point : bool
-        Whether it is x and y.
-    """
-
-    name: str
-    unit: str
-    label: str
-    path: str
-    degrees: bool = False
-    solved: bool = False
-    key: bool = False
-    point: bool = False
+    name: str  # in Python, JSON and heads of CSV files
+    unit: str  # SI, "" where it has none; angles are radians
+    label: str  # in words
+    path: str  # the attribute of a `Motion`, with dots; over time its method, which takes times in s, and a part of it
+    degrees: bool = False  # people read it as an angle in degrees: of radians, or of a friction coefficient
+    solved: bool = False  # a result of the solution, which `Motion.error_estimate` is about
+    key: bool = False  # stands in every table; the others are asked for
+    point: bool = False  # is x and y
 
     def read(self, motion: Any) -> Any:
         """The value, in SI units; an array where the motion is an ensemble's."""
@@ -81,6 +60,11 @@ class Quantity:
             return math.degrees(value if self.unit else math.atan(value)), "deg"
         factor, unit = prefixed(value, self.unit)
         return value * factor, unit
+
+    @property
+    def heading(self) -> str:
+        """Name and unit as tables have them."""
+        return words(self.name, self.unit)
 
     @property
     def head(self) -> str:

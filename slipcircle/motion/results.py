@@ -19,13 +19,7 @@ from slipcircle.scene.varied import scene_with
 
 
 def library(name: str) -> Any:
-    """A library that only what gives its objects needs.
-
-    Raises
-    ------
-    ImportError
-        With what to type, where it is missing.
-    """
+    """A library that only what gives its objects needs, or what to type where it is missing."""
     try:
         return import_module(name)
     except ImportError as error:
@@ -50,16 +44,18 @@ class Results:
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
+        said = "; ".join(" ".join(row) for row in self._summary())
         if not self.shape:
-            return f"<Motion {name}{'; '.join(' '.join(row) for row in self._summary())}>"
+            return f"<Motion {name}{said}>"
         counted = ", ".join(f"{n} {words(status)}" for status, n in self.count().items())
-        return f"<{prod(self.shape)} motions {name}{counted}; {'; '.join(' '.join(row) for row in self._summary())}>"
+        return f"<{prod(self.shape)} motions {name}{counted}; {said}>"
 
     def _repr_html_(self) -> str:
-        name = self.plan.scene.name or "motion"
-        rows = [[q.label, q.text(self)] for q in results(self) if q.key] if not self.shape else self._summary()
-        counted = [[words(status), str(n)] for status, n in self.count().items()]
-        return Raw(tag("b", name) + table([*(counted if self.shape else []), *rows]))
+        if self.shape:
+            rows = [*([words(status), str(n)] for status, n in self.count().items()), *self._summary()]
+        else:
+            rows = [[q.label, q.text(self)] for q in results(self) if q.key]
+        return Raw(tag("b", self.plan.scene.name or "motion") + table(rows))
 
     def _summary(self) -> list[list[str]]:
         """What repr says: of many lanes each outcome's least and greatest value."""
@@ -72,20 +68,19 @@ class Results:
         found = []
         for name, q in OUTCOMES.items():
             values = np.asarray(self.outcomes[name])[~np.isnan(self.outcomes[name])]
-            ends = [shown(float(x)) for x in (np.min(values), np.max(values))] if values.size else ["-", "-"]
-            found.append([words(name), f"{ends[0]} to {ends[1]} {q.unit}"])
+            low, high = (shown(float(f(values))) if values.size else "-" for f in (np.min, np.max))
+            found.append([words(name), f"{low} to {high} {q.unit}"])
         return found
 
     @property
     def reason(self) -> Any:
         """Why there is no answer, of each lane; empty where there is one."""
-        if not self.shape:
-            return self.status.reason
         return self._named("reason")
 
     def _named(self, what: str) -> Any:
-        kinds = np.array([getattr(s, what) for s in Status])
-        return kinds[np.asarray(self.status)]
+        if not self.shape:
+            return getattr(self.status, what)
+        return np.array([getattr(s, what) for s in Status])[self.status]
 
     def __len__(self) -> int:
         if not self.shape:
@@ -130,22 +125,23 @@ class Results:
             return {name: q.at(self, at) for name, q in HISTORY.items()}
         found = {n: self._full(v) for n, v in self.plan.scene.numbers.items() if np.ndim(v)}
         found |= {n: self._full(v) for q in results(self) for n, v in q.columns(self).items()}
-        if not self.shape:
-            return found | {"status": self.status.name, "reason": self.reason}
         return found | {"status": self._named("name"), "reason": self.reason}
 
     def _full(self, value: Any) -> Any:
         return np.broadcast_to(value, self.shape) if self.shape else value
 
+    def _wide(self, times: ArrayLike | None) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Axes by name, the last of them time where there are any, and columns over all of them."""
+        axes: dict[str, Any] = {name: np.arange(n) for name, n in zip(self._dims, self.shape, strict=True)}
+        if times is None:
+            return axes, self.to_dict()
+        axes["time"] = np.ravel(np.asarray(times, dtype=np.float64))
+        return axes, {n: v for n, v in self.to_dict(axes["time"]).items() if n != "time"}
+
     def to_pandas(self, times: ArrayLike | None = None) -> Any:
         """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
         pandas = library("pandas")
-        at = None if times is None else np.ravel(np.asarray(times, dtype=np.float64))
-        axes = {name: np.arange(n) for name, n in zip(self._dims, self.shape, strict=True)}
-        columns = self.to_dict(at)
-        if at is not None:
-            axes |= {"time": at}
-            columns.pop("time")
+        axes, columns = self._wide(times)
         frame = pandas.DataFrame({n: np.ravel(v) for n, v in columns.items()})
         if len(axes) > 1:
             frame.index = pandas.MultiIndex.from_product(axes.values(), names=[*axes])
@@ -163,17 +159,16 @@ class Results:
             If inputs name one dimension in two ways: NumPy has paired them element by element.
         """
         xarray = library("xarray")
-        at = None if times is None else np.ravel(np.asarray(times, dtype=np.float64))
-        dims, columns, units = self._dims, self.to_dict(at), self._units
-        wide = (*dims, *(["time"] if at is not None else []))
-        coords: dict[str, Any] = {} if at is None else {"time": ("time", at, {"units": "s"})}
+        axes, columns = self._wide(times)
+        dims, units = self._dims, self._units
+        coords: dict[str, Any] = {"time": ("time", axes["time"], {"units": "s"})} if "time" in axes else {}
         for name, value in self.plan.scene.numbers.items():
             sizes = np.shape(value)
             own = [(d, n) for d, n in zip(dims[len(dims) - len(sizes) :], sizes, strict=True) if n > 1]
             if sizes:
                 columns.pop(name, None)
                 coords[name] = ([d for d, _ in own], np.reshape(np.asarray(value), [n for _, n in own]))
-        variables = {n: (wide, np.asarray(v), {"units": units.get(n, "")}) for n, v in columns.items() if n != "time"}
+        variables = {n: ([*axes], np.asarray(v), {"units": units.get(n, "")}) for n, v in columns.items()}
         return xarray.Dataset(variables, coords, {"scene": self.plan.scene.name})
 
     @property

@@ -31,9 +31,7 @@ def guide() -> str:
     """The text, at most 100 columns wide."""
     tables = tables_of("constant")
     lines = [HEAD, "Above the first table", *_keys(tables[""])]
-    for path in ("arc", "arc.given"):
-        lines += ["", *_title(f"[{path}]", tables[path].title), *_keys(tables[path])]
-    for path, table in SLOPING.items():
+    for path, table in ({p: tables[p] for p in ("arc", "arc.given")} | dict(SLOPING)).items():
         lines += ["", *_title(f"[{path}]", table.title), *_keys(table)]
     lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
     lines += [line for m, (name, said) in METHODS.items() for line in _title(f"  {m}", f"{name}: {said}")]

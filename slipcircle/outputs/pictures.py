@@ -2,21 +2,16 @@
 
 import io
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from slipcircle.base import files
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs import plots, studyplots
+from slipcircle.outputs import plots, slopeplot, studyplots
 from slipcircle.outputs.plotstyle import missing, work
-from slipcircle.studies.ladder import Rung
-
-if TYPE_CHECKING:
-    from slipcircle.motion.derivatives import Sensitivity
-    from slipcircle.studies.backanalysis import BackAnalysis
-    from slipcircle.studies.study import Study
 
 _Picture = tuple[str, str, Callable[[Any], Any], tuple[float, float]]  # name, caption, what draws it, inches
 _KINDS = ("png", "svg", "pdf", "jpg")
@@ -25,15 +20,7 @@ _FRAMES, _SECONDS = 40, 5  # of an animation
 
 
 def check(command: str, path: str = "", scenes: int = 1) -> None:
-    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    ValueError
-        If not.
-    """
+    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated."""
     try:
         import matplotlib  # noqa: F401
     except ImportError as error:
@@ -117,23 +104,23 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
     return [(name, caption, partial(render, draw, size)) for name, caption, draw, size in found]
 
 
-def study(found: "Study", path: str) -> bytes:
-    """Exceedance curves of uncertain scenes, and which unknown matters, as a file by its name."""
-    return render(partial(studyplots.overview, found), studyplots.size(found), path)
+# What commands draw of what they found, and on how many inches.
+_DRAWN: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]] = {
+    "study": (studyplots.overview, studyplots.size),
+    "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.outputs) * (1.6 + 0.3 * len(x.parameters)))),
+    "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
+    "search": (slopeplot.searched, lambda _: (9.0, 6.0)),
+    "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
+}
 
 
-def ladder(rungs: Sequence[Rung], path: str) -> bytes:
-    """What each effect changes, as a file by its name."""
-    return render(lambda figure: plots.ladder(rungs, figure.add_subplot()), (9.0, 1.5 + 0.5 * len(rungs)), path)
+def picture(what: str, found: Any, path: str) -> bytes:
+    """What a command found, as a file by its name: one of `_DRAWN`."""
+    draw, size = _DRAWN[what]
+    return render(partial(draw, found), size(found), path)
 
 
-def sensitivity(found: "Sensitivity", path: str) -> bytes:
-    """What a change of each number changes, as a file by its name."""
-    size = 8.0, len(found.outputs) * (1.6 + 0.3 * len(found.parameters))
-    return render(partial(studyplots.tornados, found), size, path)
-
-
-def backanalysis(found: "BackAnalysis", path: str) -> bytes:
-    """What was observed, over the fields that explain it, as a file by its name."""
-    size = 2.0 + 4.5 * len(found.units), 0.6 + 3.4 * len(found.observed)
-    return render(partial(studyplots.explained, found), size, path)
+def write(paths: Iterable[str], what: str, found: Any) -> None:
+    """The same into files."""
+    for path in paths:
+        files.write(path, picture(what, found, path))

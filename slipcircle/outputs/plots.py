@@ -16,18 +16,20 @@ from slipcircle.motion.quantities import HISTORY, prefixed
 from slipcircle.outputs.plotstyle import (
     AREAS,
     LINES,
-    MARKS,
     axis,
+    empty,
     ending,
     legend,
-    note,
+    lines,
+    mark,
     number,
     sheet,
     still,
     work,
 )
 from slipcircle.outputs.sectionplot import animate, section
-from slipcircle.outputs.trace import Floats, drawn, given_in_time
+from slipcircle.outputs.trace import Floats, drawn
+from slipcircle.records.given import in_time
 from slipcircle.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]
@@ -37,15 +39,11 @@ HISTORIES: Mapping[str, tuple[str, tuple[tuple[str, str, str], ...]]] = {
     "velocity": (" $v$", (("velocity", "main", ""),)),
     "displacement": (" $s$", (("displacement", "main", ""),)),
     "rotation": (" $\\phi$", (("rotation", "main", ""),)),
-    "friction": (
-        "",
-        (("friction", "main", "mobilised $\\mu$"), ("holding_friction", "other", "needed to stand still")),
-    ),
-    "normal_stress": (
-        "",
-        (("normal_stress", "main", "total $\\sigma_n$"), ("effective_stress", "other", "effective")),
-    ),
-}
+    "friction": ("", (("friction", "main", "mobilised $\\mu$"),
+                      ("holding_friction", "other", "needed to stand still"))),
+    "normal_stress": ("", (("normal_stress", "main", "total $\\sigma_n$"),
+                           ("effective_stress", "other", "effective"))),
+}  # fmt: skip
 _TALL = 3.0  # the friction needed to stand still is seen up to so many times the greatest mobilised one
 OVERVIEW = ("velocity", "displacement", "friction", "normal_stress")
 
@@ -68,17 +66,16 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
         factor, unit = math.degrees(1.0), "deg"
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
-        ax.set(xlim=(0.0, 1.0), ylim=(-1.0, 1.0), xticks=[], yticks=[])
+        ax.set(xlim=(0.0, 1.0), ylim=(-1.0, 1.0))
         return still(motion, ax)
     for column, line, name in curves:
         label = {"label": name} if len(curves) > 1 else {}
         ax.plot(columns["time"], factor * columns[column], **label, **LINES[line])
-    for mark, time, words in _marks(motion, what == "displacement"):
+    for role, time, words in _marks(motion, what == "displacement"):
         value = factor * _read(time, columns["time"], first)
         seen = f"{number(value)} {unit}".rstrip()
-        seen = seen if brief and mark != "reach" else f"{words}: {seen} at {number(time)} s"
         ax.axvline(time, **LINES["help"])
-        ax.plot(time, value, ls="", clip_on=False, zorder=4, label=seen, **MARKS[mark])
+        mark(ax, time, value, role, seen if brief and role != "reach" else f"{words}: {seen} at {number(time)} s")
     ax.grid(alpha=0.3)
     ax.margins(y=0.08)
     ax.set_xlim(0.0, motion.duration)
@@ -91,9 +88,8 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
         handles, names = ([x[k] for k in (0, 2, 1, 3)] for x in (handles, names))
     legend(ax, handles=handles, labels=names)
     if what == "displacement":
-        side = ax.secondary_yaxis(
-            "right", functions=tuple(_turned(float(np.asarray(motion.plan.scene.arc.radius)), way) for way in (1, -1))
-        )
+        turn = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
+        side = ax.secondary_yaxis("right", functions=(lambda s: np.multiply(s, turn), lambda x: np.divide(x, turn)))
         side.set_ylabel("rotation $\\phi$ (deg)")
     return ax
 
@@ -125,11 +121,6 @@ def _differs(one: Floats, other: Floats) -> bool:
     return bool(np.any(np.isfinite(one))) and not np.allclose(one, other, rtol=1e-9, atol=0.0, equal_nan=True)
 
 
-def _turned(radius: float, way: int) -> Any:
-    """From metres along the arc to degrees, or back."""
-    return lambda value: np.asarray(value) * math.degrees(1.0 / radius) ** way
-
-
 def phase_plane(motion: Motion, ax: Any = None) -> Any:
     """Speed against displacement; behind it the energy, stacked: what is lost and what is kinetic make up the work.
 
@@ -142,11 +133,9 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     first = float(columns["kinetic_energy"][0])
     given = first + columns["work_of_gravity_and_shaking"]
     factor, unit = prefixed(np.concatenate([given, columns["dissipation"]]), "J")
-    ax.set(
-        xlabel=f"{'path travelled, as it turns back' if back else 'displacement $s$'} (m)", ylabel=f"energy ({unit})"
-    )
+    way = "path travelled, as it turns back" if back else "displacement $s$"
+    ax.set(xlabel=f"{way} (m)", ylabel=f"energy ({unit})")
     if not motion.moves:
-        ax.set(xticks=[], yticks=[])
         return still(motion, ax)
     lost, kinetic = factor * columns["dissipation"], factor * columns["kinetic_energy"]
     ax.fill_between(along, 0.0, lost, label="dissipation", **AREAS["dissipation"])
@@ -158,10 +147,9 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     right = ax.twinx()
     speed = np.abs(columns["velocity"])
     right.plot(along, speed, label="speed", **LINES["main"])
-    for mark, time, words in _marks(motion):
+    for role, time, words in _marks(motion):
         place, height = (_read(time, columns["time"], c) for c in (along, speed))
-        seen = f"{words}: {number(height)} m/s at {number(place)} m"
-        right.plot(place, height, clip_on=False, zorder=4, ls="", label=seen, **MARKS[mark])
+        mark(right, place, height, role, f"{words}: {number(height)} m/s at {number(place)} m")
     right.set_ylabel("speed $|v|$ (m/s)")
     right.set_ylim(0.0, 1.05 * float(np.max(speed)))
     handles, labels = (a + b for a, b in zip(*(x.get_legend_handles_labels() for x in (ax, right)), strict=True))
@@ -177,18 +165,15 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     """
     ax = axis(ax, (7.0, 2.5))
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
-    given = given_in_time(motion.plan.scene)
-    names = {"shaking.horizontal": ("down-slope $k_h$", "main"),
-             "shaking.vertical": ("lightening $k_v$", "other")}  # fmt: skip
-    curves = {name: given[name] for name in names if name in given}
+    given = in_time(motion.plan.scene.called)
+    named = {"shaking.horizontal": ("down-slope $k_h$", "main"), "shaking.vertical": ("lightening $k_v$", "other")}
+    curves = [(given[name], *said) for name, said in named.items() if name in given]
     if not curves:
-        ax.set(xticks=[], yticks=[])
-        return note("not shaken", ax)
-    knots = np.concatenate([np.asarray(f.kinks) for f in curves.values()])
+        return empty("not shaken", ax, "x", "y")
+    knots = np.concatenate([np.asarray(f.kinks) for f, _, _ in curves])
     last = motion.duration if motion.moves else float(np.max(knots))
     at = drawn(motion)["time"] if motion.moves else np.unique(np.concatenate([np.linspace(0, last, 401), knots]))
-    for name, function in curves.items():
-        label, line = names[name]
+    for function, label, line in curves:
         ax.plot(at, function(at), label=label, **{**LINES[line], "lw": 1.2})
     yields = motion.yield_coefficient
     ax.axhline(yields, label=f"yields at the start: $k_y$ = {number(yields)}", **{**LINES["total"], "lw": 1.2})
@@ -202,22 +187,17 @@ def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
     """The run-out as the effects of a scene are added one by one; hatched where the mass does not come to rest."""
     ax = axis(ax, (9.0, 3.5))
     rungs = list(rungs)
-    places = range(len(rungs))
-    for place, r in zip(places, rungs, strict=True):
+    lines(ax, [f"+ {r.added}" if r.added else "no effect" for r in rungs])
+    for place, r in enumerate(rungs):
         ax.barh(place, r.run_out, height=0.62, **AREAS["rests" if r.arrested else "moves on"])
     ax.axvline(rungs[-1].run_out, **LINES["help"])
-    ax.set_yticks(places, [f"+ {r.added}" if r.added else "no effect" for r in rungs])
-    ax.set(xlabel="run-out along the arc (m)", ylim=(len(rungs) - 0.5, -0.5))
-    ax.grid(axis="x", alpha=0.3)
+    ax.set_xlabel("run-out along the arc (m)")
+    said = (f"{number(r.run_out)} m, peak {number(r.peak_velocity)} m/s, {number(r.duration)} s" for r in rungs)
+    ends = ["" if r.arrested else ", still moving" for r in rungs]
     side = ax.secondary_yaxis("right")
-    side.set_yticks(places, [_rung(r) for r in rungs])
+    side.set_yticks(range(len(rungs)), [f"{what}{end}" for what, end in zip(said, ends, strict=True)])
     side.tick_params(length=0)
     return ax
-
-
-def _rung(r: Rung) -> str:
-    end = "" if r.arrested else ", still moving"
-    return f"{number(r.run_out)} m, peak {number(r.peak_velocity)} m/s, {number(r.duration)} s{end}"
 
 
 def overview(motion: Motion, figure: Any = None) -> Any:
@@ -228,19 +208,18 @@ def overview(motion: Motion, figure: Any = None) -> Any:
     figure = sheet(figure, size(motion))
     name = shorten(motion.plan.scene.name, 80)
     shaken = "shaking" in motion.plan.effects
-    if not motion.moves:
-        section(motion, figure.add_subplot(4 if shaken else 1, 1, (1, 3) if shaken else 1))
-        if shaken:
-            shaking(motion, figure.add_subplot(4, 1, 4))
-        figure.suptitle(": ".join(filter(None, (name, "does not move"))), parse_math=False, fontweight="bold")
-        return figure
-    left, right = figure.add_gridspec(1, 2, width_ratios=(1.15, 1.0))
-    left, right = left.subgridspec(2, 1), right.subgridspec(len(OVERVIEW) + shaken, 1)
+    if motion.moves:
+        left, right = figure.add_gridspec(1, 2, width_ratios=(1.15, 1.0))
+        left, right = left.subgridspec(2, 1), right.subgridspec(len(OVERVIEW) + shaken, 1)
+    else:
+        name = ": ".join(filter(None, (name, "does not move")))
+        left = right = figure.add_gridspec(1 + shaken, 1, height_ratios=(3, 1)[: 1 + shaken])
     section(motion, figure.add_subplot(left[0]))
-    phase_plane(motion, figure.add_subplot(left[1]))
-    histories(motion, right, figure, len(OVERVIEW), 1)
+    if motion.moves:
+        phase_plane(motion, figure.add_subplot(left[1]))
+        histories(motion, right, figure, len(OVERVIEW), 1)
     if shaken:
-        shaking(motion, figure.add_subplot(right[len(OVERVIEW)]))
+        shaking(motion, figure.add_subplot(right[-1]))
     figure.suptitle(name, parse_math=False, fontweight="bold")
     return figure
 

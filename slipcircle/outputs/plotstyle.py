@@ -1,6 +1,6 @@
 """What all pictures share: the palette, numbers and units as they are shown, the legend above the axis."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from slipcircle.motion.motion import Motion
@@ -74,18 +74,36 @@ def number(value: float) -> str:
 
 def legend(ax: Any, columns: int = 2, **more: Any) -> Any:
     """The legend, above the axis, where nothing is in its way."""
-    if not ax.get_legend_handles_labels()[0] and "handles" not in more:
-        return None
     return ax.legend(
         loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=columns, frameon=False, fontsize="small",
         borderaxespad=0.2, handlelength=2.6, columnspacing=1.4, labelspacing=0.3, **more,
     )  # fmt: skip
 
 
-def without_legend(ax: Any) -> None:
-    """Take the legend away that another axis beside this one has."""
-    if ax.get_legend():
-        ax.get_legend().remove()
+def finish(ax: Any, across: str, up: str) -> None:
+    """Make a section of what is drawn: to scale, with a grid and the legend."""
+    ax.set(xlabel=across, ylabel=up, aspect="equal")
+    ax.grid(alpha=0.3)
+    legend(ax)
+
+
+def mark(ax: Any, x: Any, y: Any, role: str, label: str) -> None:
+    """One of `MARKS` at a place, also on the edge."""
+    ax.plot(x, y, ls="", clip_on=False, zorder=4, label=label, **MARKS[role])
+
+
+def lines(ax: Any, names: Sequence[str]) -> None:
+    """Make room for a bar of each name, from the top down."""
+    ax.set_yticks(range(len(names)), names, parse_math=False)
+    ax.set_ylim(len(names) - 0.5, -0.5)
+    ax.grid(axis="x", alpha=0.3)
+
+
+def empty(words: str, ax: Any, *sides: str) -> Any:
+    """Words in the middle of an axis that has nothing else to show, without the ticks of its sides."""
+    ax.set(**{f"{side}ticks": [] for side in sides})
+    ax.text(0.5, 0.5, words, ha="center", va="center", transform=ax.transAxes)
+    return ax
 
 
 def ending(motion: Motion) -> str:
@@ -100,12 +118,6 @@ def work(motion: Motion) -> str:
     return "work of gravity and shaking" if "shaking" in motion.plan.effects else "work of gravity"
 
 
-def note(words: str, ax: Any) -> Any:
-    """Words in the middle of an axis that has nothing else to show."""
-    ax.text(0.5, 0.5, words, ha="center", va="center", transform=ax.transAxes)
-    return ax
-
-
 def still(motion: Motion, ax: Any) -> Any:
-    """Say that the mass does not move."""
-    return note(f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ax)
+    """The axis of a mass that does not move."""
+    return empty(f"does not move\nfactor of safety {number(motion.factor_of_safety)}", ax, "x", "y")

@@ -11,7 +11,7 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle.base.series import Pulse, Series
 from slipcircle.scene.arc import QUANTITIES
 from slipcircle.scene.friction import RATE_LAWS
-from slipcircle.scene.keys import Key, Table, tables_of
+from slipcircle.scene.keys import SLOPING, Key, tables_of
 from slipcircle.scene.scene import Scene
 
 _SI = dict(zip((*QUANTITIES, "ground", "centre", "level"), ("m", "rad", "rad", "N/m^3", "m/s^2", *"mmmm"), strict=True))
@@ -22,21 +22,15 @@ class Input(NamedTuple):
 
     path: str
     value: str
-    unit: str
-    meaning: str
-    source: str
+    unit: str = ""
+    meaning: str = ""
+    source: str = ""
 
 
 def inputs(scene: Scene, file: str | None = None) -> list[Input]:
-    """The inputs of a scene: as its file has them, with the comments in it; without a file, in SI units.
+    """The inputs of a scene: as the text of its file has them, with its comments; without that, in SI units.
 
     What is uncertain says so.
-
-    Parameters
-    ----------
-    scene : Scene
-    file : str, optional
-        The text of its file.
     """
     drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name, f"arc.{u.number.name}")}
 
@@ -51,25 +45,24 @@ def inputs(scene: Scene, file: str | None = None) -> list[Input]:
 
 def _of_file(file: str) -> Iterator[Input]:
     document, said = tomllib.loads(file), comments(file)
-    friction = document.get("friction", {})
-    tables = tables_of(friction.get("law", "constant"), friction.get("rate", {}).get("law", RATE_LAWS[0]))
+    law = document.get("friction", {})
+    tables = tables_of(law.get("law", "constant"), law.get("rate", {}).get("law", RATE_LAWS[0])) | dict(SLOPING)
 
     def rows(path: str, given: Mapping[str, Any]) -> Iterator[Input]:
-        known = tables.get(path, Table("", {})).keys
+        known, dot = tables[path].keys, f"{path}." if path else ""
         for name, value in given.items():
-            where = f"{path}.{name}".lstrip(".")
-            if isinstance(value, dict) and "distribution" not in value:
-                meaning = tables[where].title if where in tables else ""
+            where = f"{dot}{name}"
+            if where in tables:
                 if not value:
-                    yield Input(where, "yes", "", meaning, said.get(where, ""))
+                    yield Input(where, "yes", "", tables[where].title, said.get(where, ""))
                 yield from rows(where, value)
-            elif name not in ("name", "note") or path:
-                key, source = known.get(name, Key(name, "")), said.get(where) or said.get(path, "")
+            elif where not in ("name", "note"):
+                key, source = known[name], said.get(where) or said.get(path, "")
                 yield Input(where, _shown(value), _unit(key) or "g" * name.endswith("_g"), key.title, source)
         for name, key in known.items():
-            if name not in given and ", by default " in key.title and name != "name":
-                title, _, default = key.title.partition(", by default ")
-                yield Input(f"{path}.{name}".lstrip("."), default, _unit(key), title, "default")
+            title, _, default = key.title.partition(", by default ")
+            if default and name not in given and name != "name":
+                yield Input(f"{dot}{name}", default, _unit(key), title, "default")
 
     yield from rows("", document)
 
@@ -98,33 +91,32 @@ def comments(file: str) -> dict[str, str]:
 
 def _of_scene(scene: Scene) -> Iterator[Input]:
     for name in [n for n in scene.arc.quantities if getattr(scene.arc, n) is not None]:
-        yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name], "", "")
+        yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name])
     for name, coefficient in (scene.arc.given or {}).items():
-        yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given", "")
+        yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
     if callable(scene.friction):
-        yield Input("friction", "a Python function of slip", "", "friction coefficient", "")
+        yield Input("friction", "a Python function of slip", "", "friction coefficient")
     elif isinstance(scene.friction, Mapping):
         for path, given in (("friction", scene.friction), ("friction.rate", scene.friction.get("rate", {}))):
-            if not given:
-                continue
-            law = LAWS[given["law"]]
-            yield Input(f"{path}.law", given["law"], "", law.help, "")
-            yield from _parameters(path, law, given)
+            if given:
+                law = LAWS[given["law"]]
+                yield Input(f"{path}.law", given["law"], "", law.help)
+                yield from _parameters(path, law, given)
     else:
-        yield Input("friction", _shown(scene.friction), "", "friction coefficient, tan(phi)", "")
+        yield Input("friction", _shown(scene.friction), "", "friction coefficient, tan(phi)")
     for name, given in scene.called.items():
-        yield Input(name, "yes", "", EFFECTS[name].help, "")
+        yield Input(name, "yes", "", EFFECTS[name].help)
         yield from _parameters(name, EFFECTS[name], given)
-    yield Input("initial_velocity", _shown(scene.initial_velocity), "m/s", "velocity along the arc at the start", "")
-    end = "when the mass rests" if scene.end_time is None else _shown(scene.end_time)
-    yield Input("end_time", end, "s" if scene.end_time is not None else "", "time of the end", "")
+    yield Input("initial_velocity", _shown(scene.initial_velocity), "m/s", "velocity along the arc at the start")
+    end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
+    yield Input("end_time", *end, "time of the end")
 
 
 def _parameters(path: str, declared: Any, given: Mapping[str, Any]) -> Iterator[Input]:
     for p in declared.parameters:
         if p.name in given:
             value = "of the section's water level" if p.kind == "rotation" else _shown(given[p.name])
-            yield Input(f"{path}.{p.name}", value, p.unit, p.help, "")
+            yield Input(f"{path}.{p.name}", value, p.unit, p.help)
 
 
 def _shown(value: Any) -> str:
@@ -140,8 +132,6 @@ def _shown(value: Any) -> str:
     if callable(value):
         return repr(value)
     if isinstance(value, bool):
-        return "true" if value else "false"
-    if np.ndim(value) == 0:
-        return repr(np.asarray(value).item())
-    texts = [repr(x) for x in np.asarray(value).ravel().tolist()]
+        return str(value).lower()
+    texts = [repr(x) for x in np.ravel(value).tolist()]
     return ", ".join(texts if len(texts) <= 12 else [*texts[:3], "...", *texts[-3:], f"({len(texts)} numbers)"])

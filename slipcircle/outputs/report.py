@@ -1,10 +1,13 @@
-"""A report for a reviewer: one HTML file that needs nothing else, and says how to repeat it.
+"""Reports for a reviewer: one HTML file that needs nothing else, also good XML, and says how to repeat it.
 
 It holds no date, so that the same scene, package and machine write the same bytes.
 """
 
+import base64
+import hashlib
 import json
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,12 +16,12 @@ from generated.effects import EFFECTS, LAWS
 from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan
-from slipcircle.motion.quantities import RESULTS, Quantity, record, results
+from slipcircle.motion.quantities import RESULTS, Quantity, plain, record, results, shown
 from slipcircle.outputs import pictures
-from slipcircle.outputs.htmlpage import data, figure, folded, number, page, repeat
+from slipcircle.outputs.info import facts
 from slipcircle.outputs.plotstyle import ending, work
 from slipcircle.outputs.provenance import inputs
-from slipcircle.outputs.tables import stability_column
+from slipcircle.outputs.tables import Part, stability_column
 from slipcircle.scene.friction import law_names
 
 ASSUMED = (
@@ -28,18 +31,104 @@ ASSUMED = (
 )
 TITLE = "Basic Geodynamics of Landslides: I. The Dynamic Slip Circle Method"
 PAPER = f"Numbers in brackets are equations of the paper “{TITLE}”."
+_STYLE = """
+body { font: 15px/1.5 sans-serif; color: #111; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
+h1, h2, h3 { line-height: 1.2; } h2 { margin-top: 2.5rem; border-top: 2px solid #111; padding-top: 1rem; }
+table { border-collapse: collapse; margin: 0.6rem 0; } caption { text-align: left; font-style: italic; }
+th, td { text-align: left; vertical-align: top; padding: 0.15rem 1.2rem 0.15rem 0; border-bottom: 1px solid #ccc; }
+pre { background: #f4f4f4; padding: 0.7rem; white-space: pre-wrap; overflow-wrap: anywhere; }
+td { overflow-wrap: break-word; } td code { overflow-wrap: anywhere; } .path { white-space: nowrap; }
+figure { margin: 1rem 0; break-inside: avoid; } img { max-width: 100%; height: auto; }
+.warning { border-left: 5px solid #D55E00; padding-left: 0.8rem; }
+@media print { body { margin: 0; max-width: none; font-size: 10pt; } section + section { break-before: page; } }
+"""
+# Nothing is fetched, whatever a scene's texts may hold.
+_POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
+# --- pages -----------------------------------------------------------------------------------------------------------
+
+
+def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str) -> str:
+    """A page of parts, and how to write it again: the command, scenes' files by name, versions."""
+    versions = [[f"scene file of {n}", f"sha256 {hashlib.sha256(f).hexdigest()}"] for n, f in files if f is not None]
+    cells = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in [*versions, *facts().items()]]
+    said = [tag("p", "This command, with the versions and files below, writes this report again:"),
+            tag("pre", command)] if command else []  # fmt: skip
+    return (
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8" />\n'
+        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}" />\n'
+        '<meta name="viewport" content="width=device-width" />\n'
+        f"<title>{escaped(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n"
+        + "\n".join([tag("h1", title), *parts, tag("h2", "To repeat it"), *said, table(cells)])
+        + "\n</body>\n</html>\n"
+    )
+
+
+def chapter(
+    plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], found: Any, unit: str, file: bytes | None
+) -> Iterable[Raw]:
+    """What is said of a scene: its note and warnings, the parts, the result as JSON and the scene's file."""
+    if plan.scene.note:
+        yield tag("p", plan.scene.note)
+    for warning in warnings:
+        yield Raw(f'<p class="warning">Warning: {escaped(warning)}</p>')
+    for part in parts:
+        if isinstance(part, Raw):
+            yield part
+            continue
+        yield from [tag("h3", part.title)] if part.title else []
+        yield table(part.rows, part.head)
+        yield from [tag("p", part.note)] if part.note else []
+    texts = {f"All numbers, as JSON{unit}": json.dumps(plain(found), indent=2, allow_nan=False)}
+    if file is not None:
+        texts["The scene's file"] = file.decode("utf-8-sig")
+    for summary, text in texts.items():  # open when asked for
+        yield Raw(f"<details><summary>{escaped(summary)}</summary>{tag('pre', text)}</details>")
+
+
+def figure(name: str, caption: str, draw: Callable[[str], bytes]) -> Raw:
+    """A picture in the page: its name for those who do not see it, its caption, and what makes bytes of a kind."""
+    image = base64.b64encode(draw("svg")).decode()
+    return Raw(
+        f'<figure><img alt="{escaped(name)}" src="data:image/svg+xml;base64,{image}" />'
+        f"<figcaption>{escaped(caption)}</figcaption></figure>"
+    )
+
+
+def path(key: str) -> Raw:
+    """Where a number stands in a scene."""
+    return Raw(f'<code class="path">{escaped(key)}</code>')
+
+
+def number(value: float) -> str:
+    """Six digits."""
+    return shown(float(value), 6)
+
+
+def data(value: float, text: str) -> Raw:
+    """A number in full in the attribute, and as it is seen in the text."""
+    return Raw(f'<data value="{value!r}">{text}</data>' if math.isfinite(value) else text)
+
+
+def given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+    """What a scene was given: inputs with units and sources, effects used and left out, the friction law, what for."""
+    found = inputs(plan.scene, None if file is None else file.decode("utf-8-sig"))
+    yield Part(["input", "value", "unit", "what it is", "source"], [[path(i.path), *i[1:]] for i in found], "Inputs")
+    rows = [[n, "used" if n in plan.effects else "left out", e.help, e.equation] for n, e in EFFECTS.items()]
+    yield Part(["effect", "", "what it does", "equation of the paper"], rows)
+    laws = (f"{n}: {LAWS[n].help}" if n in LAWS else n for n in law_names(plan.scene.friction))
+    yield Part([], [["friction law", " times ".join(laws)]])
+    yield tag("h3", "Assumptions")
+    frozen = () if "rotation" in plan.effects else ("The geometry is frozen: the weight does not turn with the mass.",)
+    left = f"Left out: {', '.join(plan.left_out) or 'nothing'}."
+    yield Raw("<ul>" + "".join(tag("li", said) for said in (*ASSUMED, *frozen, left, PAPER)) + "</ul>")
+
+
+# --- motions ---------------------------------------------------------------------------------------------------------
 
 
 def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:
-    """A report on motions as HTML.
-
-    Parameters
-    ----------
-    motions : sequence of Motion
-    files : sequence of bytes or None, optional
-        For each of them its scene's file, where there is one.
-    command : str, optional
-        The command that writes this report.
+    """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it.
 
     Raises
     ------
@@ -48,73 +137,45 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
     """
     files = files or [None] * len(motions)
     names = [m.plan.scene.name or f"scene {k + 1}" for k, m in enumerate(motions)]
-    title = f"Rotational slide: {', '.join(names)}"
-    parts = [tag("h1", title)]
+    parts = []
     if len(motions) > 1:
         links = [Raw(f'<a href="#scene-{k + 1}">{escaped(name)}</a>') for k, name in enumerate(names)]
         parts.append(table([[q.label, *(_value(q, m) for m in motions)] for q in RESULTS], ["", *links]))
-    for k, (motion, file) in enumerate(zip(motions, files, strict=True)):
-        parts += [Raw(f'<section id="scene-{k + 1}">'), tag("h2", names[k]), *_scene(motion, file), Raw("</section>")]
-    parts += [tag("h2", "To repeat it"), *repeat(zip(names, files, strict=True), command)]
-    return page(title, parts)
+    for k, (m, file) in enumerate(zip(motions, files, strict=True)):
+        told = chapter(m.plan, m.warnings, _told(m, file), record(m), " in SI units and radians", file)
+        parts += [Raw(f'<section id="scene-{k + 1}">'), tag("h2", names[k]), *told, Raw("</section>")]
+    return page(f"Rotational slide: {', '.join(names)}", parts, zip(names, files, strict=True), command)
 
 
-def _scene(motion: Motion, file: bytes | None) -> Iterable[Raw]:
-    plan, found = motion.plan, record(motion)
-    if plan.scene.note:
-        yield tag("p", plan.scene.note)
+def _told(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
+    plan = motion.plan
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in plan.scene.uncertain.values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
-    for warning in motion.warnings:
-        yield Raw(f'<p class="warning">Warning: {escaped(warning)}</p>')
-    yield tag("h3", "Key results")
     stability = stability_column(plan.scene.stability) if plan.scene.stability else {}
-    yield table([*([q.label, _value(q, motion)] for q in results(motion)), *map(list, stability.items())])
-    if not motion.arrested:
-        yield tag("p", f"It does not come to rest: what is said of the end is said of the {ending(motion)}.")
+    rests = f"It does not come to rest: what is said of the end is said of the {ending(motion)}."
+    yield Part([], [*([q.label, _value(q, motion)] for q in results(motion)), *stability.items()], "Key results",
+               "" if motion.arrested else rests)  # fmt: skip
     yield tag("h3", "Pictures")
     for name, caption, draw in pictures.of(motion):
         yield figure(f"{name} of {plan.scene.name}", caption, draw)
-    text = None if file is None else file.decode("utf-8-sig")
-    yield from given(plan, text)
-    yield tag("h3", "Method and accuracy")
-    yield table([
+    yield from given(plan, file)
+    error = motion.error_estimate
+    yield Part([], [
         ["method", plan.method],
         ["program of", ", ".join(plan.fragments)],
         ["relative error asked for", number(plan.accuracy)],
-        ["relative error estimated, of peak, run-out and duration", data(motion.error_estimate)],
+        ["relative error estimated, of peak, run-out and duration", data(error, number(error))],
         ["warnings", "; ".join(motion.warnings) or "none"],
-    ])  # fmt: skip
-    yield tag("h3", "Energy check")
-    energies = {n: float(x) for n, x in vars(motion.energy).items()} | {"residual": float(motion.energy.residual)}
+    ], "Method and accuracy")  # fmt: skip
     labels = {"kinetic_start": "kinetic energy at the start", "work": work(motion),
               "dissipation": "dissipation, integrated beside the motion", "kinetic_end": "kinetic energy at the end",
               "residual": "residual: start + work - dissipation - end"}  # fmt: skip
-    yield table([[label, _value(Quantity(name, "J", label, name), motion.energy)] for name, label in labels.items()])
-    largest = max(abs(x) for name, x in energies.items() if name != "residual")
-    yield tag("p", f"The residual is {number(abs(energies['residual']) / (largest or 1.0))} of the largest of them.")
-    yield folded("All numbers, as JSON in SI units and radians", json.dumps(found, indent=2, allow_nan=False))
-    if text is not None:
-        yield folded("The scene's file", text)
-
-
-def given(plan: Plan, text: str | None) -> Iterable[Raw]:
-    """What a scene was given: inputs with units and sources, effects used and left out, the friction law, what for."""
-    yield tag("h3", "Inputs")
-    yield table([[Raw(f'<code class="path">{escaped(i.path)}</code>'), *i[1:]] for i in inputs(plan.scene, text)],
-                ["input", "value", "unit", "what it is", "source"])  # fmt: skip
-    rows = [[n, "used" if n in plan.effects else "left out", e.help, e.equation] for n, e in EFFECTS.items()]
-    yield table(rows, ["effect", "", "what it does", "equation of the paper"])
-    laws = (
-        ": ".join(filter(None, (name, LAWS[name].help if name in LAWS else "")))
-        for name in law_names(plan.scene.friction)
-    )
-    yield table([["friction law", " times ".join(laws)]])
-    yield tag("h3", "Assumptions")
-    frozen = () if "rotation" in plan.effects else ("The geometry is frozen: the weight does not turn with the mass.",)
-    left = f"Left out: {', '.join(plan.left_out) or 'nothing'}."
-    yield Raw("<ul>" + "".join(tag("li", said) for said in (*ASSUMED, *frozen, left, PAPER)) + "</ul>")
+    *energies, residual = (abs(float(getattr(motion.energy, name))) for name in labels)
+    yield Part(
+        [], [[label, _value(Quantity(name, "J", label, name), motion.energy)] for name, label in labels.items()],
+        "Energy check", f"The residual is {number(residual / (max(energies) or 1.0))} of the largest of them.",
+    )  # fmt: skip
 
 
 def _value(quantity: Quantity, found: Any) -> Raw:
@@ -122,4 +183,5 @@ def _value(quantity: Quantity, found: Any) -> Raw:
     value = quantity.read(found)
     if isinstance(value, bool) or np.ndim(value):
         return Raw(quantity.text(found))
-    return data(float(value), *quantity.seen(value))
+    seen, unit = quantity.seen(value)
+    return data(float(value), f"{number(seen)} {unit}".rstrip())

@@ -7,7 +7,7 @@ import numpy as np
 
 from slipcircle.motion.motion import Motion
 from slipcircle.outputs import slopeplot
-from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, MARKS, axis, legend, number
+from slipcircle.outputs.plotstyle import AREAS, FORCES, HALO, LINES, axis, finish, mark, number
 from slipcircle.outputs.trace import Floats
 from slipcircle.scene.section import Section
 
@@ -28,42 +28,41 @@ def section(motion: Motion, ax: Any = None) -> Any:
     if isinstance(arc, Section):
         return slopeplot.slide(motion, arc, ax)
     ax = axis(ax, (7.0, 5.5))
-    radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
+    radius, first, second = (float(v) for v in (arc.radius, arc.theta_1, arc.theta_2))
     times, places = magnified(motion), slopeplot.places(motion, f"{number(motion.end.displacement)} m")
     turned = [times * rotation * arc.facing for _, rotation, _ in places]
     swept = np.linspace(first + min(turned), second + max(turned), 400)
     ax.plot(*_points(radius, swept), label="slip surface", color="0.45", lw=1.2)
     outlines = [_points(radius, np.linspace(first, second, 200) + rotation) for rotation in turned]
-    shown = _view(ax, radius, np.concatenate(outlines, axis=1))
+    shown = _view(ax, np.concatenate(outlines, axis=1))
     small = 2 * radius * math.sin((second - first) / 2) < _SMALL * shown
     for (role, _, words), outline in zip(places, outlines, strict=True):
         if small:
-            ax.plot(*outline.mean(axis=1), ls="", zorder=4, label=words, **MARKS[role])
+            x, y = outline.mean(axis=1)
+            mark(ax, x, y, role, words)
         else:
             ax.add_patch(Polygon(outline.T, closed=True, label=words, zorder=2, **AREAS[role]))
     ax.plot(*_points(radius, np.array([first, second])), color="black", lw=1.4, zorder=3)
     _dimensions(ax, radius, first, second, small)
-    if motion.moves and "rotation" not in motion.plan.effects:
+    notes = {
         # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
-        ax.plot([], [], ls="", label="frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start")
-    if times > 1.0:
-        ax.plot([], [], ls="", label=f"displacements drawn {number(times)} times as large")
+        "frozen geometry: the mass turns by $s/R$,\nits forces stay those of the start":
+            motion.moves and "rotation" not in motion.plan.effects,
+        f"displacements drawn {number(times)} times as large": times > 1.0,
+    }  # fmt: skip
+    for note in (words for words, holds in notes.items() if holds):
+        ax.plot([], [], ls="", label=note)
     if not small:
         _forces(ax, motion, radius, first, second, shown)
-    ax.set_aspect("equal")
-    ax.set(xlabel="$x$ from the centre K (m)", ylabel="$y$ from the centre K (m)")
-    ax.grid(alpha=0.3)
-    legend(ax)
+    finish(ax, "$x$ from the centre K (m)", "$y$ from the centre K (m)")
     return ax
 
 
 def magnified(motion: Motion) -> float:
     """How many times as large displacements are drawn so that they are seen: 1, 2 or 5 times a power of ten."""
     arc = motion.plan.scene.arc
-    if isinstance(arc, Section) or not motion.moves:
-        return 1.0
-    moved = abs(float(motion.reach.rotation)) / (2 * math.sin(float(arc.half_angle)))
-    if moved >= _SEEN or not moved > 0.0:
+    moved = abs(float(motion.reach.rotation)) / (2 * math.sin(float(arc.half_angle))) if motion.moves else 0.0
+    if isinstance(arc, Section) or moved >= _SEEN or moved == 0.0:
         return 1.0
     power = 10.0 ** math.floor(math.log10(_WIDE / moved))
     return max(n * power for n in (1.0, 2.0, 5.0) if n * power <= _WIDE / moved)
@@ -73,7 +72,7 @@ def _points(radius: float, angles: Floats) -> Floats:
     return radius * np.array([np.cos(angles), np.sin(angles)])
 
 
-def _view(ax: Any, radius: float, outlines: Floats) -> float:
+def _view(ax: Any, outlines: Floats) -> float:
     """Set the limits; the centre is in view where it does not make the mass small. Returns the view's size."""
     low, high = outlines.min(axis=1), outlines.max(axis=1)
     with_centre = np.minimum(low, 0.0), np.maximum(high, 0.0)
@@ -101,7 +100,7 @@ def _dimensions(ax: Any, radius: float, first: float, second: float, small: bool
     """Ends, centre, radius, chord and depth."""
     alpha, middle = (second - first) / 2, (first + second) / 2
     ends = _points(radius, np.array([first, second])).T
-    for name, end in zip(("$P_1$", "$P_2$"), ends, strict=True) if not small else ():
+    for name, end in () if small else zip(("$P_1$", "$P_2$"), ends, strict=True):
         _write(ax, name, end, end)
     inward = -_points(1.0, np.array([middle]))[:, 0]
     chord, bottom = -radius * math.cos(alpha) * inward, -radius * inward
@@ -127,66 +126,54 @@ def _forces(ax: Any, motion: Motion, radius: float, first: float, second: float,
     area = alpha - math.sin(alpha) * math.cos(alpha)
     out = 2 / 3 * math.sin(alpha) ** 3 / area if alpha > 1e-3 else 1.0
     centre = _points(radius * out, np.array([middle]))[:, 0]
-    arrow = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "mutation_scale": 11}
 
     def draw(tip: Floats, tail: Floats, what: str, width: float) -> None:
-        style = arrow | {"color": FORCES[what], "lw": width}
-        ax.annotate("", tip, tail, arrowprops=style, zorder=5)
+        style = {"arrowstyle": "-|>", "shrinkA": 0, "shrinkB": 0, "mutation_scale": 11}
+        ax.annotate("", tip, tail, arrowprops=style | {"color": FORCES[what], "lw": width}, zorder=5)
 
     tip = centre - [0.0, 1.25 * length]
     draw(tip, centre, "weight", 2.2)
     _write(ax, "$W$", tip, np.array([0.0, -1.0]))
     ax.set_ylim(bottom=min(ax.get_ylim()[0], tip[1] - 0.12 * shown))
     way = arc.facing * (motion.phases[0].direction if motion.phases else 1)
-    rough = float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects
+    reactions = {"normal": "normal reaction $dN$"}
+    if float(motion.friction_at(0.0)) > 0.0 or "cohesion" in motion.plan.effects:
+        reactions["tangential"] = "tangential reaction $dT$"
     for share in _ARROWS:
         at = _points(radius, np.array([middle + share * alpha]))[:, 0]
         outward = at / radius
-        along = way * np.array([-outward[1], outward[0]])
         draw(at, at + 0.7 * length * outward, "normal", 1.6)
-        if rough:
-            draw(at - 0.55 * length * along + 0.06 * length * outward, at + 0.06 * length * outward, "tangential", 1.6)
-    reactions = [("normal reaction $dN$", "normal"), ("tangential reaction $dT$", "tangential")]
-    for words, what in reactions[: 1 + rough]:
+        if "tangential" in reactions:
+            foot, along = at + 0.06 * length * outward, way * np.array([-outward[1], outward[0]])
+            draw(foot - 0.55 * length * along, foot, "tangential", 1.6)
+    for what, words in reactions.items():
         ax.plot([], [], color=FORCES[what], lw=1.6, marker=">", ms=5, label=words)
 
 
 def animate(motion: Motion, figure: Any = None, frames: int = 60) -> Any:
-    """The slide as an animation: the section, with the mass where it is at even times.
+    """The slide as a matplotlib.animation.FuncAnimation: the section, with the mass where it is at even times.
 
-    Parameters
-    ----------
-    motion : Motion
-    figure : matplotlib figure, optional
-        An empty one with a constrained layout.
-    frames : int
-        One where the mass does not move.
-
-    Returns
-    -------
-    matplotlib.animation.FuncAnimation
-        Keep it while it plays, or save it.
+    An empty figure may be given, with a constrained layout; keep what is returned while it plays, or save it. Where the
+    mass does not move there is one frame.
     """
     from matplotlib.animation import FuncAnimation
     from matplotlib.patches import Polygon
 
     ax = section(motion, None if figure is None else figure.add_subplot())
     arc = motion.plan.scene.arc
-    centre, facing = np.zeros(2), float(arc.facing)
     if isinstance(arc, Section):
-        centre = np.asarray(arc.centre, dtype=np.float64)
-        outline = slopeplot.outline(arc, arc) - centre
+        centre, outline = np.asarray(arc.centre, dtype=np.float64), slopeplot.outline(arc, arc)
     else:
-        radius, first, second = (float(np.asarray(v)) for v in (arc.radius, arc.theta_1, arc.theta_2))
-        outline = _points(radius, np.linspace(first, second, 200)).T
-    moving = ax.add_patch(Polygon(centre + outline, closed=True, zorder=4, **AREAS["moving"]))
+        radius, first, second = (float(v) for v in (arc.radius, arc.theta_1, arc.theta_2))
+        centre, outline = np.zeros(2), _points(radius, np.linspace(first, second, 200)).T
+    moving = ax.add_patch(Polygon(outline, closed=True, zorder=4, **AREAS["moving"]))
     times, larger = np.linspace(0.0, motion.duration, frames if motion.moves else 1), magnified(motion)
     states = motion.at(times)
 
     def draw(k: int) -> tuple[Any]:
-        turn = float(states.rotation[k]) * facing * larger
+        turn = float(states.rotation[k]) * float(arc.facing) * larger
         way = np.array([[math.cos(turn), math.sin(turn)], [-math.sin(turn), math.cos(turn)]])
-        moving.set_xy(centre + outline @ way)
+        moving.set_xy(centre + (outline - centre) @ way)
         ax.figure.suptitle(f"{times[k]:.2f} s, {abs(float(states.velocity[k])):.2f} m/s", fontsize="medium")
         return (moving,)
 

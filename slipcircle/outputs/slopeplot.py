@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, legend, number, sheet
+from slipcircle.outputs.plotstyle import AREAS, LINES, axis, ending, finish, number
 from slipcircle.scene.search import Critical
 from slipcircle.scene.section import Section
 
@@ -13,16 +13,10 @@ _CELLS = 32  # of the map, across
 _ON_ARC = 200  # points of an outline
 
 
-def searched(found: Critical, figure: Any = None) -> Any:
-    """The section with the circle, and the least factor that any circle about each centre has.
-
-    Returns
-    -------
-    matplotlib figure
-    """
+def searched(found: Critical, figure: Any) -> Any:
+    """The section with the circle, and the least factor that any circle about each centre has, on an empty figure."""
     from matplotlib.patches import Polygon
 
-    figure = sheet(figure, (9.0, 6.0))
     ax, slope, mass = figure.add_subplot(), found.slope, outline(found.slope, found)
     ground, low, high = np.asarray(slope.ground), mass.min(axis=0), np.maximum(mass.max(axis=0), found.centre)
     reach = max(float(np.ptp(mass[:, 0])), 1.2 * float(np.ptp(ground[:, 1]))) * np.array([0.8, 0.4])
@@ -46,8 +40,8 @@ def slide(motion: Motion, body: Section, ax: Any = None) -> Any:
     low, high = np.min(turned, axis=(0, 1)), np.max(turned, axis=(0, 1))
     for (role, _, words), corners in zip(shown, turned, strict=True):
         ax.add_patch(Polygon(corners, closed=True, label=words, zorder=2, **AREAS[role]))
-    stability, margin = motion.plan.scene.stability, 0.25 * float(max(high - low))
-    words = f"centre; radius {number(float(np.asarray(body.radius)))} m" + (factors(stability) if stability else "")
+    words = f"centre; radius {number(float(np.asarray(body.radius)))} m{factors(motion.plan.scene.stability)}"
+    margin = 0.25 * float(max(high - low))
     _scenery(ax, body, body, float(motion.end.rotation) if motion.moves else 0.0, words, low - margin, high + margin)
     return ax
 
@@ -63,9 +57,10 @@ def places(motion: Motion, ended: str, along: str = "") -> list[tuple[str, float
     return found
 
 
-def factors(found: Critical) -> str:
+def factors(found: Critical | None) -> str:
     """Factors of safety, in the words of a legend."""
-    known = [f"{method} {v:.3f}" for method, v in found.factor_of_safety.items() if v is not None]
+    by_method = found.factor_of_safety if found else {}
+    known = [f"{method} {v:.3f}" for method, v in by_method.items() if v is not None]
     return "\nfactor of safety: " + ",\n".join(filter(None, [known[0], ", ".join(known[1:])])) if known else ""
 
 
@@ -74,7 +69,7 @@ def outline(soil: Any, circle: Any) -> Any:
     first, last = _angles(circle)
     arc = _points(circle, np.linspace(first, last, _ON_ARC))
     ground, (left, right) = np.asarray(soil.ground, dtype=np.float64), sorted((circle.entry[0], circle.exit[0]))
-    within = np.hypot(*(ground - circle.centre).T) < (1 - 1e-9) * float(np.asarray(circle.radius))  # also on a scarp
+    within = np.hypot(*(ground - circle.centre).T) < (1 - 1e-9) * float(circle.radius)  # also on a scarp
     inner = ground[(ground[:, 0] >= left) & (ground[:, 0] <= right) & within]
     return np.concatenate([arc, inner[::-1]])
 
@@ -87,7 +82,7 @@ def _angles(circle: Any) -> list[float]:
 
 def _points(circle: Any, beta: Any) -> Any:
     turned = np.stack([np.sin(beta), -np.cos(beta)], axis=-1)
-    return np.asarray(circle.centre, dtype=np.float64) + float(np.asarray(circle.radius)) * turned
+    return np.asarray(circle.centre, dtype=np.float64) + float(circle.radius) * turned
 
 
 def _scenery(ax: Any, soil: Any, circle: Any, turn: float, words: str, low: Any, high: Any) -> None:
@@ -109,10 +104,8 @@ def _scenery(ax: Any, soil: Any, circle: Any, turn: float, words: str, low: Any,
         ax.plot(x, level[[0, *range(len(level)), -1], 1], color="#56B4E9", lw=1.6, zorder=3, label="water level")
     seen = np.all((circle.centre >= low) & (circle.centre <= high))
     ax.plot(*(circle.centre if seen else ([], [])), "k+", ms=9, mew=1.5, zorder=5, ls="", label=words)
-    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="$x$ (m)", ylabel="$y$ (m)")
-    ax.set_aspect("equal")
-    ax.grid(alpha=0.3)
-    legend(ax)
+    ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+    finish(ax, "$x$ (m)", "$y$ (m)")
 
 
 def _map(ax: Any, found: Critical) -> None:

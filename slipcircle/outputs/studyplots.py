@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number, sheet, without_legend
+from slipcircle.outputs.plotstyle import AREAS, LINES, axis, empty, legend, lines, mark, number, sheet
 from slipcircle.scene.numbers import number_in
 from slipcircle.studies.motions import motions
 
@@ -39,26 +39,21 @@ def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool
 
     On a logarithmic axis, where what is rare shows, it stands beside the linear one, which has the legend.
     """
-    _drawn(found, output, tuple(OUTCOMES))
+    _check(found, output, OUTCOMES)
     ax, unit = axis(ax), OUTCOMES[output].unit
-    ax.set(
-        xlabel=f"{OUTCOMES[output].label} ({unit})", ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02)
-    )
+    ax.set(xlabel=_label(output), ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
     curve, moving = found.exceedance(output, _POINTS), found.moving
     if not curve.at.size or moving.value == 0.0:
-        ax.set_xticks([])
-        return note("nothing moves", ax)
+        return empty("nothing moves", ax, "x")
     at = np.concatenate([[0.0], curve.at])  # whatever moves has a run-out, a velocity and a duration above 0
     value, low, high = (np.concatenate([[first], rest]) for first, rest in zip(moving, curve[1:], strict=True))
     ax.fill_between(at, low, high, label=f"{100 * found.confidence:g} % confidence at each place", **AREAS["band"])
     ax.plot(at, value, label=f"{number(found.n)} samples", **LINES["main"])
-    for mark, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
+    for role, p, words in (("peak", 0.5, "median"), ("end", 0.95, "exceeded by 5 %")):
         place = found.quantile(output, p).value
-        if place == 0.0:
-            continue
-        shown = f"{words}: {number(place)} {unit}"
-        ax.plot(place, np.interp(place, at, value), ls="", clip_on=False, zorder=4, label=shown, **MARKS[mark])
+        if place > 0.0:
+            mark(ax, place, np.interp(place, at, value), role, f"{words}: {number(place)} {unit}")
     top = float(at[-1])
     least = float(at[np.flatnonzero(value == 1.0)[-1]]) if moving.value == 1.0 else 0.0
     ax.set_xlim(max(0.0, least - 0.05 * (top - least)) if least > 0.4 * top else 0.0, top + 0.02 * (top - least))
@@ -69,61 +64,53 @@ def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool
     return ax
 
 
-def indices(found: "Study", output: str = "reach", ax: Any = None) -> Any:
+def indices(found: "Study", output: str = "reach", ax: Any = None, named: bool = True) -> Any:
     """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence."""
-    _drawn(found, output, (*OUTCOMES, "moves"))
+    _check(found, output, (*OUTCOMES, "moves"))
     if output not in found.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
     keys, of = [u.key for u in found.design.inputs.values()], found.sensitivity[output]
     order = np.argsort([-e.value for e in of.total], kind="stable").tolist()
     ax = axis(ax, (7.0, 1.6 + 0.6 * len(keys)))
-    ax.set(xlabel=f"share of the variance of {_label(output)} (–)", ylim=(len(keys) - 0.5, -0.5))
-    ax.set_yticks(range(len(keys)), [keys[k] for k in order], parse_math=False)
+    what = OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
+    ax.set(xlabel=f"share of the variance of {what} (–)")
+    lines(ax, [keys[k] for k in order])
     shown = np.array([(*of.first[k], *of.total[k]) for k in order])
     if not np.all(np.isfinite(shown[:, [0, 3]])):
-        ax.set_xticks([])
-        return note("does not vary", ax)
-    for place, words, (value, low, high) in (
-        (-0.19, "on its own (first-order)", shown[:, :3].T),
-        (0.19, "together with others (total)", shown[:, 3:].T),
+        return empty("does not vary", ax, "x")
+    for place, words, style, (value, low, high) in (
+        (-0.19, "on its own (first-order)", "rests", shown[:, :3].T),
+        (0.19, "together with others (total)", "kinetic", shown[:, 3:].T),
     ):
         at = np.arange(len(keys)) + place
-        bars = AREAS["rests" if place < 0 else "kinetic"]
-        ax.barh(at, np.maximum(value, 0.0), height=0.36, label=words, **bars)
+        ax.barh(at, np.maximum(value, 0.0), height=0.36, label=words, **AREAS[style])
         error = np.nan_to_num([value - low, high - value])
         ax.errorbar(value, at, xerr=error, fmt="none", ecolor="black", elinewidth=1.2, capsize=3)
     low, high = np.nanmin(shown), np.nanmax(shown)
     ax.set_xlim(min(0.0, 1.1 * low) if low < -0.01 else 0.0, max(1.0, 1.05 * high))
     ax.axvline(0.0, color="0.25", lw=0.8)
-    ax.grid(axis="x", alpha=0.3)
-    legend(ax, columns=1)  # names of keys may leave little room beside
+    if named:
+        legend(ax, columns=1)  # names of keys may leave little room beside
     return ax
 
 
 def tornado(
-    table: "Sensitivity", output: str = "run_out", changes: Mapping[str, float] | None = None, ax: Any = None
+    table: "Sensitivity",
+    output: str = "run_out",
+    changes: Mapping[str, float] | None = None,
+    ax: Any = None,
+    named: bool = True,
 ) -> Any:
     """How much an output changes, to first order, with a change of each number of a scene; the largest on top.
 
-    Parameters
-    ----------
-    table : Sensitivity
-        Of a motion: ``motion.sensitivity()``.
-    output : str, optional
-    changes : mapping, optional
-        By how much each number changes, in the unit of its key in a scene file, ``{"friction.angle_deg": 2.0}``, and
-        only these are drawn; by default each angle by 1 degree, each coordinate by 0.1 m, all else by 1 %.
-    ax : matplotlib axis, optional
-
-    Returns
-    -------
-    matplotlib axis
+    ``changes`` tells by how much each number changes, in the unit of its key in a scene file,
+    ``{"friction.angle_deg": 2.0}``, and only these are drawn; by default each angle by 1 degree, each coordinate by
+    0.1 m, all else by 1 %. ``named`` tells whether the axis has a legend.
     """
     _known("tornado", "output", output, table.outputs)
     keys = table.keys
-    if changes is not None:
-        for changed in changes:
-            _known("tornado", "changes", changed, [keys[n].key for n in table.parameters])
+    for changed in changes or ():
+        _known("tornado", "changes", changed, [keys[n].key for n in table.parameters])
     bars = []
     for k, name in enumerate(table.parameters):
         key = keys[name]
@@ -132,32 +119,28 @@ def tornado(
         slope = float(table.values[list(table.outputs).index(output), k] * key.slope(value))
         said = f"{number(value)} ± " + (f"{100 * _SHARE:g} %" if changes is None and not whole else f"{step:.3g}")
         if step and (slope or changes is not None):
-            bars.append((abs(slope) * step, slope * step, f"{key.key} = {said}"))
+            bars.append((slope * step, f"{key.key} = {said}"))
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
     unit, at = table.outputs[output], table.at[output]
-    ax.set(xlabel=f"change of {_label(output)} from {number(at)} {unit} ({unit})")
+    ax.set(xlabel=f"change of {OUTCOMES[output].label} from {number(at)} {unit} ({unit})")
     if not at or not bars:
-        ax.set(xticks=[], yticks=[])
-        return note("nothing changes it" if at else "does not move", ax)
-    bars.sort(key=lambda bar: -bar[0])
+        return empty("nothing changes it" if at else "does not move", ax, "x", "y")
+    bars.sort(key=lambda bar: -abs(bar[0]))
+    lines(ax, [words for _, words in bars])
     for sign, words, style in ((1.0, "larger", "kinetic"), (-1.0, "smaller", "rests")):
-        ax.barh(range(len(bars)), [sign * x for _, x, _ in bars], height=0.62, label=words, **AREAS[style])
-    ax.set_yticks(range(len(bars)), [words for *_, words in bars], parse_math=False)
-    ax.set(ylim=(len(bars) - 0.5, -0.5), xlim=(-1.08 * bars[0][0], 1.08 * bars[0][0]))
+        ax.barh(range(len(bars)), [sign * x for x, _ in bars], height=0.62, label=words, **AREAS[style])
+    widest = 1.08 * abs(bars[0][0])
+    ax.set_xlim(-widest, widest)
     ax.axvline(0.0, color="0.25", lw=0.8)
-    ax.grid(axis="x", alpha=0.3)
-    legend(ax)
+    if named:
+        legend(ax)
     return ax
 
 
-def tornados(found: "Sensitivity", figure: Any = None) -> Any:
-    """A tornado of each output, one above the other."""
-    figure = sheet(figure, (8.0, len(found.outputs) * (1.6 + 0.3 * len(found.parameters))))
+def tornados(found: "Sensitivity", figure: Any) -> None:
+    """A tornado of each output, one above the other, on an empty figure."""
     for k, (output, ax) in enumerate(zip(found.outputs, figure.subplots(len(found.outputs), 1), strict=True)):
-        tornado(found, output, ax=ax)
-        if k:
-            without_legend(ax)
-    return figure
+        tornado(found, output, ax=ax, named=k == 0)
 
 
 def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
@@ -170,18 +153,16 @@ def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     for column, style in zip(values.reshape(len(levels[0]), -1).T, _STYLES, strict=False):
         ax.plot(levels[0], column, lw=1.8, ms=4, **style)
     if len(levels) == 2:
-        names = [f"{keys[1]} = {number(x)}" for x in levels[1]]
-        legend(ax, handles=ax.lines, labels=names)
-    ax.set(ylabel=f"{_label(output)} ({OUTCOMES[output].unit})")
-    ax.set_xlabel(f"{keys[0]}", parse_math=False)
+        legend(ax, handles=ax.lines, labels=[f"{keys[1]} = {number(x)}" for x in levels[1]])
+    ax.set_ylabel(_label(output))
+    ax.set_xlabel(keys[0], parse_math=False)
     ax.grid(alpha=0.3)
     return ax
 
 
-def explained(found: "BackAnalysis", figure: Any = None) -> Any:
+def explained(found: "BackAnalysis", figure: Any) -> Any:
     """What was observed over each field, about the solutions, with the other fields as the first solution has them."""
     scene, best = found.motion.plan.scene, found.solutions[0]
-    figure = sheet(figure, (2.0 + 4.5 * len(found.units), 0.6 + 3.4 * len(found.observed)))
     every = figure.subplots(len(found.observed), len(found.units), squeeze=False, sharex="col", sharey="row")
     for column, key in enumerate(found.units):
         number_of = number_in(scene, key)
@@ -196,28 +177,21 @@ def explained(found: "BackAnalysis", figure: Any = None) -> Any:
             ax.axhline(seen, label="observed", **LINES["total"])
             if sigma:
                 ax.axhspan(seen - sigma, seen + sigma, label="its standard error", **AREAS["band"])
-            for k, s in enumerate(found.solutions):
-                value, label = s.values[key], {"label": "solution"} if k == 0 else {}
-                ax.plot(value, OUTCOMES[name].read(s.motion), ls="", zorder=4, **label, **MARKS["end"])
+            reached = [OUTCOMES[name].read(s.motion) for s in found.solutions]
+            mark(ax, solved, reached, "end", "solution")
             if error and np.isfinite(error):
-                ax.errorbar(best.values[key], OUTCOMES[name].read(best.motion), xerr=error, fmt="none", ecolor="black")
+                ax.errorbar(solved[0], reached[0], xerr=error, fmt="none", ecolor="black")
             ax.set_xlim(low, high)
             ax.grid(alpha=0.3)
             if column == 0:
-                ax.set_ylabel(f"{_label(name)} ({OUTCOMES[name].unit})")
+                ax.set_ylabel(_label(name))
         every[-1, column].set_xlabel(key, parse_math=False)
     legend(every[0, 0], columns=4)
     return figure
 
 
 def check_grid(counts: Sequence[int]) -> None:
-    """See that a grid of so many values of each number can be drawn.
-
-    Raises
-    ------
-    ValueError
-        If not.
-    """
+    """Refuse a grid of so many values of each number that cannot be drawn."""
     if not 1 <= len(counts) <= 2 or (len(counts) == 2 and counts[1] > len(_STYLES)):
         raise ValueError(
             f"a picture of a grid shows one number, or two with at most {len(_STYLES)} values of the second, not "
@@ -226,9 +200,7 @@ def check_grid(counts: Sequence[int]) -> None:
 
 
 def overview(found: "Study", figure: Any = None) -> Any:
-    """Exceedance of reach and of peak velocity, and below what each unknown adds to them, in one figure.
-
-    Exceedance stands on a linear axis, and beside it on a logarithmic one.
+    """Exceedance of reach and of peak velocity, linear and logarithmic, and below what each unknown adds to them.
 
     Of a grid, reach and peak velocity over its numbers.
     """
@@ -241,9 +213,7 @@ def overview(found: "Study", figure: Any = None) -> Any:
         for column in (0, 1):
             exceedance(found, output, figure.add_subplot(grid[k, column]), rare=column == 1)
         if found.sensitivity:
-            ax = indices(found, output, figure.add_subplot(grid[2, k]))
-            if k:
-                without_legend(ax)
+            indices(found, output, figure.add_subplot(grid[2, k]), named=k == 0)
     figure.suptitle(shorten(found.scene.name, 80), parse_math=False, fontweight="bold")
     return figure
 
@@ -260,10 +230,10 @@ def _heights(found: "Study") -> list[float]:
 
 
 def _label(output: str) -> str:
-    return OUTCOMES[output].label if output in OUTCOMES else "whether it moves"
+    return f"{OUTCOMES[output].label} ({OUTCOMES[output].unit})"
 
 
-def _drawn(found: "Study", output: str, known: tuple[str, ...]) -> None:
+def _check(found: "Study", output: str, known: Iterable[str]) -> None:
     _known("Study", "output", output, known)
     if found.design.method == "grid":
         raise ValueError("Study: values on a grid have no probability; draw samples of uncertain numbers")

@@ -1,19 +1,18 @@
 """A report on uncertain scenes for a reviewer, like that on motions: one HTML file, which says how to repeat it."""
 
-import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from slipcircle.base.markup import Raw, escaped, table, tag
-from slipcircle.motion.plan import plan
-from slipcircle.motion.quantities import OUTCOMES, known, plain, shown, words
+from slipcircle.base.markup import Raw, tag
+from slipcircle.motion.plan import Plan, plan
+from slipcircle.motion.quantities import OUTCOMES, known, shown, words
 from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
-from slipcircle.outputs.htmlpage import figure, folded, number, page, repeat
-from slipcircle.outputs.report import given
+from slipcircle.outputs.report import chapter, data, figure, given, number, page, path
+from slipcircle.outputs.tables import Part
 from slipcircle.studies import written
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
@@ -23,33 +22,24 @@ if TYPE_CHECKING:
 PICTURED = 2  # parts before the picture
 
 
-class Part(NamedTuple):
-    """A table of a study, with its heads and a note; estimates are shown with their intervals."""
-
-    title: str
-    head: list[str]
-    rows: list[list[str | Estimate]]
-    note: str
-
-
 def parts(found: "Study") -> Iterator[Part]:
     """What is said of a study of samples, on the screen and in its report, in this order."""
-    study, heads = found.design, [words(n, q.unit) for n, q in OUTCOMES.items()]
+    study, heads = found.design, [q.heading for q in OUTCOMES.values()]
     percent = (
         f"{found.n} samples; in brackets the interval of {100 * found.confidence:g} % confidence from their number"
     )
-    yield Part("Whether it moves", [], [["probability of moving", found.moving]], percent)
+    yield Part([], [["probability of moving", found.moving]], "Whether it moves", percent)
     yield Part(
-        "How far and how fast", ["exceeded with probability", *heads],
-        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)]
-         for p in written.QUANTILES],
+        ["exceeded with probability", *heads],
+        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in written.QUANTILES],
+        "How far and how fast",
         "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
     )  # fmt: skip
     rows: list[list[str | Estimate]] = [["mean", *map(found.mean, OUTCOMES)], ["std", *map(found.std, OUTCOMES)]]
     for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
         rows.insert(2 * k + 1, [what, *(shown(found.linear[n][k]) for n in OUTCOMES)])
     linear = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
-    yield Part("Mean and standard deviation", ["", *heads], rows, linear)
+    yield Part(["", *heads], rows, "Mean and standard deviation", linear)
     if found.sensitivity:
         keys = [u.key for u in study.inputs.values()]
         shares: list[list[str | Estimate]] = [
@@ -57,71 +47,51 @@ def parts(found: "Study") -> Iterator[Part]:
             for output, of in found.sensitivity.items()
             for key, first, total in zip(keys, *of, strict=True)
         ]
-        yield Part("Which unknown matters", ["output", "input", "first-order index", "total index"], shares,
+        yield Part(["output", "input", "first-order index", "total index"], shares, "Which unknown matters",
                    "shares of the variance: what each explains on its own, and with all that it does together with "
                    f"others; from {study.base} base points")  # fmt: skip
-    yield Part("Convergence", ["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
-               [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence], "")  # fmt: skip
+    yield Part(["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
+               [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence], "Convergence")  # fmt: skip
 
 
 def study_report(found: "Study", file: bytes | None = None, command: str = "") -> str:
-    """A report on an ensemble as HTML.
-
-    Parameters
-    ----------
-    found : Study
-        Of samples, not a grid.
-    file : bytes, optional
-        Its scene's file, where there is one.
-    command : str, optional
-        The command that writes this report; the seed is added where it has none.
+    """A report on an ensemble of samples as HTML, as `report` is one; the command gets the seed where it has none.
 
     Raises
     ------
     ImportError
         Without matplotlib.
     """
-    name = found.scene.name or "scene"
-    title = f"Uncertain slide: {name}"
+    name, planned = found.scene.name or "scene", plan(found.scene, found.design.accuracy)
     if command and "--seed" not in command:
         command += f" --seed {found.seed}"
-    return page(title, [tag("h1", title), *_study(found, file), tag("h2", "To repeat it"),
-                        *repeat([(name, file)], command)])  # fmt: skip
+    told = chapter(planned, found.warnings, _told(found, planned, file), written.record(found), "", file)
+    return page(f"Uncertain slide: {name}", told, [(name, file)], command)
 
 
-def _study(found: "Study", file: bytes | None) -> Iterable[Raw]:
+def _told(found: "Study", planned: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     study = found.design
-    if found.scene.note:
-        yield tag("p", found.scene.note)
-    for warning in found.warnings:
-        yield Raw(f'<p class="warning">Warning: {escaped(warning)}</p>')
     for k, part in enumerate(parts(found)):
         if k == PICTURED:
             yield tag("h3", "Pictures")
             caption = "The probability that greatest displacement and peak velocity are at least so large"
             caption += "; below, which unknown matters." if found.sensitivity else "."
-            yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.study, found))
-        yield tag("h3", part.title)
-        yield table([[_shown(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows], part.head)
-        yield tag("p", part.note)
-    text = None if file is None else file.decode("utf-8-sig")
-    yield from given(plan(found.scene, study.accuracy), text)
-    yield tag("h3", "What is uncertain")
-    yield table([[Raw(f'<code class="path">{escaped(u.key)}</code>'), _said(u.record)] for u in study.drawn.values()],
-                ["input", "distribution, independent of the others"])  # fmt: skip
-    yield tag("h3", "Method and accuracy")
+            yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.picture, "study", found))
+        yield part._replace(rows=[[_shown(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows])
+    yield from given(planned, file)
+    drawn = [(u.key, {k: v for k, v in u.record.items() if k != "key"}) for u in study.drawn.values()]
+    yield Part(["input", "distribution, independent of the others"],
+               [[path(key), ", ".join(f"{k} {v}" for k, v in of.items())] for key, of in drawn],
+               "What is uncertain")  # fmt: skip
     ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}
-    yield table([
+    yield Part([], [
         ["samples", f"{study.n}, {study.method}"],
         ["seed", str(found.seed)],
         ["samples of a block", str(found.size)],
         ["samples by how they ended", ", ".join(f"{count} {ending}" for ending, count in ends.items())],
         ["relative error asked for, of each solution", number(study.accuracy)],
         ["relative error of quantiles from bins", "none: samples were kept" if found.samples else number(BIN_ERROR)],
-    ])  # fmt: skip
-    yield folded("All numbers, as JSON", json.dumps(plain(written.record(found)), indent=2, allow_nan=False))
-    if text is not None:
-        yield folded("The scene's file", text)
+    ], "Method and accuracy")  # fmt: skip
 
 
 def interval(e: Estimate) -> str:
@@ -135,9 +105,4 @@ def interval(e: Estimate) -> str:
 def _shown(e: Estimate) -> Raw:
     """The same, with the value in full in the attribute."""
     value, _, ends = interval(e).partition(" ")
-    return Raw(f'<data value="{float(e.value)!r}">{value}</data> {ends}' if ends else value)
-
-
-def _said(record: Mapping[str, object]) -> str:
-    """A distribution in words."""
-    return ", ".join(f"{k} {v}" for k, v in record.items() if k != "key")
+    return Raw(f"{data(float(e.value), value)} {ends}" if ends else value)

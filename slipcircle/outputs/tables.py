@@ -1,27 +1,19 @@
-"""Tables on the screen: of motions, plans, ladders, derivatives and back-analyses. They need no library."""
+"""What commands say: tables of motions, slopes, plans, ladders and derivatives, on the screen without any library."""
 
 import math
 import shutil
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from itertools import chain, combinations, zip_longest
 from textwrap import wrap
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import (
-    JOURNEY,
-    OUTCOMES,
-    plain,
-    results,
-    shown,
-    spent,
-    words,
-)
+from slipcircle.motion.quantities import JOURNEY, OUTCOMES, results, shown, spent, words
 from slipcircle.scene.search import Critical
 from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
@@ -30,7 +22,25 @@ if TYPE_CHECKING:
     from slipcircle.motion.derivatives import Sensitivity
 
 WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
-Rows = Iterable[Sequence[str]]
+Rows = Iterable[Sequence[Any]]
+
+
+class Part(NamedTuple):
+    """A table, with what stands above and below it."""
+
+    head: Sequence[str]
+    rows: Rows
+    title: str = ""
+    note: str = ""
+
+
+class Answer(NamedTuple):
+    """What a command found: as JSON, where that is asked for; else its tables and texts, and what to know of them."""
+
+    record: Callable[[], Any]
+    parts: Iterable[Part | str]
+    warnings: Iterable[str] = ()
+
 
 # --- motions ---------------------------------------------------------------------------------------------------------
 
@@ -97,14 +107,9 @@ def stability_column(found: Critical) -> dict[str, str]:
 # --- plans and ladders -----------------------------------------------------------------------------------------------
 
 
-def plan_record(plan: Plan) -> dict[str, Any]:
-    """A plan as JSON holds it."""
-    return plain({"scene": plan.scene.name} | {n: v for n, v in vars(plan).items() if n != "scene"})
-
-
-def plan_rows(plan: Plan) -> list[tuple[str, str]]:
-    """A plan as rows of a table."""
-    return [
+def plan_part(plan: Plan) -> Part:
+    """A plan as a table."""
+    rows = [
         ("effects", ", ".join(plan.effects) or "none"),
         ("left out", ", ".join(plan.left_out) or "none"),
         ("friction law", plan.law),
@@ -115,70 +120,72 @@ def plan_rows(plan: Plan) -> list[tuple[str, str]]:
         ("expected cost", f"about {plan.cost} floating-point operations"),
         ("error asked for", f"{plan.accuracy:.1e}"),
     ]
+    return Part(["", plan.scene.name], rows)
 
 
-COMBINATIONS = ("effects", "operations on series of one step")
-
-
-def combination_rows() -> list[list[str]]:
+def combinations_part() -> Part:
     """Operations of every combination of effects, with a constant friction."""
     every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
     shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    return [[", ".join(e) or "none", counted(join(e, ("constant",), shaken if "shaking" in e else ()))] for e in every]
+    steps = ((e, join(e, ("constant",), shaken if "shaking" in e else ())) for e in every)
+    rows = [[", ".join(e) or "none", counted(step)] for e, step in steps]
+    return Part(["effects", "operations on series of one step"], rows)
 
 
-_OF_RUNG = {n: q for n, q in OUTCOMES.items() if n in Rung.__dataclass_fields__}
-LADDER = ("effect added", "time", "operations", *map(words, _OF_RUNG), "rests", "differs")
-
-
-def ladder_rows(rungs: Iterable[Rung]) -> list[list[str]]:
-    """A ladder as rows of a table; how far each differs from the fullest."""
-    return [
+def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
+    """A ladder as a table; how far each rung differs from the fullest."""
+    told = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
+    rows = [
         [f"+ {r.added}" if r.added else "none", spent(1e9 * r.seconds), f"{r.cost}",
-         *(f"{shown(getattr(r, n))} {q.unit}" for n, q in _OF_RUNG.items()),
+         *(f"{shown(getattr(r, q.name))} {q.unit}" for q in told),
          "no" if not r.arrested else "yes" if r.peak_velocity else "stays",
          f"{100 * r.difference:.3g} %"]
         for r in rungs
     ]  # fmt: skip
+    head = ["effect added", "time", "operations", *(words(q.name) for q in told), "rests", "differs"]
+    return Part(head, rows, name)
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------
 
 
-def sensitivity_record(found: "Sensitivity") -> dict[str, Any]:
-    """Derivatives as JSON holds them: matrices of outputs by parameters in their order; null for what has no value."""
-    keys = {name: number.key for name, number in found.keys.items()}
-    return plain(vars(found) | {"keys": keys, "elasticities": found.elasticities})
-
-
-def sensitivity_rows(found: "Sensitivity") -> list[list[str]]:
-    """Derivatives as rows of a table, per unit of the key that a scene file has for each parameter."""
+def sensitivity_part(found: "Sensitivity", name: str) -> Part:
+    """Derivatives as a table, per unit of the key that a scene file has for each parameter."""
     rows, keys = [["", "", *(shown(found.at[n]) for n in found.outputs)]], found.keys
-    for k, name in enumerate(found.parameters):
-        of = keys[name]
-        value = of.from_si(found.at[name])
+    for k, parameter in enumerate(found.parameters):
+        of = keys[parameter]
+        value = of.from_si(found.at[parameter])
         cells = []
         for output, slope in zip(found.outputs, found.values[:, k] * of.slope(value), strict=True):
             at = found.at[output]
             per_cent = f" ({slope * value / at:+.2g})" if at and slope * value else ""
             cells.append(f"{shown(float(slope))}{per_cent}")
         rows.append([of.key, shown(value, 6), *cells])
-    return rows
+    head = ["by", "value", *(words(n, unit) for n, unit in found.outputs.items())]
+    return Part(head, rows, name, "change per unit of the key, and in brackets in per cent per per cent of it")
 
 
 # --- the screen ------------------------------------------------------------------------------------------------------
 
 
-def show(head: Sequence[str], rows: Rows, title: str = "", caption: str = "") -> None:
-    """Print a table on stdout, as wide as the terminal and at most `WIDTH` columns."""
+def say(message: str) -> None:
+    """Tell something on stderr."""
+    print(f"slipcircle: {clean(message)}", file=sys.stderr)
+
+
+def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
+    """Print a table on stdout, as wide as the terminal and at most `WIDTH` columns.
+
+    Long cells are wrapped; columns for which there is no room follow below the others.
+    """
     width = min(shutil.get_terminal_size().columns, WIDTH) if sys.stdout.isatty() else WIDTH
-    for line in layout(head, rows, title, caption, width):
+    for line in _layout(head, rows, title, note, width):
         print(line)
 
 
-def layout(head: Sequence[str], rows: Rows, title: str, caption: str, width: int) -> Iterator[str]:
-    """The lines of a table: long cells are wrapped; columns for which there is no room follow below the others."""
-    first, *rest = ([clean(cell) for cell in column] for column in zip(head, *rows, strict=True))
+def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
+    columns = zip(*([head] if head else []), *rows, strict=True)
+    first, *rest = ([clean(cell) for cell in column] for column in columns)
     yield from wrap(clean(title), width)
     lead = _widths([first], max(width * 6 // 10, _LEAST))[0]
     while rest:
@@ -187,9 +194,9 @@ def layout(head: Sequence[str], rows: Rows, title: str, caption: str, width: int
             shown += 1
         part, rest = rest[:shown], rest[shown:]
         most = next((m for m in range(width, _LEAST, -1) if sum(_widths(part, m)) + _GAP * shown <= room), _LEAST)
-        yield from _lines([first, *part], [lead, *_widths(part, most)], any(head))
+        yield from _lines([first, *part], [lead, *_widths(part, most)], bool(head))
         yield ""
-    yield from wrap(clean(caption), width, break_on_hyphens=False)
+    yield from wrap(clean(note), width, break_on_hyphens=False)
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
@@ -200,10 +207,9 @@ def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:
 
 def _lines(columns: Sequence[Sequence[str]], widths: Sequence[int], headed: bool) -> Iterator[str]:
     for number, row in enumerate(zip(*columns, strict=True)):
-        if number or headed:
-            cells = (wrap(c, w, break_on_hyphens=False) for c, w in zip(row, widths, strict=True))
-            for parts in zip_longest(*(c or [""] for c in cells), fillvalue=""):
-                yield "  ".join(p.ljust(w) for p, w in zip(parts, widths, strict=True)).rstrip()
+        cells = (wrap(c, w, break_on_hyphens=False) for c, w in zip(row, widths, strict=True))
+        for parts in zip_longest(*(c or [""] for c in cells), fillvalue=""):
+            yield "  ".join(p.ljust(w) for p, w in zip(parts, widths, strict=True)).rstrip()
         if not number and headed:
             yield "-" * (sum(widths) + _GAP * (len(widths) - 1))
 

@@ -11,7 +11,6 @@ from slipcircle.base import files
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import HISTORY
 from slipcircle.records.given import in_time
-from slipcircle.scene.scene import Scene
 
 Floats = NDArray[np.float64]
 
@@ -47,7 +46,7 @@ def telling_times(motion: Motion) -> Floats:
     share = (1.0 - np.cos(np.linspace(0.0, np.pi, each + 1))) / 2
     found: list[Any] = [even_times(motion), [float(motion.peak.time), float(motion.reach.time)]]
     found += [p.start + (p.end - p.start) * share for p in motion.phases]
-    for function in given_in_time(motion.plan.scene).values():
+    for function in in_time(motion.plan.scene.called).values():
         knots = np.asarray(function.kinks)
         before = np.nextafter(knots, -np.inf)
         values = np.abs(function(knots))
@@ -58,26 +57,17 @@ def telling_times(motion: Motion) -> Floats:
     return np.unique(np.clip(np.concatenate(found), 0.0, motion.duration))
 
 
-def given_in_time(scene: Scene) -> dict[str, Any]:
-    """What changes with time in a scene: a `Series` or `Pulse` by ``effect.parameter``."""
-    return in_time(scene.called)
-
-
 def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
-    """Motions over time as CSV, in full precision, by default at even times; of several the first column is the name.
+    """Motions over time as CSV, in full precision; of several the first column is the name.
 
-    Parameters
-    ----------
-    motions : sequence of Motion
-    times : ndarray, optional
-        s.
+    By default at even times; else at those, in s.
     """
-    named = len(motions) > 1
+    named = ["scene"] if len(motions) > 1 else []
 
     def rows() -> Iterator[list[Any]]:
         for motion in motions:
             columns = trace(motion, even_times(motion) if times is None else times)
             for row in zip(*(c.tolist() for c in columns.values()), strict=True):
-                yield [*([motion.plan.scene.name] if named else []), *row]
+                yield [*(motion.plan.scene.name for _ in named), *row]
 
-    return files.table([*(["scene"] if named else []), *(q.head for q in HISTORY.values())], rows())
+    return files.table([*named, *(q.head for q in HISTORY.values())], rows())
