@@ -223,7 +223,25 @@ def test_a_seam_out_of_place_is_seen() -> None:
 # --- the search ----------------------------------------------------------------------------------------------------
 
 
+FACTOR = next(kernel for kernel in kernels() if kernel.name == "resistance_factor")  # which takes least
+
+
 def test_the_recorded_shape_is_what_the_search_finds() -> None:
-    """Of the quantity that takes least: nothing in the search is random or timed."""
-    (factor,) = [kernel for kernel in kernels() if kernel.name == "resistance_factor"]
-    assert search.search(factor) == records()[factor.definition]
+    """Nothing in the search is random or timed."""
+    assert search.search(FACTOR) == records()[FACTOR.definition]
+
+
+@pytest.mark.parametrize(("more", "stays"), [(1, True), (6, False)])
+def test_a_record_stays_unless_another_is_better_by_the_margin(
+    more: int, stays: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A coefficient more is worth less than the margin, six are worth more; nothing found, it stays in any case."""
+    right = records()[FACTOR.definition]
+    (piece,) = right.best
+    known = (replace(piece, count=piece.count + more),)
+    monkeypatch.setitem(records(), FACTOR.definition, replace(right, best=known))
+    assert (search.price(FACTOR, known) <= search.price(FACTOR, right.best) + search.MARGIN) == stays
+    monkeypatch.setattr(search, "refined", lambda *_: right.best)
+    assert search.best(FACTOR) == (known if stays else right.best)
+    monkeypatch.setattr(search, "refined", lambda *_: None)
+    assert search.best(FACTOR) == known

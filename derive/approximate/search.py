@@ -47,14 +47,24 @@ HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
+MARGIN = 0.05  # by how much less a shape's price has to be to take the place of the recorded one, in ulp
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # shapes judged at most, for one quantity
 
+Best = tuple[Pieces, ...]
 
-def bound(variant: Variant) -> float:
-    """The bound that can be proved of a variant's error between FROM and TO."""
-    record = certificates.plain(variant)
-    return certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)[0]
+
+def variant(kernel: Kernel, shape: Best, form: str) -> Variant:
+    """The best tier in this shape."""
+    return Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel, shape, form))
+
+
+def price(kernel: Kernel, shape: Best) -> float:
+    """What is least of the best shape: the bound proved between FROM and TO, fused, and what its operations are worth."""
+    fused = variant(kernel, shape, "fused")
+    record = certificates.plain(fused)
+    proved, _ = certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)
+    return proved + OPERATION * sum(fused.program.operations().values())
 
 
 def kept(variants: Sequence[Variant]) -> bool:
@@ -131,9 +141,6 @@ def baseline(closed: sp.Expr, seam: float) -> Far:
     return Far(slope, line, bend, 1.0, 0)
 
 
-Best = tuple[Pieces, ...]
-
-
 def started(kernel: Kernel, seam: float) -> Best:
     """Pieces for a seam, of what an estimate prefers."""
     found = []
@@ -177,7 +184,9 @@ def best(kernel: Kernel, trials: int = TRIALS) -> Best:
     """The pieces with the least bound and the fewest operations.
 
     For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
-    Of a base quantity first where it cannot fall at the seam; then elsewhere, where it may fall by an ulp there.
+    Of a base quantity first where it cannot fall at the seam; then elsewhere, where it may fall by an ulp there. The
+    recorded pieces stay unless those that are found are better by more than MARGIN: a search that is repeated, or that
+    judges few, changes nothing.
 
     Raises
     ------
@@ -185,6 +194,10 @@ def best(kernel: Kernel, trials: int = TRIALS) -> Best:
         If none keeps what the tier promises.
     """
     found = refined(kernel, len(kernel.closed) == 1, trials) or refined(kernel, False, trials)
+    known = records().get(kernel.definition)
+    if (known and kept([variant(kernel, known.best, form) for form in ("fused", "plain")])
+            and (found is None or price(kernel, known.best) <= price(kernel, found) + MARGIN)):  # fmt: skip
+        return known.best
     if found is None:
         goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
         raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
@@ -195,14 +208,10 @@ def refined(kernel: Kernel, rising: bool, trials: int) -> Best | None:
     """The best shape that was found, of those that rise over their seam or of all; None if none keeps its goals."""
     judged: dict[Best, float] = {}
 
-    def variant(shape: Best, form: str) -> Variant:
-        return Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel, shape, form))
-
     def judge(shape: Best) -> None:
         allowed = not rising or not shape[0].far or rises(kernel.closed[0], shape[0].seam)
         if allowed and shape not in judged and len(judged) < trials:
-            fused = variant(shape, "fused")
-            judged[shape] = bound(fused) + OPERATION * sum(fused.program.operations().values())
+            judged[shape] = price(kernel, shape)
 
     def ranked() -> list[Best]:
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
@@ -216,7 +225,7 @@ def refined(kernel: Kernel, rising: bool, trials: int) -> Best | None:
         for shape in neighbours(kernel, left[0]):
             judge(shape)
     for shape in ranked()[:6]:
-        made = [variant(shape, "fused"), variant(shape, "plain")]
+        made = [variant(kernel, shape, form) for form in ("fused", "plain")]
         if kept(made) and not (rising and any(falls(v, shape[0].seam) for v in made)):
             return shape
     return None
