@@ -3,7 +3,6 @@
 The proof itself is the checker's (`derive.check.certify`), which reads the records made here as plain data.
 """
 
-import itertools
 import json
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
@@ -121,35 +120,27 @@ def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[floa
 # --- files ---------------------------------------------------------------------------------------------------------
 
 
-def text(kernel: str, records: Iterable[Record]) -> str:
-    """One file: a record's fields one a line, an operation a line."""
-    blocks = []
-    for record in records:
-        lines = [f"      {json.dumps(op)}" for op in record["operations"]]
-        fields = {k: json.dumps(v) for k, v in record.items() if k != "operations"}
-        fields["operations"] = "[\n" + ",\n".join(lines) + "\n    ]"
-        blocks.append("  {\n" + ",\n".join(f'    "{k}": {v}' for k, v in fields.items()) + "\n  }")
-    opening = "".join(f" {json.dumps(k)}: {json.dumps(v)},\n" for k, v in (("kernel", kernel), ("read me", README)))
-    return "{\n" + opening + ' "certificates": [\n' + ",\n".join(blocks) + "\n ]\n}\n"
-
-
 def records(variants: Iterable[Variant], known: Iterable[Record] = (), processes: int = 2) -> list[Record]:
     """The record of every variant: the known one where its operations are the same, else proved anew."""
-    known = {record["sha256"]: record for record in known}
-    chosen = list(variants)
-    found = {number: known.get(plain(variant)["sha256"]) for number, variant in enumerate(chosen)}
-    new = [number for number, record in found.items() if record is None]
-    if new:
+    proved = {record["sha256"]: record for record in known}
+    wanted = {plain(variant)["sha256"]: variant for variant in variants}
+    if new := {key: variant for key, variant in wanted.items() if key not in proved}:
         with ProcessPoolExecutor(processes) as pool:
-            found |= zip(new, pool.map(certified, (chosen[number] for number in new)), strict=True)
-    return [record for record in found.values() if record is not None]
+            proved |= zip(new, pool.map(certified, new.values()), strict=True)
+    return [proved[key] for key in wanted]
 
 
 def files(records: Iterable[Record]) -> dict[str, str]:
-    """Text of every certificate file, by its name under `generated`."""
-    by_kernel = itertools.groupby(sorted(records, key=_kernel), key=_kernel)
-    return {f"certificates/{kernel}.json": text(kernel, group) for kernel, group in by_kernel}
-
-
-def _kernel(record: Record) -> str:
-    return str(record["kernel"])
+    """Text of every certificate file, by its name under `generated`: fields one a line, an operation a line."""
+    blocks: dict[str, list[str]] = {}
+    for record in records:
+        fields = {k: json.dumps(v) for k, v in record.items() if k != "operations"}
+        lines = [f"      {json.dumps(op)}" for op in record["operations"]]
+        fields["operations"] = "[\n" + ",\n".join(lines) + "\n    ]"
+        block = "  {\n" + ",\n".join(f'    "{k}": {v}' for k, v in fields.items()) + "\n  }"
+        blocks.setdefault(record["kernel"], []).append(block)
+    return {
+        f"certificates/{kernel}.json": f'{{\n "kernel": {json.dumps(kernel)},\n "read me": {json.dumps(README)},\n'
+        ' "certificates": [\n' + ",\n".join(found) + "\n ]\n}\n"
+        for kernel, found in blocks.items()
+    }

@@ -5,19 +5,20 @@ must round badly is left out by an estimate; of the rest the checker says which 
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import cache, partial
+from itertools import product
 
 import numpy as np
 import sympy as sp
 from flint import arb
 
-from derive.approximate import certificates, programs
+from derive.approximate import certificates
 from derive.approximate.minimax import minimax
 from derive.approximate.minimax import value as at
-from derive.approximate.programs import Variant
+from derive.approximate.programs import Variant, variant
 from derive.approximate.shapes import (
     HALF_PI,
     Far,
@@ -26,8 +27,7 @@ from derive.approximate.shapes import (
     Shape,
     cheap_fit,
     end,
-    far_minimax,
-    far_samples,
+    far_fit,
     kernels,
     limit,
     near_samples,
@@ -54,57 +54,45 @@ TRIALS = 40  # shapes judged at most, for one quantity
 Best = tuple[Pieces, ...]
 
 
-def variant(kernel: Kernel, shape: Best, form: str) -> Variant:
-    """The best tier in this shape."""
-    return Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel, shape, form))
-
-
 def price(kernel: Kernel, shape: Best) -> float:
-    """What is least of the best shape: the bound proved between FROM and TO, fused, and what its operations are worth."""
-    fused = variant(kernel, shape, "fused")
+    """Of the best tier, fused: the bound that is proved between FROM and TO, and what its operations are worth."""
+    fused = variant(kernel, "best", "fused", shape)
     record = certificates.plain(fused)
     proved, _ = certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)
     return proved + OPERATION * sum(fused.program.operations().values())
 
 
-def kept(variants: Sequence[Variant]) -> bool:
-    """Whether it can be proved that every bound is within what its tier promises."""
+def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
+    """A tier's fused and plain form in this shape; none if a bound cannot be proved to be within what it promises."""
+    made = [variant(kernel, tier, form, shape) for form in ("fused", "plain")]
     try:
-        for variant in variants:
-            record = certificates.plain(variant)
-            goal = TIERS[variant.tier].goal(record)
+        for one in made:
+            record = certificates.plain(one)
+            goal = TIERS[tier].goal(record)
             certify.prove(record | {"bound": goal, "bound_to_quarter_pi": goal, "bound_underflow": math.inf})
     except ProofError:
-        return False
-    return True
+        return []
+    return made
 
 
 # --- two pieces ----------------------------------------------------------------------------------------------------
 
 
 @cache
-def count_near(closed: sp.Expr, seam: float, error: float = NEGLIGIBLE) -> int:
+def count_near(closed: sp.Expr, seam: float) -> int:
     """The fewest coefficients that approximate up to the seam."""
-    return next(n for n in range(7, 40) if minimax(near_samples(closed, seam, n, limit(closed)), n - 1)[2] < error)
+    return next(n for n in range(7, 40) if minimax(near_samples(closed, seam, n, limit(closed)), n - 1)[2] < NEGLIGIBLE)
 
 
 def with_degree(closed: sp.Expr, far: Far, seam: float) -> Far:
     """The piece beyond the seam with the least degree that approximates, or with the last one that is tried."""
     for degree in range(3, 13):
         far = replace(far, degree=degree)
-        samples, constant, _ = far_samples(closed, far, seam)
-        lost = math.ulp(constant) / float(at(closed, arb(seam)))  # as the constant is rounded
-        if far_minimax(closed, far, samples)[2] < NEGLIGIBLE + lost:
+        fit = far_fit(closed, far, seam)
+        lost = math.ulp(fit.constant) / float(at(closed, arb(seam)))  # as the constant is rounded
+        if fit.error < NEGLIGIBLE + lost:
             break
     return far
-
-
-@cache
-def _values(closed: sp.Expr, seam: float) -> tuple[tuple[float, float, float], ...]:
-    """alpha, F and its ulp beyond the seam."""
-    points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
-    values = [float(at(closed, arb(x))) for x in points]
-    return tuple((x, f, certify.ulp(f, 53)) for x, f in zip(points, values, strict=True))
 
 
 def rises(closed: sp.Expr, seam: float) -> bool:
@@ -113,30 +101,31 @@ def rises(closed: sp.Expr, seam: float) -> bool:
     return float(at(sp.diff(closed, alpha), arb(seam))) * step > 1.4 * certify.ulp(f, 53)
 
 
+@cache
 def baseline(closed: sp.Expr, seam: float) -> Far:
     """The baseline whose operations leave the least, by an estimate of half an ulp each, over ulp(F)."""
-    about, values = end(closed), _values(closed, seam)
-    ulps, first = (3 if about.log else 1), float(about.first)
+    points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
+    values = [(x, float(at(closed, arb(x)))) for x in points]
+    about, end_value = end(closed), values[-1][1]
+    ulps = 3 if about.log else 1
     found = []
     for slope in SLOPES:
-        left = [f - slope * x for x, f, _ in values]
-        lines = {math.floor((values[-1][1] - slope * HALF_PI) * 2**52) / 2**52}
+        left = [f - slope * x for x, f in values]
+        lines = {math.floor((end_value - slope * HALF_PI) * 2**52) / 2**52}
         lines |= {k / 128 for k in range(math.floor(min(left) * 128), math.ceil(max(left) * 128) + 1)}
-        for line in sorted(lines):
-            for bend in [0.0] if about.odd else [k / 8 for k in range(25)]:
-                power, _ = powers(closed, Far(slope, line, bend, 1.0, 0))
-                constant, worst = values[-1][1] - slope * HALF_PI - line, 0.0
-                for x, f, ulp in values[:-1]:
-                    b, rest = HALF_PI - x, f - (slope * x + line)
-                    bent = 0.0 if about.odd else b * (slope - bend * b)
-                    core = (rest - bent - constant) / b**power
-                    error = 0.0 if abs(f - rest) <= slope * (1 if x < 1 else 2) or not slope else math.ulp(f - rest)
-                    error += (
-                        math.ulp(constant) + math.ulp(rest) + b**power * (ulps * math.ulp(core) + abs(core) / 2**52)
-                    )
-                    error += 0.0 if about.odd else math.ulp(rest - bent) + b * math.ulp(slope - bend * b)
-                    worst = max(worst, error / ulp)
-                found.append((worst, abs(bend - first), slope, line, bend))
+        for line, bend in product(sorted(lines), [0.0] if about.odd else [k / 8 for k in range(25)]):
+            power, _ = powers(closed, Far(slope, line, bend, 1.0, 0))
+            constant, worst = end_value - slope * HALF_PI - line, 0.0
+            for x, f in values[:-1]:
+                b, rest = HALF_PI - x, f - (slope * x + line)
+                bent = 0.0 if about.odd else b * (slope - bend * b)
+                core = (rest - bent - constant) / b**power
+                error = 0.0 if abs(f - rest) <= slope * (1 if x < 1 else 2) or not slope else math.ulp(f - rest)
+                error += math.ulp(constant) + math.ulp(rest)
+                error += b**power * (ulps * math.ulp(core) + abs(core) / 2**52)
+                error += 0.0 if about.odd else math.ulp(rest - bent) + b * math.ulp(slope - bend * b)
+                worst = max(worst, error / certify.ulp(f, 53))
+            found.append((worst, abs(bend - about.first), slope, line, bend))
     _, _, slope, line, bend = min(found)
     return Far(slope, line, bend, 1.0, 0)
 
@@ -195,9 +184,8 @@ def best(kernel: Kernel, trials: int = TRIALS) -> Best:
     """
     found = refined(kernel, len(kernel.closed) == 1, trials) or refined(kernel, False, trials)
     known = records().get(kernel.definition)
-    if (known and kept([variant(kernel, known.best, form) for form in ("fused", "plain")])
-            and (found is None or price(kernel, known.best) <= price(kernel, found) + MARGIN)):  # fmt: skip
-        return known.best
+    if known and kept(kernel, "best", known.best):
+        found = known.best if not found or price(kernel, known.best) <= price(kernel, found) + MARGIN else found
     if found is None:
         goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
         raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
@@ -225,8 +213,8 @@ def refined(kernel: Kernel, rising: bool, trials: int) -> Best | None:
         for shape in neighbours(kernel, left[0]):
             judge(shape)
     for shape in ranked()[:6]:
-        made = [variant(kernel, shape, form) for form in ("fused", "plain")]
-        if kept(made) and not (rising and any(falls(v, shape[0].seam) for v in made)):
+        made = kept(kernel, "best", shape)
+        if made and not (rising and any(falls(v, shape[0].seam) for v in made)):
             return shape
     return None
 
@@ -253,9 +241,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
                 continue
         except ZeroDivisionError:  # the levelled system has no solution
             continue
-        made = [Variant(kernel.name, kernel.definition, tier, form, programs.cheap(kernel, (above, below), form))
-                for form in ("fused", "plain")]  # fmt: skip
-        if kept(made):
+        if kept(kernel, tier, (above, below)):
             return tier, above, below
     raise ProofError(f"{kernel.name}: tier {tier}", "no degrees that keep it", f"{goal:g}")
 
