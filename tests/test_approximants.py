@@ -14,7 +14,7 @@ from derive.approximate import search
 from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import HALF_PI, kernels, records
 from derive.check.records import TIERS
-from derive.code import arithmetic, exact, measure
+from derive.code import arithmetic, exact
 from derive.code.program import Op
 
 Floats = NDArray[np.float64]
@@ -35,9 +35,7 @@ each_base = pytest.mark.parametrize("v", [v for v in BEST if v.kernel in BASES],
 
 def run(v: Variant, alpha: Floats) -> Floats:
     """Its values: rounded exactly, or, where it calls NumPy's logarithm, NumPy's."""
-    if v.form != "numpy":
-        return exact.run(v.program, alpha)
-    return np.asarray(measure.run(v.program, alpha))
+    return np.asarray(exact.run(v.program, alpha))
 
 
 def seams() -> list[float]:

@@ -2,7 +2,7 @@
 
 In a template ``{0}`` is the first operand. ``binds`` says how tightly the text holds together (a comparison 0, a sum 1,
 a product 2, a sign 3, a call 9) and ``needs`` how tightly each operand has to. What has no template in a language has
-no place there, and what has no meaning is not rounded alike everywhere.
+no place there.
 """
 
 from collections.abc import Callable
@@ -20,7 +20,7 @@ class Operation:
 
     python: str
     c: str
-    meaning: Callable[..., Any] | None = None
+    meaning: Callable[..., Any]
     binds: int = 9
     needs: tuple[int, ...] = (0, 0, 0)
 
@@ -30,7 +30,7 @@ def _infix(sign: str, meaning: Callable[..., Any], binds: int, right: int) -> Op
 
 
 def _library(name: str) -> Operation:
-    return Operation(f"{{space}}.{name}({{0}})", "")
+    return Operation(f"{{space}}.{name}({{0}})", "", getattr(np, name))
 
 
 OPERATIONS = {

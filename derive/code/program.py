@@ -86,8 +86,7 @@ class Builder:
         return walk(p, inputs, lambda op, operands: self.put(op.kind, *operands, value=op.value))
 
 
-# What NumPy calls each operation; the logarithm and the like have no exact meaning, and their own name.
-_NAMES = {operation.meaning or getattr(np, name): name for name, operation in OPERATIONS.items()}
+_NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
 
 
 @dataclass(frozen=True, eq=False)
