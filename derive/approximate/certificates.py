@@ -38,13 +38,7 @@ def round_up(x: float) -> float:
 
 
 def certified(variant: Variant) -> Record:
-    """A variant's record with bounds that are proved and, where the interpreter is exact, the witness.
-
-    Raises
-    ------
-    ProofError
-        If a bound is above what the tier promises.
-    """
+    """A variant's record with bounds that are proved and within its goals, and, if rounded exactly, the witness."""
     record, places = plain(variant), []
     for claim, parts in certify.by_claim(record).items():
         bound, worst_of_claim = certify.halve(record, parts, halvings=750)
@@ -120,12 +114,12 @@ def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[floa
 # --- files ---------------------------------------------------------------------------------------------------------
 
 
-def records(variants: Iterable[Variant], known: Iterable[Record] = (), processes: int = 2) -> list[Record]:
+def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:
     """The record of every variant: the known one where its operations are the same, else proved anew."""
     proved = {record["sha256"]: record for record in known}
     wanted = {plain(variant)["sha256"]: variant for variant in variants}
     if new := {key: variant for key, variant in wanted.items() if key not in proved}:
-        with ProcessPoolExecutor(processes) as pool:
+        with ProcessPoolExecutor(2) as pool:
             proved |= zip(new, pool.map(certified, new.values()), strict=True)
     return [proved[key] for key in wanted]
 

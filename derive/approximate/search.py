@@ -75,26 +75,6 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
     return made
 
 
-# --- two pieces ----------------------------------------------------------------------------------------------------
-
-
-@cache
-def count_near(closed: sp.Expr, seam: float) -> int:
-    """The fewest coefficients that approximate up to the seam."""
-    return next(n for n in range(7, 40) if minimax(near_samples(closed, seam, n, limit(closed)), n - 1)[2] < NEGLIGIBLE)
-
-
-def with_degree(closed: sp.Expr, far: Far, seam: float) -> Far:
-    """The piece beyond the seam with the least degree that approximates, or with the last one that is tried."""
-    for degree in range(3, 13):
-        far = replace(far, degree=degree)
-        fit = far_fit(closed, far, seam)
-        lost = math.ulp(fit.constant) / float(at(closed, arb(seam)))  # as the constant is rounded
-        if fit.error < NEGLIGIBLE + lost:
-            break
-    return far
-
-
 def rises(closed: sp.Expr, seam: float) -> bool:
     """Whether F grows at the seam by more than both pieces' errors from one double to the next."""
     step, f = math.ulp(math.nextafter(seam, 0.0)), float(at(closed, arb(seam)))
@@ -131,21 +111,25 @@ def baseline(closed: sp.Expr, seam: float) -> Far:
 
 
 def started(kernel: Kernel, seam: float) -> Best:
-    """Pieces for a seam, of what an estimate prefers."""
+    """Pieces for a seam: the baseline that an estimate prefers, and the least degrees that approximate."""
     found = []
     for closed in kernel.closed:
-        if not end(closed).serves:
-            found.append(Pieces(HALF_PI, count_near(closed, HALF_PI), KEPT))
-        else:
-            far = with_degree(closed, baseline(closed, seam), seam)
-            found.append(Pieces(seam, count_near(closed, seam), KEPT, far))
+        far, until = None, HALF_PI
+        if end(closed).serves:
+            until = seam
+            for degree in range(3, 13):
+                far = replace(baseline(closed, seam), degree=degree)
+                fit = far_fit(closed, far, seam)
+                lost = math.ulp(fit.constant) / float(at(closed, arb(seam)))  # as the constant is rounded
+                if fit.error < NEGLIGIBLE + lost:
+                    break
+        samples = ((n, near_samples(closed, until, n, limit(closed))) for n in range(7, 40))
+        found.append(Pieces(until, next(n for n, x in samples if minimax(x, n - 1)[2] < NEGLIGIBLE), KEPT, far))
     return tuple(found)
 
 
 def falls(variant: Variant, seam: float) -> bool:
     """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
-    if len(variant.definition) > 1:
-        return False
     near = 1000 if variant.form == "fused" else 1
     alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
     return bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
@@ -169,21 +153,45 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
             yield (*shape[:k], move, *shape[k + 1 :])
 
 
-def best(kernel: Kernel, trials: int = TRIALS) -> Best:
-    """The pieces with the least bound and the fewest operations.
+def refined(kernel: Kernel, trials: int) -> Best | None:
+    """The pieces with the least bound and the fewest operations; None if none keeps its goals.
 
-    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
-    Of a base quantity first where it cannot fall at the seam; then elsewhere, where it may fall by an ulp there. The
-    recorded pieces stay unless those that are found are better by more than MARGIN: a search that is repeated, or that
-    judges few, changes nothing.
-
-    Raises
-    ------
-    ProofError
-        If none keeps what the tier promises.
+    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it. A
+    base quantity has its seam where it cannot fall there, or, if none is found, where it may fall by an ulp.
     """
-    found = refined(kernel, len(kernel.closed) == 1, trials) or refined(kernel, False, trials)
-    known = records().get(kernel.definition)
+    closed, *others = kernel.closed
+    judged: dict[Best, float] = {}
+
+    def judge(shape: Best) -> None:
+        if shape not in judged and len(judged) < trials:
+            judged[shape] = price(kernel, shape)
+
+    def ranked() -> list[Best]:
+        return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
+
+    seams = [seam for seam in SEAMS if others or rises(closed, seam)] or SEAMS
+    for seam in seams[-9:] if any(end(form).serves for form in kernel.closed) else SEAMS[:1]:
+        judge(started(kernel, seam))
+    done: set[Best] = set()
+    while left := [shape for shape in ranked()[:2] if shape not in done]:
+        done.add(left[0])
+        for shape in neighbours(kernel, left[0]):
+            judge(shape)
+    spare = None
+    for shape in ranked()[:6]:
+        if made := kept(kernel, "best", shape):
+            if others or not any(falls(v, shape[0].seam) for v in made):
+                return shape
+            spare = spare or shape
+    return spare
+
+
+def best(kernel: Kernel, trials: int = TRIALS) -> Best:
+    """The recorded pieces, unless those that are found are better by more than MARGIN.
+
+    So a search that is repeated, or that judges few, changes nothing.
+    """
+    found, known = refined(kernel, trials), records().get(kernel.definition)
     if known and kept(kernel, "best", known.best):
         found = known.best if not found or price(kernel, known.best) <= price(kernel, found) + MARGIN else found
     if found is None:
@@ -192,44 +200,8 @@ def best(kernel: Kernel, trials: int = TRIALS) -> Best:
     return found
 
 
-def refined(kernel: Kernel, rising: bool, trials: int) -> Best | None:
-    """The best shape that was found, of those that rise over their seam or of all; None if none keeps its goals."""
-    judged: dict[Best, float] = {}
-
-    def judge(shape: Best) -> None:
-        allowed = not rising or not shape[0].far or rises(kernel.closed[0], shape[0].seam)
-        if allowed and shape not in judged and len(judged) < trials:
-            judged[shape] = price(kernel, shape)
-
-    def ranked() -> list[Best]:
-        return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
-
-    seams = [seam for seam in SEAMS if not rising or rises(kernel.closed[0], seam)]
-    for seam in seams[-9:] if any(end(closed).serves for closed in kernel.closed) else SEAMS[:1]:
-        judge(started(kernel, seam))
-    done: set[Best] = set()
-    while left := [shape for shape in ranked()[:2] if shape not in done]:
-        done.add(left[0])
-        for shape in neighbours(kernel, left[0]):
-            judge(shape)
-    for shape in ranked()[:6]:
-        made = kept(kernel, "best", shape)
-        if made and not (rising and any(falls(v, shape[0].seam) for v in made)):
-            return shape
-    return None
-
-
-# --- the other tiers -----------------------------------------------------------------------------------------------
-
-
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
-    """The cheapest polynomial or quotient of two that keeps what its tier promises.
-
-    Raises
-    ------
-    ProofError
-        If none of the degrees that are tried does.
-    """
+    """The cheapest polynomial or quotient of two that keeps what its tier promises."""
     (closed,) = kernel.closed
     goal = TIERS[tier].fused
     target = (goal - 0.5) * 2.0**-24 if goal > 0.5 else goal
@@ -247,21 +219,18 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
 
 
 def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
-    """Find the shape of a kernel; a quotient has the best tier alone.
+    """Find the shape of a kernel, or raise `ProofError` if none keeps what the tiers promise.
 
-    Raises
-    ------
-    ProofError
-        If none keeps what the tiers promise.
+    A quotient has the best tier alone.
     """
     cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"] if len(kernel.closed) == 1 else []
     return Shape(best(kernel, trials), tuple(cheap))
 
 
-def complete(anew: bool = False, trials: int = TRIALS, processes: int = 2) -> str:
+def complete(anew: bool, trials: int) -> str:
     """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
     wanted = {k.definition: k for k in kernels() if anew or k.definition not in records()}
     if wanted:
-        with ProcessPoolExecutor(processes) as pool:
+        with ProcessPoolExecutor(2) as pool:
             records().update(zip(wanted, pool.map(partial(search, trials=trials), wanted.values()), strict=True))
     return ", ".join(" / ".join(definition) for definition in wanted) or "none"

@@ -79,17 +79,9 @@ def limit(closed: sp.Expr) -> Fraction:
 
 
 def agree(kernel: Kernel) -> int:
-    """Compare the derived form with the checker's definition: Taylor coefficients at 0 exactly, values in balls.
+    """How often the derived form was compared with the checker's definition, or `ProofError` where they differ.
 
-    Returns
-    -------
-    int
-        The number of comparisons.
-
-    Raises
-    ------
-    ProofError
-        If they differ.
+    Taylor coefficients at 0 are compared exactly, values in balls.
     """
     for closed, statement in zip(kernel.closed, kernel.definition, strict=True):
         for k, (found, right) in enumerate(zip(start(closed), truth.at_zero(statement), strict=True)):

@@ -245,28 +245,18 @@ def below_underflow(record: Record, whole: float) -> float:
     return worst
 
 
-def limit_at_end(definition: Definition) -> float:
-    """|F(TOP)/F(pi/2) - 1| in ulp of float32, whose pi/2 lies above pi/2: it is clipped to TOP and stands for pi/2."""
-    with working(BITS):
-        return float((truth.value(definition, arb(TOP)) / truth.limit(definition) - 1).abs_upper()) * 2.0**24 * UP
-
-
 def error(record: Record, part: Patch, lower: float, upper: float) -> float:
     """A bound on the error on one box, in the unit of its tier; infinite if the box is too wide."""
     try:
         found = in_units(record["tier"], *part.error(lower, upper))
     except Unbounded:
         return math.inf
-    at_end = record["tier"] == "float32" and upper == TOP
-    return found + limit_at_end(record["definition"]) if at_end else found
-
-
-def check_zero(record: Record) -> None:
-    """0 at alpha = 0, exactly; the value of a quotient there is inside the domain like any other."""
-    with working(ROUNDING_BITS):
-        value = rounding.forward(specialise(record, 0.0, 0.0), arb(0))[0][-1]
-    if len(record["definition"]) == 1 and not value == 0:
-        raise rejected("zero", record, f"{value} at alpha = 0", 0)
+    if record["tier"] == "float32" and upper == TOP:
+        # The pi/2 of float32 lies above pi/2: it is clipped to TOP and stands for pi/2.
+        with working(BITS):
+            apart = truth.value(record["definition"], arb(TOP)) / truth.limit(record["definition"]) - 1
+            return found + float(apart.abs_upper()) * 2.0**24 * UP
+    return found
 
 
 def by_claim(record: Record) -> dict[str, list[Patch]]:
@@ -324,7 +314,10 @@ def prove(record: Record) -> float:
             raise ValueError(f"no tier is called {record['tier']}")
         if any(not 0 <= a < i for i, (_, args, _) in enumerate(record["operations"]) for a in args):
             raise ValueError("an operation uses a later one")
-        check_zero(record)
+        with working(ROUNDING_BITS):
+            zero = rounding.forward(specialise(record, 0.0, 0.0), arb(0))[0][-1]
+        if len(record["definition"]) == 1 and not zero == 0:  # of a quotient 0 is inside the domain like any other
+            raise rejected("zero", record, f"{zero} at alpha = 0", 0)
         proved = []
         for claim, parts in by_claim(record).items():
             wanted = min(record["bound"], record[claim])

@@ -117,9 +117,8 @@ def drive(rows: Iterable[tuple[str, ...]], press: Any, mu: Any, limit: Any) -> A
     cells = {"pressing_0": press, "press_0": press, "mu_0": mu, "LIMIT": limit}
     cells |= dict.fromkeys(("driving_0", "fall_0"), press * limit)
     for operation, name, *operands in rows:
-        meaning = OPERATIONS[operation].meaning
-        assert meaning
-        cells[name] = meaning(*(np.float64(x[1:]) if x[0] == "=" else cells.get(x, np.float64(0)) for x in operands))
+        values = [np.float64(x[1:]) if x[0] == "=" else cells.get(x, np.float64(0)) for x in operands]
+        cells[name] = OPERATIONS[operation].meaning(*values)
     return cells["drive"]
 
 
