@@ -147,7 +147,6 @@ class _Specialise:
         self.noise: list[float] = []
         self.affine: list[Line | None] = []
         self.grid: list[int] = []
-        self.known: dict[Node, int] = {}
         self.done: dict[int, int] = {}
 
     def run(self, output: int) -> Tape:
@@ -217,9 +216,7 @@ class _Specialise:
         return k
 
     def put(self, node: Node) -> int:
-        """Append a node, or find the equal one; exact ones are marked."""
-        if node in self.known:
-            return self.known[node]
+        """Append a node; exact ones are marked."""
         line, grid, exact = self._shape(node)
         marked = node._replace(rounds=not exact and node.kind not in ("x", "const", "neg"))
         if line is not None and not marked.rounds:
@@ -232,7 +229,6 @@ class _Specialise:
         self.grid.append(max(grid, -1074))
         self.values.append(value + arb(0, bound) if bound else value)
         self.noise.append(bound)
-        self.known[node] = len(self.tape) - 1
         return len(self.tape) - 1
 
     def _shape(self, node: Node) -> tuple[Line | None, int, bool]:
@@ -256,9 +252,8 @@ class _Specialise:
             first, second = (VALUE[kind](*ends) for ends in zip(*known, strict=True))
             line = first, second
         size = max(map(abs, line)) if line else float(_operate(node, self.values, self.noise).abs_upper()) * UP
-        scales = [c.kind == "const" and math.frexp(abs(c.value))[0] == 0.5 for c in (self.tape[a] for a in args)]
-        turned = kind == "neg" or (kind == "mul" and any(scales))
-        return line if grid >= -1074 else None, grid, turned or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
+        exact = kind == "neg" or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
+        return line if grid >= -1074 else None, grid, exact
 
     def compensation(self, node: Node) -> Node | None:
         """The node as the rounding error of another one, if that is what it computes."""
