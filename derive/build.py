@@ -39,13 +39,7 @@ class NoBinaryError(Exception):
 
 
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
-    """Compile a module's C beside itself, unless the binary there was made of it.
-
-    Raises
-    ------
-    NoBinaryError
-        If a C compiler, the headers of Python or NumPy, or the wish for it are missing, or if it does not compile.
-    """
+    """Compile a module's C beside itself, unless the binary there was made of it."""
     source, binary = folder / f"{name}.c", folder / f"{name}{sysconfig.get_config_var('EXT_SUFFIX')}"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")

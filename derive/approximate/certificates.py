@@ -65,9 +65,6 @@ README = [
 ]
 
 
-# --- the worst input -----------------------------------------------------------------------------------------------
-
-
 def errors(variant: Variant, alpha: Floats) -> list[float]:
     """Errors at these inputs, in the variant's unit, against the unrounded reference in ball arithmetic."""
     results = exact.run(variant.program, alpha)
@@ -109,9 +106,6 @@ def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[floa
         if error_near > error:
             alpha, error = near, error_near
     return alpha, error
-
-
-# --- files ---------------------------------------------------------------------------------------------------------
 
 
 def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:

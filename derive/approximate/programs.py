@@ -50,9 +50,6 @@ class Pair(NamedTuple):
     low: Value
 
 
-# --- straight-line code --------------------------------------------------------------------------------------------
-
-
 class Code(Builder):
     """Operations on alpha as they are written; in a plain form a multiply-add is two of them."""
 
@@ -85,9 +82,6 @@ class Code(Builder):
     def program(self, name: str, output: Value) -> Program:
         """The operations that the output needs."""
         return without_dead(Program(name, (self.argument,), tuple(self.ops), (output.place,)))
-
-
-# --- pieces --------------------------------------------------------------------------------------------------------
 
 
 def excess(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
@@ -178,9 +172,6 @@ def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
     if not shape.slope:
         return Pair(code.value(shape.line), rest)
     return Pair((code.x if shape.slope == 1 else shape.slope * code.x) + shape.line, rest)
-
-
-# --- tiers ---------------------------------------------------------------------------------------------------------
 
 
 def whole(code: Code, closed: sp.Expr, piece: Pieces) -> Value:

@@ -40,9 +40,6 @@ HALF_PI = truth.TOP
 RECORDS = Path(__file__).resolve().parent / "records" / "shapes.json"
 
 
-# --- what is fitted ------------------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class Kernel:
     """A function of alpha: the closed form that SymPy derived, or two for a quotient, and what certificates call it."""
@@ -127,9 +124,6 @@ def end(closed: sp.Expr) -> End:
     return End(False, 0.0, 0, serves=False)
 
 
-# --- shapes --------------------------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
 class Far:
     """Of the piece near pi/2: its baseline slope alpha + line, bend, the logarithm's scale, and the degree of R.
@@ -181,9 +175,6 @@ def text() -> str:
     wanted = sorted({kernel.definition for kernel in kernels()})
     lines = [f"{json.dumps(' / '.join(d))}: {json.dumps(asdict(records()[d]))}" for d in wanted]
     return "{\n" + ",\n".join(lines) + "\n}\n"
-
-
-# --- fits ----------------------------------------------------------------------------------------------------------
 
 
 def scaled(closed: sp.Expr, wanted: Fraction) -> Function:

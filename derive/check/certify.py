@@ -42,9 +42,6 @@ VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 
 
-# --- the parts of the domain ---------------------------------------------------------------------------------------
-
-
 def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Parts of [lower, upper], both ends included, no double left out, each with one tape.
 
@@ -108,13 +105,7 @@ class Patch:
     top: float = 0.0
 
     def error(self, lower: float, upper: float) -> tuple[float, float, float]:
-        """|before the last rounding - exact| and the last rounding's error at most, |exact| at least (over s**order).
-
-        Raises
-        ------
-        Unbounded
-            If the box is too wide for finite bounds.
-        """
+        """At most |before the last rounding - exact| and the last rounding's error, at least |exact|; over s**order."""
         with working(ROUNDING_BITS):
             x = ball(lower, upper)
             total, last = rounding.rounding_sum(self.tape, x)
@@ -190,9 +181,6 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
                 left, right = max(a, segment.lower, start), min(b, segment.upper, end)
                 if left < right or left == right in (a, b):
                     yield from fine_patches(definition, tape, segment, left, right)
-
-
-# --- the proof -----------------------------------------------------------------------------------------------------
 
 
 def ulp(x: float, bits: int) -> float:
@@ -298,12 +286,8 @@ def prove(record: Record) -> float:
 
     ``bound`` is claimed from UNDERFLOW on, ``bound_to_quarter_pi`` up to pi/4 only, ``bound_underflow`` below. Of the
     tiers best and float32 they are in ulp of the exact value, and the ulp is never less than the format's least number;
-    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074).
-
-    Raises
-    ------
-    ProofError
-        With the name of the check that failed: digest, assumptions, program, zero, bound, underflow or goal.
+    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074). Raises
+    `ProofError` with the name of a check: digest, assumptions, program, zero, bound, underflow or goal.
     """
     if record["sha256"] != digest(record):
         raise rejected("digest", record, digest(record), record["sha256"])

@@ -30,9 +30,6 @@ class Unbounded(Exception):
     """No finite bound on this box."""
 
 
-# --- ranges and errors ---------------------------------------------------------------------------------------------
-
-
 class Node(NamedTuple):
     """One operation on a tape, in one of the kinds of a program or one of these.
 
@@ -127,9 +124,6 @@ def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
             for a, slope in zip(args, SLOPES[kind](values[i], *[values[a] for a in args]), strict=True):
                 adjoint[a] += w if slope is None else w * slope
     return total * UP + 2.0**-1000, noise[last]  # 2**-1000: more than what underflowed in this sum
-
-
-# --- what is decided, exact and compensated on a box ---------------------------------------------------------------
 
 
 class _Specialise:

@@ -212,23 +212,11 @@ class _Lowering(Builder):
 def program(
     name: str, inputs: tuple[str, ...], *outputs: sp.Expr, let: Mapping[sp.Symbol, sp.Expr | Program] | None = None
 ) -> Program:
-    """Make a `Program` from SymPy expressions.
+    """The program of SymPy expressions in the symbols that ``inputs`` names, in the order of its arguments.
 
-    Parameters
-    ----------
-    name : str
-    inputs : tuple of str
-        Names of the symbols it may read, in the order of its arguments.
-    *outputs : sympy.Expr
-        Stable primitives are lowered as they are met; equal subexpressions are computed once.
-    let : mapping, optional
-        Intermediate values by symbol, in order, as expressions or as programs of what is known by then; one may
-        replace an input of the same name from there on.
-
-    Raises
-    ------
-    ValueError
-        If an expression holds another symbol, or an operation that no emitter knows.
+    Stable primitives are lowered as they are met; equal subexpressions are computed once. ``let`` gives intermediate
+    values by symbol, in order, as expressions or as programs of what is known by then; one may replace an input of the
+    same name from there on.
     """
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():

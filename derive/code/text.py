@@ -185,9 +185,6 @@ def statements(program: Program, language: Language, parts: Sequence[Part] = ())
     return writer.lines, [writer.text[i][0] for i in program.outputs]
 
 
-# --- reading back --------------------------------------------------------------------------------------------------
-
-
 @dataclass
 class Reader:
     """Text that was written, run on operands that record; what is read once is there to be called."""
