@@ -7,6 +7,7 @@ import json
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
 from decimal import ROUND_CEILING, Context
+from operator import itemgetter
 
 import numpy as np
 from flint import arb, ctx
@@ -67,19 +68,13 @@ README = [
 
 def errors(variant: Variant, alpha: Floats) -> list[float]:
     """Errors at these inputs, in the variant's unit, against the unrounded reference in ball arithmetic."""
-    results = exact.run(variant.program, alpha)
-    if variant.tier == "float32":
-        results = results.astype(np.float32).astype(np.float64)
-    found = []
+    results, bits, found = exact.run(variant.program, alpha), TIERS[variant.tier].bits, []
+    results = results.astype(np.float32).astype(np.float64) if bits == 24 else results
     with ctx.workprec(200):  # of which the closed forms lose less than 40 above 2**-12
         for x, y in zip(alpha.tolist(), results.tolist(), strict=True):
             reference = truth.value(variant.definition, arb(x))
-            distance = abs(arb(y) - reference)
-            if TIERS[variant.tier].unit == "relative":
-                unit = reference
-            else:
-                unit = arb(certify.ulp(float(reference), 24 if variant.tier == "float32" else 53))
-            found.append(float((distance / unit).mid()))
+            unit = arb(certify.ulp(float(reference), bits)) if bits else reference
+            found.append(float((abs(arb(y) - reference) / unit).mid()))
     return found
 
 
@@ -88,23 +83,21 @@ def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[floa
 
     Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
     """
-    single = variant.tier == "float32"
-    top = float(np.nextafter(np.float32(truth.TOP), np.float32(0))) if single else truth.TOP
+    bits = TIERS[variant.tier].bits
+    top = float(np.nextafter(np.float32(truth.TOP), np.float32(0))) if bits == 24 else truth.TOP
 
     def best(points: Iterable[float]) -> tuple[float, float]:
-        alpha = np.unique(np.clip(np.array(list(points)), 2.0**-12, top))
-        alpha = np.unique(alpha.astype(np.float32).astype(np.float64)) if single else alpha
-        found = errors(variant, alpha)
-        k = max(range(len(found)), key=found.__getitem__)
-        return float(alpha[k]), found[k]
+        alpha = np.clip(np.array(list(points)), 2.0**-12, top)
+        alpha = np.unique(alpha.astype(np.float32).astype(np.float64) if bits == 24 else alpha)
+        error, k = max((e, -k) for k, e in enumerate(errors(variant, alpha)))
+        return error, float(alpha[-k])
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
-    alpha, error = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
+    error, alpha = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
     for step in (2.0**k for k in range(30, -1, -2)):
-        ulp = certify.ulp(alpha, 24 if single else 53)
-        near, error_near = best(alpha + step * ulp * k for k in range(-20, 21))
-        if error_near > error:
-            alpha, error = near, error_near
+        ulp = certify.ulp(alpha, bits or 53)
+        found = best(alpha + step * ulp * k for k in range(-20, 21))
+        error, alpha = max((error, alpha), found, key=itemgetter(0))
     return alpha, error
 
 

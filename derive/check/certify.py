@@ -198,14 +198,14 @@ def in_units(tier: str, distance: float, last: float, smallest: float, least: fl
     """
     if not smallest > 0 and not least > 0:
         return math.inf  # the box is too wide
-    if tier in ("1e-10", "1e-6"):
+    if not (bits := TIERS[tier].bits):
         return (distance + last) / smallest * UP
-    if tier == "float32":  # computed in double precision, then rounded once more
+    if bits == 24:  # computed in double precision, then rounded once more
         distance += last
-    unit = max(ulp(smallest, 24 if tier == "float32" else 53), least)
+    unit = max(ulp(smallest, bits), least)
     if distance <= unit:
         return (distance / unit + 0.5) * UP
-    return (distance + last) / unit * UP if tier == "best" else math.inf
+    return (distance + last) / unit * UP if bits == 53 else math.inf
 
 
 def below_underflow(record: Record, whole: float) -> float:
@@ -214,7 +214,7 @@ def below_underflow(record: Record, whole: float) -> float:
     One window for each s down to VANISHING, and there the absolute error.
     """
     definition, tier = record["definition"], record["tier"]
-    if len(definition) > 1 or tier == "float32":
+    if len(definition) > 1 or TIERS[tier].bits == 24:
         return 0.0  # quotients do not underflow, nor does double precision for the least float32
     near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
 
