@@ -89,8 +89,7 @@ def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[floa
     def best(points: Iterable[float]) -> tuple[float, float]:
         alpha = np.clip(np.array(list(points)), 2.0**-12, top)
         alpha = np.unique(alpha.astype(np.float32).astype(np.float64) if bits == 24 else alpha)
-        error, k = max((e, -k) for k, e in enumerate(errors(variant, alpha)))
-        return error, float(alpha[-k])
+        return max(zip(errors(variant, alpha), alpha.tolist(), strict=True), key=itemgetter(0))
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
     error, alpha = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
