@@ -14,7 +14,7 @@ from derive.approximate import search
 from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import HALF_PI, kernels, records
 from derive.check.records import TIERS
-from derive.code import arithmetic, exact
+from derive.code import exact, operations
 from derive.code.program import Op
 
 Floats = NDArray[np.float64]
@@ -165,17 +165,17 @@ def test_multiply_add_is_rounded_once() -> None:
     shrunk = 2.0 ** -rng.integers(0, 700, 2000)
     a, b, c = np.append(a, a * shrunk), np.append(b, b * shrunk), np.append(c, c * shrunk)
     expected = [float(Fraction(x) * Fraction(y) + Fraction(z)) for x, y, z in zip(*(v.tolist() for v in (a, b, c)))]  # noqa: B905
-    np.testing.assert_array_equal(arithmetic.fma(a, b, c), expected)
+    np.testing.assert_array_equal(operations.fma(a, b, c), expected)
     zero = np.array([0.0, -0.0])
-    np.testing.assert_array_equal(np.signbit(arithmetic.fma(zero, np.ones(2), -zero)), [False, False])
-    np.testing.assert_array_equal(np.signbit(arithmetic.fma(zero, np.ones(2), zero)), [False, True])
+    np.testing.assert_array_equal(np.signbit(operations.fma(zero, np.ones(2), -zero)), [False, False])
+    np.testing.assert_array_equal(np.signbit(operations.fma(zero, np.ones(2), zero)), [False, True])
 
 
 def test_exponent_and_significand_are_exact() -> None:
     x = np.exp2(np.random.default_rng(6).uniform(-60, 3, 1000))
-    np.testing.assert_array_equal(np.ldexp(arithmetic.significand(x), arithmetic.exponent(x).astype(int)), x)
-    assert arithmetic.significand(x).min() >= 0.75
-    assert arithmetic.significand(x).max() < 1.5
+    np.testing.assert_array_equal(np.ldexp(operations.significand(x), operations.exponent(x).astype(int)), x)
+    assert operations.significand(x).min() >= 0.75
+    assert operations.significand(x).max() < 1.5
 
 
 # --- planted bugs --------------------------------------------------------------------------------------------------

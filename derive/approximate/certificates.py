@@ -16,7 +16,7 @@ from derive.approximate.programs import Variant
 from derive.check import certify, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.code import exact
-from derive.code.arithmetic import Floats
+from derive.code.operations import Floats
 
 
 def plain(variant: Variant) -> Record:

@@ -17,8 +17,7 @@ import sympy as sp
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
-from derive.code.arithmetic import two_sum
-from derive.code.operations import OPERATIONS
+from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
