@@ -63,16 +63,6 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     return timed("generated", "emit", "", write.files, proved)
 
 
-def binary() -> str:
-    """Compile what has another source than its binary, and say what serves now."""
-    from derive.build import PARTS, NoBinaryError, build
-
-    try:
-        return ", ".join(build(name=name).name for name in PARTS)
-    except NoBinaryError as error:
-        return f"NumPy serves: {error}"
-
-
 def main(argv: list[str] | None = None) -> int:
     """Run the command; 0 is success, 1 a stale `generated` or a failed check, 2 a wrong call or a missing package."""
     parser = argparse.ArgumentParser(
@@ -120,6 +110,7 @@ def main(argv: list[str] | None = None) -> int:
 def regenerate(check: bool, search: bool, trials: int | None) -> int:
     """Derive everything, then write what has changed, or show it."""
     from derive.approximate import shapes
+    from derive.build import build_all
     from derive.generate import write
 
     start = time.perf_counter()
@@ -134,7 +125,7 @@ def regenerate(check: bool, search: bool, trials: int | None) -> int:
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
     changed = write.write(texts) + write.write(records, shapes.RECORDS.parent)
-    timed("kernels", "compile", "{0}", binary)
+    timed("kernels", "compile", "{0}", build_all)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
     return 0

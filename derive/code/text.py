@@ -52,16 +52,14 @@ class _Text:
         needed, uses = set(program.outputs), Counter(program.outputs)
         for i in range(len(ops) - 1, -1, -1):
             if i in needed:
-                operands = (
-                    self.calls[i][1:] if i in self.calls
-                    else self.polynomials[i][:1] if i in self.polynomials
-                    else ops[i].args
-                )  # fmt: skip
+                operands = ops[i].args
+                if i in self.calls or i in self.polynomials:
+                    operands = self.calls[i][1:] if i in self.calls else self.polynomials[i][:1]
                 needed.update(operands)
                 uses.update(operands)
         for i in sorted(needed):
-            text, _ = self.text[i] = self._expression(i)
-            named = i in self.names or i in self.polynomials or len(text) > INLINE
+            self.text[i] = self._expression(i)
+            named = i in self.names or i in self.polynomials or len(self.text[i][0]) > INLINE
             if ops[i].kind not in ("input", "const") and (uses[i] > 1 or (named and i not in program.outputs)):
                 self._name(i)
 
