@@ -231,7 +231,7 @@ def cheap(code: Code, closed: sp.Expr, above: int, below: int) -> Value:
     return code.horner(w, over) * u / code.horner(w, under) * code.x
 
 
-def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Pieces] | Sequence[int]) -> Variant:
+def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Variant:
     """A kernel at one tier in one form: the best from its pieces, another from its degrees."""
     code = Code(form)
     closed, *others = kernel.closed

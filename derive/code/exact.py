@@ -13,7 +13,7 @@ def run(program: Program, *args: Any) -> Any:
     """The program's only output at each of many inputs."""
 
     def make(op: Op, operands: list[Any]) -> Any:
-        return np.float64(op.value) if op.kind == "const" else OPERATIONS[op.kind].meaning(*operands)  # type: ignore[arg-type]
+        return np.float64(op.value) if op.kind == "const" else OPERATIONS[op.kind].meaning(*operands)
 
     with np.errstate(under="ignore"):
         (result,) = walk(program, dict(zip(program.inputs, map(np.float64, args), strict=True)), make)
