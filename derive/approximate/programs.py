@@ -1,7 +1,7 @@
 """The certified kernels' programs: an approximant of F(alpha)/alpha**3 near 0, and of F less a straight line near pi/2.
 
 Near: F = x u W, where u = x**2 and W = c0 + u (c1 + u (c2 + ...)). Fused, the rounding errors of u, of u W and of the
-two leading sums of W are kept. Far, in b = fl(pi/2) - x (exact there): F = line(x) +
+leading sums of W are kept, as many as the shape says. Far, in b = fl(pi/2) - x (exact there): F = line(x) +
 correction(b), the line without rounding, so that the small correction needs no care. Every piece is computed for
 every x, and one chosen.
 """
@@ -97,22 +97,25 @@ def to_limit(closed: sp.Expr, w: Value) -> Value:
 
 def near_sum(code: Code, closed: sp.Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
-    u, exact = code.u, limit(closed)
+    u, exact, kept = code.u, limit(closed), piece.kept
     c = (float(exact), *near_fit(closed, piece.seam, piece.count, exact))
     # Even and odd part of the rest: for one product more half as many operations wait for each other.
-    v = u * u
-    odd, even = code.horner(v, c[4::2]), code.horner(v, c[3::2])
-    p2 = code.fma(u, code.fma(u, odd, even), c[2])
-    p1 = code.fma(p2, u, c[1])
-    w = code.fma(p1, u, c[0])
-    lost = code.fma(p1, u, c[0] - w)
-    turn = c[1] - p1
-    lost_1 = code.fma(p2, u, turn)
+    rest, v = c[kept + 1 :], u * u
+    odd, even = code.horner(v, rest[1::2]), code.horner(v, rest[::2])
+    sums = [code.fma(u, code.fma(u, odd, even), c[kept])]
+    for coefficient in reversed(c[:kept]):
+        sums.insert(0, code.fma(sums[0], u, coefficient))
+    turns, lost = [], []
+    for k in range(kept):
+        turns.append(c[k] - sums[k])
+        lost.append(code.fma(sums[k + 1], u, turns[k]))
     c0_low = float(exact - Fraction(c[0]))
-    low = code.fma(u, lost_1, lost + c0_low if c0_low else lost)
-    # u W' is nearly W - c0 + u (P1 - c1); left out where W stays close to 1
-    slope = code.fma(-u, turn, code.fma(2.0, w, -c[0])) if c0_low else w
-    return Pair(w, low), slope, p1
+    lost[0] = lost[0] + c0_low if c0_low else lost[0]
+    low = reduce(lambda low, error: code.fma(u, low, error), reversed(lost))
+    slope = sums[0]
+    if c0_low:  # u W' is nearly W - c0 + u (P1 - c1); left out where W stays close to 1
+        slope = code.fma(-u, turns[1], code.fma(2.0, sums[0], -c[0]))
+    return Pair(sums[0], low), slope, sums[1]
 
 
 def near(code: Code, closed: sp.Expr, piece: Pieces) -> Pair:

@@ -48,6 +48,7 @@ FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
 MARGIN = 0.05  # by how much less a shape's price has to be to take the place of the recorded one, in ulp
+KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # shapes judged at most, for one quantity
 
 Best = tuple[Pieces, ...]
@@ -123,7 +124,7 @@ def started(kernel: Kernel, seam: float) -> Best:
                 if fit.error < NEGLIGIBLE + lost:
                     break
         samples = ((n, near_samples(closed, until, n, limit(closed))) for n in range(7, 40))
-        found.append(Pieces(until, next(n for n, x in samples if minimax(x, n - 1)[2] < NEGLIGIBLE), far))
+        found.append(Pieces(until, next(n for n, x in samples if minimax(x, n - 1)[2] < NEGLIGIBLE), KEPT, far))
     return tuple(found)
 
 
@@ -140,6 +141,7 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
         yield tuple(replace(p, seam=round(p.seam + more / 100, 2)) if p.far else p for p in shape)
     for k, (closed, part) in enumerate(zip(kernel.closed, shape, strict=True)):
         moves = [replace(part, count=part.count + more) for more in (-1, 1)]
+        moves += [replace(part, kept=part.kept + more) for more in (-1, 1) if 2 <= part.kept + more < part.count - 2]
         if far := part.far:
             about = end(closed)
             changed = [replace(far, degree=far.degree + more) for more in (-1, 1)]

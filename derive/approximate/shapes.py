@@ -141,10 +141,14 @@ class Far:
 
 @dataclass(frozen=True)
 class Pieces:
-    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it."""
+    """Of a base quantity for the best tier: the seam, coefficients near 0, and what serves beyond it.
+
+    Fused, the rounding errors of the ``kept`` leading sums near 0 are kept.
+    """
 
     seam: float
     count: int
+    kept: int = 2
     far: Far | None = None
 
 
