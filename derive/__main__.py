@@ -65,16 +65,6 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
     return timed("generated", "emit", "", write.files, proved)
 
 
-def binary() -> str:
-    """Compile what has another source than its binary, and say what serves now."""
-    from derive.build import PARTS, NoBinaryError, build
-
-    try:
-        return ", ".join(build(name=name).name for name in PARTS)
-    except NoBinaryError as error:
-        return f"NumPy serves: {error}"
-
-
 _JSON = {"json": "a list of objects on stdout"}
 COMMANDS = {
     "verify": ("judge every numbered equation, table entry and appendix of the paper",
@@ -115,6 +105,7 @@ def main(argv: list[str] | None = None) -> int:
         print(report(options.form))
         return 0
     from derive.approximate import shapes
+    from derive.build import build_all
     from derive.generate import write
 
     start = time.perf_counter()
@@ -129,7 +120,7 @@ def main(argv: list[str] | None = None) -> int:
         print(f"{diff}generated/ is stale: run `{write.MEND}`" if diff else "generated/ is up to date")
         return 1 if diff else 0
     changed = write.write(texts) + write.write(records, shapes.RECORDS.parent)
-    timed("kernels", "compile", "{0}", binary)
+    timed("kernels", "compile", "{0}", build_all)
     seconds = time.perf_counter() - start
     say(f"{'generated':<32} {'write':<11} {seconds:6.2f} s  in all; changed: {', '.join(changed) or 'nothing'}")
     return 0

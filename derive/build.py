@@ -39,13 +39,7 @@ class NoBinaryError(Exception):
 
 
 def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_kernels") -> Path:
-    """Compile a module's C beside itself, unless the binary there was made of it.
-
-    Raises
-    ------
-    NoBinaryError
-        If a C compiler, the headers of Python or NumPy, or the wish for it are missing, or if it does not compile.
-    """
+    """Compile a module's C beside itself, unless the binary there was made of it."""
     source, binary = folder / f"{name}.c", folder / f"{name}{sysconfig.get_config_var('EXT_SUFFIX')}"
     if os.environ.get("SLIPCIRCLE_COMPILED") == "0":
         raise NoBinaryError("SLIPCIRCLE_COMPILED is 0")
@@ -61,24 +55,26 @@ def build(folder: Path = FOLDER, flags: tuple[str, ...] = FLAGS, name: str = "_k
         raise NoBinaryError(f"no NumPy to compile with ({error})") from None
     includes = (f"-I{sysconfig.get_path('include')}", f"-I{np.get_include()}")
     with tempfile.TemporaryDirectory(dir=folder, prefix=".") as made:
-        target, objects = Path(made) / binary.name, []
+        target, objects, commands = Path(made) / binary.name, [], []
         for k, own in enumerate(PARTS[name]):
             objects.append(str(Path(made) / f"{k}.o"))
-            _run([*compiler, *flags, *own, *includes, "-c", str(source), "-o", objects[k]])
-        _run([*compiler, *flags, *SHARED, *objects, "-o", str(target), "-lm"])
+            commands.append([*own, *includes, "-c", str(source), "-o", objects[k]])
+        commands.append([*SHARED, *objects, "-o", str(target), "-lm"])
+        for command in commands:
+            done = subprocess.run([*compiler, *flags, *command], capture_output=True, text=True, check=False)
+            if done.returncode:
+                raise NoBinaryError(f"{compiler[0]} fails: {done.stderr.strip().splitlines()[:1]}")
         os.replace(target, binary)
     return binary
 
 
-def _run(command: list[str]) -> None:
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise NoBinaryError(f"{command[0]} fails: {done.stderr.strip().splitlines()[:1]}")
+def build_all() -> str:
+    """Compile what has another source than its binary; what serves now."""
+    try:
+        return ", ".join(build(name=name).name for name in PARTS)
+    except NoBinaryError as error:
+        return f"NumPy serves: {error}"
 
 
 if __name__ == "__main__":
-    for module in PARTS:
-        try:
-            print(build(name=module))
-        except NoBinaryError as error:
-            print(f"NumPy serves: {error}")
+    print(build_all())

@@ -14,7 +14,7 @@ from derive.approximate import search
 from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import HALF_PI, kernels, records
 from derive.check.records import TIERS
-from derive.code import arithmetic, exact, measure
+from derive.code import exact, operations
 from derive.code.program import Op
 
 Floats = NDArray[np.float64]
@@ -35,9 +35,7 @@ each_base = pytest.mark.parametrize("v", [v for v in BEST if v.kernel in BASES],
 
 def run(v: Variant, alpha: Floats) -> Floats:
     """Its values: rounded exactly, or, where it calls NumPy's logarithm, NumPy's."""
-    if v.form != "numpy":
-        return exact.run(v.program, alpha)
-    return np.asarray(measure.run(v.program, alpha))
+    return np.asarray(exact.run(v.program, alpha))
 
 
 def seams() -> list[float]:
@@ -167,17 +165,17 @@ def test_multiply_add_is_rounded_once() -> None:
     shrunk = 2.0 ** -rng.integers(0, 700, 2000)
     a, b, c = np.append(a, a * shrunk), np.append(b, b * shrunk), np.append(c, c * shrunk)
     expected = [float(Fraction(x) * Fraction(y) + Fraction(z)) for x, y, z in zip(*(v.tolist() for v in (a, b, c)))]  # noqa: B905
-    np.testing.assert_array_equal(arithmetic.fma(a, b, c), expected)
+    np.testing.assert_array_equal(operations.fma(a, b, c), expected)
     zero = np.array([0.0, -0.0])
-    np.testing.assert_array_equal(np.signbit(arithmetic.fma(zero, np.ones(2), -zero)), [False, False])
-    np.testing.assert_array_equal(np.signbit(arithmetic.fma(zero, np.ones(2), zero)), [False, True])
+    np.testing.assert_array_equal(np.signbit(operations.fma(zero, np.ones(2), -zero)), [False, False])
+    np.testing.assert_array_equal(np.signbit(operations.fma(zero, np.ones(2), zero)), [False, True])
 
 
 def test_exponent_and_significand_are_exact() -> None:
     x = np.exp2(np.random.default_rng(6).uniform(-60, 3, 1000))
-    np.testing.assert_array_equal(np.ldexp(arithmetic.significand(x), arithmetic.exponent(x).astype(int)), x)
-    assert arithmetic.significand(x).min() >= 0.75
-    assert arithmetic.significand(x).max() < 1.5
+    np.testing.assert_array_equal(np.ldexp(operations.significand(x), operations.exponent(x).astype(int)), x)
+    assert operations.significand(x).min() >= 0.75
+    assert operations.significand(x).max() < 1.5
 
 
 # --- planted bugs --------------------------------------------------------------------------------------------------
@@ -223,7 +221,25 @@ def test_a_seam_out_of_place_is_seen() -> None:
 # --- the search ----------------------------------------------------------------------------------------------------
 
 
+FACTOR = next(kernel for kernel in kernels() if kernel.name == "resistance_factor")  # which takes least
+
+
 def test_the_recorded_shape_is_what_the_search_finds() -> None:
-    """Of the quantity that takes least: nothing in the search is random or timed."""
-    (factor,) = [kernel for kernel in kernels() if kernel.name == "resistance_factor"]
-    assert search.search(factor) == records()[factor.definition]
+    """Nothing in the search is random or timed."""
+    assert search.search(FACTOR) == records()[FACTOR.definition]
+
+
+@pytest.mark.parametrize(("more", "stays"), [(1, True), (6, False)])
+def test_a_record_stays_unless_another_is_better_by_the_margin(
+    more: int, stays: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A coefficient more is worth less than the margin, six are worth more; nothing found, it stays in any case."""
+    right = records()[FACTOR.definition]
+    (piece,) = right.best
+    known = (replace(piece, count=piece.count + more),)
+    monkeypatch.setitem(records(), FACTOR.definition, replace(right, best=known))
+    assert (search.price(FACTOR, known) <= search.price(FACTOR, right.best) + search.MARGIN) == stays
+    monkeypatch.setattr(search, "refined", lambda *_: right.best)
+    assert search.best(FACTOR) == (known if stays else right.best)
+    monkeypatch.setattr(search, "refined", lambda *_: None)
+    assert search.best(FACTOR) == known

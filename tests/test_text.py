@@ -77,6 +77,7 @@ def test_a_sentence_keeps_its_symbols(words: str, found: str) -> None:
     assert emit.sentence(words) == found
 
 
-def test_every_operation_of_a_certified_program_has_a_meaning_and_c() -> None:
+def test_every_operation_of_a_certified_program_has_c() -> None:
+    """And no call of a library, which would not be rounded alike everywhere."""
     kinds = {op.kind for v in FITTED for op in v.program.ops} - {"input", "const"}
-    assert all(operations.OPERATIONS[k].meaning is not None and operations.OPERATIONS[k].c for k in kinds)
+    assert all(operations.OPERATIONS[k].c for k in kinds)

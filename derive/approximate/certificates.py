@@ -3,11 +3,11 @@
 The proof itself is the checker's (`derive.check.certify`), which reads the records made here as plain data.
 """
 
-import itertools
 import json
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
 from decimal import ROUND_CEILING, Context
+from operator import itemgetter
 
 import numpy as np
 from flint import arb, ctx
@@ -16,7 +16,7 @@ from derive.approximate.programs import Variant
 from derive.check import certify, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.code import exact
-from derive.code.arithmetic import Floats
+from derive.code.operations import Floats
 
 
 def plain(variant: Variant) -> Record:
@@ -39,13 +39,7 @@ def round_up(x: float) -> float:
 
 
 def certified(variant: Variant) -> Record:
-    """A variant's record with bounds that are proved and, where the interpreter is exact, the witness.
-
-    Raises
-    ------
-    ProofError
-        If a bound is above what the tier promises.
-    """
+    """A variant's record with bounds that are proved and within its goals, and, if rounded exactly, the witness."""
     record, places = plain(variant), []
     for claim, parts in certify.by_claim(record).items():
         bound, worst_of_claim = certify.halve(record, parts, halvings=750)
@@ -72,24 +66,15 @@ README = [
 ]
 
 
-# --- the worst input -----------------------------------------------------------------------------------------------
-
-
 def errors(variant: Variant, alpha: Floats) -> list[float]:
     """Errors at these inputs, in the variant's unit, against the unrounded reference in ball arithmetic."""
-    results = exact.run(variant.program, alpha)
-    if variant.tier == "float32":
-        results = results.astype(np.float32).astype(np.float64)
-    found = []
+    results, bits, found = exact.run(variant.program, alpha), TIERS[variant.tier].bits, []
+    results = results.astype(np.float32).astype(np.float64) if bits == 24 else results
     with ctx.workprec(200):  # of which the closed forms lose less than 40 above 2**-12
         for x, y in zip(alpha.tolist(), results.tolist(), strict=True):
             reference = truth.value(variant.definition, arb(x))
-            distance = abs(arb(y) - reference)
-            if TIERS[variant.tier].unit == "relative":
-                unit = reference
-            else:
-                unit = arb(certify.ulp(float(reference), 24 if variant.tier == "float32" else 53))
-            found.append(float((distance / unit).mid()))
+            unit = arb(certify.ulp(float(reference), bits)) if bits else reference
+            found.append(float((abs(arb(y) - reference) / unit).mid()))
     return found
 
 
@@ -98,58 +83,44 @@ def worst(variant: Variant, places: Iterable[tuple[float, float]]) -> tuple[floa
 
     Evenly spaced points in each box, then steps of ever fewer ulp around the worst one. Nothing in it is random.
     """
-    single = variant.tier == "float32"
-    top = float(np.nextafter(np.float32(truth.TOP), np.float32(0))) if single else truth.TOP
+    bits = TIERS[variant.tier].bits
+    top = float(np.nextafter(np.float32(truth.TOP), np.float32(0))) if bits == 24 else truth.TOP
 
     def best(points: Iterable[float]) -> tuple[float, float]:
-        alpha = np.unique(np.clip(np.array(list(points)), 2.0**-12, top))
-        alpha = np.unique(alpha.astype(np.float32).astype(np.float64)) if single else alpha
-        found = errors(variant, alpha)
-        k = max(range(len(found)), key=found.__getitem__)
-        return float(alpha[k]), found[k]
+        alpha = np.clip(np.array(list(points)), 2.0**-12, top)
+        alpha = np.unique(alpha.astype(np.float32).astype(np.float64) if bits == 24 else alpha)
+        return max(zip(errors(variant, alpha), alpha.tolist(), strict=True), key=itemgetter(0))
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
-    alpha, error = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
+    error, alpha = best(a + (b - a) * k / count for a, b in places for k in range(count + 1))
     for step in (2.0**k for k in range(30, -1, -2)):
-        ulp = certify.ulp(alpha, 24 if single else 53)
-        near, error_near = best(alpha + step * ulp * k for k in range(-20, 21))
-        if error_near > error:
-            alpha, error = near, error_near
+        ulp = certify.ulp(alpha, bits or 53)
+        found = best(alpha + step * ulp * k for k in range(-20, 21))
+        error, alpha = max((error, alpha), found, key=itemgetter(0))
     return alpha, error
 
 
-# --- files ---------------------------------------------------------------------------------------------------------
-
-
-def text(kernel: str, records: Iterable[Record]) -> str:
-    """One file: a record's fields one a line, an operation a line."""
-    blocks = []
-    for record in records:
-        lines = [f"      {json.dumps(op)}" for op in record["operations"]]
-        fields = {k: json.dumps(v) for k, v in record.items() if k != "operations"}
-        fields["operations"] = "[\n" + ",\n".join(lines) + "\n    ]"
-        blocks.append("  {\n" + ",\n".join(f'    "{k}": {v}' for k, v in fields.items()) + "\n  }")
-    opening = "".join(f" {json.dumps(k)}: {json.dumps(v)},\n" for k, v in (("kernel", kernel), ("read me", README)))
-    return "{\n" + opening + ' "certificates": [\n' + ",\n".join(blocks) + "\n ]\n}\n"
-
-
-def records(variants: Iterable[Variant], known: Iterable[Record] = (), processes: int = 2) -> list[Record]:
+def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record]:
     """The record of every variant: the known one where its operations are the same, else proved anew."""
-    known = {record["sha256"]: record for record in known}
-    chosen = list(variants)
-    found = {number: known.get(plain(variant)["sha256"]) for number, variant in enumerate(chosen)}
-    new = [number for number, record in found.items() if record is None]
-    if new:
-        with ProcessPoolExecutor(processes) as pool:
-            found |= zip(new, pool.map(certified, (chosen[number] for number in new)), strict=True)
-    return [record for record in found.values() if record is not None]
+    proved = {record["sha256"]: record for record in known}
+    wanted = {plain(variant)["sha256"]: variant for variant in variants}
+    if new := {key: variant for key, variant in wanted.items() if key not in proved}:
+        with ProcessPoolExecutor(2) as pool:
+            proved |= zip(new, pool.map(certified, new.values()), strict=True)
+    return [proved[key] for key in wanted]
 
 
 def files(records: Iterable[Record]) -> dict[str, str]:
-    """Text of every certificate file, by its name under `generated`."""
-    by_kernel = itertools.groupby(sorted(records, key=_kernel), key=_kernel)
-    return {f"certificates/{kernel}.json": text(kernel, group) for kernel, group in by_kernel}
-
-
-def _kernel(record: Record) -> str:
-    return str(record["kernel"])
+    """Text of every certificate file, by its name under `generated`: fields one a line, an operation a line."""
+    blocks: dict[str, list[str]] = {}
+    for record in records:
+        fields = {k: json.dumps(v) for k, v in record.items() if k != "operations"}
+        lines = [f"      {json.dumps(op)}" for op in record["operations"]]
+        fields["operations"] = "[\n" + ",\n".join(lines) + "\n    ]"
+        block = "  {\n" + ",\n".join(f'    "{k}": {v}' for k, v in fields.items()) + "\n  }"
+        blocks.setdefault(record["kernel"], []).append(block)
+    return {
+        f"certificates/{kernel}.json": f'{{\n "kernel": {json.dumps(kernel)},\n "read me": {json.dumps(README)},\n'
+        ' "certificates": [\n' + ",\n".join(found) + "\n ]\n}\n"
+        for kernel, found in blocks.items()
+    }

@@ -32,13 +32,7 @@ def nearest(x: arb) -> float:
 
 
 def evaluate(expression: sp.Expr, x: Any) -> Any:
-    """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine.
-
-    Raises
-    ------
-    ValueError
-        For anything but sums, products, integer powers, sin, cos, artanh, rational numbers and pi.
-    """
+    """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine."""
     if isinstance(expression, sp.Symbol):
         return x
     if isinstance(expression, sp.Rational):
@@ -48,11 +42,9 @@ def evaluate(expression: sp.Expr, x: Any) -> Any:
     parts = [evaluate(part, x) for part in expression.args]
     if isinstance(expression, (sp.Add, sp.Mul)):
         return reduce(operator.add if expression.is_Add else operator.mul, parts)
-    if isinstance(expression, sp.Pow) and expression.exp.is_Integer:
+    if isinstance(expression, sp.Pow):
         return parts[0] ** int(expression.exp)
-    if isinstance(expression, (sp.sin, sp.cos, sp.atanh)):
-        return getattr(parts[0], type(expression).__name__)()
-    raise ValueError(f"no arithmetic for {expression}")
+    return getattr(parts[0], type(expression).__name__)()  # sin, cos, atanh
 
 
 def value(closed: sp.Expr, a: arb) -> arb:
@@ -61,7 +53,9 @@ def value(closed: sp.Expr, a: arb) -> arb:
         return arb(evaluate(closed, a)).mid()
 
 
-# --- minimax -------------------------------------------------------------------------------------------------------
+def horner(coefficients: Sequence[arb], x: arb) -> arb:
+    """The polynomial at x."""
+    return reduce(lambda total, c: total * x + c, reversed(coefficients), arb(0))
 
 
 @dataclass
@@ -79,40 +73,30 @@ class Samples:
         return Samples(self.points, values, [(w * x).mid() for x, w in zip(self.points, self.weights, strict=True)])
 
 
-def grid(lower: arb, upper: arb, unknowns: int, cluster: int = 1) -> list[arb]:
-    """Chebyshev points, at `cluster` > 1 crowded further towards the lower end, where a logarithm ends."""
+def sample(
+    function: Function, weight: Callable[[arb, arb], arb], upper: arb, unknowns: int, cluster: int = 1
+) -> Samples:
+    """A function on Chebyshev points of [0, upper], and the weight of its error at a point and a value.
+
+    At `cluster` > 1 they are crowded further towards 0, where a logarithm ends.
+    """
     count = _POINTS * (unknowns + 1)
     with ctx.workprec(BITS):
         middle = [(1 - (arb(2 * k + 1) / (2 * count)).cos_pi()) / 2 for k in range(count)]
-        return [(lower + (upper - lower) * x**cluster).mid() for x in middle]
-
-
-def sample(function: Function, weight: Callable[[arb, arb], arb], points: Sequence[arb]) -> Samples:
-    """A function on a grid, and the weight of its error at a point and a value."""
+        points = [(upper * x**cluster).mid() for x in middle]
     with ctx.workprec(GUARD):
         values = [function(x).mid() for x in points]
-        return Samples(list(points), values, [weight(x, f).mid() for x, f in zip(points, values, strict=True)])
-
-
-def horner(coefficients: Sequence[arb], x: arb) -> arb:
-    """The polynomial at x."""
-    return reduce(lambda total, c: total * x + c, reversed(coefficients), arb(0))
+        return Samples(points, values, [weight(x, f).mid() for x, f in zip(points, values, strict=True)])
 
 
 def minimax(
     samples: Samples, above: int, below: int = 0, logs: tuple[Sequence[arb], int] | None = None
 ) -> tuple[list[arb], list[arb], float]:
-    """The numerator of degree `above` and the denominator 1 + ... of degree `below` with the least largest error.
+    """The numerator of degree `above`, the denominator 1 + ... of degree `below`, and their least largest error.
 
     With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
     in the denominator's place. Exchange of reference points after Remez. For a rational the levelled system is solved
     with the last denominator in the error's place, which makes it linear.
-
-    Returns
-    -------
-    numerator, denominator : list of arb
-    error : float
-        The largest on the grid, in the weight's measure.
     """
     with ctx.workprec(BITS):
         start, last, times = (0, logs[1], logs[0]) if logs else (1, below, [-f for f in samples.values])
@@ -125,56 +109,48 @@ def minimax(
         best: tuple[float, list[arb]] = math.inf, []
         for _ in range(_ROUNDS):
             for _ in range(6 if below else 1):
-                found, level = _levelled(samples, chosen, basis, under)
+                # The approximant whose errors at the chosen points are equal and alternate.
+                rows = [[*basis[i], (-1) ** k * (under[i] / samples.weights[i]).mid()] for k, i in enumerate(chosen)]
+                right = arb_mat([[samples.values[i]] for i in chosen])
+                *found, level = (x.mid() for x in arb_mat(rows).solve(right, algorithm="approx").entries())
                 if below:
                     under = [horner([arb(1), *found[above + 1 :]], x).mid() for x in samples.points]
             fitted = (matrix * arb_mat([[c] for c in found])).entries()
             errors = [(w * (p - f) / u).mid()
                       for p, f, w, u in zip(fitted, samples.values, samples.weights, under, strict=True)]  # fmt: skip
             worst = max(abs(float(e)) for e in errors)
-            if worst < best[0]:
-                best = worst, found
+            best = min(best, (worst, found), key=operator.itemgetter(0))
             if worst <= 1.02 * abs(float(level)):
                 break
-            chosen = _exchange(errors, unknowns, chosen)
+            chosen = _exchange(errors, chosen)
         worst, found = best
         second = found[above + 1 :]
         return found[: above + 1], second if logs else [arb(1), *second], worst
 
 
-def _levelled(
-    samples: Samples, chosen: Sequence[int], basis: Sequence[Sequence[arb]], under: Sequence[arb]
-) -> tuple[list[arb], arb]:
-    """The approximant whose errors at the chosen points are equal and alternate."""
-    rows = [[*basis[i], (-1) ** sign * (under[i] / samples.weights[i]).mid()] for sign, i in enumerate(chosen)]
-    right = arb_mat([[samples.values[i]] for i in chosen])
-    solved = arb_mat(rows).solve(right, algorithm="approx")
-    *found, level = (x.mid() for x in solved.entries())
-    return found, level
-
-
-def _exchange(errors: list[arb], wanted: int, chosen: list[int]) -> list[int]:
+def _exchange(errors: list[arb], chosen: list[int]) -> list[int]:
     """The largest error of every run of one sign; of too many, those at the ends go, smaller first."""
     runs: list[int] = []
     for i, e in enumerate(errors):
-        if runs and (e > 0) == (errors[runs[-1]] > 0):
-            if abs(e) > abs(errors[runs[-1]]):
-                runs[-1] = i
-        else:
+        if not runs or (e > 0) != (errors[runs[-1]] > 0):
             runs.append(i)
-    while len(runs) > wanted:
+        elif abs(e) > abs(errors[runs[-1]]):
+            runs[-1] = i
+    while len(runs) > len(chosen):
         runs.pop(0 if abs(errors[runs[0]]) < abs(errors[runs[-1]]) else -1)
-    return runs if len(runs) == wanted else chosen
+    return runs if len(runs) == len(chosen) else chosen
 
 
-def rounded(samples: Samples, degree: int, careful: int) -> tuple[float, ...]:
-    """Minimax coefficients as doubles, lowest first.
+def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, ...], float]:
+    """Minimax coefficients as doubles, lowest first, and the error before they are rounded.
 
     Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
     """
+    fitted, _, error = minimax(samples, degree)
     found: list[float] = []
     for k in range(careful):
-        found.append(nearest(minimax(samples, degree - k)[0][0]))
+        found.append(nearest(fitted[0]))
         with ctx.workprec(BITS):
             samples = samples.without(number(found[-1]))
-    return (*found, *map(nearest, minimax(samples, degree - careful)[0]))
+        fitted, _, _ = minimax(samples, degree - k - 1)
+    return (*found, *map(nearest, fitted)), error

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, reduce
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import sympy as sp
 
@@ -49,14 +49,6 @@ class Pair(NamedTuple):
     high: Value
     low: Value
 
-    @property
-    def total(self) -> Value:
-        """Evaluated."""
-        return self.high + self.low
-
-
-# --- straight-line code --------------------------------------------------------------------------------------------
-
 
 class Code(Builder):
     """Operations on alpha as they are written; in a plain form a multiply-add is two of them."""
@@ -66,17 +58,22 @@ class Code(Builder):
         self.form, self.fused, self.argument = form, form == "fused", argument
         self.x = self.put("input", value=argument)
 
-    def fma(self, a: Value, b: Value, c: Value) -> Value:
-        """a b + c, rounded once where fused."""
+    @property
+    def u(self) -> Value:
+        """alpha**2."""
+        return self.x * self.x
+
+    def fma(self, a: Any, b: Any, c: Any) -> Value:
+        """a b + c, of values and numbers, rounded once where fused."""
         if self.fused:
             return self.put("fma", a, b, c)
+        a, b, c = map(self.value, (a, b, c))
         product, last = a * b, self.ops[c.place]
         return product - Value(self, last.args[0]) if last.kind == "neg" else product + c
 
     def horner(self, x: Value, coefficients: Sequence[float]) -> Value:
         """The polynomial with these coefficients, lowest first."""
-        return reduce(lambda result, c: self.fma(result, x, self.value(c)), coefficients[-2::-1],
-                      self.value(coefficients[-1]))  # fmt: skip
+        return reduce(lambda result, c: self.fma(result, x, c), coefficients[-2::-1], self.value(coefficients[-1]))
 
     def below(self, seam: float, near: Value, far: Value) -> Value:
         """`near` where alpha < seam, else `far`."""
@@ -87,12 +84,9 @@ class Code(Builder):
         return without_dead(Program(name, (self.argument,), tuple(self.ops), (output.place,)))
 
 
-# --- pieces --------------------------------------------------------------------------------------------------------
-
-
 def excess(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
     """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
-    u = code.x * code.x
+    u = code.u
     return code.horner(u, near_fit(closed, piece.seam, piece.count, Fraction(1))) * u
 
 
@@ -103,14 +97,14 @@ def to_limit(closed: sp.Expr, w: Value) -> Value:
 
 def near_sum(code: Code, closed: sp.Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
-    u, exact, kept = code.x * code.x, limit(closed), piece.kept
+    u, exact, kept = code.u, limit(closed), piece.kept
     c = (float(exact), *near_fit(closed, piece.seam, piece.count, exact))
     # Even and odd part of the rest: for one product more half as many operations wait for each other.
     rest, v = c[kept + 1 :], u * u
     odd, even = code.horner(v, rest[1::2]), code.horner(v, rest[::2])
-    sums = [code.fma(u, code.fma(u, odd, even), code.value(c[kept]))]
+    sums = [code.fma(u, code.fma(u, odd, even), c[kept])]
     for coefficient in reversed(c[:kept]):
-        sums.insert(0, code.fma(sums[0], u, code.value(coefficient)))
+        sums.insert(0, code.fma(sums[0], u, coefficient))
     turns, lost = [], []
     for k in range(kept):
         turns.append(c[k] - sums[k])
@@ -120,13 +114,13 @@ def near_sum(code: Code, closed: sp.Expr, piece: Pieces) -> tuple[Pair, Value, V
     low = reduce(lambda low, error: code.fma(u, low, error), reversed(lost))
     slope = sums[0]
     if c0_low:  # u W' is nearly W - c0 + u (P1 - c1); left out where W stays close to 1
-        slope = code.fma(-u, turns[1], code.fma(code.value(2.0), sums[0], code.value(-c[0])))
+        slope = code.fma(-u, turns[1], code.fma(2.0, sums[0], -c[0]))
     return Pair(sums[0], low), slope, sums[1]
 
 
 def near(code: Code, closed: sp.Expr, piece: Pieces) -> Pair:
     """F = x h + x h_low, h = u W."""
-    u = code.x * code.x
+    u = code.u
     du = code.fma(code.x, code.x, -u)
     w, slope, _ = near_sum(code, closed, piece)
     h = u * w.high
@@ -138,8 +132,7 @@ def near_value(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
     if code.fused:
         h = near(code, closed, piece)
         return code.fma(code.x, h.high, code.x * h.low)
-    u = code.x * code.x
-    return to_limit(closed, code.fma(u, excess(code, closed, piece), u)) * code.x
+    return to_limit(closed, code.fma(code.u, excess(code, closed, piece), code.u)) * code.x
 
 
 def logarithm(code: Code, b: Value) -> Value:
@@ -151,12 +144,12 @@ def logarithm(code: Code, b: Value) -> Value:
     b = code.put("max", b, 2.0**-60)
     if code.form == "numpy":
         return code.put("log", b)
-    ln2, coefficients = logarithm_fit(6)
+    ln2, coefficients = logarithm_fit()
     s = code.put("significand", b) - 1.0
     q = s / (s + 2.0)
     z = q * q
     bent = code.fma(z, code.horner(z, coefficients), -s)
-    return code.fma(q, bent, code.fma(code.put("exponent", b), code.value(ln2), s))
+    return code.fma(q, bent, code.fma(code.put("exponent", b), ln2, s))
 
 
 def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
@@ -175,27 +168,21 @@ def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
         ahead = b * tilt if ahead is None else code.fma(b, tilt, ahead)
     rest = front * core if ahead is None else code.fma(front, core, ahead)
     if not about.odd and (shape.bend or shape.slope):
-        rest = code.fma(b, code.fma(b, code.value(-shape.bend), code.value(shape.slope)), rest)
+        rest = code.fma(b, code.fma(b, -shape.bend, shape.slope), rest)
     if not shape.slope:
         return Pair(code.value(shape.line), rest)
     return Pair((code.x if shape.slope == 1 else shape.slope * code.x) + shape.line, rest)
 
 
-# --- best tier -----------------------------------------------------------------------------------------------------
-
-
-def best(kernel: Kernel, parts: Sequence[Pieces], form: str) -> Program:
-    """The best tier: a base quantity, or a quotient whose parts have one seam, to the last place or nearly so."""
-    code = Code(form)
-    make = whole if len(parts) == 1 else fused_quotient if code.fused else plain_quotient
-    return code.program(kernel.name, make(code, kernel.closed, parts))
-
-
-def whole(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> Value:
+def whole(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
     """F near 0, and beyond the seam."""
-    (closed,), (shape,) = forms, parts
-    value = near_value(code, closed, shape)
-    return code.below(shape.seam, value, far(code, closed, shape.far, shape.seam).total) if shape.far else value
+    value = near_value(code, closed, piece)
+    return code.below(piece.seam, value, sum_of(far(code, closed, piece.far, piece.seam))) if piece.far else value
+
+
+def sum_of(pair: Pair) -> Value:
+    """Evaluated."""
+    return pair.high + pair.low
 
 
 def fused_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> Value:
@@ -214,7 +201,7 @@ def plain_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]
     for closed, part in zip(forms, parts, strict=True):
         # W below the seam, but for its limit, F above it.
         w = code.value(1.0) + excess(code, closed, part)
-        beyond = far(code, closed, part.far, seam).total if part.far else near_value(code, closed, part)
+        beyond = sum_of(far(code, closed, part.far, seam)) if part.far else near_value(code, closed, part)
         value = code.below(seam, w, beyond)
         same = limit(forms[0]) == limit(forms[1])
         found.append(value if same else code.below(seam, to_limit(closed, value), value))
@@ -223,12 +210,12 @@ def plain_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]
 
 def fused_part(code: Code, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
     """W below the seam, F above it; what is lost in `low`."""
-    u = code.x * code.x
+    u = code.u
     w, _, p1 = near_sum(code, closed, part)
     w = Pair(w.high, code.fma(code.fma(code.x, code.x, -u), p1, w.low))
     if part.far:
         beyond = far(code, closed, part.far, seam)
-        total = beyond.total
+        total = sum_of(beyond)
         lost = beyond.low - (total - beyond.high)
     else:
         h = near(code, closed, part)
@@ -237,36 +224,36 @@ def fused_part(code: Code, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
     return Pair(code.below(seam, w.high, total), code.below(seam, w.low, lost))
 
 
-# --- cheaper tiers -------------------------------------------------------------------------------------------------
-
-
-def cheap(kernel: Kernel, degrees: Sequence[int], form: str) -> Program:
+def cheap(code: Code, closed: sp.Expr, above: int, below: int) -> Value:
     """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
-    over, under, _ = cheap_fit(*kernel.closed, *degrees)
-    code = Code(form)
-    u = code.x * code.x
-    if len(under) == 1:
-        return code.program(kernel.name, code.horner(u, over) * u * code.x)
+    over, under, _ = cheap_fit(closed, above, below)
+    u = code.u
+    if not below:
+        return code.horner(u, over) * u * code.x
     w = HALF_PI * HALF_PI - u
-    return code.program(kernel.name, code.horner(w, over) * u / code.horner(w, under) * code.x)
+    return code.horner(w, over) * u / code.horner(w, under) * code.x
 
 
-# --- all of them ---------------------------------------------------------------------------------------------------
+def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Variant:
+    """A kernel at one tier in one form: the best from its pieces, another from its degrees."""
+    code = Code(form)
+    closed, *others = kernel.closed
+    if tier != "best":
+        value = cheap(code, closed, *shape)
+    elif not others:
+        value = whole(code, closed, *shape)
+    else:  # of parts that have one seam, to the last place or nearly so
+        value = (fused_quotient if code.fused else plain_quotient)(code, kernel.closed, shape)
+    return Variant(kernel.name, kernel.definition, tier, form, code.program(kernel.name, value))
 
 
 @cache
 def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
     """A kernel in every tier and form; a form `numpy` only where it differs from `plain`."""
-
-    def variant(tier: str, form: str, program: Program) -> Variant:
-        return Variant(kernel.name, kernel.definition, tier, form, program)
-
-    made = {form: best(kernel, shape.best, form) for form in ("fused", "plain", "numpy")}
-    if made["numpy"] == made["plain"]:
-        del made["numpy"]
-    found = [variant("best", form, program) for form, program in made.items()]
+    fused, plain, numpy = (variant(kernel, "best", form, shape.best) for form in ("fused", "plain", "numpy"))
+    found = [fused, plain, *([numpy] if numpy.program != plain.program else [])]
     for tier, *degrees in shape.cheap:
-        found += [variant(tier, form, cheap(kernel, degrees, form)) for form in ("fused", "plain")]
+        found += [variant(kernel, tier, form, degrees) for form in ("fused", "plain")]
     return tuple(found)
 
 

@@ -5,19 +5,20 @@ must round badly is left out by an estimate; of the rest the checker says which 
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import cache, partial
+from itertools import product
 
 import numpy as np
 import sympy as sp
 from flint import arb
 
-from derive.approximate import certificates, programs
+from derive.approximate import certificates
 from derive.approximate.minimax import minimax
 from derive.approximate.minimax import value as at
-from derive.approximate.programs import Variant
+from derive.approximate.programs import Variant, variant
 from derive.approximate.shapes import (
     HALF_PI,
     Far,
@@ -26,8 +27,7 @@ from derive.approximate.shapes import (
     Shape,
     cheap_fit,
     end,
-    far_minimax,
-    far_samples,
+    far_fit,
     kernels,
     limit,
     near_samples,
@@ -47,54 +47,32 @@ HALVINGS = 100
 FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
+MARGIN = 0.05  # by how much less a shape's price has to be to take the place of the recorded one, in ulp
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # shapes judged at most, for one quantity
 
-
-def bound(variant: Variant) -> float:
-    """The bound that can be proved of a variant's error between FROM and TO."""
-    record = certificates.plain(variant)
-    return certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)[0]
+Best = tuple[Pieces, ...]
 
 
-def kept(variants: Sequence[Variant]) -> bool:
-    """Whether it can be proved that every bound is within what its tier promises."""
+def price(kernel: Kernel, shape: Best) -> float:
+    """Of the best tier, fused: the bound that is proved between FROM and TO, and what its operations are worth."""
+    fused = variant(kernel, "best", "fused", shape)
+    record = certificates.plain(fused)
+    proved, _ = certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)
+    return proved + OPERATION * sum(fused.program.operations().values())
+
+
+def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
+    """A tier's fused and plain form in this shape; none if a bound cannot be proved to be within what it promises."""
+    made = [variant(kernel, tier, form, shape) for form in ("fused", "plain")]
     try:
-        for variant in variants:
-            record = certificates.plain(variant)
-            goal = TIERS[variant.tier].goal(record)
+        for one in made:
+            record = certificates.plain(one)
+            goal = TIERS[tier].goal(record)
             certify.prove(record | {"bound": goal, "bound_to_quarter_pi": goal, "bound_underflow": math.inf})
     except ProofError:
-        return False
-    return True
-
-
-# --- two pieces ----------------------------------------------------------------------------------------------------
-
-
-@cache
-def count_near(closed: sp.Expr, seam: float, error: float = NEGLIGIBLE) -> int:
-    """The fewest coefficients that approximate up to the seam."""
-    return next(n for n in range(7, 40) if minimax(near_samples(closed, seam, n, limit(closed)), n - 1)[2] < error)
-
-
-def with_degree(closed: sp.Expr, far: Far, seam: float) -> Far:
-    """The piece beyond the seam with the least degree that approximates, or with the last one that is tried."""
-    for degree in range(3, 13):
-        far = replace(far, degree=degree)
-        samples, constant, _ = far_samples(closed, far, seam)
-        lost = math.ulp(constant) / float(at(closed, arb(seam)))  # as the constant is rounded
-        if far_minimax(closed, far, samples)[2] < NEGLIGIBLE + lost:
-            break
-    return far
-
-
-@cache
-def _values(closed: sp.Expr, seam: float) -> tuple[tuple[float, float, float], ...]:
-    """alpha, F and its ulp beyond the seam."""
-    points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
-    values = [float(at(closed, arb(x))) for x in points]
-    return tuple((x, f, certify.ulp(f, 53)) for x, f in zip(points, values, strict=True))
+        return []
+    return made
 
 
 def rises(closed: sp.Expr, seam: float) -> bool:
@@ -103,53 +81,55 @@ def rises(closed: sp.Expr, seam: float) -> bool:
     return float(at(sp.diff(closed, alpha), arb(seam))) * step > 1.4 * certify.ulp(f, 53)
 
 
+@cache
 def baseline(closed: sp.Expr, seam: float) -> Far:
     """The baseline whose operations leave the least, by an estimate of half an ulp each, over ulp(F)."""
-    about, values = end(closed), _values(closed, seam)
-    ulps, first = (3 if about.log else 1), float(about.first)
+    points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
+    values = [(x, float(at(closed, arb(x)))) for x in points]
+    about, end_value = end(closed), values[-1][1]
+    ulps = 3 if about.log else 1
     found = []
     for slope in SLOPES:
-        left = [f - slope * x for x, f, _ in values]
-        lines = {math.floor((values[-1][1] - slope * HALF_PI) * 2**52) / 2**52}
+        left = [f - slope * x for x, f in values]
+        lines = {math.floor((end_value - slope * HALF_PI) * 2**52) / 2**52}
         lines |= {k / 128 for k in range(math.floor(min(left) * 128), math.ceil(max(left) * 128) + 1)}
-        for line in sorted(lines):
-            for bend in [0.0] if about.odd else [k / 8 for k in range(25)]:
-                power, _ = powers(closed, Far(slope, line, bend, 1.0, 0))
-                constant, worst = values[-1][1] - slope * HALF_PI - line, 0.0
-                for x, f, ulp in values[:-1]:
-                    b, rest = HALF_PI - x, f - (slope * x + line)
-                    bent = 0.0 if about.odd else b * (slope - bend * b)
-                    core = (rest - bent - constant) / b**power
-                    error = 0.0 if abs(f - rest) <= slope * (1 if x < 1 else 2) or not slope else math.ulp(f - rest)
-                    error += (
-                        math.ulp(constant) + math.ulp(rest) + b**power * (ulps * math.ulp(core) + abs(core) / 2**52)
-                    )
-                    error += 0.0 if about.odd else math.ulp(rest - bent) + b * math.ulp(slope - bend * b)
-                    worst = max(worst, error / ulp)
-                found.append((worst, abs(bend - first), slope, line, bend))
+        for line, bend in product(sorted(lines), [0.0] if about.odd else [k / 8 for k in range(25)]):
+            power, _ = powers(closed, Far(slope, line, bend, 1.0, 0))
+            constant, worst = end_value - slope * HALF_PI - line, 0.0
+            for x, f in values[:-1]:
+                b, rest = HALF_PI - x, f - (slope * x + line)
+                bent = 0.0 if about.odd else b * (slope - bend * b)
+                core = (rest - bent - constant) / b**power
+                error = 0.0 if abs(f - rest) <= slope * (1 if x < 1 else 2) or not slope else math.ulp(f - rest)
+                error += math.ulp(constant) + math.ulp(rest)
+                error += b**power * (ulps * math.ulp(core) + abs(core) / 2**52)
+                error += 0.0 if about.odd else math.ulp(rest - bent) + b * math.ulp(slope - bend * b)
+                worst = max(worst, error / certify.ulp(f, 53))
+            found.append((worst, abs(bend - about.first), slope, line, bend))
     _, _, slope, line, bend = min(found)
     return Far(slope, line, bend, 1.0, 0)
 
 
-Best = tuple[Pieces, ...]
-
-
 def started(kernel: Kernel, seam: float) -> Best:
-    """Pieces for a seam, of what an estimate prefers."""
+    """Pieces for a seam: the baseline that an estimate prefers, and the least degrees that approximate."""
     found = []
     for closed in kernel.closed:
-        if not end(closed).serves:
-            found.append(Pieces(HALF_PI, count_near(closed, HALF_PI), KEPT))
-        else:
-            far = with_degree(closed, baseline(closed, seam), seam)
-            found.append(Pieces(seam, count_near(closed, seam), KEPT, far))
+        far, until = None, HALF_PI
+        if end(closed).serves:
+            until = seam
+            for degree in range(3, 13):
+                far = replace(baseline(closed, seam), degree=degree)
+                fit = far_fit(closed, far, seam)
+                lost = math.ulp(fit.constant) / float(at(closed, arb(seam)))  # as the constant is rounded
+                if fit.error < NEGLIGIBLE + lost:
+                    break
+        samples = ((n, near_samples(closed, until, n, limit(closed))) for n in range(7, 40))
+        found.append(Pieces(until, next(n for n, x in samples if minimax(x, n - 1)[2] < NEGLIGIBLE), KEPT, far))
     return tuple(found)
 
 
 def falls(variant: Variant, seam: float) -> bool:
     """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
-    if len(variant.definition) > 1:
-        return False
     near = 1000 if variant.form == "fused" else 1
     alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
     return bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
@@ -173,66 +153,55 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
             yield (*shape[:k], move, *shape[k + 1 :])
 
 
-def best(kernel: Kernel, trials: int = TRIALS) -> Best:
-    """The pieces with the least bound and the fewest operations.
+def refined(kernel: Kernel, trials: int) -> Best | None:
+    """The pieces with the least bound and the fewest operations; None if none keeps its goals.
 
-    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
-    Of a base quantity first where it cannot fall at the seam; then elsewhere, where it may fall by an ulp there.
-
-    Raises
-    ------
-    ProofError
-        If none keeps what the tier promises.
+    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it. A
+    base quantity has its seam where it cannot fall there, or, if none is found, where it may fall by an ulp.
     """
-    found = refined(kernel, len(kernel.closed) == 1, trials) or refined(kernel, False, trials)
-    if found is None:
-        goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
-        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
-    return found
-
-
-def refined(kernel: Kernel, rising: bool, trials: int) -> Best | None:
-    """The best shape that was found, of those that rise over their seam or of all; None if none keeps its goals."""
+    closed, *others = kernel.closed
     judged: dict[Best, float] = {}
 
-    def variant(shape: Best, form: str) -> Variant:
-        return Variant(kernel.name, kernel.definition, "best", form, programs.best(kernel, shape, form))
-
     def judge(shape: Best) -> None:
-        allowed = not rising or not shape[0].far or rises(kernel.closed[0], shape[0].seam)
-        if allowed and shape not in judged and len(judged) < trials:
-            fused = variant(shape, "fused")
-            judged[shape] = bound(fused) + OPERATION * sum(fused.program.operations().values())
+        if shape not in judged and len(judged) < trials:
+            judged[shape] = price(kernel, shape)
 
     def ranked() -> list[Best]:
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
-    seams = [seam for seam in SEAMS if not rising or rises(kernel.closed[0], seam)]
-    for seam in seams[-9:] if any(end(closed).serves for closed in kernel.closed) else SEAMS[:1]:
+    seams = [seam for seam in SEAMS if others or rises(closed, seam)] or SEAMS
+    for seam in seams[-9:] if any(end(form).serves for form in kernel.closed) else SEAMS[:1]:
         judge(started(kernel, seam))
     done: set[Best] = set()
     while left := [shape for shape in ranked()[:2] if shape not in done]:
         done.add(left[0])
         for shape in neighbours(kernel, left[0]):
             judge(shape)
+    spare = None
     for shape in ranked()[:6]:
-        made = [variant(shape, "fused"), variant(shape, "plain")]
-        if kept(made) and not (rising and any(falls(v, shape[0].seam) for v in made)):
-            return shape
-    return None
+        if made := kept(kernel, "best", shape):
+            if others or not any(falls(v, shape[0].seam) for v in made):
+                return shape
+            spare = spare or shape
+    return spare
 
 
-# --- the other tiers -----------------------------------------------------------------------------------------------
+def best(kernel: Kernel, trials: int = TRIALS) -> Best:
+    """The recorded pieces, unless those that are found are better by more than MARGIN.
+
+    So a search that is repeated, or that judges few, changes nothing.
+    """
+    found, known = refined(kernel, trials), records().get(kernel.definition)
+    if known and kept(kernel, "best", known.best):
+        found = known.best if not found or price(kernel, known.best) <= price(kernel, found) + MARGIN else found
+    if found is None:
+        goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
+        raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
+    return found
 
 
 def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
-    """The cheapest polynomial or quotient of two that keeps what its tier promises.
-
-    Raises
-    ------
-    ProofError
-        If none of the degrees that are tried does.
-    """
+    """The cheapest polynomial or quotient of two that keeps what its tier promises."""
     (closed,) = kernel.closed
     goal = TIERS[tier].fused
     target = (goal - 0.5) * 2.0**-24 if goal > 0.5 else goal
@@ -244,29 +213,24 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
                 continue
         except ZeroDivisionError:  # the levelled system has no solution
             continue
-        made = [Variant(kernel.name, kernel.definition, tier, form, programs.cheap(kernel, (above, below), form))
-                for form in ("fused", "plain")]  # fmt: skip
-        if kept(made):
+        if kept(kernel, tier, (above, below)):
             return tier, above, below
     raise ProofError(f"{kernel.name}: tier {tier}", "no degrees that keep it", f"{goal:g}")
 
 
 def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
-    """Find the shape of a kernel; a quotient has the best tier alone.
+    """Find the shape of a kernel, or raise `ProofError` if none keeps what the tiers promise.
 
-    Raises
-    ------
-    ProofError
-        If none keeps what the tiers promise.
+    A quotient has the best tier alone.
     """
     cheap = [degrees(kernel, tier) for tier in TIERS if tier != "best"] if len(kernel.closed) == 1 else []
     return Shape(best(kernel, trials), tuple(cheap))
 
 
-def complete(anew: bool = False, trials: int = TRIALS, processes: int = 2) -> str:
+def complete(anew: bool, trials: int) -> str:
     """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
     wanted = {k.definition: k for k in kernels() if anew or k.definition not in records()}
     if wanted:
-        with ProcessPoolExecutor(processes) as pool:
+        with ProcessPoolExecutor(2) as pool:
             records().update(zip(wanted, pool.map(partial(search, trials=trials), wanted.values()), strict=True))
     return ", ".join(" / ".join(definition) for definition in wanted) or "none"

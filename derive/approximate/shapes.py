@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 
 import sympy as sp
-from flint import arb, ctx, fmpq_series
+from flint import arb, ctx, fmpq, fmpq_series
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate.minimax import (
@@ -23,7 +23,6 @@ from derive.approximate.minimax import (
     Function,
     Samples,
     evaluate,
-    grid,
     horner,
     minimax,
     nearest,
@@ -39,9 +38,6 @@ from derive.declare.symbols import alpha
 
 HALF_PI = truth.TOP
 RECORDS = Path(__file__).resolve().parent / "records" / "shapes.json"
-
-
-# --- what is fitted ------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -66,34 +62,26 @@ def kernels() -> list[Kernel]:
 
 
 @cache
-def start(closed: sp.Expr) -> tuple[Fraction, ...]:
+def start(closed: sp.Expr) -> list[fmpq]:
     """Taylor coefficients at 0, exactly."""
     with truth.working(GUARD):
         series = evaluate(closed, fmpq_series([0, 1]))
-        return tuple(Fraction(int(c.p), int(c.q)) for c in (series[k] for k in range(truth.TERMS + 1)))
+        return [series[k] for k in range(truth.TERMS + 1)]
 
 
 def limit(closed: sp.Expr) -> Fraction:
     """Of F/alpha**3 at 0."""
-    return start(closed)[truth.CUBE]
+    first = start(closed)[truth.CUBE]
+    return Fraction(int(first.p), int(first.q))
 
 
 def agree(kernel: Kernel) -> int:
-    """Compare the derived form with the checker's definition: Taylor coefficients at 0 exactly, values in balls.
+    """How often the derived form was compared with the checker's definition, or `ProofError` where they differ.
 
-    Returns
-    -------
-    int
-        The number of comparisons.
-
-    Raises
-    ------
-    ProofError
-        If they differ.
+    Taylor coefficients at 0 are compared exactly, values in balls.
     """
     for closed, statement in zip(kernel.closed, kernel.definition, strict=True):
-        wanted = [Fraction(int(c.p), int(c.q)) for c in truth.at_zero(statement)]
-        for k, (found, right) in enumerate(zip(start(closed), wanted, strict=True)):
+        for k, (found, right) in enumerate(zip(start(closed), truth.at_zero(statement), strict=True)):
             if found != right:
                 raise ProofError(f"{kernel.name}: coefficient of alpha^{k} in the checker's definition {statement}",
                                  found, right)  # fmt: skip
@@ -114,7 +102,7 @@ class End:
     """
 
     odd: bool
-    first: Fraction
+    first: float
     log: int
     serves: bool = True  # not if the form is neither odd nor even
 
@@ -130,14 +118,10 @@ def end(closed: sp.Expr) -> End:
         if all(sp.expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
             with truth.working(GUARD):
                 x = fmpq_series([0, 1])
-                first = evaluate(smooth, x)[1 if odd else 2]
-                series = evaluate(logs, x) if logs != 0 else x
+                first, series = evaluate(smooth, x)[1 if odd else 2], evaluate(logs, x) if logs != 0 else x
                 log = next(k for k in range(truth.TERMS) if series[k] != 0) if logs != 0 else 0
-                return End(odd, Fraction(int(first.p), int(first.q)), log)
-    return End(False, Fraction(0), 0, serves=False)
-
-
-# --- shapes --------------------------------------------------------------------------------------------------------
+                return End(odd, float(first), log)
+    return End(False, 0.0, 0, serves=False)
 
 
 @dataclass(frozen=True)
@@ -193,9 +177,6 @@ def text() -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-# --- fits ----------------------------------------------------------------------------------------------------------
-
-
 def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
     """F/alpha**3 as a function of alpha**2, times what makes `wanted` its limit at 0."""
     factor = number(wanted / limit(closed))
@@ -205,40 +186,45 @@ def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
 def near_samples(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
-        points = grid(arb(0), number(seam) ** 2, count)
-        return sample(scaled(closed, wanted), lambda u, f: 1 / f, points).without(number(wanted))
+        return sample(scaled(closed, wanted), lambda u, f: 1 / f, number(seam) ** 2, count).without(number(wanted))
 
 
 @cache
 def near_fit(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> tuple[float, ...]:
     """c1, c2, ... of W = limit + u (c1 + u (c2 + ...)): F/alpha**3, or its multiple with that limit at 0."""
-    return rounded(near_samples(closed, seam, count, wanted), count - 1, careful=min(3, count - 1))
+    return rounded(near_samples(closed, seam, count, wanted), count - 1, careful=min(3, count - 1))[0]
 
 
 @cache
-def logarithm_fit(degree: int) -> tuple[float, tuple[float, ...]]:
+def logarithm_fit() -> tuple[float, tuple[float, ...]]:
     """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
+    degree = 6
     with ctx.workprec(GUARD):
-        points = grid(arb(0), number(Fraction(1, 25)), degree)
-        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z, _: z * z.sqrt(), points)
-        return nearest(arb(2).log()), rounded(samples, degree, careful=1)
-
-
-def cheap_samples(closed: sp.Expr, above: int, below: int) -> Samples:
-    """F/alpha**3 in alpha**2, or for a rational in pi**2/4 - alpha**2."""
-    function = scaled(closed, limit(closed))
-    with ctx.workprec(GUARD):
-        largest = (arb.pi() / 2) ** 2
-        place: Function = (lambda w: largest - w) if below else (lambda u: u)
-        points = grid(arb(0), largest, above + below, 2)
-        return sample(lambda z: function(place(z)), lambda z, f: 1 / f, points)
+        upper = number(Fraction(1, 25))
+        samples = sample(lambda z: (2 * z.sqrt().atanh() / z.sqrt() - 2) / z, lambda z, _: z * z.sqrt(), upper, degree)
+        return nearest(arb(2).log()), rounded(samples, degree, careful=1)[0]
 
 
 @cache
 def cheap_fit(closed: sp.Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
-    """Numerator and denominator of F/alpha**3, and their relative error before rounding."""
-    over, under, error = minimax(cheap_samples(closed, above, below), above, below)
+    """Numerator and denominator of F/alpha**3, and their relative error before rounding.
+
+    In alpha**2, a rational in pi**2/4 - alpha**2.
+    """
+    function = scaled(closed, limit(closed))
+    with ctx.workprec(GUARD):
+        largest = (arb.pi() / 2) ** 2
+        samples = sample(lambda z: function(largest - z if below else z), lambda z, f: 1 / f, largest, above + below, 2)
+    over, under, error = minimax(samples, above, below)
     return tuple(map(nearest, over)), tuple(map(nearest, under)), error
+
+
+def powers(closed: sp.Expr, far: Far) -> tuple[int, int]:
+    """The power of b in front of what the baseline leaves, and half the power of b in front of Q."""
+    about = end(closed)
+    taken = about.first == -(far.slope if about.odd else far.bend)
+    power = (1 if about.odd else 2) + 2 * (taken and (not about.log or about.log >= (3 if about.odd else 4)))
+    return power, (about.log - power) // 2 if about.log else 0
 
 
 @dataclass(frozen=True)
@@ -246,7 +232,7 @@ class FarFit:
     """F = (slope alpha + line) + (constant + tilt b + b (slope - bend b) + b**power (R + b**(2 shift) Q ln(scale b))).
 
     The product with slope and bend is there where F is even in b. R and Q in b**2, of b = fl(pi/2) - alpha as it is
-    computed: pi/2 - fl(pi/2) is folded in, the tilt among it.
+    computed: pi/2 - fl(pi/2) is folded in, the tilt among it. ``error`` is relative, before rounding.
     """
 
     constant: float
@@ -255,28 +241,22 @@ class FarFit:
     shift: int
     r: tuple[float, ...]
     q: tuple[float, ...]
+    error: float
 
 
-def powers(closed: sp.Expr, far: Far) -> tuple[int, int]:
-    """The power of b in front of what the baseline leaves, and half the power of b in front of Q."""
-    shape = end(closed)
-    taken = shape.first == -Fraction(far.slope) if shape.odd else shape.first == -Fraction(far.bend)
-    power = (1 if shape.odd else 2) + 2 * (taken and (not shape.log or shape.log >= (3 if shape.odd else 4)))
-    return power, (shape.log - power) // 2 if shape.log else 0
-
-
-def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float, float]:
-    """What the baseline leaves over b**power as a function of b**2, for the least relative error; constant and tilt."""
-    shape, (power, _) = end(closed), powers(closed, far)
+@cache
+def far_fit(closed: sp.Expr, far: Far, seam: float) -> FarFit:
+    """The piece beyond the seam: R and Q together; with Q rounded, R again."""
+    about, (power, shift), degree = end(closed), powers(closed, far), far.degree
     with ctx.workprec(GUARD):
         there = at(closed, number(HALF_PI))
         constant = nearest(there - number(far.slope) * number(HALF_PI) - number(far.line))
         constant = constant if abs(constant) > 2.0**-80 else 0.0
         tilt = 0.0
-        if not shape.odd and shape.log != 2:  # where ln(b) starts at b**2 there is no second derivative
+        if not about.odd and about.log != 2:  # where ln(b) starts at b**2 there is no second derivative
             tilt = -nearest(at(sp.diff(closed, alpha), number(HALF_PI)))
         straight = number(far.slope) * number(HALF_PI) + number(far.line) + number(constant)
-        slope, bend = (far.slope, 0.0) if shape.odd else (0.0, -far.bend)
+        slope, bend = (far.slope, 0.0) if about.odd else (0.0, -far.bend)
         known = [straight, number(tilt) - number(slope), number(bend)]
 
         def rest(w: arb) -> arb:
@@ -287,32 +267,15 @@ def far_samples(closed: sp.Expr, far: Far, seam: float) -> tuple[Samples, float,
             b = w.sqrt()
             return b**power / (left * b**power + horner(known, b))
 
-        points = grid(arb(0), number(HALF_PI - seam) ** 2, (2 if shape.log else 1) * far.degree + 2, 2)
-        return sample(rest, weight, points), constant, tilt
-
-
-def far_minimax(closed: sp.Expr, far: Far, samples: Samples) -> tuple[list[arb], list[arb], float, list[arb]]:
-    """R and Q as they are fitted together, their error, and b**(2 shift) ln(scale b) at the points."""
-    _, shift = powers(closed, far)
-    if not end(closed).log:
-        over, _, error = minimax(samples, far.degree)
-        return over, [], error, []
-    with ctx.workprec(GUARD):
-        logs = [w**shift * (number(far.scale) * w.sqrt()).log() for w in samples.points]
-    r, q, error = minimax(samples, far.degree, logs=(logs, max(far.degree - shift, 0)))
-    return r, q, error, logs
-
-
-@cache
-def far_fit(closed: sp.Expr, far: Far, seam: float) -> FarFit:
-    """The piece beyond the seam; with Q rounded, R is fitted again."""
-    samples, constant, tilt = far_samples(closed, far, seam)
-    _, found, _, logs = far_minimax(closed, far, samples)
+        samples = sample(rest, weight, number(HALF_PI - seam) ** 2, (2 if about.log else 1) * degree + 2, 2)
+        logs = [w**shift * (number(far.scale) * w.sqrt()).log() for w in samples.points] if about.log else []
+    if not about.log:
+        r, error = rounded(samples, degree, careful=min(3, degree))
+        return FarFit(constant, tilt, power, shift, r, (), error)
+    _, found, error = minimax(samples, degree, logs=(logs, max(degree - shift, 0)))
     q = tuple(map(nearest, found))
-    if q:
-        with ctx.workprec(GUARD):
-            terms = zip(samples.points, samples.values, logs, strict=True)
-            left = [(f - horner([number(c) for c in q], w) * l).mid() for w, f, l in terms]
-            samples = Samples(samples.points, left, samples.weights)
-    power, shift = powers(closed, far)
-    return FarFit(constant, tilt, power, shift, rounded(samples, far.degree, careful=1 if q else min(3, far.degree)), q)
+    with ctx.workprec(GUARD):
+        terms = zip(samples.points, samples.values, logs, strict=True)
+        left = [(f - horner([number(c) for c in q], w) * l).mid() for w, f, l in terms]
+    r, _ = rounded(Samples(samples.points, left, samples.weights), degree, careful=1)
+    return FarFit(constant, tilt, power, shift, r, q, error)

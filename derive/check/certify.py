@@ -42,9 +42,6 @@ VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
 QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
 
 
-# --- the parts of the domain ---------------------------------------------------------------------------------------
-
-
 def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
     """Parts of [lower, upper], both ends included, no double left out, each with one tape.
 
@@ -108,13 +105,7 @@ class Patch:
     top: float = 0.0
 
     def error(self, lower: float, upper: float) -> tuple[float, float, float]:
-        """|before the last rounding - exact| and the last rounding's error at most, |exact| at least (over s**order).
-
-        Raises
-        ------
-        Unbounded
-            If the box is too wide for finite bounds.
-        """
+        """At most |before the last rounding - exact| and the last rounding's error, at least |exact|; over s**order."""
         with working(ROUNDING_BITS):
             x = ball(lower, upper)
             total, last = rounding.rounding_sum(self.tape, x)
@@ -192,9 +183,6 @@ def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[
                     yield from fine_patches(definition, tape, segment, left, right)
 
 
-# --- the proof -----------------------------------------------------------------------------------------------------
-
-
 def ulp(x: float, bits: int) -> float:
     """Unit in the last place of an exact value x >= 0, exponents unbounded: the smaller one at a power of two."""
     mantissa, exponent = math.frexp(x)
@@ -210,14 +198,14 @@ def in_units(tier: str, distance: float, last: float, smallest: float, least: fl
     """
     if not smallest > 0 and not least > 0:
         return math.inf  # the box is too wide
-    if tier in ("1e-10", "1e-6"):
+    if not (bits := TIERS[tier].bits):
         return (distance + last) / smallest * UP
-    if tier == "float32":  # computed in double precision, then rounded once more
+    if bits == 24:  # computed in double precision, then rounded once more
         distance += last
-    unit = max(ulp(smallest, 24 if tier == "float32" else 53), least)
+    unit = max(ulp(smallest, bits), least)
     if distance <= unit:
         return (distance / unit + 0.5) * UP
-    return (distance + last) / unit * UP if tier == "best" else math.inf
+    return (distance + last) / unit * UP if bits == 53 else math.inf
 
 
 def below_underflow(record: Record, whole: float) -> float:
@@ -226,7 +214,7 @@ def below_underflow(record: Record, whole: float) -> float:
     One window for each s down to VANISHING, and there the absolute error.
     """
     definition, tier = record["definition"], record["tier"]
-    if len(definition) > 1 or tier == "float32":
+    if len(definition) > 1 or TIERS[tier].bits == 24:
         return 0.0  # quotients do not underflow, nor does double precision for the least float32
     near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
 
@@ -245,28 +233,18 @@ def below_underflow(record: Record, whole: float) -> float:
     return worst
 
 
-def limit_at_end(definition: Definition) -> float:
-    """|F(TOP)/F(pi/2) - 1| in ulp of float32, whose pi/2 lies above pi/2: it is clipped to TOP and stands for pi/2."""
-    with working(BITS):
-        return float((truth.value(definition, arb(TOP)) / truth.limit(definition) - 1).abs_upper()) * 2.0**24 * UP
-
-
 def error(record: Record, part: Patch, lower: float, upper: float) -> float:
     """A bound on the error on one box, in the unit of its tier; infinite if the box is too wide."""
     try:
         found = in_units(record["tier"], *part.error(lower, upper))
     except Unbounded:
         return math.inf
-    at_end = record["tier"] == "float32" and upper == TOP
-    return found + limit_at_end(record["definition"]) if at_end else found
-
-
-def check_zero(record: Record) -> None:
-    """0 at alpha = 0, exactly; the value of a quotient there is inside the domain like any other."""
-    with working(ROUNDING_BITS):
-        value = rounding.forward(specialise(record, 0.0, 0.0), arb(0))[0][-1]
-    if len(record["definition"]) == 1 and not value == 0:
-        raise rejected("zero", record, f"{value} at alpha = 0", 0)
+    if record["tier"] == "float32" and upper == TOP:
+        # The pi/2 of float32 lies above pi/2: it is clipped to TOP and stands for pi/2.
+        with working(BITS):
+            apart = truth.value(record["definition"], arb(TOP)) / truth.limit(record["definition"]) - 1
+            return found + float(apart.abs_upper()) * 2.0**24 * UP
+    return found
 
 
 def by_claim(record: Record) -> dict[str, list[Patch]]:
@@ -308,12 +286,8 @@ def prove(record: Record) -> float:
 
     ``bound`` is claimed from UNDERFLOW on, ``bound_to_quarter_pi`` up to pi/4 only, ``bound_underflow`` below. Of the
     tiers best and float32 they are in ulp of the exact value, and the ulp is never less than the format's least number;
-    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074).
-
-    Raises
-    ------
-    ProofError
-        With the name of the check that failed: digest, assumptions, program, zero, bound, underflow or goal.
+    of 1e-10 and 1e-6 relative, and below UNDERFLOW in units of (bound times the exact value + 2**-1074). Raises
+    `ProofError` with the name of a check: digest, assumptions, program, zero, bound, underflow or goal.
     """
     if record["sha256"] != digest(record):
         raise rejected("digest", record, digest(record), record["sha256"])
@@ -324,7 +298,10 @@ def prove(record: Record) -> float:
             raise ValueError(f"no tier is called {record['tier']}")
         if any(not 0 <= a < i for i, (_, args, _) in enumerate(record["operations"]) for a in args):
             raise ValueError("an operation uses a later one")
-        check_zero(record)
+        with working(ROUNDING_BITS):
+            zero = rounding.forward(specialise(record, 0.0, 0.0), arb(0))[0][-1]
+        if len(record["definition"]) == 1 and not zero == 0:  # of a quotient 0 is inside the domain like any other
+            raise rejected("zero", record, f"{zero} at alpha = 0", 0)
         proved = []
         for claim, parts in by_claim(record).items():
             wanted = min(record["bound"], record[claim])

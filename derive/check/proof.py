@@ -2,16 +2,8 @@
 
 
 class ProofError(Exception):
-    """Something did not hold: what was claimed of which quantity, the number found and the number wanted.
-
-    Parameters
-    ----------
-    claim : str
-        The quantity and the check, ``"polar_moment: bound of tier best"``.
-    found, wanted
-        The numbers, or what stands for them.
-    check : str, optional
-        The name of the check, where a caller tells them apart.
+    """Something did not hold: the quantity and the check (``"polar_moment: bound of tier best"``), the number found and
+    the number wanted; and the name of the check, where a caller tells them apart.
     """
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:

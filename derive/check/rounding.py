@@ -30,9 +30,6 @@ class Unbounded(Exception):
     """No finite bound on this box."""
 
 
-# --- ranges and errors ---------------------------------------------------------------------------------------------
-
-
 class Node(NamedTuple):
     """One operation on a tape, in one of the kinds of a program or one of these.
 
@@ -109,36 +106,24 @@ def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
 def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
     """For alpha in x: bounds on what all roundings but the last one do to the result, and on the last one."""
     values, noise = forward(tape, x)
-    last = len(tape) - 1
-    adjoint: list[Any] = [None] * len(tape)
-    weight: list[Any] = [None] * len(tape)  # of the rounding error of a node, by the error terms that compute it
-    adjoint[last] = arb(1)
-    total = 0.0
-
-    def more(i: int, w: arb) -> None:
-        adjoint[i] = w if adjoint[i] is None else adjoint[i] + w
-
+    last, total = len(tape) - 1, 0.0
+    adjoint = [arb(0)] * last + [arb(1)]
+    weight = [arb(0)] * len(tape)  # of the rounding error of a node, by the error terms that compute it
     for i in range(last, -1, -1):
         w, (kind, args, value, _, _) = adjoint[i], tape[i]
         if i != last and kind not in ("x", "const"):
-            by = weight[i] if w is None else w if weight[i] is None else w + weight[i]
-            if by is None:
-                continue
-            total += (float(by.abs_upper()) * UP + TINY) * noise[i]
-        if w is None:
+            total += (float((w + weight[i]).abs_upper()) * UP + TINY) * noise[i]
+        if w == 0:
             continue
         if kind == "error":
-            for a, term in zip(args, (-w, w * value) if len(args) == 2 else (w * value,), strict=True):
-                weight[a] = term if weight[a] is None else weight[a] + term
+            for a, term in zip(args, (-w, w * value)[-len(args) :], strict=True):
+                weight[a] += term
         elif kind == "scale":
-            more(args[0], w * ball(0.0, value))
+            adjoint[args[0]] += w * ball(0.0, value)
         elif kind in SLOPES:
             for a, slope in zip(args, SLOPES[kind](values[i], *[values[a] for a in args]), strict=True):
-                more(a, w if slope is None else w * slope)
+                adjoint[a] += w if slope is None else w * slope
     return total * UP + 2.0**-1000, noise[last]  # 2**-1000: more than what underflowed in this sum
-
-
-# --- what is decided, exact and compensated on a box ---------------------------------------------------------------
 
 
 class _Specialise:
@@ -156,7 +141,6 @@ class _Specialise:
         self.noise: list[float] = []
         self.affine: list[Line | None] = []
         self.grid: list[int] = []
-        self.known: dict[Node, int] = {}
         self.done: dict[int, int] = {}
 
     def run(self, output: int) -> Tape:
@@ -226,13 +210,10 @@ class _Specialise:
         return k
 
     def put(self, node: Node) -> int:
-        """Append a node, or find the equal one; exact ones are marked."""
-        if node in self.known:
-            return self.known[node]
+        """Append a node; exact ones are marked."""
         line, grid, exact = self._shape(node)
-        rounds = not exact and node.kind not in ("x", "const", "neg")
-        marked = node._replace(rounds=rounds)
-        if line is not None and not rounds:
+        marked = node._replace(rounds=not exact and node.kind not in ("x", "const", "neg"))
+        if line is not None and not marked.rounds:
             value, bound = ball(number(min(line)), number(max(line))), 0.0
         else:
             line, value = None, _operate(marked, self.values, self.noise)
@@ -242,42 +223,31 @@ class _Specialise:
         self.grid.append(max(grid, -1074))
         self.values.append(value + arb(0, bound) if bound else value)
         self.noise.append(bound)
-        self.known[node] = len(self.tape) - 1
         return len(self.tape) - 1
 
     def _shape(self, node: Node) -> tuple[Line | None, int, bool]:
         """An affine form, a grid of the exact result, and whether that is always a double (exponents unbounded)."""
         kind, args = node.kind, node.args
         if kind == "x":
-            grid = math.frexp(float(self.ends[0]))[1] - 53 if self.ends[0] else -1074
-            return self.ends, max(grid, -1074), True
+            return self.ends, math.frexp(float(self.ends[0]))[1] - 53 if self.ends[0] else -1074, True
         if kind == "const":
             c = Fraction(node.value)
-            return (c, c), _trailing(c), True
+            # The largest k with c a multiple of 2**k.
+            grid = (c.numerator & -c.numerator).bit_length() - c.denominator.bit_length() if c else 2000
+            return (c, c), grid, True
         if kind == "error":
             return None, -1074, len(args) == 1  # the error of a product is a double, that of an fma is not
         if kind not in ("neg", "add", "sub", "mul", "fma"):
             return None, -1074, False
-        grids = [self.grid[a] for a in args]
+        grids, lines = [self.grid[a] for a in args], [self.affine[a] for a in args]
         grid = min([sum(grids[:2]), *grids[2:]]) if kind in ("mul", "fma") else min(grids)
-        line = self._line(kind, [self.affine[a] for a in args])
-        size: Fraction | float
-        if line is not None:
-            size = max(map(abs, line))
-        else:
-            size = float(_operate(node, self.values, self.noise).abs_upper()) * UP
-        scales = [c.kind == "const" and math.frexp(abs(c.value))[0] == 0.5 for c in (self.tape[a] for a in args)]
-        turned = kind == "neg" or (kind == "mul" and any(scales))
-        return line if grid >= -1074 else None, grid, turned or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
-
-    @staticmethod
-    def _line(kind: str, lines: Sequence[Line | None]) -> Line | None:
-        """The affine form of a result, if there is one: of products, one factor is constant."""
-        known = [line for line in lines if line]
-        if len(known) < len(lines) or (kind in ("mul", "fma") and all(a != b for a, b in known[:2])):
-            return None
-        first, second = (VALUE[kind](*ends) for ends in zip(*known, strict=True))
-        return first, second
+        line, known = None, [x for x in lines if x]
+        if len(known) == len(lines) and (kind not in ("mul", "fma") or any(a == b for a, b in known[:2])):
+            first, second = (VALUE[kind](*ends) for ends in zip(*known, strict=True))
+            line = first, second
+        size = max(map(abs, line)) if line else float(_operate(node, self.values, self.noise).abs_upper()) * UP
+        exact = kind == "neg" or (grid >= -1074 and size <= Fraction(2) ** (grid + 53))
+        return line if grid >= -1074 else None, grid, exact
 
     def compensation(self, node: Node) -> Node | None:
         """The node as the rounding error of another one, if that is what it computes."""
@@ -297,13 +267,6 @@ class _Specialise:
             if self.tape[s].kind == "add" and self.tape[s].args in ((a, b), (b, a)):
                 return Node("error", (s, args[1]), -1.0)
         return None
-
-
-def _trailing(x: Fraction) -> int:
-    """The largest k with x a multiple of 2**k."""
-    if not x:
-        return 2000
-    return (x.numerator & -x.numerator).bit_length() - x.denominator.bit_length()
 
 
 def specialise(record: Record, lower: float, upper: float) -> Tape:
@@ -347,15 +310,10 @@ def scaled(tape: Tape, degree: int, top: float, bottom: float) -> Tape:
             case "add" | "sub":
                 result = min(k)
                 args = [lower(a, d - result) for a, d in zip(args, k, strict=True)]
-            case "mul":
-                result = min(k[0] + k[1], degree)
-                args[0] = lower(args[0], k[0] + k[1] - result)
-            case "fma":
-                result = min(k[0] + k[1], k[2], degree)
-                args = [lower(args[0], k[0] + k[1] - result), args[1], lower(args[2], k[2] - result)]
-            case "div":
-                result = min(k[0] - k[1], degree)
-                args[0] = lower(args[0], k[0] - k[1] - result)
+            case "mul" | "fma" | "div" as kind:
+                whole = k[0] - k[1] if kind == "div" else k[0] + k[1]
+                result = min(whole, degree, *k[2:])
+                args = [lower(args[0], whole - result), args[1], *(lower(a, degrees[a] - result) for a in args[2:])]
             case kind:
                 raise Unbounded(f"{kind} near zero")
         place.append(put(node._replace(args=tuple(args)), result))

@@ -7,31 +7,29 @@ from derive.check.certify import prove
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, Record, read
 
+PROCESSES = 2
 
-def judge(record: Record) -> tuple[Record, float | ProofError, float]:
-    """A record, what came of its proof, and the seconds that it took."""
-    start = time.perf_counter()
+
+def judge(record: Record) -> tuple[str, bool]:
+    """What came of a record's proof, in how many seconds, as a line; whether it is accepted."""
+    start, name = time.perf_counter(), f"{record['kernel']:<32} {record['tier']:<8} {record['form']:<6}"
     try:
-        result: float | ProofError = prove(record)
+        bounds = prove(record), record["bound"], record["bound_to_quarter_pi"]
     except ProofError as refusal:
-        result = refusal
-    return record, result, time.perf_counter() - start
+        return f"{name} REJECTED: {refusal}", False
+    numbers = "{:>9.4g} {:>9.3g} {:>9.3g}".format(*bounds)
+    return f"{name} {numbers}  {TIERS[record['tier']].unit:<14} {time.perf_counter() - start:>7.2f}", True
 
 
-def prove_all(processes: int = 2) -> bool:
+def prove_all() -> bool:
     """Prove every certificate and print a table; true if none is rejected."""
     records = read()
     start, accepted = time.perf_counter(), bool(records)
     print(f"{'kernel':<32} {'tier':<8} {'form':<6} {'proved':>9} {'claimed':>9} {'to pi/4':>9}  unit           seconds")
-    with ProcessPoolExecutor(processes) as pool:
-        for record, result, seconds in pool.map(judge, records):
-            name = f"{record['kernel']:<32} {record['tier']:<8} {record['form']:<6}"
-            if isinstance(result, ProofError):
-                accepted = False
-                print(f"{name} REJECTED: {result}")
-            else:
-                claimed_too = f"{record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
-                print(f"{name} {result:>9.4g} {claimed_too}  {TIERS[record['tier']].unit:<14} {seconds:>7.2f}")
-    print(f"{len(records)} certificates, {'all proved' if accepted else 'NOT all proved'}, ", end="")
-    print(f"{time.perf_counter() - start:.1f} s with {processes} processes")
+    with ProcessPoolExecutor(PROCESSES) as pool:
+        for line, proved in pool.map(judge, records):
+            print(line)
+            accepted &= proved
+    words = f"{len(records)} certificates, {'all proved' if accepted else 'NOT all proved'}"
+    print(f"{words}, {time.perf_counter() - start:.1f} s with {PROCESSES} processes")
     return accepted

@@ -4,7 +4,7 @@ import re
 import runpy
 import textwrap
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -31,11 +31,10 @@ class Function:
     tiers: Mapping[str, Program] = field(default_factory=dict)  # a kernel of alpha: what NumPy runs at each tier
 
 
-def _number(value: float) -> str:
-    return "np.nan" if value != value else repr(value)
-
-
-PYTHON = Language("python", "{name} = {text}", _number, "horner({x}, ({coefficients}))")
+PYTHON = Language("python", "{name} = {text}", lambda x: "np.nan" if x != x else repr(x),
+                  "horner({x}, ({coefficients}))")  # fmt: skip
+TEMPLATES = Path(__file__).resolve().parent / "templates"
+HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
 class PythonText:
@@ -52,19 +51,15 @@ class PythonText:
         """
         name = f"_{name or program.name}"
         lines, results = statements(program, replace(PYTHON, space=space), self.parts)
-        signature = ", ".join(f"{x}: Array" for x in program.inputs) + (f", {space}: Any = np" if space != "np" else "")
-        returned = "Array" if len(program.outputs) == 1 else f"tuple[{', '.join(['Array'] * len(program.outputs))}]"
-        result = ", ".join(results)
+        signature = ", ".join([*(f"{x}: Array" for x in program.inputs), *[f"{space}: Any = np"] * (space != "np")])
+        returned, result = ", ".join(["Array"] * len(results)), ", ".join(results)
+        returned = returned if len(results) == 1 else f"tuple[{returned}]"
         code = "\n".join([*lines, f"return ({result})" if len(result) > WIDTH - 8 else f"return {result}"])
         text = f"def {name}({signature}) -> {returned}:\n{textwrap.indent(code, '    ')}\n"
         self.reader.check(program, name, text)
         if len(program.inputs) == len(program.outputs) == 1 and len(program.ops) > 9:
             self.parts.append(Part(name, program))
         return text
-
-
-TEMPLATES = Path(__file__).resolve().parent / "templates"
-HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
 
 _OUT = ("out", "ndarray, optional", "Where the result goes.")
@@ -83,21 +78,20 @@ def numpydoc(
     width: int = 112,
 ) -> str:
     """The docstring of a function; parameters are named, typed and described."""
-    lines = [f'"""{summary}', "", formula, "", "Parameters", "----------"]
-    for name, kind, words in parameters:
-        lines += [f"{name} : {kind}", f"    {words}"]
-    lines += ["", "Returns", "-------", returns[0], f"    {returns[1]}", "", "Notes", "-----", *notes, '"""']
+    listed = [line for name, kind, words in parameters for line in (f"{name} : {kind}", f"    {words}")]
+    lines = [f'"""{summary}', "", formula, "", "Parameters", "----------", *listed,
+             "", "Returns", "-------", returns[0], f"    {returns[1]}", "", "Notes", "-----", *notes,
+             '"""']  # fmt: skip
     return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
 
 
 def function(f: Function, text: PythonText) -> str:
     """A public function: signature, numpydoc docstring, and the call of its body."""
     p = f.program
-    parameters = [*((n, "array_like", words) for n, words in f.parameters), _OUT, _WHERE]
     doc = numpydoc(
         f.summary,
         f.formula,
-        [*parameters, _ACCURACY] if f.tiers else parameters,
+        [*((n, "array_like", words) for n, words in f.parameters), _OUT, _WHERE, *[_ACCURACY] * bool(f.tiers)],
         ("ndarray or scalar", f"{f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays "
          "float32."),
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag.",
@@ -107,15 +101,13 @@ def function(f: Function, text: PythonText) -> str:
     if f.tiers:
         return _kernel(f, doc, text)
     names = ", ".join(p.inputs)
-    typed = ", ".join(f"{x}: ArrayLike" for x in p.inputs)
-    safe = ", ".join(repr(x) for x in f.safe) + ("," if len(f.safe) == 1 else "")
-    args = f"{names}," if len(p.inputs) == 1 else names
+    typed, args = ", ".join(f"{x}: ArrayLike" for x in p.inputs), names + "," * (len(p.inputs) == 1)
     inside = f.inside.replace(") & ", ")\n            & ")
     return (
         f"{text.body(p)}\n\n"
         f"def {p.name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
         f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
-        f"        ({safe}),\n        ({args}),\n        out,\n        where,\n    )\n"
+        f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
     )
 
 
@@ -140,23 +132,21 @@ def identifier(kernel: str, tier: str) -> str:
 
 def _fill(line: str, width: int = 112) -> str:
     """Wrap a docstring line, keeping its indent."""
-    if len(line) <= width:
-        return line
     indent = line[: len(line) - len(line.lstrip())]
     return textwrap.fill(line, width, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
-def module(docstring: str, functions: Iterable[Function]) -> str:
+def module(docstring: str, functions: Sequence[Function]) -> str:
     """A module of public functions."""
-    functions, text = list(functions), PythonText()
+    text = PythonText()
     tables = "# What NumPy runs, by kernel and tier.\nTEXTS: dict[str, dict[str, Text]] = {}\n"
     code = "".join(f"\n\n{function(f, text)}" for f in functions)
     return _module(docstring, [f.program.name for f in functions], (tables if "TEXTS[" in code else "") + code)
 
 
-def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
+def raw_module(docstring: str, programs: Sequence[tuple[Program, str]]) -> str:
     """A module of bare formulas: no domain, no types, no care, and no warnings."""
-    programs, text, code = list(programs), PythonText(), ""
+    text, code = PythonText(), ""
     for p, source in programs:
         typed, names = ", ".join(f"{x}: Array" for x in p.inputs), ", ".join(p.inputs)
         code += (
@@ -168,12 +158,11 @@ def raw_module(docstring: str, programs: Iterable[tuple[Program, str]]) -> str:
     return _module(docstring, [p.name for p, _ in programs], code)
 
 
-def plain_module(docstring: str, programs: Iterable[tuple[Program, str]], head: str = "") -> str:
+def plain_module(docstring: str, programs: Sequence[tuple[Program, str]], code: str = "") -> str:
     """A module of functions for callers that know the domain: arrays or floats in, no checks; each with its docstring.
 
-    ``head`` is what stands before them.
+    ``code`` is what stands before them.
     """
-    programs, code = list(programs), head
     for p, doc in programs:
         signature, body = PythonText().body(p).replace("Array", "Any").replace("def _", "def ", 1).split("\n", 1)
         code += f"\n\n{signature}\n{doc}{body}"
@@ -200,10 +189,10 @@ _IMPORTS = (
 
 def _module(docstring: str, names: list[str], code: str) -> str:
     """The whole text, with imports of what it uses, and tables of the coefficients that it uses more than once."""
-    series = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code))
-    tables = {numbers: f"SERIES_{k}" for k, numbers in enumerate((x for x, n in series.items() if n > 1), 1)}
-    for numbers, name in tables.items():
-        code = code.replace(numbers, name)
+    series, data = Counter(re.findall(r"horner\(\w+, (\([^()]+\))\)", code)), ""
+    for k, numbers in enumerate((x for x, n in series.items() if n > 1), 1):
+        code = code.replace(numbers, f"SERIES_{k}")
+        data += f"\nSERIES_{k} = {numbers}"
     used = set(re.findall(r"\w+", re.sub(r'"(?:"".*?""|[^"\n]*)"', "", code, flags=re.DOTALL)))
     imports = []
     for line in _IMPORTS:
@@ -212,8 +201,7 @@ def _module(docstring: str, names: list[str], code: str) -> str:
         imports += [f"{start}import {', '.join(found)}"] if found else [] if line else [""]
     lines = re.sub(r"\n{3,}", "\n\n", "\n".join(imports).strip())
     listed = "".join(f'    "{n}",\n' for n in names)
-    data = "".join(f"\n{name} = {numbers}" for numbers, name in tables.items()) + "\n" * bool(tables)
-    head = f'"""{docstring}"""\n\n{lines}\n\n__all__ = [\n{listed}]\n{data}'
+    head = f'"""{docstring}"""\n\n{lines}\n\n__all__ = [\n{listed}]\n{data}' + "\n" * bool(data)
     return head + ("\n" if code[0] == "#" else "") + code
 
 

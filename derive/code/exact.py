@@ -1,29 +1,20 @@
-"""The exact interpreter: what a `Program` gives when each operation is rounded once to float64, on any machine."""
+"""What a `Program` gives when each operation is rounded once to float64: the same on any machine, but for NumPy's calls
+of a library, such as its logarithm."""
+
+from typing import Any
 
 import numpy as np
 
-from derive.code.arithmetic import Floats
 from derive.code.operations import OPERATIONS
 from derive.code.program import Op, Program, walk
 
 
-def run(program: Program, alpha: Floats) -> Floats:
-    """The program's only output at each of many inputs.
+def run(program: Program, *args: Any) -> Any:
+    """The program's only output at each of many inputs."""
 
-    Raises
-    ------
-    ValueError
-        For an operation that is not rounded exactly everywhere, such as NumPy's logarithm.
-    """
-    alpha = np.ascontiguousarray(alpha, dtype=np.float64)
-
-    def make(op: Op, operands: list[Floats]) -> Floats:
-        if op.kind == "const":
-            return np.full(alpha.shape, op.value, dtype=np.float64)
-        if (meaning := OPERATIONS[op.kind].meaning) is None:
-            raise ValueError(f"no exact meaning of {op.kind}")
-        return np.asarray(meaning(*operands))
+    def make(op: Op, operands: list[Any]) -> Any:
+        return np.float64(op.value) if op.kind == "const" else OPERATIONS[op.kind].meaning(*operands)
 
     with np.errstate(under="ignore"):
-        (result,) = walk(program, dict.fromkeys(program.inputs, alpha), make)
+        (result,) = walk(program, dict(zip(program.inputs, map(np.float64, args), strict=True)), make)
     return result

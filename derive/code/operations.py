@@ -2,16 +2,70 @@
 
 In a template ``{0}`` is the first operand. ``binds`` says how tightly the text holds together (a comparison 0, a sum 1,
 a product 2, a sign 3, a call 9) and ``needs`` how tightly each operand has to. What has no template in a language has
-no place there, and what has no meaning is not rounded alike everywhere.
+no place there. What it means is done on whole arrays, as every machine rounds it: NumPy's own operations are those of
+IEEE, and the fused multiply-add, which NumPy lacks, is made of them without error.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from derive.code.arithmetic import exponent, fma, significand
+Floats = NDArray[np.float64]
+
+_SAFE = 2.0**-900  # a product of this size has an error term far above the subnormal numbers
+_THREE_QUARTERS = 0x3FE8000000000000  # bits of 0.75: the significand lies in [0.75, 1.5)
+
+
+def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
+    """fl(a + b) and what it lost; also of operations that are collected for a program."""
+    total = a + b
+    of_b = total - a
+    return total, (a - (total - of_b)) + (b - of_b)
+
+
+def _halves(x: Floats) -> tuple[Floats, Floats]:
+    """Veltkamp's: a high and a low part, whose products make no rounding error."""
+    scaled = 134217729.0 * x  # 2**27 + 1
+    high = scaled - (scaled - x)
+    return high, x - high
+
+
+def fma(a: Floats, b: Floats, c: Floats) -> Floats:
+    """a b + c, rounded once.
+
+    The sum of the product's two halves and c, first rounded to odd (Boldo and Melquiond); of fractions where a part
+    would underflow.
+    """
+    a, b, c = np.broadcast_arrays(a, b, c)
+    product, (a_high, a_low), (b_high, b_low) = a * b, _halves(a), _halves(b)
+    low = a_low * b_low - (((product - a_high * b_high) - a_low * b_high) - a_high * b_low)
+    inner, inner_low = two_sum(c, low)
+    total, total_low = two_sum(product, inner)
+    odd, lost = two_sum(inner_low, total_low)
+    bits = odd.view(np.int64)
+    step = np.where((lost > 0) == (odd > 0), 1, -1)
+    odd = np.where((lost != 0) & (bits & 1 == 0), bits + step, bits).view(np.float64)
+    plain = (a == 0) | (b == 0)
+    result = np.where(plain, product + c, total + odd)
+    risky = ~plain & ((np.abs(product) < _SAFE) | ((c != 0) & (np.abs(c) < _SAFE)))
+    terms = zip(*(x[risky].tolist() for x in (a, b, c)), strict=True)
+    result[risky] = [float(Fraction(x) * Fraction(y) + Fraction(z)) for x, y, z in terms]
+    return result
+
+
+def exponent(x: Floats) -> Floats:
+    """k of x = significand 2**k, for a normal x > 0."""
+    return ((x.view(np.int64) - _THREE_QUARTERS) >> 52).astype(np.float64)
+
+
+def significand(x: Floats) -> Floats:
+    """x 2**-k, in [0.75, 1.5)."""
+    bits = x.view(np.int64)
+    return np.asarray((bits - (((bits - _THREE_QUARTERS) >> 52) << 52)).view(np.float64))
 
 
 @dataclass(frozen=True)
@@ -20,7 +74,7 @@ class Operation:
 
     python: str
     c: str
-    meaning: Callable[..., Any] | None = None
+    meaning: Callable[..., Any]
     binds: int = 9
     needs: tuple[int, ...] = (0, 0, 0)
 
@@ -30,7 +84,7 @@ def _infix(sign: str, meaning: Callable[..., Any], binds: int, right: int) -> Op
 
 
 def _library(name: str) -> Operation:
-    return Operation(f"{{space}}.{name}({{0}})", "")
+    return Operation(f"{{space}}.{name}({{0}})", "", getattr(np, name))
 
 
 OPERATIONS = {

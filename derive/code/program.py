@@ -7,7 +7,7 @@ The order of operations follows from the expression alone, never from a hash.
 import math
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial, reduce
 from typing import Any, TypeVar
 
@@ -17,8 +17,7 @@ import sympy as sp
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
 from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
-from derive.code.arithmetic import two_sum
-from derive.code.operations import OPERATIONS
+from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
@@ -86,8 +85,7 @@ class Builder:
         return walk(p, inputs, lambda op, operands: self.put(op.kind, *operands, value=op.value))
 
 
-# What NumPy calls each operation; the logarithm and the like have no exact meaning, and their own name.
-_NAMES = {operation.meaning or getattr(np, name): name for name, operation in OPERATIONS.items()}
+_NAMES = {operation.meaning: name for name, operation in OPERATIONS.items()}
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,29 +143,27 @@ class _Lowering(Builder):
         if isinstance(e, sp.Pow):
             return self._power(e.base, e.exp)
         if isinstance(e, Select):
-            smaller, larger, if_less, otherwise = (self.add(x) for x in e.args)
-            return self.put("select", self.put("less", smaller, larger), if_less, otherwise)
+            smaller, larger, *chosen = map(self.add, e.args)
+            return self.put("select", smaller < larger, *chosen)
         if isinstance(e, (sp.Min, sp.Max)):
-            return self._joined("min" if isinstance(e, sp.Min) else "max", sorted(e.args, key=_order))
+            return self._joined(type(e).__name__.lower(), sorted(e.args, key=sp.default_sort_key))
         if type(e) in CALLS:
             return self.put(CALLS[type(e)], self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
     def _sum(self, e: sp.Add) -> Value:
-        plus = [x for x in sorted(e.args, key=_order) if not x.could_extract_minus_sign()]
-        minus = [x for x in sorted(e.args, key=_order) if x.could_extract_minus_sign()]
-        result = self.add(plus[0]) if plus else -self.add(-minus.pop(0))
-        for x in plus[1:]:
-            result = result + self.add(x)
-        for x in minus:
-            result = result - self.add(-x)
-        return result
+        parts = sorted(e.args, key=sp.default_sort_key)
+        plus = [x for x in parts if not x.could_extract_minus_sign()]
+        minus = [-x for x in parts if x.could_extract_minus_sign()]
+        result = self.add(plus[0]) if plus else -self.add(minus.pop(0))
+        result = reduce(lambda total, x: total + self.add(x), plus[1:], result)
+        return reduce(lambda total, x: total - self.add(x), minus, result)
 
     def _product(self, e: sp.Mul) -> Value:
         if e.could_extract_minus_sign():
             return -self.add(-e)
         over, under, powers = [], [], []
-        for x in sorted(e.args, key=_order):
+        for x in sorted(e.args, key=sp.default_sort_key):
             if isinstance(x, sp.Rational) and x.p == 1 and x.q & (x.q - 1):
                 under.append(sp.Integer(x.q))  # a third is a division by 3: one rounding
             elif isinstance(x, sp.Pow) and x.exp.could_extract_minus_sign():
@@ -189,23 +185,20 @@ class _Lowering(Builder):
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
     def _horner(self, e: Horner) -> Value:
-        x, *coefficients = e.args
-        at, result = self.add(x), self.const(coefficients[-1])
-        for c in reversed(coefficients[:-1]):
-            result = result * at + self.const(c)
-        return result
+        x, *coefficients, last = e.args
+        at = self.add(x)
+        return reduce(lambda total, c: total * at + self.const(c), reversed(coefficients), self.const(last))
 
     def _power(self, base: sp.Expr, exponent: sp.Expr) -> Value:
         if exponent.could_extract_minus_sign():
             return self.value(1.0) / self.add(base**-exponent)
-        if exponent == sp.Rational(1, 2):
-            return self.put("sqrt", self.add(base))
-        if exponent.is_Rational and exponent.q == 2:
-            root = self.put("sqrt", self.add(base))
-            return self.add(base ** ((exponent.p - 1) // 2)) * root
-        if not exponent.is_Integer:
+        if not (2 * exponent).is_Integer:
             raise ValueError(f"no operation for the power {base}**{exponent}")
-        n, result, square = int(exponent), None, self.add(base)
+        n, half = divmod(int(2 * exponent), 2)
+        if half:
+            root = self.put("sqrt", self.add(base))
+            return self.add(base**n) * root if n else root
+        result, square = None, self.add(base)
         while n:  # binary powering; `pow` is slow and a library call
             if n & 1:
                 result = square if result is None else result * square
@@ -215,30 +208,14 @@ class _Lowering(Builder):
         return result
 
 
-def _order(e: sp.Basic) -> tuple[object, ...]:
-    return sp.default_sort_key(e)
-
-
 def program(
     name: str, inputs: tuple[str, ...], *outputs: sp.Expr, let: Mapping[sp.Symbol, sp.Expr | Program] | None = None
 ) -> Program:
-    """Make a `Program` from SymPy expressions.
+    """The program of SymPy expressions in the symbols that ``inputs`` names, in the order of its arguments.
 
-    Parameters
-    ----------
-    name : str
-    inputs : tuple of str
-        Names of the symbols it may read, in the order of its arguments.
-    *outputs : sympy.Expr
-        Stable primitives are lowered as they are met; equal subexpressions are computed once.
-    let : mapping, optional
-        Intermediate values by symbol, in order, as expressions or as programs of what is known by then; one may
-        replace an input of the same name from there on.
-
-    Raises
-    ------
-    ValueError
-        If an expression holds another symbol, or an operation that no emitter knows.
+    Stable primitives are lowered as they are met; equal subexpressions are computed once. ``let`` gives intermediate
+    values by symbol, in order, as expressions or as programs of what is known by then; one may replace an input of the
+    same name from there on.
     """
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
@@ -260,11 +237,9 @@ def without_dead(p: Program) -> Program:
         if index in alive:
             alive |= set(p.ops[index].args)
     place = {index: new for new, index in enumerate(sorted(alive))}
-    ops = tuple(
-        Op(op.kind, tuple(place[i] for i in op.args), op.value) for index, op in enumerate(p.ops) if index in alive
-    )
+    ops = [replace(op, args=tuple(place[i] for i in op.args)) for index, op in enumerate(p.ops) if index in alive]
     names = {place[i]: name for i, name in p.names.items() if i in alive}
-    return Program(p.name, p.inputs, ops, tuple(place[i] for i in p.outputs), names)
+    return replace(p, ops=tuple(ops), outputs=tuple(place[i] for i in p.outputs), names=names)
 
 
 def operations(counts: Mapping[str, int]) -> str:

@@ -37,48 +37,31 @@ class Part:
     program: Program
 
 
-@dataclass
 class _Text:
-    """The statements of a program, as they are written; ``text`` holds each value's text and how tightly it binds."""
+    """The statements of a program: ``lines``, and of each value its text and how tightly that binds."""
 
-    program: Program
-    language: Language
-    parts: Sequence[Part]
-    text: dict[int, tuple[str, int]] = field(default_factory=dict)
-    lines: list[str] = field(default_factory=list)
-    counts: Counter[str] = field(default_factory=Counter)
-
-    def write(self) -> None:
-        ops = self.program.ops
+    def __init__(self, program: Program, language: Language, parts: Sequence[Part]) -> None:
+        self.program, self.language = program, language
+        self.text: dict[int, tuple[str, int]] = {}
+        self.lines: list[str] = []
+        self.counts: Counter[str] = Counter()
+        ops, self.names = program.ops, _known(program)
         raw = Counter(i for op in ops for i in op.args)
-        self.calls = {i: found for i in range(len(ops)) if (found := self._call(i))}
-        self.polynomials = {i: p for i in range(len(ops)) if (p := _polynomial(self.program, i, raw))}
-        needed, uses = set(self.program.outputs), Counter(self.program.outputs)
+        self.calls = {i: x for part in reversed(parts) for i in range(len(ops)) if (x := _call(program, i, part))}
+        self.polynomials = {i: p for i in range(len(ops)) if (p := _polynomial(program, i, raw))}
+        needed, uses = set(program.outputs), Counter(program.outputs)
         for i in range(len(ops) - 1, -1, -1):
             if i in needed:
-                needed.update(self._operands(i))
-                uses.update(self._operands(i))
-        self.names = _known(self.program)
+                operands = ops[i].args
+                if i in self.calls or i in self.polynomials:
+                    operands = self.calls[i][1:] if i in self.calls else self.polynomials[i][:1]
+                needed.update(operands)
+                uses.update(operands)
         for i in sorted(needed):
-            text, binds = self._expression(i)
-            self.text[i] = (text, binds)
-            if ops[i].kind in ("input", "const"):
-                continue
-            named = i in self.names or i in self.polynomials or len(text) > INLINE
-            if uses[i] > 1 or (named and i not in self.program.outputs):
+            self.text[i] = self._expression(i)
+            named = i in self.names or i in self.polynomials or len(self.text[i][0]) > INLINE
+            if ops[i].kind not in ("input", "const") and (uses[i] > 1 or (named and i not in program.outputs)):
                 self._name(i)
-
-    def _operands(self, i: int) -> tuple[int, ...]:
-        if i in self.calls:
-            return (self.calls[i][1],)
-        return (self.polynomials[i][0],) if i in self.polynomials else self.program.ops[i].args
-
-    def _call(self, i: int) -> tuple[str, int] | None:
-        for part in self.parts:
-            bound = _same(self.program, i, part.program, part.program.outputs[0], {})
-            if bound:
-                return part.name, bound[next(k for k, op in enumerate(part.program.ops) if op.kind == "input")]
-        return None
 
     def _expression(self, i: int) -> tuple[str, int]:
         op, language = self.program.ops[i], self.language
@@ -88,7 +71,8 @@ class _Text:
             value = float(op.value)  # type: ignore[arg-type]
             return language.number(value), 3 if value < 0 else 9
         if i in self.calls:
-            return f"{self.calls[i][0]}({self.text[self.calls[i][1]][0]})", 9
+            name, argument = self.calls[i]
+            return f"{name}({self.text[argument][0]})", 9
         if i in self.polynomials:
             x, coefficients = self.polynomials[i]
             if not self.text[x][0].isidentifier():
@@ -110,8 +94,12 @@ class _Text:
         return shown(), operation.binds
 
     def _name(self, i: int) -> None:
-        """Give a value a name, and a statement."""
-        text, name = self.text[i][0], self.names.get(i) or self._word(i)
+        """Give a value a name, and a statement: polynomials are p1, p2, ..., and the rest t1, t2, ..."""
+        text, name = self.text[i][0], self.names.get(i)
+        if not name:
+            letter = "p" if i in self.polynomials else "t"
+            self.counts[letter] += 1
+            name = f"{letter}{self.counts[letter]}"
         taken = {*self.program.inputs, *(t for t, _ in self.text.values())}
         name = next(n for n in (name, *(f"{name}_{k}" for k in range(2, 1000))) if n not in taken)
         line = self.language.statement.format(name=name, text=text)
@@ -119,12 +107,6 @@ class _Text:
             line = "\n".join(textwrap.wrap(line, WIDTH - 8, subsequent_indent="    ", break_long_words=False))
         self.lines.append(line)
         self.text[i] = (name, 9)
-
-    def _word(self, i: int) -> str:
-        """Polynomials are p1, p2, ..., and the rest t1, t2, ..."""
-        letter = "p" if i in self.polynomials else "t"
-        self.counts[letter] += 1
-        return f"{letter}{self.counts[letter]}"
 
 
 def _known(program: Program) -> dict[int, str]:
@@ -177,29 +159,28 @@ def _polynomial(program: Program, i: int, uses: Counter[int]) -> tuple[int, list
     return (x, found) if x is not None and len(found) > 2 else None
 
 
-def _same(program: Program, i: int, part: Program, k: int, bound: dict[int, int]) -> dict[int, int] | None:
-    """Which value of the program each value of the part is, where value i of the one is value k of the other."""
-    if k in bound:
-        return bound if bound[k] == i else None
-    one, other = program.ops[i], part.ops[k]
-    if other.kind != "input":
-        if (one.kind, one.value, len(one.args)) != (other.kind, other.value, len(other.args)):
-            return None
-        for a, b in zip(one.args, other.args, strict=True):
-            if _same(program, a, part, b, bound) is None:
-                return None
-    bound[k] = i
-    return bound
+def _call(program: Program, i: int, part: Part) -> tuple[str, int] | None:
+    """The part's name and which value is its argument, if value i of the program is the part's output."""
+    bound: dict[int, int] = {}  # which value of the program each value of the part is
+
+    def same(i: int, k: int) -> bool:
+        one, other = program.ops[i], part.program.ops[k]
+        if k not in bound and other.kind != "input":
+            if (one.kind, one.value, len(one.args)) != (other.kind, other.value, len(other.args)):
+                return False
+            if not all(map(same, one.args, other.args)):
+                return False
+        return bound.setdefault(k, i) == i
+
+    if not same(i, part.program.outputs[0]):
+        return None
+    return part.name, next(bound[k] for k, op in enumerate(part.program.ops) if op.kind == "input")
 
 
 def statements(program: Program, language: Language, parts: Sequence[Part] = ()) -> tuple[list[str], list[str]]:
     """The statements that compute a program, and the text of each output."""
     writer = _Text(program, language, parts)
-    writer.write()
     return writer.lines, [writer.text[i][0] for i in program.outputs]
-
-
-# --- reading back --------------------------------------------------------------------------------------------------
 
 
 @dataclass

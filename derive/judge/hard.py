@@ -1,6 +1,6 @@
 """Hard cases, declared as data: where the printed form of a quantity loses its digits, and what ours loses there.
 
-`report` executes the text that is emitted for both and compares it with the closed form at hundreds of digits. The
+`report` runs the programs of both and compares them with the closed form at hundreds of digits. The
 tests run through the same list with quadrature of the definitions instead.
 """
 
@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sp
 
 from derive.algebra.integrate import PSI, closed_forms, derive
-from derive.code import measure
+from derive.code import exact as rounded
 from derive.code.operations import OPERATIONS
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
@@ -110,9 +110,8 @@ def drive(rows: Iterable[tuple[str, ...]], press: Any, mu: Any, limit: Any) -> A
     cells = {"pressing_0": press, "press_0": press, "mu_0": mu, "LIMIT": limit}
     cells |= dict.fromkeys(("driving_0", "fall_0"), press * limit)
     for operation, name, *operands in rows:
-        meaning = OPERATIONS[operation].meaning
-        assert meaning
-        cells[name] = meaning(*(np.float64(x[1:]) if x[0] == "=" else cells.get(x, np.float64(0)) for x in operands))
+        values = [np.float64(x[1:]) if x[0] == "=" else cells.get(x, np.float64(0)) for x in operands]
+        cells[name] = OPERATIONS[operation].meaning(*values)
     return cells["drive"]
 
 
@@ -178,14 +177,14 @@ CASES = (
 def measured(cases: tuple[HardCase, ...] = CASES) -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
     programs = [f.program for f in (*functions.kernels(), *functions.motion())]
-    ours = {p.name: partial(measure.run, p) for p in programs} | {"drive": partial(drive, balance().scalar)}
+    ours = {p.name: partial(rounded.run, p) for p in programs} | {"drive": partial(drive, balance().scalar)}
     return [_measure(case, ours[case.function], forms()[case.function]) for case in cases]
 
 
 def _measure(case: HardCase, function: Callable[..., Any], form: Form) -> Result:
     arrays = [np.array(x) for x in case.arguments]
     with np.errstate(all="ignore"):
-        naive, ours = float(measure.run(form.program, *arrays)), float(function(*arrays))
+        naive, ours = float(rounded.run(form.program, *arrays)), float(function(*arrays))
     with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
         of: Callable[..., mpmath.mpf] = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
         exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
