@@ -2,8 +2,6 @@
 
 import json
 import re
-import subprocess
-import sys
 import tomllib
 from importlib import import_module
 from pathlib import Path
@@ -15,7 +13,6 @@ import pytest
 import slipcircle
 from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
 from slipcircle import Arc, Scene, load, solve
-from slipcircle.__main__ import main
 from slipcircle.files.scenefile import read, shipped
 from slipcircle.files.scenekeys import schema
 from slipcircle.outputs.guide import guide
@@ -242,11 +239,13 @@ MISTAKES = [
     ("friction = 0.2\n" + ARC, "friction = 0.2: must be a table [friction]: friction on the slip surface"),
     ("rotation = true\n" + ARC + FRICTION, "rotation = true: must be a table [rotation]: the mass turns as it slides"),
     (ARC.replace("1492.6", '"1492.6 m"') + FRICTION, 'arc.radius_m = "1492.6 m": must be a number above 0 (m): radius'),
-    (ARC.replace("1492.6", "true") + FRICTION, "arc.radius_m = true: must be a number above 0 (m)"),
-    (ARC.replace("1492.6", "nan") + FRICTION, "arc.radius_m = nan: must be a number above 0 (m)"),
-    (ARC.replace("1492.6", "inf") + FRICTION, "arc.radius_m = inf: must be a number above 0 (m)"),
-    (ARC.replace("1492.6", "[1, 2]") + FRICTION, "arc.radius_m = [1, 2]: must be a number above 0 (m)"),
+    *((ARC.replace("1492.6", x) + FRICTION, f"arc.radius_m = {x}: must be a number above 0 (m)")
+      for x in ("true", "nan", "inf", "[1, 2]")),
     (ARC.replace("1492.6", "1" * 400) + FRICTION, f"arc.radius_m = {'1' * 57}...: must be a number above 0 (m)"),
+    (ARC.replace("1492.6", "1e103") + FRICTION, "arc.radius_m = 1e+103: must be a number above 0 (m): radius of the "
+     "slip circle; between 1e-06 and 1e+20: is that another unit?"),
+    (ARC.replace("1492.6", "5e-324") + FRICTION, "arc.radius_m = 5e-324: must be a number above 0"),
+    (ARC.replace("= 20\n", "= 1e300\n") + FRICTION, "arc.unit_weight_kN_m3 = 1e+300: must be"),
     (ARC.replace("= 20\n", "= 0\n") + FRICTION, "arc.unit_weight_kN_m3 = 0: must be a number above 0 (kN/m3): unit"),
     (ARC.replace("215.2", "276.9") + FRICTION, "arc.theta_2 = 276.9 deg: must be above theta_1 = 276.9 deg"),
     (ARC.replace("215.2", "15.2").replace("276.9", "76.9") + FRICTION,
@@ -256,7 +255,21 @@ MISTAKES = [
     (ARC + GIVEN + FRICTION + "[rotation]\n", "arc.given: belongs to the initial position and cannot"),
     (ARC + FRICTION + "[pore_pressure]\n", "pore_pressure: ratio or pressure_kPa or record is missing"),
     (ARC + FRICTION + "[pore_pressure]\nratio = 1\n", "pore_pressure.ratio = 1: must be a number at least 0 and below"),
+    (ARC + FRICTION + "[pore_pressure]\npressure_kPa = [0, 20, 50]\n",
+     "pore_pressure.pressure_kPa = [0, 20, 50]: is a list, which needs its times"),
+    (ARC + FRICTION + "[pore_pressure]\nratio = []\n", "pore_pressure.ratio = []: is a list, which"),
+    (ARC + FRICTION + "[pore_pressure]\nratio = 0.1\ntime_s = [0, 1]\n",
+     "pore_pressure: time_s and ratio or pressure: must be lists"),
     (ARC + FRICTION + "[shaking]\npulse = 'sine'\n", "shaking.amplitude_g: is missing: a pulse needs it"),
+    (ARC + FRICTION + "[shaking]\npulse = 'sine'\namplitude_g = 1e25\nduration_s = 1\n",
+     "shaking.amplitude_g = 1e+25: must be a number: greatest k_h of the pulse, positive down-slope; between -1e+12 and"
+     " 1e+12"),
+    (ARC + "[friction]\nphi_deg = 12\n", "friction.phi_deg = 12: is unknown; did you mean angle_deg?"),
+    (ARC + FRICTION + "peak_deg = 12\n", "friction.peak_deg = 12: is unknown; it belongs to law = exponential or"),
+    (ARC + "[friction]\ncoefficient = 10\n",
+     "friction.coefficient = 10: must be a number at least 0: friction coefficient, tan(phi); an angle? say angle_deg"),
+    (ARC.replace("= 20\n", "= 19500\n") + FRICTION,
+     "arc.unit_weight_kN_m3 = 19500: must be a number above 0 (kN/m3): unit weight; is that in N/m3?"),
     (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n",
      "cohesion.cohesion_kPa = 1e+307: must be a number at least 0 (kPa): "),
     ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: relative error asked for"),
@@ -277,47 +290,54 @@ def test_one_mistake_is_one_sentence(file: Path, text: str, said: str) -> None:
     assert found[0].startswith(said)
 
 
-def test_ten_mistakes_are_ten_sentences(file: Path) -> None:
+def test_all_mistakes_are_listed(file: Path) -> None:
+    """What keys, tables, distributions, the arc and the law find, each with its place; nothing hides another."""
     found = sentences(file, """
         end_time_s = "30 s"
         accuracy = 2
+        acuracy = 1
         [arc]
-        radius_mm = 1492.6
+        radius_m = { distribution = 'lognormall', mean = 2, std = 1 }
         theta_1_deg = nan
-        unit_weight_kN_m3 = -20
+        unit_weight_kN_m3 = { distribution = "triangular", low = 18, mode = 30, high = 23 }
         [friction]
         law = "exponential"
         peak_deg = 95
         peak = 0.4
-        residual_deg = 10
+        residual_deg = { distribution = 'uniform', low = 5, high = 'x', top = 1 }
         [pore_pressure]
         [shakin]
+        [cohesion]
+        cohesion_kPa = { distribution = "uniform", low = -1, high = 5 }
         [drag]
         xi_m_s2 = true
     """)  # fmt: skip
     starts = (
-        'end_time_s = "30 s":', "accuracy = 2:", "arc.radius_mm = 1492.6:", "arc.theta_1_deg = nan:",
-        "arc.unit_weight_kN_m3 = -20:", "friction.peak_deg = 95:", "shakin = {}:", "drag.xi_m_s2 = true:",
+        'end_time_s = "30 s":', "accuracy = 2:", "acuracy = 1: is unknown; did you mean accuracy?",
+        "arc.radius_m: distribution = 'lognormall': must be one of normal, ", "arc.theta_1_deg = nan:",
+        "arc.unit_weight_kN_m3: mode must be from low to high", "friction.peak_deg = 95:", "shakin = {}:",
         "arc.theta_2_deg: is missing", "friction.length_m: is missing", "friction: peak_deg and peak exclude",
-        "pore_pressure: ratio or pressure_kPa or record is missing",
+        "friction.residual_deg: top: is unknown; known are low, high", "drag.xi_m_s2 = true:",
+        "friction.residual_deg: high = 'x': must be a finite number", "pore_pressure: ratio or pressure_kPa or record ",
+        "cohesion.cohesion_kPa: reaches down to -1, and must stay above 0",
     )  # fmt: skip
-    assert len(found) == len(starts)
-    assert sorted(found) == sorted(next(m for m in found if m.startswith(start)) for start in starts)
-
-
-def test_what_arc_and_law_find_is_listed_with_the_rest(file: Path) -> None:
-    text = "acuracy = 1\n" + ARC.replace("215.2", "300") + TABLE.replace("5]", "1]") + "angle_deg = [9, 8, 7]\n"
-    unknown, arc, friction = sentences(file, text)
-    assert unknown.startswith("acuracy = 1: is unknown; did you mean accuracy?")
+    assert sorted(found) == sorted(next((m for m in found if m.startswith(start)), start) for start in starts)
+    arc, friction = sentences(file, ARC.replace("215.2", "300") + TABLE.replace("5]", "1]") + "angle_deg = [9, 8, 7]\n")
     assert arc.startswith("arc.theta_2 = 276.9 deg: must be above theta_1 = 300 deg")
     assert friction.startswith("friction.slip: must start at 0 and increase")
-
-
-def test_a_misplaced_key_does_not_hide_what_is_missing_elsewhere(file: Path) -> None:
     found = sentences(file, "radius_m = 5\n" + ARC.replace("radius_m = 1492.6\n", ""))
     assert [m.partition(":")[0] for m in found] == ["radius_m = 5", "friction"]
     assert [m.partition(" ")[0] for m in sentences(file, "")] == ["arc:", "friction:"]
     assert sentences(file, FRICTION + "[ark]\n") == ["ark = {}: is unknown; did you mean arc?"]
+
+
+def test_the_command_line_says_the_same(file: Path, said: Any, refused: Any) -> None:
+    assert json.loads(said("schema")) == schema()
+    assert said("schema --text") == f"{guide()}\n"
+    file.write_text(ARC.replace("1492.6", "0"), "utf-8")
+    told = refused("run", file)
+    assert told.startswith(f"slipcircle: {file}: arc.radius_m = 0: must be ")
+    assert f" {file}: friction: is missing" in told
 
 
 @pytest.mark.parametrize(
@@ -358,14 +378,8 @@ def test_the_schema_is_one_and_the_shipped_files_obey_it() -> None:
 
 def test_the_schema_refuses_what_reading_refuses(file: Path) -> None:
     """But for what needs the mechanics, and for numbers that JSON does not have."""
-    beyond = (
-        "arc.theta",
-        "arc.given: belongs",
-        "shaking.amplitude_g",
-        "is not TOML",
-        "friction.slip",
-        "friction.slip and",
-    )
+    beyond = ("arc.theta", "arc.given: belongs", "shaking.amplitude_g: is missing", "is not TOML", "friction.slip",
+              "pore_pressure.pressure_kPa = [", "pore_pressure.ratio = []", "pore_pressure: time_s")  # fmt: skip
     for text, said in MISTAKES:
         if not said.startswith(beyond) and not re.search(r"= (nan|inf|1{57})", said):
             assert not valid(tomllib.loads(text)), said
@@ -424,48 +438,3 @@ def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyP
     assert sentences(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 1e6\nslope = 0\n") == [
         "viscosity.eta_kPa_s = 1000000.0: must be a number above 0 and below 1e+06 (kPa s): viscosity of the layer"
     ]
-
-
-# --- command line --------------------------------------------------------------------------------------------------
-
-
-def command(*argv: str | Path, code: str = "pass") -> subprocess.CompletedProcess[str]:
-    """The command in a fresh interpreter in which every warning is an error, after some code."""
-    run = f"import sys; {code}; from slipcircle.__main__ import main; sys.exit(main(sys.argv[1:]))"
-    return subprocess.run(
-        [sys.executable, "-W", "error", "-c", run, *argv], cwd=ROOT, capture_output=True, text=True, encoding="utf-8",
-        stdin=subprocess.DEVNULL, check=False,
-    )  # fmt: skip
-
-
-def test_schema_and_a_file_from_the_shell(file: Path) -> None:
-    done = command("schema")
-    assert (done.returncode, done.stderr, json.loads(done.stdout)) == (0, "", schema())
-    assert command("schema", "--text").stdout == f"{guide()}\n"
-    file.write_text(ARC + FRICTION + "[rotation]\n", "utf-8")
-    done = command("run", file)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "slope" in done.stdout
-    file.write_text(ARC.replace("1492.6", "0"), "utf-8")
-    done = command("run", file)
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr.startswith(f"slipcircle: {file}: arc.radius_m = 0: must be ")
-    assert f" {file}: friction: is missing" in done.stderr
-    assert done.stderr.count("\n") == 1
-
-
-def test_scene_files_need_numpy_alone(file: Path) -> None:
-    file.write_text(ARC + FRICTION + "[rotation]\n", "utf-8")
-    without = "sys.modules.update(dict.fromkeys(('scipy', 'matplotlib', 'rich')))"
-    for argv in (("run", file), ("plan", file), ("schema",), ("info",)):
-        done = command(*argv, code=without)
-        assert (done.returncode, done.stderr) == (0, "")
-
-
-def test_scenes_of_different_lengths_stand_side_by_side(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", "vaiont-softening", "wet-slope"]) == 0
-    shown = capsys.readouterr().out
-    assert re.search(r"friction angle +22\.5 deg, exponential +24 deg\n", shown)
-    assert re.search(r"peak velocity +27\.9 m/s +1\.981 m/s\n", shown)
-    assert re.search(r"duration +40\.79 s +6\.113 s\n", shown)
-    assert "frozen geometry" not in shown

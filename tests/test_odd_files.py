@@ -1,13 +1,16 @@
-"""What a section refuses, and in which words."""
+"""Odd files and sections: each ends in an answer, or in a refusal that says what is wrong."""
 
 import math
+import sys
 from pathlib import Path
+from random import Random
 from typing import Any
 
+import fuzz_scenes
 import malformed_sections
 import pytest
 
-from slipcircle import Arc, Scene, Section, load
+from slipcircle import Scene, Section, load
 
 GOOD: dict[str, Any] = {
     "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
@@ -28,7 +31,7 @@ WRONG: dict[str, dict[str, Any]] = {
     "positive length": {"radius": -1.0},
     "finite": {"centre": (math.nan, 20)},
     "at least two points": {"ground": [(0, 1)]},
-    "positive unit weight": {"unit_weight": 0.0},
+    "positive unit weight in N/m": {"unit_weight": 19.5e6},
     "from left to right": {"between": (5.0, 3.0)},
     "above each other": {"ground": [(0, 1), (0, 5)]},
 }  # fmt: skip
@@ -52,9 +55,33 @@ def test_deeper_than_a_half_disc_has_geometry_and_no_motion() -> None:
     assert "half a circle" in found.no_motion
 
 
-def test_a_thousand_malformed_sections() -> None:
-    """`python tests/malformed_sections.py 10000` draws ten times as many."""
-    assert not list(malformed_sections.faults(1000, 16))
+def test_malformed_sections() -> None:
+    """`python tests/malformed_sections.py 10000` draws more."""
+    assert not list(malformed_sections.faults(300, 16))
+
+
+@pytest.mark.parametrize("part", range(5))
+def test_odd_scene_files_end_in_an_answer_or_a_refusal(part: int, tmp_path: Path) -> None:
+    """Five hundred in all; `python tests/fuzz_scenes.py 2000` draws others."""
+    bad = fuzz_scenes.faults(range(100 * part, 100 * part + 100), 11, tmp_path, "run", 60.0)
+    assert not bad, bad[0]
+
+
+def test_the_fuzz_sees_faults(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A traceback, a NaN, a refusal with an interpreter's words, silence; and its files are many things."""
+    path = tmp_path / "a.toml"
+    path.write_text("x" * 2, "utf-8")
+    for work, said in (
+        (lambda argv: 1 / 0, "ZeroDivisionError"), (lambda argv: print("NaN") or 0, "prints"),
+        (lambda argv: print("x is ambiguous", file=sys.stderr) or 1, "refuses with 1"),
+        (lambda argv: 0, "says nothing"),
+    ):  # fmt: skip
+        monkeypatch.setattr(fuzz_scenes, "main", work)
+        assert said in fuzz_scenes.fault(path)
+    texts = [fuzz_scenes.toml(fuzz_scenes.document(Random(k))) for k in range(1000)]
+    words = "nan inf \\u [[ 1e+300 distribution rate_weakening ground level_m critical search true"
+    for word in words.split():
+        assert any(word in text for text in texts), word
 
 
 def test_a_level_and_a_pore_ratio_exclude_each_other(tmp_path: Path) -> None:
@@ -75,23 +102,3 @@ def test_a_level_and_a_pore_ratio_exclude_each_other(tmp_path: Path) -> None:
             assert len(str(raised.value).splitlines()) == 1
         else:
             load(path)
-
-
-ARC = "[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 276\nunit_weight_kN_m3 = 19\n[friction]\nangle_deg = 12\n"
-
-
-def test_a_unit_that_was_probably_meant_is_said(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="in rad: were they in degrees"):
-        Arc(60.0, 215.0, 276.0, 19e3)
-    with pytest.raises(ValueError, match="unit_weight = 19500000: must be a positive unit weight in N/m"):
-        Section(**GOOD | {"unit_weight": 19.5e6})
-    path = tmp_path / "arc.toml"
-    for old, new, words in (
-        ("kN_m3 = 19", "kN_m3 = 19500", r"is that in N/m3\?"),
-        ("angle_deg = 12", "coefficient = 10", "an angle\\? say angle_deg"),
-    ):
-        path.write_text(ARC.replace(old, new), "utf-8")
-        with pytest.raises(ValueError, match=words):
-            load(path)
-    path.write_text(ARC, "utf-8")
-    load(path)
