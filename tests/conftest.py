@@ -74,6 +74,12 @@ def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
     return ask
 
 
+@pytest.fixture
+def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures cost most of the time; where they are not what is tested, they are empty."""
+    monkeypatch.setattr("slipcircle.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>")
+
+
 def columns(table: str) -> dict[str, list[str]]:
     """The cells of a printed table by the label of their row."""
     found = (re.split(r"  +", line) for line in table.splitlines() if "  " in line.strip())

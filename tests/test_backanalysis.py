@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from slipcircle import Arc, Scene, Unattainable, backanalyse, load, solve
+from slipcircle import Arc, Scene, Unattainable, backanalyse, grid, load, solve
 from slipcircle.studies.backanalysis import FITTED, ROOT
 
 VAIONT = load("vaiont")
@@ -42,29 +42,19 @@ def test_round_trip_of_friction(scene: Scene, name: str) -> None:
 
 @pytest.mark.parametrize(
     ("field", "value"),
-    [("cohesion.cohesion", 5e3), ("pore_pressure.ratio", 0.3), ("pore_pressure.pressure", 2e4), ("drag.xi", 300.0),
-     ("radius", 55.0), ("dip", 0.45),
-     ("theta_1", 3.7), ("theta_2", 4.9), ("unit_weight", 2.3e4), ("initial_velocity", 1.5), ("gravity", 9.0)],
+    [("cohesion.cohesion", 5e3), ("pore_pressure.ratio", 0.3), ("radius", 55.0), ("theta_1", 3.7), ("theta_2", 4.9),
+     ("unit_weight", 2.3e4), ("initial_velocity", 1.5), ("gravity", 9.0)],
 )  # fmt: skip
 def test_round_trip_of_other_fields(field: str, value: float) -> None:
-    effect, _, name = field.partition(".")
-    if name:
-        scene = replace(WET, effects={**WET.called, effect: {**WET.called.get(effect, {}), name: value}})
-    elif field == "initial_velocity":
-        scene = replace(WET, initial_velocity=value)
-    elif field == "dip":
-        arc = WET.arc
-        assert isinstance(arc, Arc)
-        turn = float(arc.dip) - value
-        arc = replace(arc, theta_1=arc.theta_1 + turn, theta_2=arc.theta_2 + turn)
-        scene = replace(WET, arc=arc)
-    else:
-        scene = replace(WET, arc=replace(WET.arc, **{field: value}))  # type: ignore[arg-type]
-    found = backanalyse(scene if name else WET, field=field, peak_velocity=float(solve(scene).peak.velocity))
+    there = grid(WET, {field: [value]}).samples["peak_velocity"][0]
+    found = backanalyse(WET, field=field, peak_velocity=float(there))
     assert min(abs(s.value / value - 1) for s in found.solutions) < 1e-10
 
 
-def test_friction_of_a_law() -> None:
+def test_round_trip_of_what_a_scene_does_not_have_yet() -> None:
+    dragged = solve(replace(WET, effects={**WET.called, "drag": {"xi": 300.0}})).outcomes["peak_velocity"]
+    found = backanalyse(WET, field="drag.xi", peak_velocity=dragged)
+    assert min(abs(s.value / 300.0 - 1) for s in found.solutions) < 1e-10
     scene = load("vaiont-softening")
     wanted = scene.friction["residual"]  # type: ignore[index]
     found = backanalyse(scene, run_out=solve(scene).run_out, field="friction.residual")

@@ -180,11 +180,9 @@ def test_a_negative_zero_is_seen() -> None:
 
 
 @pytest.mark.parametrize("name", ["vaiont-frozen", "vaiont-rate", "newmark-pulse", "real-slope", "wet-slope"])
-def test_no_command_prints_a_negative_zero(
-    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, asked: Any
-) -> None:
+@pytest.mark.usefixtures("unseen")
+def test_no_command_prints_a_negative_zero(name: str, tmp_path: Path, asked: Any) -> None:
     """Tables, CSV, JSON and reports; tables without more digits than people read."""
-    monkeypatch.setattr("slipcircle.outputs.pictures.render", lambda *_: b"")
     key = "friction.angle_deg" if isinstance(load(name).friction, float) else "friction.peak_deg"
     drawn = f"--uncertain {key}=normal:22:1 --uncertain initial_velocity_m_s=normal:0:0.01 --samples 32 --seed 1"
     report = f"--csv {tmp_path}/a.csv --report {tmp_path}/a.html"

@@ -19,7 +19,6 @@ from generated._compiled import LEVELS
 from generated.tiers import BOUNDS
 from slipcircle.cost import cost, costtext, reference, ways
 from slipcircle.cost.cost import Row
-from slipcircle.cost.ways import Way
 from slipcircle.outputs import pictures, tables
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
@@ -63,19 +62,6 @@ def test_references_are_the_definitions(name: str, kind: str) -> None:
             unit = mpf(float(np.spacing(np.dtype(kind).type(found.nearest[at]))))
             value = mpf(found.nearest[at]) + mpf(found.rest[at]) * unit
             assert abs(value - exact) < unit * mpf(10) ** -12
-
-
-@pytest.mark.parametrize("kind", ["float64", "float32"])
-def test_the_set_is_dense_at_both_ends(kind: str) -> None:
-    points = reference.inputs(kind)
-    assert (points.dtype, points[0], points[-1]) == (kind, 0.0, points.dtype.type(np.pi / 2))
-    assert np.all(np.diff(points) > 0)
-    assert len(points) > 0.8 * reference.POINTS
-    assert np.mean((points > 0.1) & (points < 1.5)) > 0.2
-    for gap in (points[1:], np.pi / 2 - points.astype(float)):
-        least = -6 if kind == "float32" else -13
-        assert min(np.histogram(np.log10(gap[gap > 0.0]), np.arange(least, 0))[0]) > 20
-    np.testing.assert_array_equal(reference.inputs.__wrapped__(kind), points)  # drawn anew, the same
 
 
 # --- rows ----------------------------------------------------------------------------------------------------------
@@ -146,29 +132,12 @@ def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
     assert all(np.all(errors == np.inf) for errors in kept.errors(results))
 
 
-def test_the_worst_is_the_largest_of_either_sign() -> None:
-    exact = reference.kernel(MEASURED)
-    results = exact.nearest + 2 * exact.unit
-    results[700] -= 7 * exact.unit[700]
-    row = cost._seen(Row("f", "w", 0.0, (), 1.0), Way("w", lambda x: results), exact)
-    assert row.ulp == pytest.approx(5, abs=0.51)
-    assert row.worst_input_ulp == (exact.points[0, 700],)
-    assert row.points == len(results)
-
-
 def test_everything_is_timed_in_turns() -> None:
     calls: list[str] = []
     samples = cost.interleaved([lambda: calls.append("a"), lambda: calls.append("b")])
     assert [len(s) for s in samples] == [2, 2]
     order = "".join(name for name, before in zip(calls, ["", *calls], strict=False) if name != before)
     assert order == "ababab"  # each once to warm up, then in turns
-
-
-def test_slow_ways_get_few_elements() -> None:
-    """No pass takes long: fewer elements than asked for where one did at the size before."""
-    assert cost._fitting(400, [(1.0, 1), (1e5, 50)], 0.1) == 400
-    assert cost._fitting(400, [(1.0, 1), (1e6, 50)], 0.1) == 40
-    assert cost._fitting(50, [(1e9, 1)], 0.1) == 50
 
 
 def test_progress_and_unknown_functions() -> None:

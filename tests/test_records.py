@@ -5,14 +5,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import mpmath as mp
 import numpy as np
 import pytest
 
 from slipcircle import Scene, load, solve
-from slipcircle.base.series import PULSES, Pulse, Series
+from slipcircle.base.series import Pulse, Series
 from slipcircle.records import recordfiles
-from slipcircle.records.recordfiles import unit_of
 from slipcircle.records.records import read_pore_pressure, read_record
 
 AT2 = """PEER NGA STRONG MOTION DATABASE RECORD
@@ -63,6 +61,8 @@ TABLES = {
     "# site 7\n# t a\n0 1\n0.5 -2": {"units": "m/s2"},
     "0,1\r\n0.5,-2\r\n": {"units": "m/s2"},
     "t\ta (mm/s2)\n0\t1000\n0.5\t-2000\n": {},
+    "time (s),a (M/S**2)\n0,1\n0.5,-2\n": {},
+    "time (s),a (cm/s²)\n0,100\n0.5,-200\n": {},
     "time_s,acceleration_m_s2\n0,1.0D+00\n0.5,-2d0\n": {},
     "time (s),NS (cm/s2),EW (cm/s2)\n0,7,100\n0.5,8,-200\n": {"column": "EW"},
     "time (s),NS (gal),EW (gal)\n0,7,100\n0.5,8,-200\n": {"column": 3},
@@ -92,14 +92,6 @@ def test_tables_of_every_kind(tmp_path: Path, text: str, more: dict[str, Any]) -
     assert len(series.time) == (5 if "several" in text else 2)
 
 
-@pytest.mark.parametrize(
-    ("text", "unit"),
-    [("g", "g"), ("M/S**2", "m/s2"), ("cm/s²", "cm/s2"), ("Gal", "cm/s2"), ("mm / s^2", "mm/s2"), ("ft/s2", None)],
-)
-def test_units(text: str, unit: str | None) -> None:
-    assert unit_of(text) == unit
-
-
 def test_ground_and_driving_are_opposite_and_g_is_the_scene_s(tmp_path: Path) -> None:
     path = write(tmp_path, "time (s),acc (g)\n0,0.25\n1,0\n")
     ground, driving = (read_record(path, holds=h, gravity=9.0) for h in ("ground", "driving"))
@@ -125,15 +117,11 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "one sample": (HEAD + "0,1\n", {}, "holds 1 sample:"),
     "nan": (HEAD + "0,1\n0.1,nan\n", {}, "line 3: value = nan: must be a finite number"),
     "nan below comments": (HEAD + "# a, 1\n0,0.1\n# b\n0.1,nan\n0.2,0.3\n", {}, "line 5: value = nan"),
-    "infinite": (HEAD + "0,1\n0.1,1e999\n", {}, "line 3: value = inf"),
-    "nan time": (HEAD + "0,1\n\nnan,1\n", {}, "line 4: time = nan"),
     "repeated": (HEAD + "0,1\n0.1,2\n0.1,3\n", {}, "line 4: time = 0.1 s repeats that of the sample before, 0.1 s"),
     "decreasing": (HEAD + "0,1\n0.2,2\n0.1,3\n", {}, "line 4: time = 0.1 s comes before that of the sample before"),
     "text": (HEAD + "0,1\n0.1,oops\n", {}, "line 3: 'oops': must be a number"),
-    "text at first": ("0,oops\n0.1,1\n0.2,1\n", {}, "line 1: 'oops': must be a number"),
     "empty field": (HEAD + "0,1\n0.1,\n", {}, "line 3: '': must be a number"),
     "short line": (HEAD + "0,1\n0.1\n", {}, "line 3: has 1 field, where the first row has 2"),
-    "long line": (HEAD + "0,1\n0.1,2,3\n", {}, "line 3: has 3 fields, where the first row has 2"),
     "decimal commas": ("t;a\n0,0;1,5\n0,1;2,5\n", {}, "line 2: '0,0;1,5': decimal commas; write points"),
     "no units": ("0,1\n1,2\n", {}, "units are missing"),
     "other units": (HEAD + "0,1\n1,2\n", {"units": "gal"}, "units = 'gal', but its header says g"),
@@ -143,10 +131,8 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "time as column": (HEAD + "0,1\n1,2\n", {"column": 1}, "column = 1: must be one of 2 (acc)"),
     "no step": ("1\n2\n", {"units": "g"}, "has one column and no times; give step"),
     "milliseconds": ("time (ms),acc (g)\n0,1\n1,2\n", {}, "its column 'time (ms)' says ms: must be s; convert"),
-    "bad start": (HEAD + "0,1\n1,2\n", {"start": -1.0}, "start = -1: must be a time in s, not before 0"),
     "step and times": (HEAD + "0,1\n1,2\n", {"step": 0.1}, "step = 0.1: its column 'time' holds the times"),
     "bad step": ("1\n2\n", {"units": "g", "step": 0.0}, "step = 0: must be a positive time in s"),
-    "bad scale": (HEAD + "0,1\n1,2\n", {"scale": math.nan}, "scale = nan: must be a finite factor"),
     "early": (HEAD + "-1,1\n1,2\n", {}, "line 2: time = -1.0 s: must not be before 0"),
     "gap": (HEAD + "".join(f"{t / 10},1\n" for t in range(30) if t not in (20, 21)), {},
             "line 22: time = 2.2 s comes 0.3 s after the sample before, where the step is 0.1 s: samples are missing"),
@@ -155,12 +141,10 @@ MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "AT2 without DT": (AT2.format(line="NPTS= x, DT= y"), {}, "line 4: 'NPTS= x, DT= y': must give NPTS and DT"),
     "AT2 of velocity": (AT2.replace("ACCELERATION", "VELOCITY").format(line="NPTS= 7, DT= 1"), {}, "no acceleration"),
     "AT2 with a nan": (AT2.format(line="NPTS= 7, DT= 1").replace(" .7000000E-01", "NaN"), {}, "line 6: value = nan"),
-    "AT2 with text": (AT2.format(line="NPTS= 7, DT= 1").replace(".7000000E-01", "*****"), {}, "line 6: '*****': must"),
     "AT2 with step": (AT2.format(line="NPTS= 7, DT= 1"), {"step": 1.0}, "step = 1.0: an AT2 file has"),
     "ESM of velocity": (esm("1\n2\n", 2, kind="VELOCITY"), {}, "DATA_TYPE = 'VELOCITY': must be ACCELERATION"),
     "ESM units": (esm("1\n2\n", 2, units="count"), {}, "UNITS = 'count': must be one of"),
     "ESM count": (esm("1\n2\n", 3), {}, "holds 2 values, but its header says 3"),
-    "ESM line": (esm("1\nnan\n", 2), {}, "line 66: value = nan"),
 }  # fmt: skip
 
 
@@ -297,7 +281,7 @@ def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
     assert Scene(replace(ARC, gravity=np.empty(0)), 0.5, TURNING).shape == (0,)
 
 
-# --- series --------------------------------------------------------------------------------------------------------
+# --- series and pulses (`test_newmark` holds what they are) -----------------------------------------------------------
 
 
 def test_series_is_straight_between_samples_and_held_or_zero_outside() -> None:
@@ -308,63 +292,19 @@ def test_series_is_straight_between_samples_and_held_or_zero_outside() -> None:
 
 
 @pytest.mark.parametrize(
-    ("time", "values", "said"),
+    ("made", "said"),
     [
-        ([0.0], [1.0], "1 times and 1 values: must have as many of both, two at least"),
-        ([0.0, 1.0], [1.0], "2 times and 1 values"),
-        ([[0.0, 1.0]], [[1.0, 2.0]], "must be a plain list of numbers"),
-        ([0.0, 1.0, 1.0], [1.0, 2.0, 3.0], "sample 3: time = 1.0 s repeats"),
-        ([0.0, 1.0], [1.0, math.nan], "sample 2: value = nan"),
-        ([0.0, 1.0], ["a", "b"], "values: must be a plain list of numbers"),
+        (lambda: Series([0.0], [1.0]), "1 times and 1 values: must have as many of both, two at least"),
+        (lambda: Series([[0.0, 1.0]], [[1.0, 2.0]]), "must be a plain list of numbers"),  # type: ignore[arg-type]
+        (lambda: Series([0.0, 1.0, 1.0], [1.0, 2.0, 3.0]), "sample 3: time = 1.0 s repeats"),  # type: ignore[arg-type]
+        (lambda: Series([0.0, 1.0], [1.0, math.nan]), "sample 2: value = nan"),  # type: ignore[arg-type]
+        (lambda: Pulse("sine", 1.0, -1.0, 1.0), "start = -1: must be a time in s, not before 0"),
+        (lambda: Pulse("sine", 1.0, 0.0, 1.0, 0.0), "cycles = 0: must be a number of waves above 0"),
+        (lambda: Pulse("half-sine", 1.0, 0.0, 1.0, 2.0), "cycles = 2.0: belongs to a sine only"),
+        (lambda: Pulse("sine", [1.0, 2.0], 0.0, 1.0), "amplitude = [1.0, 2.0]: must be one number"),  # type: ignore[arg-type]
     ],
 )
-def test_series_refuses(time: Any, values: Any, said: str) -> None:
-    with pytest.raises(ValueError, match="Series: ") as caught:
-        Series(time, values)
-    assert said in str(caught.value)
-
-
-# --- pulses --------------------------------------------------------------------------------------------------------
-
-
-def exact(pulse: Pulse, t: Any) -> Any:
-    """The definition, in mpmath."""
-    tau, d, a = mp.mpf(t) - mp.mpf(pulse.start), mp.mpf(pulse.duration), mp.mpf(pulse.amplitude)
-    if not 0 <= tau < d:
-        return mp.mpf(0)
-    wave = 2 * mp.mpf(pulse.cycles) if pulse.name == "sine" else 1
-    return (
-        a
-        * {
-            "rectangular": mp.mpf(1),
-            "triangular": 1 - abs(2 * tau / d - 1),
-            "half-sine": mp.sin(mp.pi * tau / d),
-            "sine": mp.sin(mp.pi * wave * tau / d),
-        }[pulse.name]
-    )
-
-
-@pytest.mark.parametrize("name", PULSES)
-def test_pulse_against_the_definition(name: str) -> None:
-    pulse = Pulse(name, -0.3, 0.75, 1.5, 2.25 if name == "sine" else 1.0)
-    with mp.workdps(25):
-        for t in (0.0, 0.75, 0.7500001, 1.1, 1.5, 1.9, 2.2499, 3.0):
-            assert abs(pulse(t) - exact(pulse, t)) <= 1e-15
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (("square", 1.0, 0.0, 1.0), "name = 'square': must be one of rectangular, half-sine, triangular, sine"),
-        (("sine", math.nan, 0.0, 1.0), "amplitude = nan: must be a finite number"),
-        (("sine", 1.0, -1.0, 1.0), "start = -1: must be a time in s, not before 0"),
-        (("sine", 1.0, 0.0, 0.0), "duration = 0: must be a positive time in s"),
-        (("sine", 1.0, 0.0, 1.0, 0.0), "cycles = 0: must be a number of waves above 0"),
-        (("half-sine", 1.0, 0.0, 1.0, 2.0), "cycles = 2.0: belongs to a sine only"),
-        (("sine", [1.0, 2.0], 0.0, 1.0), "amplitude = [1.0, 2.0]: must be one number"),
-    ],
-)
-def test_pulse_refuses(arguments: Any, said: str) -> None:
-    with pytest.raises(ValueError, match="Pulse: ") as caught:
-        Pulse(*arguments)
+def test_series_and_pulses_refuse(made: Any, said: str) -> None:
+    with pytest.raises(ValueError, match=r"^(Series|Pulse): ") as caught:
+        made()
     assert said in str(caught.value)
