@@ -17,23 +17,23 @@ from slipcircle.base.kinds import Array
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, known, shown
 from slipcircle.studies.conduct import grid
 
+VAIONT: Scene = load("vaiont")
 ANGLES = np.array([8.0, 10.0, 40.0])
 TIMES = np.array([0.0, 1.0, 5.0])
 
 
 def many(**more: Any) -> Motion:
     friction, velocity = np.tan(np.deg2rad(ANGLES)), np.array([[0.0], [1.0]])
-    return solve(replace(load("vaiont"), **{"friction": friction, "initial_velocity": velocity} | more))
+    return solve(replace(VAIONT, **{"friction": friction, "initial_velocity": velocity} | more))
 
 
 def single(angle: float, velocity: float) -> Motion:
-    return solve(replace(load("vaiont"), friction=math.tan(math.radians(angle)), initial_velocity=velocity))
+    return solve(replace(VAIONT, friction=math.tan(math.radians(angle)), initial_velocity=velocity))
 
 
 def overturned() -> Motion:
     """Two lanes, of which the pushed one carries its chord past the upright."""
-    vaiont: Scene = load("vaiont")
-    return solve(replace(vaiont, friction=0.0, initial_velocity=np.array([0.0, -400.0])))
+    return solve(replace(VAIONT, friction=0.0, initial_velocity=np.array([0.0, -400.0])))
 
 
 @pytest.fixture(scope="module")
@@ -46,10 +46,10 @@ def study() -> Study:
 
 
 def test_repr_has_the_key_results(study: Study) -> None:
-    assert repr(solve(load("vaiont"))) == "<Motion vaiont: 27.97 m/s at most; run-out 677.3 m; rests after 38.08 s>"
-    still = solve(replace(load("vaiont"), friction=0.9))
+    assert repr(solve(VAIONT)) == "<Motion vaiont: 27.97 m/s at most; run-out 677.3 m; rests after 38.08 s>"
+    still = solve(replace(VAIONT, friction=0.9))
     assert repr(still) == f"<Motion vaiont: does not move, factor of safety {still.factor_of_safety:.3f}>"
-    moving = solve(replace(load("vaiont"), end_time=10.0))
+    moving = solve(replace(VAIONT, end_time=10.0))
     assert repr(moving).endswith("still moves after 10 s>")
     said = repr(many(initial_velocity=0.0))
     assert said.startswith("<3 motions vaiont: 2 rests, 1 stays; ")
@@ -60,7 +60,7 @@ def test_repr_has_the_key_results(study: Study) -> None:
 
 
 def test_html_is_a_table_and_no_more(study: Study) -> None:
-    hostile = solve(replace(load("vaiont"), name="<script>&"))
+    hostile = solve(replace(VAIONT, name="<script>&"))
     for found in (hostile, many(), study, overturned()):
         root = ElementTree.fromstring(f"<div>{found._repr_html_()}</div>")
         assert not list(root.iter("script"))
@@ -98,27 +98,26 @@ def test_a_table_has_no_more_digits_than_the_error_leaves_and_no_fewer_than_want
 def test_a_lane_is_the_scene_solved_by_itself() -> None:
     motion = many()
     assert (motion.shape, len(motion), bool(motion)) == ((2, 3), 2, True)
-    for i, velocity in enumerate((0.0, 1.0)):
-        for k, angle in enumerate(ANGLES):
-            lane, alone = motion[i, k], single(angle, velocity)
-            assert lane.shape == ()
-            assert lane.run_out == alone.run_out == pytest.approx(motion.run_out[i, k], rel=1e-12)
-            assert lane.phases == alone.phases
-            assert lane.plan.scene.numbers == alone.plan.scene.numbers
-            assert lane.status is alone.status
+    for i, k in np.ndindex(2, 3):
+        lane, alone = motion[i, k], single(ANGLES[k], float(i))
+        assert lane.shape == ()
+        assert lane.run_out == alone.run_out == pytest.approx(motion.run_out[i, k], rel=1e-12)
+        assert lane.plan.scene.numbers == alone.plan.scene.numbers
+        assert (lane.phases, lane.status) == (alone.phases, alone.status)
     part = motion[1, 1:]
-    assert part.shape == (2,)
     np.testing.assert_array_equal(part.run_out, motion.run_out[1, 1:])
     np.testing.assert_allclose(part.at(TIMES).velocity, motion.at(TIMES).velocity[1, 1:], rtol=1e-12)
-    assert [motion[k].shape for k in range(len(motion))] == [(3,), (3,)]
+    assert [x.shape for x in (motion[0], motion[1])] == [(3,), (3,)]
     with pytest.raises(IndexError):
         motion[2]
-    single_one = solve(load("vaiont"))
-    assert single_one
-    with pytest.raises(TypeError, match="not of a scene of arrays"):
-        len(single_one)
-    with pytest.raises(TypeError, match="no lanes"):
-        single_one[0]
+    alone = single(10.0, 0.0)
+    assert alone
+    for ask, said in ((lambda: len(alone), "not of a scene of arrays"), (lambda: alone[0], "no lanes")):
+        with pytest.raises(TypeError, match=said):
+            ask()
+
+
+def test_a_failure_has_a_name_and_a_reason() -> None:
     failed = overturned()
     assert failed.to_dict()["status"].tolist() == ["MOVING", "UPRIGHT"]
     assert failed.reason.tolist() == ["", "the chord stands upright, and the mass would hang over"]
@@ -127,7 +126,8 @@ def test_a_lane_is_the_scene_solved_by_itself() -> None:
 
 
 def test_a_sample_of_a_study_is_its_motion(study: Study) -> None:
-    assert len(study) == 200
+    assert len(study) == study.to_dict()["samples"] == 200
+    assert study.to_dict()["outputs"]["run_out"]["mean"]["value"] == study.mean("run_out").value
     for k in (0, 7, -1):
         assert study[k].run_out == pytest.approx(study.samples["run_out"][k], rel=1e-12)
     counted = ensemble(study.scene, 20, 1, keep=False, sensitivity=0)
@@ -137,7 +137,7 @@ def test_a_sample_of_a_study_is_its_motion(study: Study) -> None:
 
 
 def test_pickled_it_is_the_same(study: Study) -> None:
-    for motion in (solve(load("vaiont")), many()):
+    for motion in (solve(VAIONT), many()):
         again = pickle.loads(pickle.dumps(motion))
         np.testing.assert_array_equal(again.run_out, motion.run_out)
         np.testing.assert_array_equal(again.at(TIMES).velocity, motion.at(TIMES).velocity)
@@ -148,7 +148,7 @@ def test_pickled_it_is_the_same(study: Study) -> None:
 
 
 def test_a_dictionary_has_every_result() -> None:
-    motion = solve(load("vaiont"))
+    motion = solve(VAIONT)
     found = motion.to_dict()
     assert [*found] == [*(q.name for q in RESULTS), "status", "reason"]
     assert found["run_out"] == motion.run_out
@@ -165,7 +165,7 @@ def test_a_dictionary_has_every_result() -> None:
 @pytest.mark.parametrize("name", ["pandas", "xarray"])
 def test_a_missing_library_is_one_sentence(name: str, study: Study, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, name, None)
-    for found in (solve(load("vaiont")), many(), study) if name == "pandas" else (many(),):
+    for found in (solve(VAIONT), many(), study) if name == "pandas" else (many(),):
         with pytest.raises(ImportError, match=f"^to_{name} needs {name}: pip install {name}$"):
             getattr(found, f"to_{name}")()
 
@@ -178,16 +178,15 @@ def test_pandas(study: Study) -> None:
     assert frame.loc[(1, 2), "status"] == motion[1, 2].status.name
     assert frame.loc[(1, 1), "run_out"] == motion.run_out[1, 1]
     assert frame.attrs["units"]["peak_velocity"] == "m/s"
-    assert len(solve(load("vaiont")).to_pandas()) == 1
+    assert len(solve(VAIONT).to_pandas()) == 1
     history = motion.to_pandas(TIMES)
     assert history.index.names == ["lane_0", "lane_1", "time"]
     assert history.loc[(0, 1, 5.0), "velocity"] == motion.at(5.0).velocity[0, 1]
-    alone = solve(load("vaiont")).to_pandas(TIMES)
+    alone = solve(VAIONT).to_pandas(TIMES)
     assert (alone.index.name, alone.index.tolist()) == ("time", TIMES.tolist())
     samples = study.to_pandas()
     np.testing.assert_array_equal(samples["run_out"], study.samples["run_out"])
     assert set(samples["status"]) == {"RESTS"}
-    assert study.to_dict()["outputs"]["run_out"]["mean"]["value"] == study.mean("run_out").value
     assert samples.attrs["units"] == {**{n: q.unit for n, q in OUTCOMES.items()}, "friction.angle_deg": "deg"}
 
 
@@ -206,10 +205,10 @@ def test_xarray_keeps_dimensions(study: Study) -> None:
     other = xarray.DataArray(np.array([0.0, 1.0, 2.0]), dims=("push",))
     with pytest.raises(ValueError, match="initial_velocity: its dimension 'push' stands where 'angle' does"):
         many(friction=friction, initial_velocity=other).to_xarray()
-    assert solve(load("vaiont")).to_xarray(TIMES)["velocity"].dims == ("time",)
+    assert solve(VAIONT).to_xarray(TIMES)["velocity"].dims == ("time",)
     assert study.to_xarray()["run_out"].dims == ("sample",)
     levels = {"friction.angle_deg": [8.0, 10.0], "arc.radius_m": [1000.0, 1200.0, 1400.0]}
-    table = grid(load("vaiont"), levels).to_xarray()
+    table = grid(VAIONT, levels).to_xarray()
     assert table["run_out"].shape == (2, 3)
     alone = single(10.0, 0.0)
     slide = solve(replace(alone.plan.scene, arc=replace(alone.plan.scene.arc, radius=1200.0)))
@@ -219,12 +218,11 @@ def test_xarray_keeps_dimensions(study: Study) -> None:
 
 def test_a_type_checker_tells_one_motion_from_many() -> None:
     """mypy holds the types, the run that they are true."""
-    vaiont: Scene = load("vaiont")
     arc, mu = Arc(60.0, 3.8, 4.9, 2e4), np.array([0.1, 0.2])
     one = solve(Scene(arc, 0.2, {"rotation": {}, "pore_pressure": {"ratio": 0.1}}))
     assert_type(one, Motion[float])
-    assert_type(solve(load("vaiont")), Motion[float])
-    assert_type(solve(replace(load("vaiont"), friction=0.2)), Motion[float])
+    assert_type(solve(VAIONT), Motion[float])
+    assert_type(solve(replace(VAIONT, friction=0.2)), Motion[float])
     assert_type(one.run_out, float)
     assert isinstance(one.run_out, float)
     many = solve(Scene(arc, mu, ["rotation"]))
@@ -235,6 +233,6 @@ def test_a_type_checker_tells_one_motion_from_many() -> None:
     assert many.run_out.shape == wide.run_out.shape == (2,)
     law: dict[str, Any] = {"law": "exponential", "peak": 0.4, "residual": mu, "length": 1.0}
     assert_type(solve(Scene(arc, law, ["rotation"])), Motion[Any])  # which only running it tells
-    assert_type(solve(replace(vaiont, friction=mu)), Motion[Any])
+    assert_type(solve(replace(VAIONT, friction=mu)), Motion[Any])
     with pytest.raises(ValueError, match="shapes do not fit together"):
-        replace(load("vaiont"), friction=mu, initial_velocity=np.zeros(3))  # type: ignore[arg-type]
+        replace(VAIONT, friction=mu, initial_velocity=np.zeros(3))  # type: ignore[arg-type]

@@ -153,6 +153,7 @@ PRINTED: Any = load("vaiont-as-printed").arc
         *((lambda n=n: ANY.ensemble(DRAWN, 3, **{n: "a"}), f"{n} = 'a': must be")
           for n in ("method", "confidence", "size", "sensitivity", "correlation", "rng")),
         (lambda: ANY.grid(VAIONT, 3), "levels = 3: must be a mapping"),
+        (lambda: ANY.grid(VAIONT, {"friction.angle": [1.0]}), r"friction\.angle: is no number"),
         (lambda: ANY.grid(VAIONT, {"friction": ["a"]}), "friction: must be a list of numbers"),
         (lambda: ANY.backanalyse(VAIONT, run_out=300.0, field=3), "field = 3, bounds = None: must be a key"),
         (lambda: ANY.backanalyse(VAIONT, run_out=300.0, bounds=3), "bounds = 3: must be a key"),

@@ -204,7 +204,6 @@ def test_every_law_and_effect_can_be_asked_for(file: Path) -> None:
 # --- what is refused -----------------------------------------------------------------------------------------------
 
 MISTAKES = [
-    (ARC.replace("radius_m", "radius_mm") + FRICTION, "arc.radius_mm = 1492.6: is unknown; did you mean radius_m?"),
     (ARC.replace("radius_m", "radius") + FRICTION, "arc.radius = 1492.6: is unknown; did you mean radius_m?"),
     (ARC + "end_time_s = 30\n" + FRICTION,
      "arc.end_time_s = 30: is unknown; did you mean end_time_s above the first table?"),
@@ -212,7 +211,6 @@ MISTAKES = [
      "unit_weight_kN_m3 = 20: is unknown; did you mean unit_weight_kN_m3 in [arc]?"),
     (ARC + FRICTION + "[rotatoin]\n", "rotatoin = {}: is unknown; did you mean rotation?"),
     (ARC + FRICTION + "[rotation]\nspeed = 1\n", "rotation.speed = 1: is unknown; this table has no keys"),
-    (ARC + FRICTION + "[zzz]\n", "zzz = {}: is unknown; known are name, note, initial_velocity_m_s"),
     (ARC + FRICTION + "[drag]\nxi_m_s2 = 1\nqqq = 1979-05-27\n",
      'drag.qqq = "1979-05-27": is unknown; known are xi_m_s2'),
     (ARC.replace("radius_m = 1492.6\n", "") + FRICTION,
@@ -220,15 +218,11 @@ MISTAKES = [
     (ARC, "friction: is missing: friction on the slip surface, a table [friction]"),
     (ARC + "[friction]\n", "friction: angle_deg or coefficient is missing: friction coefficient, tan(phi)"),
     (ARC + FRICTION + "coefficient = 0.2\n", "friction: angle_deg and coefficient exclude each other; leave one out"),
-    (ARC + "[friction]\nangle = 20\n", "friction.angle = 20: is unknown; did you mean angle_deg?"),
     (ARC + "[friction]\nangle_deg = 95\n", "friction.angle_deg = 95: must be a number at least 0 and below 90 (deg): "),
-    (ARC + "[friction]\nangle_deg = -1e-9\n", "friction.angle_deg = -1e-09: must be a number at least 0 and below 90"),
     (ARC + "[friction]\ncoefficient = -0.1\n", "friction.coefficient = -0.1: must be a number at least 0: "),
     (ARC + "[friction]\nlaw = 'exponentail'\npeak = 1\nresidual = 0\nlength_m = 1\n",
      'friction.law = "exponentail": must be one of constant, exponential, linear, hyperbolic, tabulated, '
      "rate_weakening, rate_tabulated, prescribed: friction law; did you mean exponential?"),
-    (ARC + "[friction]\nlaw = 'magic'\npeak = 1\n", 'friction.law = "magic": must be one of constant, exponential'),
-    (ARC + "[friction]\nlaw = 7\n", "friction.law = 7: must be one of constant, exponential"),
     (ARC + "[friction]\nlaw = 'linear'\npeak = 1\nresidual_deg = 8\n",
      "friction.length_m: is missing: slip over which friction falls, a number above 0 (m)"),
     (ARC + "[friction]\nlaw = 'linear'\nresidual = 1\nlength_m = 8\n", "friction: peak_deg or peak is missing: "),
@@ -237,15 +231,12 @@ MISTAKES = [
     (ARC + TABLE + "angle_deg = [20, 10]\n", "friction.slip and friction.coefficient: must be two lists of equal"),
     (ARC + TABLE.replace("2, 5", "5, 2") + "angle_deg = [20, 9, 8]\n", "friction.slip: must start at 0 and increase"),
     ("friction = 0.2\n" + ARC, "friction = 0.2: must be a table [friction]: friction on the slip surface"),
-    ("rotation = true\n" + ARC + FRICTION, "rotation = true: must be a table [rotation]: the mass turns as it slides"),
     (ARC.replace("1492.6", '"1492.6 m"') + FRICTION, 'arc.radius_m = "1492.6 m": must be a number above 0 (m): radius'),
     *((ARC.replace("1492.6", x) + FRICTION, f"arc.radius_m = {x}: must be a number above 0 (m)")
-      for x in ("true", "nan", "inf", "[1, 2]")),
+      for x in ("true", "nan", "[1, 2]")),
     (ARC.replace("1492.6", "1" * 400) + FRICTION, f"arc.radius_m = {'1' * 57}...: must be a number above 0 (m)"),
     (ARC.replace("1492.6", "1e103") + FRICTION, "arc.radius_m = 1e+103: must be a number above 0 (m): radius of the "
      "slip circle; between 1e-06 and 1e+20: is that another unit?"),
-    (ARC.replace("1492.6", "5e-324") + FRICTION, "arc.radius_m = 5e-324: must be a number above 0"),
-    (ARC.replace("= 20\n", "= 1e300\n") + FRICTION, "arc.unit_weight_kN_m3 = 1e+300: must be"),
     (ARC.replace("= 20\n", "= 0\n") + FRICTION, "arc.unit_weight_kN_m3 = 0: must be a number above 0 (kN/m3): unit"),
     (ARC.replace("215.2", "276.9") + FRICTION, "arc.theta_2 = 276.9 deg: must be above theta_1 = 276.9 deg"),
     (ARC.replace("215.2", "15.2").replace("276.9", "76.9") + FRICTION,
@@ -273,9 +264,7 @@ MISTAKES = [
     (ARC + FRICTION + "[cohesion]\ncohesion_kPa = 1e307\n",
      "cohesion.cohesion_kPa = 1e+307: must be a number at least 0 (kPa): "),
     ("accuracy = 1\n" + ARC + FRICTION, "accuracy = 1: must be a number above 0 and below 1: relative error asked for"),
-    ("end_time_s = 0\n" + ARC + FRICTION, "end_time_s = 0: must be a number above 0 (s): time of the end"),
     ("initial_velocity_m_s = nan\n" + ARC + FRICTION, "initial_velocity_m_s = nan: must be a number (m/s): velocity"),
-    ("name = 3\n" + ARC + FRICTION, "name = 3: must be text: name of the scene"),
     ('"" = 1\n' + ARC + FRICTION, " = 1: is unknown; known are name"),
     ('"arc.given" = 1\n' + ARC + FRICTION, "arc.given = 1: is unknown; "),
     ("[arc\n", "is not TOML: Expected ']' at the end of a table declaration (at line 1, column 5)"),
