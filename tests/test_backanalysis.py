@@ -78,15 +78,6 @@ def pendulum(run_out: float) -> list[float]:
     return found
 
 
-def test_closed_form() -> None:
-    """Water of r_u leaves 1 - r_u of the friction."""
-    for run_out in (1.0, 400.0):
-        found = backanalyse(PENDULUM, run_out=run_out, field="friction")
-        assert found.value == pytest.approx(pendulum(run_out)[0], rel=1e-11)
-    wet = replace(PENDULUM, effects={"rotation": {}, "pore_pressure": {"ratio": 0.4}})
-    assert backanalyse(wet, run_out=400.0, field="friction").value == pytest.approx(found.value / 0.6, rel=1e-11)
-
-
 @pytest.mark.parametrize(("share", "count"), [(0.3, 1), (1.1, 4), (0.93, 7), (1.3, 2)])
 def test_several_solutions_and_none_is_missed(share: float, count: int) -> None:
     """Weak friction lets the mass swing: the search finds what the closed form does, and every one moves so."""

@@ -20,7 +20,6 @@ import generated
 import slipcircle
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
-from slipcircle.cost import cost
 from slipcircle.files.scenefile import find, shipped
 
 ROOT = Path(__file__).parents[1]
@@ -389,7 +388,7 @@ def test_on_numpy_alone(tmp_path: Path) -> None:
     assert [p.name for p in tmp_path.glob("a.*")] == []
 
 
-# --- info and cost -------------------------------------------------------------------------------------------------
+# --- info ------------------------------------------------------------------------------------------------------
 
 
 def test_info(said: Any) -> None:
@@ -405,29 +404,3 @@ def test_info(said: Any) -> None:
     assert max(map(len, table.splitlines())) <= 100
     for key, value in facts.items():
         assert re.search(rf"{re.escape(key)} +{re.escape(value)}", table)
-
-
-def test_cost_of_a_way_that_fails_is_json_too(said: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    fails = cost.Row("f", "printed form", float("inf"), (1.5,), 3.0)
-    monkeypatch.setattr(cost, "measure", lambda names, progress: [fails])
-    assert json.loads(said("cost --json"), parse_constant=pytest.fail)["rows"][0]["error"] is None
-
-
-def test_cost(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name, value in {"SIZES": (1, 50, 400), "REPEATS": 1, "_TICK": 1e-7, "_PATIENCE": 0.0}.items():
-        monkeypatch.setattr(cost, name, value)
-    table, picture = tmp_path / "cost.csv", tmp_path / "cost.png"
-    _, out, err = asked("cost resistance_factor --json --csv", table, "--plot", picture)
-    assert err == "measuring resistance_factor\n"
-    found = json.loads(out, parse_constant=pytest.fail)
-    assert np.__version__ in found["machine"]
-    ways = [row["way"] for row in found["rows"]]
-    assert {"printed, float64", "half-angle, NumPy", "np.copyto (floor)"} <= set(ways)
-    assert {row["function"] for row in found["rows"]} == {"resistance_factor"}
-    assert table.read_text("utf-8").count("\nresistance_factor,") == len(ways)
-    assert picture.read_bytes().startswith(b"\x89PNG")
-    lines = said("cost resistance_factor").splitlines()
-    assert max(map(len, lines)) <= 100
-    for number, way in enumerate(ways, 1):
-        assert any(re.match(rf"{number} +{re.escape(way)} ", row) for row in lines), way
-    assert any(row.startswith("Frontier: ") for row in lines)

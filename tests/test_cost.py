@@ -3,10 +3,12 @@
 import csv
 import io
 import json
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import exact_scenes
@@ -148,15 +150,6 @@ def test_everything_is_timed_in_turns() -> None:
     assert order == "ababab"  # each once to warm up, then in turns
 
 
-def test_progress_and_unknown_functions() -> None:
-    said = io.StringIO()
-    cost.measure(["angular_velocity"], progress=said)
-    assert said.getvalue() == "measuring angular_velocity\n"
-    known = r"^function 'polar' is unknown; known are kernels, flow, polar_moment, .*rotation, .*record$"
-    with pytest.raises(ValueError, match=known):
-        cost.measure(["resistance_factor", "polar"])
-
-
 # --- verdicts ------------------------------------------------------------------------------------------------------
 
 
@@ -235,6 +228,27 @@ def test_records_and_csv_keep_every_digit(rows: list[Row]) -> None:
         assert tuple(map(float, line["worst_input"].split())) == row.worst_input
         assert line["bound"] == ("" if row.bound is None else repr(row.bound))
         assert line["error"] == ("" if row.error != row.error else repr(row.error))
+
+
+def test_the_command(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    table, picture = tmp_path / "cost.csv", tmp_path / "cost.png"
+    _, out, err = asked("cost resistance_factor --json --csv", table, "--plot", picture)
+    assert err == "measuring resistance_factor\n"
+    found = json.loads(out, parse_constant=pytest.fail)
+    assert np.__version__ in found["machine"]
+    ways_of = [row["way"] for row in found["rows"]]
+    assert {"printed, float64", "half-angle, NumPy", "np.copyto (floor)"} <= set(ways_of)
+    assert {row["function"] for row in found["rows"]} == {"resistance_factor"}
+    assert table.read_text("utf-8").count("\nresistance_factor,") == len(ways_of)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    lines = said("cost resistance_factor").splitlines()
+    assert max(map(len, lines)) <= 100
+    for number, way in enumerate(ways_of, 1):
+        assert any(re.match(rf"{number} +{re.escape(way)} ", line) for line in lines), way
+    assert any(line.startswith("Frontier: ") for line in lines)
+    fails = Row("f", "printed form", float("inf"), (1.5,), 3.0)
+    monkeypatch.setattr(cost, "measure", lambda names, progress: [fails])
+    assert json.loads(said("cost --json"), parse_constant=pytest.fail)["rows"][0]["error"] is None
 
 
 def test_the_picture(rows: list[Row]) -> None:

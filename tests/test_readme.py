@@ -238,11 +238,6 @@ def test_links() -> None:
     assert any("https://" in text for _, text in documents())
 
 
-@pytest.mark.parametrize("link", ["[a](missing.md)", "http://example.org/a", "[a](https://here/a)", "https:/a.org/x"])
-def test_a_link_that_leads_nowhere_is_seen(link: str) -> None:
-    assert bad_links(README, f"See {link}.")
-
-
 def test_headings_that_links_point_at() -> None:
     """Anchors in the README's own links are headings of it."""
     heads = {re.sub(r"[^\w -]", "", h.lower()).replace(" ", "-") for h in re.findall(r"^#+ (.*)", TEXT, re.MULTILINE)}

@@ -87,12 +87,6 @@ def test_the_papers_scenes_hold_the_papers_numbers() -> None:
     })  # fmt: skip
 
 
-def test_softening_starts_below_the_limit_and_ends_at_the_residual() -> None:
-    scene = load("vaiont-softening")
-    assert scene.friction == {"law": "exponential", "peak": tan(22.5), "residual": tan(10.0), "length": 1.0}
-    assert tan(22.5) < scene.arc.dimensionless.limit_friction < tan(22.75)
-
-
 def test_values_that_are_not_the_papers_say_so() -> None:
     """Every number has a comment, or stands in a table whose header has one."""
     for path in FOLDER.glob("*.toml"):

@@ -156,16 +156,6 @@ def test_the_command_refuses_what_it_cannot_read(write: Write, refused: Any, ask
     assert asked("search", write(ACADS), "--method janbu")[0] == 2
 
 
-def test_from_python(write: Write) -> None:
-    alone = found_in(write(ACADS))
-    found = slipcircle.critical(alone.slope)
-    assert found == alone
-    ground = np.asarray(found.slope.ground)
-    section = slipcircle.Section(ground, found.centre, found.radius, 20e3, between=found.between)
-    assert section.exit == pytest.approx(found.exit)
-    assert section.entry == pytest.approx(found.entry)
-
-
 def test_what_a_file_says(write: Write) -> None:
     path = write(
         "name = 'cut'\n[ground]\nheight_m = 10\nangle_deg = 45\nunit_weight_kN_m3 = 19\n"
@@ -217,13 +207,6 @@ def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, word
     with pytest.raises(ValueError, match=words) as raised:
         found_in(write(ACADS.replace(old, new)))
     assert "my-slope.toml: " in str(raised.value)
-
-
-def test_all_mistakes_at_once(write: Write) -> None:
-    text = ACADS.replace("= 20", "= 19500", 1).replace("19.6", "196").replace("[cohesion]", "[cohesoin]")
-    with pytest.raises(ValueError, match="cohesoin") as raised:
-        found_in(write(text))
-    assert len(str(raised.value).splitlines()) == 3
 
 
 # --- ensembles ------------------------------------------------------------------------------------------------------

@@ -23,10 +23,10 @@ WATER = {"pore_pressure.ratio": {"distribution": "triangular", "low": 0, "mode":
 RADIUS = {"arc.radius_m": {"distribution": "uniform", "low": 30, "high": 50}}
 CASES: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "two": (ANGLE | WATER, {"sensitivity": 64}),
-    "three, Sobol": (ANGLE | WATER | RADIUS, {"method": "sobol", "n": 256}),
+    "three, Sobol": (ANGLE | WATER | RADIUS, {"method": "sobol", "n": 256, "sensitivity": 256}),
     "one": (ANGLE, {"n": 100}),
     "few": (ANGLE | WATER, {"n": 20, "sensitivity": 8}),
-    "none moves": ({k: v | {"mean": 50} for k, v in ANGLE.items()} | RADIUS, {"n": 100}),
+    "none moves": ({k: v | {"mean": 50} for k, v in ANGLE.items()} | RADIUS, {"n": 100, "sensitivity": 32}),
     "few move": ({k: v | {"mean": 33} for k, v in ANGLE.items()}, {"n": 500}),
 }
 each_case = pytest.mark.parametrize("name", CASES)
