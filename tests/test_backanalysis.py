@@ -224,7 +224,7 @@ def test_a_shaken_mass_that_would_stand() -> None:
     """Newmark's block: the friction is above its limit at rest."""
     scene = load("newmark-pulse")
     for name in ("run_out", "peak_velocity"):
-        found = backanalyse(scene, **{name: solve(scene).outcomes[name]}, field="friction")
+        found = backanalyse(scene, field="friction", **{name: solve(scene).outcomes[name]})  # type: ignore[arg-type]
         assert found.value == pytest.approx(float(np.asarray(scene.friction)), rel=1e-9)
 
 

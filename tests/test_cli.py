@@ -33,9 +33,9 @@ SLOPE = "[arc]\nradius_m = 60\ntheta_1_deg = 215\ntheta_2_deg = 280\nunit_weight
 def fresh(*argv: str, **changes: Any) -> subprocess.CompletedProcess[str]:
     """A fresh interpreter in which every warning is an error, without what would change the tables' look."""
     kept = {k: v for k, v in os.environ.items() if k not in LOOK}
-    given = {"cwd": ROOT, "env": kept, "stdin": subprocess.DEVNULL, "text": True, "encoding": "utf-8", "check": False,
-             "stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | changes  # fmt: skip
-    return subprocess.run([sys.executable, "-W", "error", *argv], **given)
+    given: dict[str, Any] = {"env": kept, "stdout": subprocess.PIPE} | changes
+    return subprocess.run([sys.executable, "-W", "error", *argv], cwd=ROOT, stdin=subprocess.DEVNULL, text=True,
+                          encoding="utf-8", check=False, stderr=subprocess.PIPE, **given)  # fmt: skip
 
 
 # --- run -----------------------------------------------------------------------------------------------------------

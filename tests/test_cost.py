@@ -4,7 +4,7 @@ import csv
 import io
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -285,7 +285,7 @@ def test_the_references_of_scenes_are_the_motion(name: str) -> None:
     scene = case.scene(mu)
     arc = {n: float(getattr(scene.arc, n)) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")}
     effects: dict[str, Any] = dict(scene.called)
-    made = answers()[name][repr(mu)]
+    made: Sequence[str] = answers()[name][repr(mu)]
     if case.shakes:
         with pytest.MonkeyPatch.context() as patch:  # few samples: series through all of them take minutes
             patch.setattr(scenes, "SAMPLES", 40)

@@ -189,7 +189,9 @@ NO_WATER: dict[str, tuple[str, dict[str, Any], str]] = {
 }  # fmt: skip
 
 
-ALL = {name: (read_record, (text, more | {"holds": "driving"}, said)) for name, (text, more, said) in MISTAKES.items()}
+ALL: dict[str, Any] = {
+    name: (read_record, (text, more | {"holds": "driving"}, said)) for name, (text, more, said) in MISTAKES.items()
+}
 ALL |= {f"water, {name}": (read_pore_pressure, row) for name, row in NO_WATER.items()}
 
 
@@ -292,19 +294,19 @@ def test_series_is_straight_between_samples_and_held_or_zero_outside() -> None:
 
 
 @pytest.mark.parametrize(
-    ("made", "said"),
+    ("kind", "given", "said"),
     [
-        (lambda: Series([0.0], [1.0]), "1 times and 1 values: must have as many of both, two at least"),
-        (lambda: Series([[0.0, 1.0]], [[1.0, 2.0]]), "must be a plain list of numbers"),  # type: ignore[arg-type]
-        (lambda: Series([0.0, 1.0, 1.0], [1.0, 2.0, 3.0]), "sample 3: time = 1.0 s repeats"),  # type: ignore[arg-type]
-        (lambda: Series([0.0, 1.0], [1.0, math.nan]), "sample 2: value = nan"),  # type: ignore[arg-type]
-        (lambda: Pulse("sine", 1.0, -1.0, 1.0), "start = -1: must be a time in s, not before 0"),
-        (lambda: Pulse("sine", 1.0, 0.0, 1.0, 0.0), "cycles = 0: must be a number of waves above 0"),
-        (lambda: Pulse("half-sine", 1.0, 0.0, 1.0, 2.0), "cycles = 2.0: belongs to a sine only"),
-        (lambda: Pulse("sine", [1.0, 2.0], 0.0, 1.0), "amplitude = [1.0, 2.0]: must be one number"),  # type: ignore[arg-type]
+        (Series, ([0.0], [1.0]), "1 times and 1 values: must have as many of both, two at least"),
+        (Series, ([[0.0, 1.0]], [[1.0, 2.0]]), "must be a plain list of numbers"),
+        (Series, ([0.0, 1.0, 1.0], [1.0, 2.0, 3.0]), "sample 3: time = 1.0 s repeats"),
+        (Series, ([0.0, 1.0], [1.0, math.nan]), "sample 2: value = nan"),
+        (Pulse, ("sine", 1.0, -1.0, 1.0), "start = -1: must be a time in s, not before 0"),
+        (Pulse, ("sine", 1.0, 0.0, 1.0, 0.0), "cycles = 0: must be a number of waves above 0"),
+        (Pulse, ("half-sine", 1.0, 0.0, 1.0, 2.0), "cycles = 2.0: belongs to a sine only"),
+        (Pulse, ("sine", [1.0, 2.0], 0.0, 1.0), "amplitude = [1.0, 2.0]: must be one number"),
     ],
 )
-def test_series_and_pulses_refuse(made: Any, said: str) -> None:
+def test_series_and_pulses_refuse(kind: Any, given: Any, said: str) -> None:
     with pytest.raises(ValueError, match=r"^(Series|Pulse): ") as caught:
-        made()
+        kind(*given)
     assert said in str(caught.value)

@@ -17,7 +17,8 @@ from slipcircle.base.kinds import Array
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, known, shown
 from slipcircle.studies.conduct import grid
 
-VAIONT: Scene = load("vaiont")
+VAIONT = load("vaiont")
+MANY_OF: Scene = VAIONT  # which may hold arrays
 ANGLES = np.array([8.0, 10.0, 40.0])
 TIMES = np.array([0.0, 1.0, 5.0])
 
@@ -33,7 +34,7 @@ def single(angle: float, velocity: float) -> Motion:
 
 def overturned() -> Motion:
     """Two lanes, of which the pushed one carries its chord past the upright."""
-    return solve(replace(VAIONT, friction=0.0, initial_velocity=np.array([0.0, -400.0])))
+    return solve(replace(MANY_OF, friction=0.0, initial_velocity=np.array([0.0, -400.0])))
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +100,7 @@ def test_a_lane_is_the_scene_solved_by_itself() -> None:
     motion = many()
     assert (motion.shape, len(motion), bool(motion)) == ((2, 3), 2, True)
     for i, k in np.ndindex(2, 3):
-        lane, alone = motion[i, k], single(ANGLES[k], float(i))
+        lane, alone = motion[i, k], single(float(ANGLES[k]), float(i))
         assert lane.shape == ()
         assert lane.run_out == alone.run_out == pytest.approx(motion.run_out[i, k], rel=1e-12)
         assert lane.plan.scene.numbers == alone.plan.scene.numbers
@@ -233,6 +234,6 @@ def test_a_type_checker_tells_one_motion_from_many() -> None:
     assert many.run_out.shape == wide.run_out.shape == (2,)
     law: dict[str, Any] = {"law": "exponential", "peak": 0.4, "residual": mu, "length": 1.0}
     assert_type(solve(Scene(arc, law, ["rotation"])), Motion[Any])  # which only running it tells
-    assert_type(solve(replace(VAIONT, friction=mu)), Motion[Any])
+    assert_type(solve(replace(MANY_OF, friction=mu)), Motion[Any])
     with pytest.raises(ValueError, match="shapes do not fit together"):
         replace(VAIONT, friction=mu, initial_velocity=np.zeros(3))  # type: ignore[arg-type]

@@ -116,8 +116,8 @@ def test_bounds_of_files_hold_in_python_too() -> None:
     for bad in (1e103, 5e-324):
         with pytest.raises(ValueError, match=r"radius = .*: must be a positive length in m, between 1e-06 and 1e\+20"):
             Arc(bad, 3.8, 4.9, 2e4)
-    for thing in (*EFFECTS.values(), *LAWS.values()):
-        assert all(p.upper < 1e21 for p in thing.parameters if p.key and p.kind in ("number", "list", "series"))
+    for parameters in (*(e.parameters for e in EFFECTS.values()), *(law.parameters for law in LAWS.values())):
+        assert all(p.upper < 1e21 for p in parameters if p.key and p.kind in ("number", "list", "series"))
 
 
 def test_accuracy_of_the_call_wins() -> None:
@@ -127,6 +127,7 @@ def test_accuracy_of_the_call_wins() -> None:
         1e-6,
         1e-3,
     ]
+    wrong: Any
     for wrong in (0.0, 1.0, -1.0, np.nan, np.inf, "high"):
         with pytest.raises(ValueError, match=r"accuracy = .*: must be a relative error between 0 and 1"):
             plan(Scene(ARC, 0.2), wrong)

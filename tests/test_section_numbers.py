@@ -172,7 +172,7 @@ def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
     (record,) = records("sensitivity real-slope")
     assert record["keys"]["ground.2.y"] == "ground.points_m.2.y"
     scene = load("real-slope")
-    radius = float(scene.arc.radius)
+    radius: Any = scene.arc.radius
     inwards = [solve(replace(scene, arc=moved(scene.arc, "radius", radius - by))) for by in (0.0, 1e-5)]  # type: ignore[arg-type]
     slope = (inwards[0].run_out - inwards[1].run_out) / 1e-5
     assert inwards[0].sensitivity().derivative("run_out", "radius") == pytest.approx(slope, rel=1e-4)
