@@ -13,8 +13,8 @@ import section_references
 import taylor
 from scipy.integrate import solve_ivp
 
+from generated import cells as its
 from slipcircle import Motion, Scene, Section, solve
-from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, tables, walk
 from slipcircle.flow.bind import bind
 
