@@ -24,8 +24,13 @@ from slipcircle.studies.conduct import grid
 from slipcircle.studies.sampling import latin, monte_carlo, sobol
 from slipcircle.studies.statistics import (
     BIN_ERROR,
+    BINS,
+    bins,
+    edges,
+    histogram_quantile,
     indices,
     moments,
+    pooled,
     proportion,
     ranks,
     spread,
@@ -237,6 +242,28 @@ def test_proportion_and_ranks_cover() -> None:
         below = stats.binom(n, p)
         assert below.cdf(low - 1) < 0.025 <= below.cdf(low)
         assert high == n + 1 or below.cdf(high - 2) < 0.975 <= below.cdf(high - 1)
+
+
+def test_moments_of_parts_are_those_of_the_whole() -> None:
+    """In any parts, empty ones too."""
+    values = np.random.default_rng(2).gamma(2.0, 3.0, 5000) + 1e4
+    found = np.zeros(5)
+    for part in np.split(values, [0, 1, 7, 7, 1000, 4990]):
+        found = pooled(found, moments(part))
+    mean = float(np.mean(values))
+    off = [math.fsum((values - mean) ** k) for k in (2, 3, 4)]
+    np.testing.assert_allclose(found, np.array([5000.0, mean, *off]), rtol=1e-9)
+
+
+def test_bins() -> None:
+    sample = np.sort(10 ** np.random.default_rng(1).uniform(-8, 8, 1000))
+    values = np.concatenate([[0.0, 1e-300, 1e300, np.inf], sample, edges()[1:-1]])
+    k = bins(values)
+    assert np.all((edges()[k] <= values) & ((values < edges()[k + 1]) | (k == BINS - 1)))
+    inner, shares = edges()[1:-1], np.linspace(0, 1, 51)
+    assert np.max(np.diff(inner) / inner[:-1]) <= BIN_ERROR
+    found = histogram_quantile(np.bincount(bins(sample), minlength=BINS), shares, (sample[0], sample[-1]))
+    np.testing.assert_allclose(found, np.quantile(sample, shares, method="inverted_cdf"), rtol=BIN_ERROR)
 
 
 def batches(function: Any, d: int, seed: int, points: int = 500) -> Any:

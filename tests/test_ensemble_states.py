@@ -155,6 +155,9 @@ def test_shapes() -> None:
     none = solve(replace(vaiont, friction=np.zeros((0, 3))))
     assert none.duration.shape == none.peak.velocity.shape == (0, 3)
     assert none.count() == {}
+    printed: Scene = load("vaiont-as-printed")  # with coefficients that are given
+    singles = [solve(replace(printed, friction=mu)).run_out for mu in (0.1, 0.3)]
+    assert solve(replace(printed, friction=np.array([0.1, 0.3]))).run_out == pytest.approx(singles, rel=1e-14)
 
 
 def test_the_accuracy_asked_for() -> None:
