@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 import time
-from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any
@@ -299,18 +298,6 @@ def test_a_reader_that_stops_reading(words: str, reads: str, told: str) -> None:
     assert (done.returncode, done.stdout) == (1, "")
     assert told in done.stderr
     assert done.stderr.count("\n") == (told != "")
-
-
-@pytest.mark.parametrize("gone", [BrokenExecutor, CancelledError])
-def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.MonkeyPatch, refused: Any) -> None:
-    """Of processes and of Dask."""
-
-    def lost(*_: Any) -> None:
-        raise gone
-
-    monkeypatch.setattr("slipcircle.outputs.sweep._compute", lost)
-    told = refused("sweep vaiont --grid friction.angle_deg=8,10")
-    assert "a worker died; with --resume FOLDER it could continue" in told
 
 
 def test_help_says_what_there_is_and_how_it_ends(said: Any) -> None:

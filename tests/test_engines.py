@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -260,6 +260,18 @@ def test_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
         write(pipe, b"once")
         assert read.result(10) == b"once"
     assert pipe.is_fifo()
+
+
+@pytest.mark.parametrize("gone", [BrokenExecutor, CancelledError])
+def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.MonkeyPatch, refused: Any) -> None:
+    """Of processes and of Dask."""
+
+    def lost(*_: Any) -> None:
+        raise gone
+
+    monkeypatch.setattr("slipcircle.outputs.sweep._compute", lost)
+    told = refused("sweep vaiont --grid friction.angle_deg=8,10")
+    assert "a worker died; with --resume FOLDER it could continue" in told
 
 
 def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
