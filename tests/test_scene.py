@@ -159,10 +159,8 @@ def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
 
 def test_the_papers_scenes_hold_the_papers_numbers() -> None:
     arc = Arc(1492.6, float(np.deg2rad(215.2)), float(np.deg2rad(276.9)), 20e3)
-    frozen = load("vaiont-frozen")
-    assert frozen == Scene(
-        arc, float(np.tan(np.deg2rad(10.0))), ("centripetal",), 0.0, 30.0, None, "vaiont-frozen", frozen.note
-    )
+    frozen, mu = load("vaiont-frozen"), float(np.tan(np.deg2rad(10.0)))
+    assert frozen == Scene(arc, mu, ("centripetal",), 0.0, 30.0, None, "vaiont-frozen", frozen.note)
     assert load("vaiont").called == {"rotation": {}, "centripetal": {}}
     assert load("vaiont-as-printed").arc == Arc(**{f: getattr(arc, f) for f in QUANTITIES}, given={
         "moment_of_inertia": 0.4376, "radial_weight": 0.0870, "weight_moment": 0.0387, "resistance_factor": 0.1523,
