@@ -315,3 +315,11 @@ def test_numbers_and_names() -> None:
     assert head.startswith("scene,time_s,")
     assert rows[0].startswith('"swings, a name with $ and <",0.0,')
     assert rows[-1].startswith("wet-slope,")
+
+
+def test_an_axis_is_made_where_none_is_given() -> None:
+    from matplotlib import pyplot
+
+    ax = plots.history(motion("vaiont"))
+    assert ax.figure.number in pyplot.get_fignums()
+    pyplot.close("all")

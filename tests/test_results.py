@@ -1,5 +1,6 @@
 """What motions, ensembles and studies give to people and their tools: lines, tables, dictionaries, pandas, xarray."""
 
+import inspect
 import math
 import pickle
 import sys
@@ -76,6 +77,12 @@ def test_dir_has_every_name_and_what_it_says_exists() -> None:
     assert all(hasattr(slipcircle, name) for name in dir(slipcircle))
     assert kernels.__all__ == generated.__all__
     assert all(getattr(kernels, n) is getattr(generated, n) for n in generated.__all__)
+
+
+def test_a_signature_fits_a_screen() -> None:
+    for name in slipcircle.__all__:
+        if name != "Status":
+            assert len(str(inspect.signature(getattr(slipcircle, name)))) < 640, name
 
 
 def test_a_table_has_no_more_digits_than_the_error_leaves_and_no_fewer_than_wanted() -> None:
