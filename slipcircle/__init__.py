@@ -49,28 +49,9 @@ _PLACES = {
     "grid": "studies.conduct", "load": "files.scenefile", "plan": "motion.plan", "solve": "motion.solver",
 }  # fmt: skip
 __all__ = [
-    "Arc",
-    "BackAnalysis",
-    "Critical",
-    "Dimensionless",
-    "Energy",
-    "Motion",
-    "Plan",
-    "Scene",
-    "Section",
-    "Slope",
-    "State",
-    "Status",
-    "Study",
-    "Unattainable",
-    "backanalyse",
-    "critical",
-    "ensemble",
-    "grid",
-    "load",
-    "plan",
-    "solve",
-]
+    "Arc", "BackAnalysis", "Critical", "Dimensionless", "Energy", "Motion", "Plan", "Scene", "Section", "Slope",
+    "State", "Status", "Study", "Unattainable", "backanalyse", "critical", "ensemble", "grid", "load", "plan", "solve",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

@@ -275,7 +275,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
 
 
 def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(design: Design, index: int, seed: int, size: int) -> Result:
+    def fails(design: Design, index: int) -> Result:
         raise MemoryError(f"block {index}")
 
     monkeypatch.setattr("slipcircle.studies.engines.run_block", fails)

@@ -14,7 +14,7 @@ from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.base.series import Series
-from slipcircle.files.scenefile import read
+from slipcircle.files.scenefile import load as read
 from slipcircle.files.scenekeys import schema
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.states import Status

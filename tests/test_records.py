@@ -69,7 +69,6 @@ TABLES = {
     "a (m/s2)\n1\n-2\n": {"step": 0.5},
     "1\n-2\n": {"step": 0.5, "units": "m/s2"},
     "a (m/s2), time (s)\n1,3\n-2,3.5\n": {"start": 0.0},
-    "0 0.5\n0.5 -1\n": {"units": "m/s2", "scale": 2.0},
     "\ufefftime (s),acc (m/s2)\n0,1\n0.5,-2\n": {},
     "Time (s),Acceleration (g's)\n0,0.1\n0.5,-0.2\n": {},
     "Time (s),Acceleration (%g)\n0,10\n0.5,-20\n": {},

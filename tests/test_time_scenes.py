@@ -193,8 +193,8 @@ def test_pressurisation_that_removes_all_strength(heat: float) -> None:
 
 def test_heat_that_leaves_little_strength() -> None:
     """What presses falls below a hundredth of the weight, and still stops the mass: in its sixth swing."""
-    effects = TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 2500.0},
-                         "viscosity": {"viscosity": 1e3, "thickness": 0.5}}  # fmt: skip
+    effects = TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 3300.0},
+                         "viscosity": {"viscosity": 3e3, "thickness": 0.5}}  # fmt: skip
     motion = solve(Scene(ARC, 0.3, effects))
     arc = {n: float(getattr(ARC, n)) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")}
     given = {"arc": arc, "friction": 0.3, "effects": effects, "initial_velocity": 0.0, "end_time": None}

@@ -1,7 +1,7 @@
 """One clear error for bad input: every mistake at once, each with the field, the value and what is allowed."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -11,7 +11,6 @@ EPS = 2.0**-52  # distance of 1.0 from the next float
 INFINITY = float("inf")
 Bounds = tuple[float, float, str]  # lower, upper (both open), and the same in words
 Fault = tuple[Any, Callable[[int], str]]  # which lanes have a mistake, and what to say of one
-number: Callable[[Any], float] = float  # of a field that may be an array, where it is none
 
 
 def plain(value: Any) -> Any:
@@ -24,16 +23,24 @@ def choose(mask: Any, one: Any, other: Any) -> Any:
     return np.where(mask, one, other) if isinstance(mask, np.ndarray) else one if mask else other
 
 
-def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds]) -> list[str]:
-    """A sentence for each field that is no finite real number within its open bounds."""
+def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
+    """A sum and its rounding error (Knuth's TwoSum)."""
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one: Collection[str] = ()) -> list[str]:
+    """A sentence for each field that is no finite real number within its open bounds, or many where it must be one."""
     found = []
     for name, (lower, upper, allowed) in bounds.items():
         try:
             value = np.asarray(fields[name])
         except ValueError:  # a ragged list
             value = np.asarray(None)
-        if value.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
-            found.append(f"{name} = {fields[name]!r}: must be {allowed}")
+        many = name in one and value.ndim > 0
+        if many or value.dtype.kind not in "iuf":  # neither text that looks like a number, nor a truth value
+            found.append(f"{name} = {fields[name]!r}: must be {'one number' if many else allowed}")
             continue
         bad = ~(np.isfinite(value) & (value > lower) & (value < upper))
         if np.any(bad):
@@ -44,6 +51,18 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds]) -> l
             )
             found.append(f"{name} = {worst:.10g}: must be {allowed}{between}")
     return found
+
+
+def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
+    """A sentence for each declared parameter that is missing or out of its bounds, and for what is none of them."""
+    wanted = {p.name: p for p in parameters}
+    found = [f"{path}: {n!r} is missing: {p.help}" for n, p in wanted.items() if n not in given and not p.optional]
+    found += [f"{path}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in given if n not in wanted]
+    numbers = [p for n, p in wanted.items() if n in given and p.kind in ("number", "list", "series") and p.key]
+    sign = {-5e-324: ", at least 0", 0.0: ", positive"}
+    bounds = {p.name: (p.lower, p.upper, f"{p.help}{sign.get(min(p.lower, 0.0), '')} ({p.unit})")
+              for p in numbers if not callable(given[p.name])}  # fmt: skip
+    return found + [f"{path}.{m}" for m in mistakes(given, bounds)]
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:

@@ -5,7 +5,6 @@ from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from typing import Any, NamedTuple
 
-INFINITY = math.inf
 _FAR = 30.0  # standard deviations: what lies beyond has no probability in float64
 
 

@@ -13,16 +13,7 @@ from slipcircle.base.checks import raise_all
 
 
 def check(command: str, outputs: Mapping[str, str | list[str]], inputs: Sequence[str] = ()) -> None:
-    """See that files can be written.
-
-    Parameters
-    ----------
-    command : str
-        Whose options they are.
-    outputs : mapping
-        Paths by the option that names them, one or several.
-    inputs : sequence of str
-        Paths that are read and must not be written over.
+    """See that files of a command can be written, by the option that names them, and are none that it reads.
 
     Raises
     ------

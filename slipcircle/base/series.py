@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -84,6 +83,11 @@ class Series:
         """Times at which it is not smooth, s."""
         return self.time
 
+    @property
+    def greatest(self) -> float:
+        """Of the values' size."""
+        return float(np.max(np.abs(self.values)))
+
     def scaled(self, factor: float) -> "Series":
         """The same times, the values times a factor."""
         return Series(self.time, self.values * factor, self.held)
@@ -119,9 +123,7 @@ class Pulse:
             "duration": (0.0, INFINITY, "a positive time in s"),
             "cycles": (0.0, 1e4, "a number of waves above 0, below 1e4"),
         }
-        given = {n: getattr(self, n) for n in bounds}
-        found += [f"{n} = {v!r}: must be one number" for n, v in given.items() if np.ndim(v)]
-        found += mistakes(given, {n: b for n, b in bounds.items() if not np.ndim(given[n])})
+        found += mistakes(vars(self), bounds, one=bounds)
         if self.name != "sine" and self.cycles != 1.0:
             found.append(f"cycles = {self.cycles!r}: belongs to a sine only; leave it out")
         raise_all("Pulse", found)
@@ -135,31 +137,19 @@ class Pulse:
         """s."""
         return self.start + self.duration
 
-    @cached_property
+    @property
     def _phase(self) -> float:
-        """Radians of the sine that the whole pulse takes."""
-        return math.pi * (2 * self.cycles if self.name == "sine" else 1.0)
-
-    @cached_property
-    def straight(self) -> bool:
-        """Whether it is straight between its kinks."""
-        return self.name in ("rectangular", "triangular")
+        """Radians of the sine that the whole pulse takes; 0 where it is straight between its kinks."""
+        return math.pi * {"sine": 2 * self.cycles, "half-sine": 1.0}.get(self.name, 0.0)
 
     def __call__(self, t: Any) -> Any:
         """Values at times, s."""
-        if isinstance(t, float) and not self.straight:  # NumPy takes its time with one number
-            acts = self.start <= t < self.end
-            return self.amplitude * math.sin(self._phase * (t - self.start) / self.duration) if acts else 0.0
         time = np.asarray(t, dtype=np.float64)
-        inside = (time >= self.start) & (time < self.end)
         tau = np.clip(time - self.start, 0.0, self.duration)
-        if self.name == "rectangular":
-            shape: Any = 1.0
-        elif self.name == "triangular":
+        shape = np.sin(self._phase * tau / self.duration) if self._phase else np.ones_like(tau)
+        if self.name == "triangular":
             shape = np.minimum(tau, self.duration - tau) / (self.duration / 2)
-        else:
-            shape = np.sin(self._phase * tau / self.duration)
-        return np.where(inside, self.amplitude * shape, 0.0)[()]
+        return np.where((time >= self.start) & (time < self.end), self.amplitude * shape, 0.0)[()]
 
     @property
     def kinks(self) -> Floats:
@@ -170,5 +160,10 @@ class Pulse:
     @property
     def crests(self) -> Floats:
         """Times at which it is greatest in size, kinks aside, s."""
-        quarters = np.arange(math.pi / 2, 0.0 if self.straight else self._phase, math.pi)
-        return self.start + self.duration * quarters / self._phase
+        quarters = np.arange(math.pi / 2, self._phase, math.pi)
+        return self.start + self.duration * quarters / (self._phase or 1.0)
+
+    @property
+    def greatest(self) -> float:
+        """Of its size."""
+        return abs(self.amplitude)

@@ -10,7 +10,7 @@ from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import distribution_mistakes, made
@@ -33,9 +33,23 @@ def shipped() -> tuple[str, ...]:
 
 
 def load(name: str | PathLike[str]) -> Scene[float]:
-    """A scene that ships, by name, or one's own, by the path of its file."""
+    """A scene that ships, by name, or one's own, by the path of its TOML file.
+
+    Raises
+    ------
+    ValueError
+        If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
+    """
     source = find(name)
-    return _scene(source, source.name, check=False) if name in shipped() else read(source)
+    file = str(source)
+    parts, tables = _parts(_document(source, file), file)
+    if parts["stability"]:
+        parts["stability"] = parts["stability"].without_map()
+    try:
+        return Scene(**parts)
+    except ValueError as error:
+        said = str(error).removeprefix(f"Scene {parts['name']}: ")
+        raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
 
 
 def find(name: str | PathLike[str]) -> Any:
@@ -55,32 +69,10 @@ def find(name: str | PathLike[str]) -> Any:
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
 
-def read(path: str | PathLike[str]) -> Scene[float]:
-    """The scene that a TOML file describes.
-
-    Parameters
-    ----------
-    path : str or path-like
-
-    Raises
-    ------
-    ValueError
-        If it cannot be read; lists every mistake, each with its path in the file, its value and what is allowed.
-    """
-    return _scene(Path(path), str(path), check=True)
-
-
 def searched(name: str | PathLike[str], method: str | None, told: Callable[[str], None]) -> tuple[str, str, Critical]:
-    """Name, note and critical circle of the slope in a file; where that gives a circle, the factors of this one.
+    """Name, note and critical circle of the slope in a file, by default as it says, or by Bishop's method.
 
-    Parameters
-    ----------
-    name : str or path-like
-        As of `load`; a circle is not needed.
-    method : str, optional
-        Whose least factor is looked for; by default what the file says, or bishop.
-    told : callable
-        Takes a line of progress.
+    Where it gives a circle, the factors of this one. What is told is a line of progress.
     """
     source, file = find(name), str(name)
     document = _document(source, file)
@@ -90,7 +82,7 @@ def searched(name: str | PathLike[str], method: str | None, told: Callable[[str]
     if method and isinstance(circle, dict) and "critical" in circle:
         circle["critical"] = method
     stem = Path(file).stem
-    parts, _ = _parts(document, file, True, lambda line: told(f"{document.get('name', stem)}: {line}"))
+    parts, _ = _parts(document, file, lambda line: told(f"{document.get('name', stem)}: {line}"))
     if parts["stability"] is None:
         raise ValueError(f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from "
                          "a record")  # fmt: skip
@@ -111,20 +103,8 @@ def _document(source: Any, file: str) -> dict[str, Any]:
         raise ValueError(f"{file}: is not TOML: {error}") from error
 
 
-def _scene(source: Any, file: str, check: bool) -> Scene:
-    """The scene of a file; those that ship are checked by the tests, so that they need NumPy alone."""
-    parts, tables = _parts(_document(source, file), file, check)
-    if parts["stability"]:
-        parts["stability"] = parts["stability"].without_map()
-    try:
-        return Scene(**parts)
-    except ValueError as error:
-        said = str(error).removeprefix(f"Scene {parts['name']}: ")
-        raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
-
-
 def _parts(
-    document: dict[str, Any], file: str, check: bool, told: Callable[[str], None] = lambda _: None
+    document: dict[str, Any], file: str, told: Callable[[str], None] = lambda _: None
 ) -> tuple[dict[str, Any], dict[str, Table]]:
     """What a scene is made of, and the tables of its file; every mistake listed."""
     friction: Any = document.get("friction")
@@ -137,41 +117,37 @@ def _parts(
     found = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in document else []
     if on_slope:
         tables, document = sloping(tables), {k: v for k, v in document.items() if k != "arc"}
-    document, uncertain, said, wrong = _drawn(document, tables)
-    found += said
-    if check:
-        # Of a law that is anybody's guess nothing else can be judged.
-        judged = document if law else document | {"friction": {"law": wanted, "coefficient": 0.0}}
-        more, also = _mistakes(judged, tables)
-        found, wrong = found + more, wrong | also
-    if not on_slope and "arc" not in wrong:
-        given = _arguments(document["arc"].get("given", {}), tables["arc.given"])
+    if not law:  # of one that is anybody's guess nothing else can be judged
+        document = document | {"friction": {"law": wanted, "coefficient": 0.0}}
+    said = _said(document, tables)
+    found, given = found + said.mistakes, said.arguments
+    if not on_slope and "arc" not in said.wrong:
         try:
-            arc: Arc | Section = Arc(**_arguments(document["arc"], tables["arc"]), given=given or None)
+            arc: Arc | Section = Arc(**given["arc"], given=given.get("arc.given"))
         except ValueError as error:
             found.append(str(error).replace("Arc: ", "arc."))
-    if "friction" not in wrong:
-        friction = {"law": law} | _arguments(document["friction"], tables["friction"])
+    if "friction" not in said.wrong:
+        friction = {"law": law} | given["friction"]
         if by_rate is not None:
-            friction["rate"] = {"law": rate} | _arguments(by_rate, tables["friction.rate"])
+            friction["rate"] = {"law": rate} | given["friction.rate"]
         found += law_mistakes(friction)
     stability = None
     if not found:
-        effects = {name: _arguments(document[name], tables[name]) for name in EFFECTS if name in document}
-        for given in effects.values():  # records lie where the scene's file lies
-            given |= {k: str(Path(file).parent / v) for k, v in given.items() if k.endswith("record")}
+        effects = {name: given[name] for name in EFFECTS if name in given}
+        for own in effects.values():  # records lie where the scene's file lies
+            own |= {k: str(Path(file).parent / v) for k, v in own.items() if k.endswith("record")}
         if on_slope:
             try:
-                own = {name: _arguments(document.get(name, {}), SLOPING[name]) for name in SLOPING}
-                arc, stability = slopefile.section(own, soil(friction, effects), told)
+                of_slope = {name: given.get(name, {}) for name in SLOPING}
+                arc, stability = slopefile.section(of_slope, soil(friction, effects), told)
             except ValueError as error:
                 found = str(error).splitlines()
     if found:
         raise ValueError("\n".join(f"{file}: {m}" for m in found))
-    parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": uncertain, "stability": stability}
+    parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": said.uncertain, "stability": stability}
     if law == "constant" and by_rate is None:
         parts["friction"] = friction["coefficient"]
-    return parts | {"name": Path(file).stem} | _arguments(document, tables[""]), tables
+    return parts | {"name": Path(file).stem} | given[""], tables
 
 
 def _by_key(said: str, tables: Mapping[str, Table]) -> str:
@@ -185,52 +161,42 @@ def _by_key(said: str, tables: Mapping[str, Table]) -> str:
     return re.sub(r"effects\.(\w+): (\w+)((?: and \w+)?)", named, said)
 
 
-def _drawn(
-    document: dict[str, Any], tables: Mapping[str, Table]
-) -> tuple[dict[str, Any], dict[str, Any], list[str], set[str]]:
-    """The document with a number for each distribution in it, its median; these, their mistakes, tables with any."""
-    out = {k: dict(v) if isinstance(v, dict) else v for k, v in document.items()}
-    uncertain: dict[str, Any] = {}
-    found: list[str] = []
-    wrong: set[str] = set()
-    for number in numbers({path: table for path, table in tables.items() if path not in SLOPING}).values():
-        path, _, k = number.key.rpartition(".")
-        held = out.get(path) if path else out
-        given = held.get(k) if isinstance(held, dict) else None
-        if not isinstance(held, dict) or not isinstance(given, dict):
-            continue
-        shown, low, high = number.key, number.low, number.high
-        said = distribution_mistakes(given, (low, high))
-        if not said:
-            uncertain[shown] = given
-            held[k] = float(made(given).median())
-            continue
-        found += [f"{shown}: {m}" for m in said]
-        wrong.add(path or k)
-        # Any number that is allowed, so that nothing more is said about it.
-        held[k] = low + 1.0 if high == math.inf else (max(low, -high) + high) / 2
-        held[k] = held[k] if math.isfinite(held[k]) else 0.0
-    return out, uncertain, found, wrong
+class _Said(NamedTuple):
+    """What a document says: arguments by table, uncertain numbers, mistakes, and the tables that have one."""
+
+    arguments: dict[str, dict[str, Any]]
+    uncertain: dict[str, Any]
+    mistakes: list[str]
+    wrong: set[str]
 
 
-def _arguments(given: Mapping[str, Any], table: Table) -> dict[str, Any]:
-    """A table as arguments in SI units, without the tables in it."""
-    return {table.keys[k].name: table.keys[k].convert(v) for k, v in given.items() if k in table.keys}
-
-
-def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table]) -> tuple[list[str], set[str]]:
-    """A sentence for each mistake, with its path, its value and what is allowed; and the tables that have one."""
-    found: list[str] = []
+def _said(document: Mapping[str, Any], tables: Mapping[str, Table]) -> _Said:
+    """Its tables in SI units, of each distribution the median; a sentence for each mistake, with path and value."""
+    out = _Said({}, {}, [], set())
+    odd: dict[str, list[str]] = {}  # distributions
     missing: dict[str, str] = {}
     meant: set[str] = set()  # what is misspelt is not missing as well
-    wrong: set[str] = set()
 
-    def say(path: str, sentence: str) -> None:
-        found.append(sentence)
-        wrong.add(path.partition(".")[0])
+    def say(path: str, *sentences: str) -> None:
+        out.mistakes.extend(sentences)
+        out.wrong.add(path.partition(".")[0])
+
+    def value_of(full: str, key: Key, value: Any, held: Mapping[str, Any], table: Table) -> Any:
+        if isinstance(value, dict) and key.kind in ("number", "series"):
+            if found := distribution_mistakes(value, (key.number.low, key.number.high)):
+                odd[full] = [f"{full}: {m}" for m in found]
+                return say(full)
+            out.uncertain[full] = value
+            value = float(made(value).median())
+        found = [f"{full}{place} = {_shown(given)}: must be {key.allowed}{_asked(key, given, table)}"
+                 for place, given in key.wrong(value)]  # fmt: skip
+        if key.kind == "series" and isinstance(value, list) and "time_s" not in held:
+            found.append(f"{full} = {_shown(value)}: is a list, which needs its times beside it, time_s; or give one "
+                         "number")  # fmt: skip
+        return say(full, *found) if found else key.convert(value)
 
     def look(path: str, held: Mapping[str, Any]) -> None:
-        table, dot = tables[path], f"{path}." if path else ""
+        table, dot, own = tables[path], f"{path}." if path else "", out.arguments.setdefault(path, {})
         inner = {t.removeprefix(dot): t for t in tables if t and t.rpartition(".")[0] == path}
         for k, value in held.items():
             full, shown = f"{dot}{k}", f"{dot}{k} = {_shown(value)}"
@@ -243,11 +209,7 @@ def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table]) -> tuple
                 meant.add(near)
                 say(full, f"{shown}: is unknown; {advice}")
             else:
-                key = table.keys[k]
-                for place, given in key.wrong(value):
-                    say(full, f"{full}{place} = {_shown(given)}: must be {key.allowed}{_asked(key, given, table)}")
-                if key.kind == "series" and isinstance(value, list) and "time_s" not in held:
-                    say(full, f"{shown}: is a list, which needs its times beside it, time_s; or give one number")
+                own[table.keys[k].name] = value_of(full, table.keys[k], value, held, table)
         missing.update({f"{dot}{k}": f"{key.title}, {key.allowed}"
                         for k, key in table.keys.items() if key.required and k not in held})  # fmt: skip
         missing.update({t: f"{tables[t].title}, a table [{t}]"
@@ -260,16 +222,17 @@ def _mistakes(document: Mapping[str, Any], tables: Mapping[str, Table]) -> tuple
             given = [k for k in choice if k in held]
             if choice in table.one_of and len(given) > 1:
                 say(path, f"{path}: {' and '.join(given)} exclude each other; leave one out")
-            elif not given and not meant & {f"{path}.{k}" for k in choice}:
-                say(path, f"{path}: {' or '.join(choice)} is missing: {table.keys[choice[-1]].title}")
-            wrong.update(() if given else {path.partition(".")[0]})
+            elif not given:
+                misspelt = meant & {f"{path}.{k}" for k in choice}
+                words = f"{path}: {' or '.join(choice)} is missing: {table.keys[choice[-1]].title}"
+                say(path, *([] if misspelt else [words]))
 
     look("", document)
     for path, words in missing.items():
-        wrong.add(path.partition(".")[0])
-        if path not in meant:
-            found.append(f"{path}: is missing: {words}")
-    return found, wrong
+        say(path, *([] if path in meant else [f"{path}: is missing: {words}"]))
+    known = numbers(tables)  # their order is that of samples
+    drawn = {k: out.uncertain[k] for k in known if k in out.uncertain}
+    return out._replace(uncertain=drawn, mistakes=[m for k in known for m in odd.get(k, [])] + out.mistakes)
 
 
 def _asked(key: Key, given: Any, table: Table) -> str:
@@ -277,12 +240,12 @@ def _asked(key: Key, given: Any, table: Table) -> str:
     if "|" in key.kind or key.name == "law":
         guess = get_close_matches(str(given), LAWS if key.name == "law" else key.kind.split("|"), 1)
         return f": {key.title}" + "".join(f"; did you mean {g}?" for g in guess)
-    low, high = key.limits.get("gt", 0.0), key.limits.get("lt", math.inf)
-    number = isinstance(given, int | float) and not isinstance(given, bool) and abs(given) < math.inf
-    angle = next((k for k, other in table.keys.items() if other.tangent and other.name == key.name), "")
-    if number and given > high and key.per_unit == 1e3:
-        return f": {key.title}; is that in {key.si}? 1 {key.unit} is 1000 {key.si}".replace("^", "")
-    if number and given >= high and angle and not key.tangent:
+    of, number = key.number, isinstance(given, int | float) and not isinstance(given, bool) and abs(given) < math.inf
+    low, high = of.limits.get("gt", 0.0), of.high
+    angle = next((k for k, other in table.keys.items() if other.number.tangent and other.name == key.name), "")
+    if number and given > high and of.per_unit == 1e3:
+        return f": {key.title}; is that in {of.si}? 1 {of.unit} is 1000 {of.si}".replace("^", "")
+    if number and given >= high and angle and not of.tangent:
         return f": {key.title}; an angle? say {angle}"
     far = number and (0.0 < given <= low or abs(given) >= high) and f"{high:g}" not in key.allowed
     return f": {key.title}" + (f"; between {low:g} and {high:g}: is that another unit?" if far else "")

@@ -5,8 +5,8 @@ from typing import Any
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import DISTRIBUTIONS
-from slipcircle.scene.friction import RATE_LAWS
-from slipcircle.scene.keys import SLOPING, Key, Table, law_table, may_have_rate, tables_of
+from slipcircle.scene.friction import RATE_LAWS, may_have_rate
+from slipcircle.scene.keys import SLOPING, Key, Table, law_table, tables_of
 
 _LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
 _DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
@@ -21,7 +21,7 @@ def schema() -> dict[str, Any]:
             for name, kind in DISTRIBUTIONS.items()}  # fmt: skip
 
     def defined(name: str, table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
-        defs[name] = _table(table, more, name == "given")
+        defs[name] = _table(table, more)
         return {"$ref": f"#/$defs/{name}"}
 
     given = defined("given", tables["arc.given"])
@@ -29,8 +29,8 @@ def schema() -> dict[str, Any]:
     laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
     inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
     inner |= {name: defined(name, tables[name]) for name in EFFECTS}
-    inner |= {name: _table(table, {}, plain=True) for name, table in SLOPING.items()}
-    found = _table(tables[""], inner, False)
+    inner |= {name: _table(table) for name, table in SLOPING.items()}
+    found = _table(tables[""], inner)
     found["required"] = ["friction"]
     found["oneOf"] = [
         {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in SLOPING]}},
@@ -39,8 +39,8 @@ def schema() -> dict[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
 
 
-def _table(table: Table, more: Mapping[str, Any], plain: bool) -> dict[str, Any]:
-    keys = {k: _key(key, plain or key.name == "accuracy") for k, key in table.keys.items()}
+def _table(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+    keys = {k: _key(key) for k, key in table.keys.items()}
     found = _object(keys | dict(more), table.title, [k for k, key in table.keys.items() if key.required])
     needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
     needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
@@ -53,14 +53,14 @@ def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> d
             "additionalProperties": False}  # fmt: skip
 
 
-def _key(key: Key, plain: bool) -> dict[str, Any]:
-    """What a key may hold; a number may be uncertain, unless it is a plain one."""
-    number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.limits.items()}
+def _key(key: Key) -> dict[str, Any]:
+    """What a key may hold; a number may be uncertain, unless it is fixed."""
+    number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
     many = {"type": "array", "items": number}
     pair = many | {"minItems": 2, "maxItems": 2}
-    either = [number, *([] if plain else _DISTRIBUTIONS)]
+    either = [number, *_DISTRIBUTIONS]
     kinds: dict[str, dict[str, Any]] = {
-        "text": {"type": "string"}, "flag": {"type": "boolean"}, "number": {"anyOf": either} if either[1:] else number,
+        "text": {"type": "string"}, "flag": {"type": "boolean"}, "number": {"anyOf": either}, "fixed": number,
         "list": many, "series": {"anyOf": [*either, many]}, "pair": pair,
         "points": {"type": "array", "items": pair, "minItems": 2},
     }  # fmt: skip

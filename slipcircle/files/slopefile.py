@@ -18,19 +18,8 @@ def section(
 ) -> tuple[Section, Critical | None]:
     """The section of the circle that is given, or of the critical one; and its stability, where the soil has any.
 
-    Parameters
-    ----------
-    given : mapping
-        Arguments by table, in SI units.
-    soil : mapping
-        Strength and pore pressure at the start; nothing is said of stability where it is empty.
-    told : callable
-        Takes a line of progress.
-
-    Raises
-    ------
-    ValueError
-        Lists every mistake by its key.
+    Takes arguments by table, in SI units, and strength and pore pressure at the start, empty where nothing is known of
+    them; a ValueError lists every mistake by its key. What is told is a line of progress.
     """
     try:
         circle, limits = dict(given["circle"]), dict(given["search"])

@@ -17,6 +17,7 @@ from slipcircle.flow import tables
 from slipcircle.flow.program import Program, join
 from slipcircle.records.given import factor as factor_of
 from slipcircle.scene.arc import Arc
+from slipcircle.scene.friction import law_parts
 from slipcircle.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -79,16 +80,6 @@ class Grown(NamedTuple):
 def order(accuracy: float) -> int:
     """Order of the series that leaves less than an accuracy at steps of exp(-2) of the radius of convergence."""
     return max(math.ceil(3.0 - math.log(max(accuracy, 1e-16)) / 2.0), LOWEST)
-
-
-def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
-    """The laws that a scene's friction is a product of: each by name, with its parameters."""
-    if callable(friction):
-        return (("callable", {"function": friction}),)
-    if not isinstance(friction, Mapping):
-        return (("constant", {"coefficient": friction}),)
-    own = {n: v for n, v in friction.items() if n not in ("law", "rate")}
-    return ((friction["law"], own), *(law_parts(friction["rate"]) if "rate" in friction else ()))
 
 
 def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: Any, velocity: Any, end_time: Any,

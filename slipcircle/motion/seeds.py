@@ -15,10 +15,11 @@ from generated import cells as its
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
-from slipcircle.flow.bind import law_parts, turns, under_water
+from slipcircle.flow.bind import turns, under_water
 from slipcircle.flow.solve import Lanes
 from slipcircle.flow.tables import Data, of_law
 from slipcircle.scene.arc import Arc
+from slipcircle.scene.friction import law_parts
 from slipcircle.scene.section import Section
 from slipcircle.scene.transport import growth
 

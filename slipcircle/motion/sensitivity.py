@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from generated import cells as its
 from generated.effects import EFFECTS, LAWS
-from slipcircle.flow.bind import Bound, law_parts
+from slipcircle.flow.bind import Bound
 from slipcircle.flow.polynomials import shifted, slopes, value
 from slipcircle.flow.program import Log, Program, Table
 from slipcircle.flow.solve import Lanes, walked
@@ -22,6 +22,7 @@ from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 from slipcircle.motion.derivatives import Sensitivity
 from slipcircle.motion.seeds import Seeds
+from slipcircle.scene.friction import law_parts
 from slipcircle.scene.numbers import named
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
@@ -42,7 +43,7 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    keys = named(scene.friction, scene.arc)
+    keys = named(scene)
     parameters = {n: keys[n].si for n in _parameters(scene)}
     values = np.zeros((len(OUTPUTS), len(parameters)))
     if any(outputs.values()):

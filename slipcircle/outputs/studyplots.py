@@ -12,7 +12,7 @@ import numpy as np
 
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.outputs.plotstyle import AREAS, LINES, MARKS, axis, legend, note, number, sheet, without_legend
-from slipcircle.scene.varied import number_in
+from slipcircle.scene.numbers import number_in
 from slipcircle.studies.motions import motions
 
 if TYPE_CHECKING:

@@ -7,12 +7,13 @@ import numpy as np
 
 from slipcircle.base.series import Pulse, Series
 
-_PULSE = ("amplitude", "duration")
 _FACTORS = ("amplitude", "vertical_amplitude", "scale", "peak")
-_OF_PULSES = {"pulse", "amplitude", "vertical_amplitude", "start", "duration", "cycles"}
 _OF_WATER = ("units", "column", "step", "start", "gaps")
-_OF_RECORDS = {"record", "holds", "units", "column", "vertical_record", "vertical_column", "step", "scale", "peak",
-               "gaps", "start"}  # fmt: skip
+_OF_RECORDS = ("holds", "units", "step", "start", "gaps")
+_FITTING = {  # to each way to say what shakes
+    "horizontal": {"vertical", *_FACTORS}, "pulse": {*_FACTORS[:2], "start", "duration", "cycles"},
+    "record": {*_OF_RECORDS, "column", "vertical_record", "vertical_column", *_FACTORS[2:]},
+}  # fmt: skip
 
 
 def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
@@ -33,11 +34,6 @@ def resolved(name: str, given: Mapping[str, Any], gravity: float) -> dict[str, A
     return dict(given)
 
 
-def greatest(function: Any) -> float:
-    """The greatest size of a function of time."""
-    return float(np.max(np.abs(function.values))) if isinstance(function, Series) else abs(function.amplitude)
-
-
 def factor(effect: str, given: Mapping[str, Any], name: str) -> Any:
     """What a parameter of a resolved effect is multiplied by: shaking has an amplitude, a scale or a peak."""
     if effect != "shaking":
@@ -45,7 +41,7 @@ def factor(effect: str, given: Mapping[str, Any], name: str) -> Any:
     if isinstance(given.get(name), Pulse):
         return given.get("vertical_amplitude" if name == "vertical" else "amplitude", 1.0)
     scale = given.get("scale", 1.0)
-    return given["peak"] / (greatest(given["horizontal"]) or 1.0) if "peak" in given else scale
+    return given["peak"] / (given["horizontal"].greatest or 1.0) if "peak" in given else scale
 
 
 def in_time(called: Mapping[str, Mapping[str, Any]]) -> dict[str, Series | Pulse]:
@@ -80,36 +76,32 @@ def _water(given: Mapping[str, Any]) -> dict[str, Any]:
 
 def _shaking(given: Mapping[str, Any], gravity: float) -> dict[str, Any]:
     """k_h(t) and k_v(t) from a pulse, a record, or as they are."""
-    ways = [w for w in ("horizontal", "pulse", "record") if w in given]
+    ways = [w for w in _FITTING if w in given]
     if len(ways) != 1:
         raise ValueError(f"{' and '.join(ways)} exclude each other; leave one out")
-    way, two_way = ways[0], {k: bool(given[k]) for k in ("two_way",) if k in given}
-    fitting = {"horizontal": {"horizontal", "vertical", *_FACTORS}, "pulse": _OF_PULSES, "record": _OF_RECORDS}[way]
-    strange = [k for k in given if k not in fitting and k != "two_way"]
+    way = ways[0]
+    strange = [k for k in given if k not in _FITTING[way] and k not in (way, "two_way")]
     if strange:
         raise ValueError(f"{strange[0]} does not belong to a {way}; leave it out")
     if "scale" in given and "peak" in given:
         raise ValueError("scale and peak exclude each other; leave one out")
     if way == "horizontal":
         return dict(given)
-    factors = {k: given[k] for k in _FACTORS if k in given}
+    more = {k: given[k] for k in (*_FACTORS, "two_way") if k in given}
     if way == "pulse":
-        missing = [k for k in _PULSE if k not in given]
+        missing = [k for k in ("amplitude", "duration") if k not in given]
         if missing:
             raise ValueError(f"{missing[0]} is missing: a pulse needs it")
-        rest = (float(given.get("start", 0.0)), float(given["duration"]), float(given.get("cycles", 1.0)))
-        made: dict[str, Any] = {"horizontal": Pulse(given["pulse"], 1.0, *rest)}
-        if "vertical_amplitude" in given:
-            made["vertical"] = Pulse(given["pulse"], 1.0, *rest)
-        return made | factors | two_way
+        pulse = Pulse(given["pulse"], 1.0, *(float(given.get(k, v)) for k, v in
+                                             (("start", 0.0), ("duration", 0.0), ("cycles", 1.0))))  # fmt: skip
+        return {"horizontal": pulse} | ({"vertical": pulse} if "vertical_amplitude" in given else {}) | more
     from slipcircle.records.records import read_record
 
     if "holds" not in given:
         raise ValueError('holds is missing: a record must say whether it holds "ground" or "driving" acceleration')
-    common = {k: given[k] for k in ("holds", "units", "step", "start", "gaps") if k in given}
-    common |= {"gravity": gravity}
-    made = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}
+    common = {k: given[k] for k in _OF_RECORDS if k in given} | {"gravity": gravity}
+    made: dict[str, Any] = {"horizontal": read_record(given["record"], column=given.get("column"), **common)}
     if "vertical_record" in given or "vertical_column" in given:
         path = given.get("vertical_record", given["record"])
         made["vertical"] = read_record(path, column=given.get("vertical_column"), **common)
-    return made | (factors or {"scale": 1.0}) | two_way
+    return made | ({} if "peak" in given else {"scale": 1.0}) | more

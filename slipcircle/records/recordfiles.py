@@ -2,11 +2,13 @@
 
 import io
 import re
+from array import array
 from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.base.checks import INFINITY
 from slipcircle.base.series import Floats
@@ -44,23 +46,12 @@ def unit_of(text: str, quantity: Quantity = ACCELERATION) -> str | None:
 
 
 class Found(NamedTuple):
-    """What a file holds."""
+    """What a file holds, and the line of each sample, from 1."""
 
     time: Floats
     values: Floats
     units: str
-    head: int  # lines of the header
-    text: str  # below them
-
-    def line(self, sample: int) -> int:
-        """The number of the line on which a sample stands, from 1."""
-        wrapped = self.time.size != sum(1 for x in self.text.split("\n") if _said(x))
-        seen = 0
-        for number, x in enumerate(map(_said, self.text.split("\n")), self.head + 1):
-            seen += len(x.split()) if wrapped else bool(x)
-            if seen > sample:
-                return number
-        return self.head
+    lines: NDArray[np.int64]
 
 
 def _text(quantity: Quantity, path: Path, name: str) -> str:
@@ -86,62 +77,55 @@ def parse(quantity: Quantity, name: str, path: Path, column: int | str | None, s
     """By what the first lines say."""
     text = _text(quantity, path, name)
     first = text[:20000].split("\n") if quantity is ACCELERATION else []
-    for k, line in enumerate(first[:10]):
-        if "NPTS" in line.upper() and "DT" in line.upper():
-            return _at2(name, text, first[: k + 1], column, step)
-    if any(line.lstrip("# ").startswith("SAMPLING_INTERVAL_S:") for line in first):
-        return _esm(name, text, first, column, step)
-    return _table(quantity, name, path, text, column, step)
+    for kind, header in (("an AT2 file", _at2(name, first)), ("an ESM file", _esm(name, first))):
+        if header:
+            for what, given in (("column", column), ("step", step)):
+                if given is not None:
+                    raise ValueError(f"{name}: {what} = {given!r}: {kind} has one column and its own step; "
+                                     f"leave {what} out")  # fmt: skip
+            found = _wrapped(name, text, *header)
+            break
+    else:
+        found = _table(quantity, name, text, column, step)
+    if (count := found.time.size) < 2:
+        raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
+    return found
 
 
-def _wrapped(name: str, text: str, head: int, count: int, step: float, units: str) -> Found:
-    """Values without times, however many are on a line."""
-    body = text.split("\n", head)[head] if text.count("\n") >= head else ""
-    values = _slow_table(name, body, head, None)
-    if values.size != count:
-        raise ValueError(
-            f"{name}: holds {values.size} values, but its header says {count}; is the file cut short, or another's "
-            "header on it?"
-        )
-    _enough(name, values.size)
-    return Found(step * np.arange(float(count)), values, units, head, body)
+Header = tuple[int, int, float, str]  # its lines, the number of samples, s between them, and their unit
 
 
-def _alone(name: str, kind: str, column: int | str | None, step: float | None) -> None:
-    for what, given in (("column", column), ("step", step)):
-        if given is not None:
-            raise ValueError(f"{name}: {what} = {given!r}: {kind} has one column and its own step; leave {what} out")
-
-
-def _at2(name: str, text: str, head: list[str], column: int | str | None, step: float | None) -> Found:
+def _at2(name: str, first: list[str]) -> Header | None:
     """PEER: ``NPTS= 5590, DT= .0050 SEC``, formerly ``5590 .0050 NPTS, DT``."""
-    _alone(name, "an AT2 file", column, step)
-    above = " ".join(head).upper()
+    head = next((k for k, line in enumerate(first[:10], 1) if "NPTS" in line.upper() and "DT" in line.upper()), 0)
+    if not head:
+        return None
+    above, line = " ".join(first[:head]).upper(), first[head - 1].upper()
     if "VELOCITY" in above or "DISPLACEMENT" in above:
         raise ValueError(f"{name}: its header says that it holds no acceleration; take the AT2 file of the record")
     number = r"([-+]?\d*\.?\d+(?:[ED][-+]?\d+)?)"
-    line = head[-1].upper()
     new = re.search(rf"NPTS\s*=\s*{number}.*?DT\s*=\s*{number}", line)
-    old = re.search(rf"^\s*{number}[\s,]+{number}[\s,]+NPTS", line)
-    match = new or old
+    match = new or re.search(rf"^\s*{number}[\s,]+{number}[\s,]+NPTS", line)
     count, dt = (float(x.replace("D", "E")) for x in match.groups()) if match else (0.0, 0.0)
     if not (count >= 1.0 and count == int(count) and dt > 0.0):
         raise ValueError(
-            f"{name}, line {len(head)}: {head[-1].strip()!r}: must give NPTS and DT, as in 'NPTS= 4000, DT= .0050 SEC'"
+            f"{name}, line {head}: {first[head - 1].strip()!r}: must give NPTS and DT, as in 'NPTS= 4000, DT= .0050 "
+            "SEC'"
         )
     said = re.search(r"UNITS OF\s+(\S+)", above)
     unit = unit_of(said.group(1).rstrip(".,")) if said else "g"
     if unit is None:
-        raise ValueError(f"{name}: its header says {said and said.group(0)!r}: must be one of {', '.join(UNITS)}, gal")
-    return _wrapped(name, text, len(head), int(count), dt, unit)
+        raise ValueError(f"{name}: its header says {said and said.group(0)!r}: must be one of {ACCELERATION.choice}")
+    return head, int(count), dt, unit
 
 
-def _esm(name: str, text: str, first: list[str], column: int | str | None, step: float | None) -> Found:
+def _esm(name: str, first: list[str]) -> Header | None:
     """ESM and ITACA: 64 lines ``KEY: value``, then a value a line."""
-    _alone(name, "an ESM file", column, step)
     head = next((k for k, line in enumerate(first) if not re.match(r"#?\s*[A-Z][A-Z0-9_/()^-]*\s*:", line)), len(first))
     pairs = (line.lstrip("# ").partition(":") for line in first[:head])
     said = {key.strip(): value.strip() for key, _, value in pairs}
+    if "SAMPLING_INTERVAL_S" not in said:
+        return None
     kind = said.get("DATA_TYPE", "ACCELERATION")
     if kind.upper() != "ACCELERATION":
         raise ValueError(f"{name}: DATA_TYPE = {kind!r}: must be ACCELERATION; take the record's file of accelerations")
@@ -153,36 +137,35 @@ def _esm(name: str, text: str, first: list[str], column: int | str | None, step:
         ) from error
     if not 0.0 < dt < INFINITY:
         raise ValueError(f"{name}: SAMPLING_INTERVAL_S = {dt!r}: must be a positive time in s")
-    unit = unit_of(said.get("UNITS", "")) if said.get("UNITS") else ""
+    unit = unit_of(said["UNITS"]) if said.get("UNITS") else ""
     if unit is None:
-        raise ValueError(f"{name}: UNITS = {said['UNITS']!r}: must be one of {', '.join(UNITS)}, gal")
-    return _wrapped(name, text, head, count, dt, unit)
+        raise ValueError(f"{name}: UNITS = {said['UNITS']!r}: must be one of {ACCELERATION.choice}")
+    return head, count, dt, unit
 
 
-def _table(quantity: Quantity, name: str, path: Path, text: str, column: int | str | None, step: float | None) -> Found:
+def _wrapped(name: str, text: str, head: int, count: int, step: float, units: str) -> Found:
+    """Values without times, however many are on a line."""
+    values, lines = _values(name, text, head, None)
+    if values.size != count:
+        raise ValueError(
+            f"{name}: holds {values.size} values, but its header says {count}; is the file cut short, or another's "
+            "header on it?"
+        )
+    return Found(step * np.arange(float(count)), values, units, lines)
+
+
+def _table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Found:
     """Numbers in columns after any header lines."""
-    head, separator, width, ends = _first_row(quantity, name, text)
-    above = text.split("\n", head)[:head]
-    body = text.split("\n", head)[head]
-    fields = _fields(above, separator, width)
-    if (
-        step is not None
-        and column is None
-        and not fields
-        and width > 1
-        and (found := _rows(name, body, head, separator))
-    ):
-        return Found(step * np.arange(float(found[0].size)), found[0], "", head, body)
-    mark = next((c for c in _COMMENTS if c in body), None)
-    try:
-        numbers: Floats = np.loadtxt(
-            path, delimiter=separator, skiprows=head, comments=mark, ndmin=2, encoding="latin-1", quotechar='"',
-            usecols=range(width) if ends else None,
-        )  # fmt: skip
-    except ValueError:  # says neither line nor field as we would, and knows no exponents but E
-        numbers = _slow_table(name, body, head, separator, width)
+    head, separator, width = _first_row(quantity, name, text)
+    fields = _fields(text.split("\n", head)[:head], separator, width)
+    if step is not None and column is None and not fields and width > 1:
+        values, lines = _values(name, text, head, separator)
+        if _along_lines(lines):
+            return Found(step * np.arange(float(values.size)), values, "", lines)
+    values, lines = _values(name, text, head, separator, width)
     if any(map(_is_number, fields)) and width > 1:  # no header, but a sample that is spoilt
-        _slow_table(name, above[-1], head - 1, separator, width)
+        _values(name, text, head - 1, separator, width)
+    numbers, lines = values.reshape(-1, width), lines[::width]
     suffix = rf"\s*[(\[]([^)\]]*)[)\]]\s*$|_({quantity.suffix})$"
     names = [re.sub(suffix, "", f) for f in fields]
     clock = next((k for k, n in enumerate(names) if re.fullmatch(r"t|time\w*|zeit|temps|tempo", n.lower())), None)
@@ -191,28 +174,21 @@ def _table(quantity: Quantity, name: str, path: Path, text: str, column: int | s
     if step is None and width == 1:
         raise ValueError(f"{name}: has one column and no times; give step, the time between samples in s")
     if step is None:
-        clock = 0 if clock is None else clock
+        clock = clock or 0
     if fields and clock is not None and (said := re.search(_OTHER_CLOCK, fields[clock], re.IGNORECASE)):
         raise ValueError(f"{name}: its column {fields[clock]!r} says {said.group(1)}: must be s; convert the times")
-    choice = [k for k in range(width) if k != clock]
-    chosen = _column(quantity, name, column, names, choice)
-    _enough(name, len(numbers))
+    chosen = _column(quantity, name, column, names, [k for k in range(width) if k != clock])
     match = re.search(suffix, fields[chosen]) if fields else None
     unit = (unit_of(match.group(1) or match.group(2) or "", quantity) or "") if match else ""
-    if clock is None:
-        time = float(step or 0.0) * np.arange(float(len(numbers)))
-    else:
-        time = numbers[:, clock].copy()
-    return Found(time, numbers[:, chosen].copy(), unit, head, body)
-
-
-_COMMENTS = ["#", "%", "!"]  # begin a line that says nothing in numbers
+    time = float(step or 0.0) * np.arange(float(len(numbers))) if clock is None else numbers[:, clock].copy()
+    return Found(time, numbers[:, chosen].copy(), unit, lines)
 
 
 def _said(line: str) -> str:
-    """A line but for blanks around it; nothing of a comment."""
-    line = line.strip()
-    return "" if line[:1] in _COMMENTS else line
+    """A line but for a comment, and blanks around it."""
+    for mark in "#%!":
+        line = line.partition(mark)[0]
+    return line.strip()
 
 
 def _split(line: str, separator: str | None) -> list[str]:
@@ -220,15 +196,15 @@ def _split(line: str, separator: str | None) -> list[str]:
     return [f.strip().strip('"') for f in line.split(separator)]
 
 
-def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | None, int, bool]:
-    """Lines above the first that is all numbers, what separates them, how many, and whether a separator ends the line.
+def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | None, int]:
+    """Lines above the first that is all numbers, what separates them, and how many they are.
 
     Numbers above two lines that have another count of them both, such as a date, are of the header.
     """
-    rows: list[tuple[int, str | None, int, bool]] = []
+    rows: list[tuple[int, str | None, int]] = []
     for k, line in enumerate(map(_said, io.StringIO(text))):
         if line:
-            row = _numbers(k, line)
+            row = _row(k, line)
             if row is None and ";" in line and all(_is_number(f.replace(",", ".")) for f in line.split(";")):
                 raise ValueError(f"{name}, line {k + 1}: {line[:60]!r}: decimal commas; write points instead")
             rows += [row] if row else []
@@ -242,29 +218,22 @@ def _first_row(quantity: Quantity, name: str, text: str) -> tuple[int, str | Non
     return rows[1] if len(rows) == 3 and widths[1] == widths[2] != widths[0] else rows[0]
 
 
-def _numbers(k: int, line: str) -> tuple[int, str | None, int, bool] | None:
+def _row(k: int, line: str) -> tuple[int, str | None, int] | None:
     """As `_first_row` has it, if a line is all numbers."""
     for separator in (";", ",", None):
-        if separator is None or separator in line:
-            fields = _split(line, separator)
-            ends = len(fields) > 1 and not fields[-1]
-            fields = fields[:-1] if ends else fields
-            if fields and all(map(_is_number, fields)):
-                return k, separator, len(fields), ends
+        fields = _split(line, separator)
+        if len(fields) > 1 and not fields[-1]:  # a separator ends the line
+            fields.pop()
+        if (separator is None or separator in line) and all(map(_is_number, fields)):
+            return k, separator, len(fields)
     return None
 
 
-def _rows(name: str, body: str, head: int, separator: str | None) -> list[Floats]:
-    """The values of lines that are no rows of columns: more than three on each, only one line, or a last one cut short.
-
-    Empty where they may be columns.
-    """
-    counts = [len(_split(line, separator)) for x in io.StringIO(body) if (line := _said(x))]
-    if len(set(counts[:-1])) > 1 or counts[-1] > counts[0]:
-        return []
-    if counts[0] <= 3 and len(counts) > 1 and counts[-1] == counts[0]:
-        return []
-    return [_slow_table(name, body, head, separator)]
+def _along_lines(lines: NDArray[np.int64]) -> bool:
+    """Whether lines are no rows of columns: more than three on each, only one line, or a last one cut short."""
+    count = np.unique(lines, return_counts=True)[1]
+    whole = np.all(count[:-1] == count[0]) and count[-1] <= count[0]
+    return bool(whole and (count[0] > 3 or len(count) == 1 or count[-1] < count[0]))
 
 
 def _is_number(field: str) -> bool:
@@ -307,24 +276,23 @@ def _column(quantity: Quantity, name: str, column: int | str | None, names: list
     return found[0]
 
 
-def _enough(name: str, count: int) -> None:
-    if count < 2:
-        raise ValueError(f"{name}: holds {count} sample{'s' * (count != 1)}: a record has two at least")
-
-
-def _slow_table(name: str, body: str, head: int, separator: str | None, width: int = 0) -> Floats:
-    """Numbers line by line, so that the line that is wrong can be named: a table of a width, or all in a row."""
-    found = []
-    for k, line in enumerate(io.StringIO(body), head + 1):
-        fields = _split(line, separator) if _said(line) else []
-        fields = fields[:-1] if fields and not fields[-1] and len(fields) != width else fields
-        if width and fields and len(fields) != width:
+def _values(name: str, text: str, head: int, separator: str | None, width: int = 0) -> tuple[Floats, NDArray[np.int64]]:
+    """Numbers below a header and the line of each: of a table of a width, or all in a row."""
+    found, lines = array("d"), array("q")
+    for k, line in enumerate(map(_said, io.StringIO(text)), 1):
+        if k <= head or not line:
+            continue
+        fields = _split(line, separator)
+        if not fields[-1] and len(fields) != width:
+            fields.pop()
+        if width and len(fields) != width:
             raise ValueError(
                 f"{name}, line {k}: has {len(fields)} field{'s' * (len(fields) != 1)}, where the first row has "
                 f"{width}; mend the line"
             )
-        found += [_number(name, k, f) for f in fields]
-    return np.array(found, dtype=np.float64).reshape(-1, *([width] if width else []))
+        found.extend(_number(name, k, f) for f in fields)
+        lines.extend([k] * len(fields))
+    return np.array(found), np.array(lines)
 
 
 def _number(name: str, line: int, field: str) -> float:

@@ -26,7 +26,6 @@ def read_record(
     units: str | None = None,
     column: int | str | None = None,
     step: float | None = None,
-    scale: float = 1.0,
     start: float | None = None,
     gravity: float = 9.81,
     gaps: Literal["refuse", "linear"] = "refuse",
@@ -51,8 +50,6 @@ def read_record(
         choice.
     step : float, optional
         s between samples, for a file without times.
-    scale : float, optional
-        Factor on the values: -1 turns the record around, 1.2 amplifies it.
     start : float, optional
         Time of the first sample, s; by default the file's own, or 0.
     gravity : float, optional
@@ -73,9 +70,9 @@ def read_record(
         raise ValueError(
             f'holds = {holds!r}: must be "ground" (acceleration of the ground) or "driving" (its opposite)'
         )
-    raise_all(str(path), mistakes({"scale": scale, "gravity": gravity}, _FACTORS))
+    raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
     found = _read(ACCELERATION, path, units, column, step, start, gaps)
-    factor = {"g": 1.0, "%g": 0.01}.get(found.units, UNITS[found.units] / gravity) * scale
+    factor = {"g": 1.0, "%g": 0.01}.get(found.units, UNITS[found.units] / gravity)
     return Series(found.time, found.values * (-factor if holds == "ground" else factor) + 0.0, held=False)
 
 
@@ -112,16 +109,12 @@ def read_pore_pressure(
         k = int(bad[0])
         allowed = "a ratio of at least 0 and below 1" if is_ratio else "a pressure of at least 0"
         raise ValueError(
-            f"{path}, line {found.line(k)}: value = {float(found.values[k])!r}: must be {allowed}; mend the value, or "
+            f"{path}, line {found.lines[k]}: value = {float(found.values[k])!r}: must be {allowed}; mend the value, or "
             "check the units and the column"
         )
     return {"ratio" if is_ratio else "pressure": Series(found.time, found.values * PORE_PRESSURE.units[found.units])}
 
 
-_FACTORS: dict[str, Bounds] = {
-    "scale": (-INFINITY, INFINITY, "a finite factor"),
-    "gravity": (0.0, INFINITY, "a positive number in m/s^2"),
-}
 _TIMES: dict[str, Bounds] = {
     "step": (0.0, INFINITY, "a positive time in s"),
     "start": (-5e-324, INFINITY, "a time in s, not before 0"),
@@ -152,11 +145,11 @@ def _read(
     if wrong is None and gaps == "refuse":
         wrong = _gap(found.time)
     if wrong is not None:
-        raise ValueError(f"{name}, line {found.line(wrong[0])}: {wrong[1]}")
+        raise ValueError(f"{name}, line {found.lines[wrong[0]]}: {wrong[1]}")
     time = found.time if start is None else found.time - found.time[0] + start
     if time[0] < 0.0:
         raise ValueError(
-            f"{name}, line {found.line(0)}: time = {float(time[0])!r} s: must not be before 0, when the scene starts; "
+            f"{name}, line {found.lines[0]}: time = {float(time[0])!r} s: must not be before 0, when the scene starts; "
             "give start, the time of the first sample in s"
         )
     return found._replace(time=time, units=asked or found.units)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes, two_sum
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
@@ -28,7 +28,9 @@ GRAVITY, WIDTH = 9.81, 1.0  # by default
 
 
 # What `Arc(given=...)` holds; the other coefficients are their quotients.
-GIVEN = tuple(f.name for f in fields(Dimensionless))[:5]
+GIVEN: Mapping[str, Bounds] = {f.name: (0.0, INFINITY, "a positive number") for f in fields(Dimensionless)[:5]} | {
+    "weight_moment": (-INFINITY, INFINITY, "a finite number")
+}
 
 
 @dataclass(frozen=True)
@@ -102,11 +104,8 @@ class Arc(Mass, Generic[Numbers]):
         elif self.given is not None:
             found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
             found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
-            bounds = {n: (0.0, INFINITY, "a positive number") for n in GIVEN if n in self.given}
-            if "weight_moment" in bounds:
-                bounds["weight_moment"] = (-INFINITY, INFINITY, "a finite number")
-            found += [f"given: {m}" for m in mistakes(self.given, bounds)]
-            found += [f"given.{n}: must be one number" for n in bounds if np.ndim(self.given[n])]
+            bounds = {n: b for n, b in GIVEN.items() if n in self.given}
+            found += [f"given: {m}" for m in mistakes(self.given, bounds, one=bounds)]
             object.__setattr__(self, "given", dict(self.given))
         raise_all("Arc", found)
 
@@ -208,15 +207,9 @@ class Arc(Mass, Generic[Numbers]):
         """J_r/Theta* at the start."""
         if self.given is not None:
             return self.dimensionless.radial_weight_per_inertia
-        return self.amplitudes_per_inertia[1] * self._towards()
-
-    def _towards(self) -> Any:
-        """cos(psi) = -sin(theta_m), with the rounding error of theta_1 + theta_2 (TwoSum), which a steep dip shows."""
-        first, second = np.asarray(self.theta_1, dtype=np.float64), np.asarray(self.theta_2, dtype=np.float64)
-        total = first + second
-        part = total - first
-        lost = (first - (total - part)) + (second - part)
-        return -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
+        ends = (np.asarray(theta, dtype=np.float64) for theta in (self.theta_1, self.theta_2))
+        total, lost = two_sum(*ends)  # a steep dip shows the rounding of theta_m; cos(psi) = -sin(theta_m)
+        return self.amplitudes_per_inertia[1] * -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
 
     @cached_property
     def polar_moment(self) -> Any:

@@ -11,19 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import slopes
-from slipcircle.base.checks import EPS
+from slipcircle.base.checks import EPS, two_sum
 
 Floats = NDArray[np.float64]
 _GAUSS = [((1.0 + x) / 2, w / 2) for x, w in zip(*np.polynomial.legendre.leggauss(slopes.NODES), strict=True)]
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
 Two = tuple[Any, Any]  # a number as the sum of two doubles (Dekker 1971), about 32 digits
-
-
-def _sum(a: Any, b: Any) -> Two:
-    total = a + b
-    part = total - a
-    return total, (a - (total - part)) + (b - part)
 
 
 def _halves(a: Any) -> Two:
@@ -38,13 +32,13 @@ def _product(a: Any, b: Any) -> Two:
 
 
 def _plus(a: Two, b: Two) -> Two:
-    high, low = _sum(a[0], b[0])
-    return _sum(high, low + (a[1] + b[1]))
+    high, low = two_sum(a[0], b[0])
+    return two_sum(high, low + (a[1] + b[1]))
 
 
 def _times(a: Two, b: Two) -> Two:
     high, low = _product(a[0], b[0])
-    return _sum(high, low + (a[0] * b[1] + a[1] * b[0]))
+    return two_sum(high, low + (a[0] * b[1] + a[1] * b[0]))
 
 
 def _clearance(x: Two, y: Two, radius: Any) -> Two:
@@ -54,30 +48,16 @@ def _clearance(x: Two, y: Two, radius: Any) -> Two:
 
 
 class Cut(NamedTuple):
-    """The parts of a ground's edges that lie inside circles, each from left to right.
+    """The parts of a ground's edges that lie inside circles, each from left to right, (n, E)."""
 
-    Attributes
-    ----------
-    x, y : ndarray
-        First end, (n, E).
-    e_x, e_y : ndarray
-        From the first end to the second; 0 where the edge is outside.
-    first, second : ndarray
-        1 - rho^2 at both ends, 0 on the circle.
-    stretch : ndarray of int
-        Number of the stretch that the part belongs to, from 0; -1 before the first crossing.
-    enters, leaves : ndarray of bool
-        Whether the ground enters or leaves the circle here.
-    """
-
-    x: Floats
+    x: Floats  # first end
     y: Floats
-    e_x: Floats
+    e_x: Floats  # from the first end to the second; 0 where the edge is outside
     e_y: Floats
-    first: Floats
+    first: Floats  # 1 - rho^2 at both ends, 0 on the circle
     second: Floats
-    stretch: NDArray[np.int64]
-    enters: NDArray[np.bool_]
+    stretch: NDArray[np.int64]  # number of the stretch that the part belongs to, from 0; -1 before the first crossing
+    enters: NDArray[np.bool_]  # whether the ground enters or leaves the circle here
     leaves: NDArray[np.bool_]
 
     def only(self, lanes: Any) -> "Cut":
@@ -95,7 +75,7 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     clear = r * r - x * x - y * y
     near = np.nonzero(np.abs(clear) < 0.1 * r * r)  # where a difference of near equals takes two doubles
     some, about = np.broadcast_to(points, (*clear.shape, 2))[near].T, -centre[near[0]].T
-    clear[near] = _clearance(_sum(some[0], about[0]), _sum(some[1], about[1]), radius[near[0]])[0]
+    clear[near] = _clearance(two_sum(some[0], about[0]), two_sum(some[1], about[1]), radius[near[0]])[0]
     blur = 32 * EPS * r * (r + np.abs(points).max(axis=(1, 2))[:, None] + np.abs(centre).max(axis=1)[:, None])
     inside = clear > blur
     in_1, in_2 = inside[:, :-1], inside[:, 1:]
@@ -119,8 +99,8 @@ def cut(points: Floats, centre: Floats, radius: Floats) -> Cut:
     if lanes[0].size:
         row = np.broadcast_to(points, (len(radius), *points.shape[1:]))[lanes[0]]
         p, q = row[np.arange(len(row)), lanes[1]], row[np.arange(len(row)), lanes[1] + 1]
-        e = [_sum(q[:, k], -p[:, k]) for k in (0, 1)]
-        at = [_sum(p[:, k], -centre[lanes[0], k]) for k in (0, 1)]
+        e = [two_sum(q[:, k], -p[:, k]) for k in (0, 1)]
+        at = [two_sum(p[:, k], -centre[lanes[0], k]) for k in (0, 1)]
         b2 = _plus(_times(at[0], e[0]), _times(at[1], e[1]))
         d2 = _plus(_times(e[0], e[0]), _times(e[1], e[1]))
         disc = _plus(_times(b2, b2), _times(d2, _clearance(at[0], at[1], radius[lanes[0]])))[0]
@@ -149,15 +129,9 @@ def stretches(parts: Cut) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray
 
 def ends(parts: Cut, number: Any) -> tuple[Floats, Floats]:
     """The left and the right crossing of one stretch for each circle, (2, n) each."""
-    i, j = (k for k in zip((np.arange(len(parts.x)),) * 2, edges(parts, number), strict=True))
-    left, right = np.stack([parts.x[i], parts.y[i]]), np.stack([parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]])
-    return left, right
-
-
-def edges(parts: Cut, number: Any) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """The edges of the ground on which one stretch of each circle begins and ends."""
-    mine = parts.stretch == np.asarray(number)[:, None]
-    return np.argmax(parts.enters & mine, axis=1), np.argmax(parts.leaves & mine, axis=1)
+    mine, each = parts.stretch == np.asarray(number)[:, None], np.arange(len(parts.x))
+    i, j = (each, np.argmax(parts.enters & mine, axis=1)), (each, np.argmax(parts.leaves & mine, axis=1))
+    return np.stack([parts.x[i], parts.y[i]]), np.stack([parts.x[j] + parts.e_x[j], parts.y[j] + parts.e_y[j]])
 
 
 def moments(parts: Cut, mine: NDArray[np.bool_]) -> dict[str, Floats]:

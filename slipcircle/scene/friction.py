@@ -6,7 +6,9 @@ from typing import Any
 import numpy as np
 
 from generated.effects import LAWS
-from slipcircle.base.checks import mistakes
+from slipcircle.base.checks import mistakes, parameter_mistakes
+
+RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
 
 
 def law_mistakes(given: Any) -> list[str]:
@@ -20,7 +22,7 @@ def law_mistakes(given: Any) -> list[str]:
         )
     found = _named_mistakes(given, "friction", tuple(LAWS))
     if not found and "rate" in given:
-        if "speed" in LAWS[given["law"]].depends_on or "time" in LAWS[given["law"]].depends_on:
+        if not may_have_rate(given["law"]):
             found.append(f"friction.rate: {given['law']} is no law of slip; leave one out")
         elif not isinstance(given["rate"], Mapping):
             found.append(f"friction.rate = {given['rate']!r}: must be a law of speed with its parameters")
@@ -29,7 +31,9 @@ def law_mistakes(given: Any) -> list[str]:
     return found
 
 
-RATE_LAWS = tuple(name for name, law in LAWS.items() if law.depends_on == ("speed",))
+def may_have_rate(law: str) -> bool:
+    """Whether a law may be multiplied by one of speed."""
+    return not {"speed", "time"} & set(LAWS[law].depends_on)
 
 
 def _named_mistakes(given: Mapping[str, Any], path: str, known: tuple[str, ...]) -> list[str]:
@@ -37,15 +41,11 @@ def _named_mistakes(given: Mapping[str, Any], path: str, known: tuple[str, ...])
     name = given.get("law")
     if name not in known:
         return [f"{path}.law = {name!r}: must be one of {', '.join(known)}"]
-    wanted = {p.name: p for p in LAWS[name].parameters}
-    rest = {k: v for k, v in given.items() if k != "law" and (k, path) != ("rate", "friction")}
-    found = [f"{path}.{n}: is missing: {p.help}" for n, p in wanted.items() if n not in rest]
-    found += [f"{path}.{n}: is unknown; known are {', '.join(wanted)}" for n in rest if n not in wanted]
-    bounds = {n: (p.lower, p.upper, f"{p.help}, {_range(p)}") for n, p in wanted.items() if n in rest}
-    found += [f"{path}.{m}" for m in mistakes(rest, bounds)]
-    first = wanted[next(iter(wanted))]
+    own = {k: v for k, v in given.items() if k != "law" and (k, path) != ("rate", "friction")}
+    first, *others = LAWS[name].parameters
+    found = parameter_mistakes(path, own, LAWS[name].parameters)
     if first.kind == "list" and not found:
-        place, values = (np.asarray(given[n], dtype=float) for n in wanted)
+        place, values = (np.asarray(own[p.name], dtype=float) for p in (first, *others))
         if place.ndim != 1 or place.shape != values.shape or place.size < 2:
             found.append(
                 f"{path}.{first.name} and {path}.coefficient: must be two lists of equal length, two values at least"
@@ -57,24 +57,21 @@ def _named_mistakes(given: Mapping[str, Any], path: str, known: tuple[str, ...])
     return found
 
 
-def _range(p: Any) -> str:
-    low = "at least 0" if p.lower < 0.0 else "positive"
-    return f"{low}{' ' + p.unit if p.unit else ''}"
+def law_parts(friction: Any) -> tuple[tuple[str, Mapping[str, Any]], ...]:
+    """The laws that a scene's friction is a product of: each by name, with its parameters."""
+    if callable(friction):
+        return (("callable", {"function": friction}),)
+    if not isinstance(friction, Mapping):
+        return (("constant", {"coefficient": friction}),)
+    own = {n: v for n, v in friction.items() if n not in ("law", "rate")}
+    return ((friction["law"], own), *(law_parts(friction["rate"]) if "rate" in friction else ()))
 
 
 def law_names(given: Any) -> tuple[str, ...]:
-    """The names of the law that a scene's ``friction`` stands for, and of the law of speed that multiplies it."""
-    if callable(given):
-        return ("callable",)
-    if not isinstance(given, Mapping):
-        return ("constant",)
-    return (str(given["law"]), *([str(given["rate"]["law"])] if "rate" in given else []))
+    """Of the law that a scene's friction stands for, and of the law of speed that multiplies it."""
+    return tuple(name for name, _ in law_parts(given))
 
 
 def law_depends(given: Any) -> tuple[str, ...]:
-    """What the law that a scene's ``friction`` stands for depends on: some of slip, speed, time."""
-    if callable(given):
-        return ("slip",)
-    if not isinstance(given, Mapping):
-        return ()
-    return LAWS[given["law"]].depends_on + (("speed",) if "rate" in given else ())
+    """What a scene's friction depends on: some of slip, speed, time."""
+    return tuple(what for n in law_names(given) for what in (LAWS[n].depends_on if n in LAWS else ("slip",)))

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, Fault, first, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
 
 FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
@@ -30,7 +30,7 @@ def line_faults(name: str, lines: Floats) -> Iterator[Fault]:
     )
 
 
-def line_mistakes(name: str, given: Any, many: bool = False) -> list[str]:
+def line_mistakes(name: str, given: Any, many: bool) -> list[str]:
     """What is wrong with points that should make a line from left to right, or with the first of many that is."""
     try:
         points = np.asarray(given)
@@ -68,35 +68,45 @@ def ponds(grounds: Floats, levels: Floats) -> Fault:
     return ~both.any(axis=1) | (over.max(axis=1) > 1e-9 * np.ptp(grounds, axis=(1, 2))), said
 
 
-def section_mistakes(given: Mapping[str, Any]) -> list[str]:
-    """What is wrong with the fields of a section, each by itself and as shapes."""
-    length, weight = "a positive length below 1e9 m", "a positive unit weight in N/m^3"
-    bounds = {n: b for n, b in {
-        "radius": (0.0, FAR, length), "unit_weight": (0.0, 1e6, weight), "width": (0.0, INFINITY, length),
-        "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"), "water_unit_weight": (0.0, 1e6, weight),
-        "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"), "base": (-FAR, FAR, "one finite number in m"),
-        "between": (-FAR, FAR, "two x in m, from left to right"),
-    }.items() if given[n] is not None or n not in ("base", "between")}  # fmt: skip
-    found = mistakes(given, bounds)
-    if not found:  # all of them are numbers
-        form = {"base": (), "water_unit_weight": (), "between": (2,), "centre": (*np.shape(given["centre"])[:-1], 2)}
-        odd = [n for n in form if n in bounds and np.shape(given[n]) != form[n]]
-        odd += ["between"] if "between" in bounds and not odd and given["between"][0] >= given["between"][1] else []
-        found = [f"{n} = {given[n]!r}: must be {'one number' if not form[n] else bounds[n][2]}" for n in odd]
-    found += line_mistakes("ground", given["ground"], many=True)
-    found += [] if given["level"] is None else line_mistakes("level", given["level"], many=True)
+_WEIGHT, _STRESS = "a positive unit weight in N/m^3", "a stress of at least 0 in Pa"
+_BOUNDS: Mapping[str, Bounds] = {
+    "radius": (0.0, FAR, "a positive length below 1e9 m"), "unit_weight": (0.0, 1e6, _WEIGHT),
+    "width": (0.0, INFINITY, "a positive length in m"), "gravity": (0.0, INFINITY, "a positive acceleration in m/s^2"),
+    "water_unit_weight": (0.0, 1e6, _WEIGHT), "centre": (-FAR, FAR, "two finite numbers [x, y] within 1e9 m"),
+    "base": (-FAR, FAR, "one finite number in m"), "between": (-FAR, FAR, "two x in m, from left to right"),
+    "cohesion": (-5e-324, INFINITY, _STRESS), "pressure": (-5e-324, INFINITY, _STRESS),
+    "friction": (-5e-324, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
+    "pore_ratio": (-5e-324, 1.0, "at least 0 and below 1"), "k_h": (-1.0, 1.0, "between -1 and 1"),
+}  # fmt: skip
+
+
+def field_mistakes(given: Mapping[str, Any], many: bool = False) -> list[str]:
+    """What is wrong with the fields of a slope, or of many sections, each by itself."""
+    bounds = {n: b for n, b in _BOUNDS.items() if n in given and (given[n] is not None or n not in ("base", "between"))}
+    found = mistakes(given, bounds, one=("base", "water_unit_weight") if many else bounds)
+    if not found and many:  # all of them are numbers
+        pair, odd = given["between"], [] if np.shape(given["centre"])[-1:] == (2,) else ["centre"]
+        if pair is not None and not (np.shape(pair) == (2,) and pair[0] < pair[1]):
+            odd.append("between")
+        found = [f"{n} = {given[n]!r}: must be {bounds[n][2]}" for n in odd]
+    lines = [n for n in ("ground", "level") if n == "ground" or given[n] is not None]
+    return found + [m for n in lines for m in line_mistakes(n, given[n], many)]
+
+
+def section_mistakes(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[str]:
+    """What is wrong with the fields of sections, each by itself, and as shapes in front of the axes of one."""
+    found = field_mistakes(given, many=True)
     if not found:
-        shaped = {n: given[n] for n in ("radius", "unit_weight", "gravity", "width")}
-        shaped |= {"centre": np.asarray(given["centre"])[..., 0], "ground": np.asarray(given["ground"])[..., 0, 0]}
-        shaped |= {} if given["level"] is None else {"level": np.asarray(given["level"])[..., 0, 0]}
+        held = {n: np.shape(given[n]) for n in axes if given[n] is not None}
+        shaped = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in held.items()}
         found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
     return found
 
 
-def simple_slope(
-    height: float, *, angle: float | None = None, run: float | None = None, flat: float | None = None
-) -> Floats:
+def simple_slope(height: float, *, angle: float | None = None, run: float | None = None) -> Floats:
     """Points of a straight slope that falls to the right between level ground, its toe at the origin, m.
+
+    The level ground on either side is four heights and the run long.
 
     Parameters
     ----------
@@ -104,8 +114,6 @@ def simple_slope(
         m.
     angle, run : float
         Of the slope in rad, up to upright, or its horizontal length in m; one of them.
-    flat : float, optional
-        Length of the level ground on either side, by default four heights and the run.
     """
     found = mistakes({"height": height}, {"height": (0.0, INFINITY, "a positive length in m")})
     if (angle is None) == (run is None):
@@ -118,8 +126,15 @@ def simple_slope(
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
     assert run is not None
-    flat = 4 * height + run if flat is None else flat
+    flat = 4 * height + run
     return np.array([[-run - flat, height], [-run, height], [0.0, 0.0], [flat, 0.0]])
+
+
+def _from_left(first: ArrayLike, second: ArrayLike) -> tuple[Floats, Floats]:
+    """Two points, or many pairs of them, each from left to right."""
+    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    swap = p[..., :1] > q[..., :1]
+    return np.where(swap, q, p), np.where(swap, p, q)
 
 
 def circle_through(
@@ -132,8 +147,7 @@ def circle_through(
     ValueError
         For points above each other, a radius below half their distance, or a depth above it (beyond a half disc).
     """
-    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
-    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
+    p, q = _from_left(first, second)
     half = np.hypot(*np.moveaxis(q - p, -1, 0)) / 2
     found = ["radius or depth: give one of them"] if (radius is None) == (depth is None) else []
     if np.any(p[..., 0] == q[..., 0]):
@@ -161,8 +175,7 @@ def circle_touching(first: ArrayLike, second: ArrayLike, level: ArrayLike) -> tu
     ValueError
         For a level that is not below both points.
     """
-    p, q = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
-    p, q = np.where(p[..., :1] <= q[..., :1], p, q), np.where(p[..., :1] <= q[..., :1], q, p)
+    p, q = _from_left(first, second)
     low = np.asarray(level, dtype=np.float64)
     a, b, run = p[..., 1] - low, q[..., 1] - low, (q - p)[..., 0]
     if np.any((a <= 0.0) | (b <= 0.0)) or np.any(run == 0.0):

@@ -5,24 +5,69 @@ They follow from the declarations in `generated.effects`, so that a new effect o
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
 from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
-from slipcircle.scene.friction import RATE_LAWS
+from slipcircle.scene.friction import RATE_LAWS, may_have_rate
 from slipcircle.scene.stability import METHODS
 
 ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
 
 
-class Key(NamedTuple):
-    """A key of a scene file: the argument that it stands for, what it is and may be, and how it becomes SI units.
+@dataclass(frozen=True)
+class Number:
+    """A number of a scene, as people name it and as the scene has it."""
 
-    ``kind`` is "text", "flag", "number", "list" (of numbers), "series" (a number or a list), "pair" and "points" (of
-    two numbers), or words: "this|that".
+    key: str = ""  # a scene file's key, or the name
+    name: str = ""  # in `Scene.numbers`
+    unit: str = ""  # of the key
+    low: float = -math.inf  # open bounds, in the key's unit
+    high: float = math.inf
+    closed: bool = False  # whether the lower one is allowed as well
+    per_unit: float = 1.0  # SI units in the key's unit
+    tangent: bool = False  # whether the key is the angle of a coefficient, in degrees
+    si: str = ""  # unit of the name
+
+    @property
+    def plain(self) -> "Number":
+        """The same in SI units, by its name."""
+        low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
+        return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
+
+    def to_si(self, values: Any) -> Any:
+        """Values in the key's unit as the scene has them."""
+        return np.tan(np.deg2rad(values)) if self.tangent else np.asarray(values) * self.per_unit
+
+    def from_si(self, values: Any) -> Any:
+        """Values of the scene in the key's unit."""
+        return np.rad2deg(np.arctan(values)) if self.tangent else np.asarray(values) / self.per_unit
+
+    def slope(self, value: float) -> float:
+        """Derivative of what the scene has by the key's value."""
+        return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
+
+    def holds(self, values: Any) -> Any:
+        """Which values are finite and within the bounds."""
+        least = values >= self.low if self.closed else values > self.low
+        return least & (values < self.high) & (abs(values) < math.inf)
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """The bounds that it has: gt or ge, and lt."""
+        low, high = {"ge" if self.closed else "gt": self.low}, {"lt": self.high}
+        return (low if self.low > -math.inf else {}) | (high if self.high < math.inf else {})
+
+
+class Key(NamedTuple):
+    """A key of a scene file: the argument that it stands for, and what it is and may be.
+
+    ``kind`` is "text", "flag", "number", "fixed" (a number that no scene varies), "list" (of numbers), "series" (a
+    number or a list), "pair" and "points" (of two numbers), or words: "this|that".
     """
 
     name: str
@@ -30,12 +75,7 @@ class Key(NamedTuple):
     allowed: str = "text"
     required: bool = False
     kind: str = "text"
-    limits: Mapping[str, float] = {}
-    convert: Callable[[Any], Any] = str
-    per_unit: float = 1.0
-    tangent: bool = False  # of the angle in degrees
-    unit: str = ""  # of the key
-    si: str = ""
+    number: Number = Number()
 
     def wrong(self, value: Any) -> list[tuple[str, Any]]:
         """What is wrong with a value: places in a list, "" for the value itself, and what stands there."""
@@ -43,18 +83,24 @@ class Key(NamedTuple):
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
         if isinstance(value, list) and self.kind == "points" and len(value) > 1:
             return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
-        right = {
-            "text": isinstance(value, str), "flag": isinstance(value, bool), "list": False,
-            "number": self._number(value), "series": self._number(value), "pair": self._pair(value),
+        right = dict.fromkeys(("number", "fixed", "series"), self._number(value)) | {
+            "text": isinstance(value, str), "flag": isinstance(value, bool), "pair": self._pair(value), "list": False,
             "points": False,
         }  # fmt: skip
         return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
 
+    def convert(self, value: Any) -> Any:
+        """A right value as an argument, in SI units."""
+        if self.kind == "points":
+            return np.array(value)
+        if self.kind == "pair":
+            return float(value[0]), float(value[1])
+        if self.kind not in ("number", "fixed", "list", "series"):
+            return value
+        return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
+
     def _number(self, value: Any) -> bool:
-        if isinstance(value, bool) or not isinstance(value, int | float) or not -INFINITY < value < INFINITY:
-            return False
-        low = self.limits.get("gt", -INFINITY) < value and self.limits.get("ge", -INFINITY) <= value
-        return low and value < self.limits.get("lt", INFINITY)
+        return isinstance(value, int | float) and not isinstance(value, bool) and bool(self.number.holds(value))
 
     def _pair(self, value: Any) -> bool:
         return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
@@ -75,8 +121,8 @@ class Table(NamedTuple):
 
 
 def _declare(name: str, key: str, unit: str, help: str, lower: float = 0.0, upper: float = INFINITY,
-             per_unit: float = 1.0, optional: bool = False) -> Parameter:  # fmt: skip
-    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, "number")
+             per_unit: float = 1.0, optional: bool = False, kind: str = "number") -> Parameter:  # fmt: skip
+    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind)
 
 
 _TEXT = {"name": Key("name", "name of the scene, by default the file's"), "note": Key("note", "source of the numbers")}
@@ -85,90 +131,59 @@ _TOP = (
              "down-slope, by default 0", -LIMITS["m/s"][1], LIMITS["m/s"][1], optional=True),
     _declare("end_time", "end_time_s", "s", "time of the end, by default when the mass rests", *LIMITS["s"],
              optional=True),
-    _declare("accuracy", "accuracy", "", "relative error asked for", 0.0, 1.0, optional=True),
+    _declare("accuracy", "accuracy", "", "relative error asked for", 0.0, 1.0, 1.0, True, "fixed"),
 )  # fmt: skip
 _ARC = tuple(
-    _declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, optional)
-    for name, key, unit, help, per_unit, optional in (
-        ("radius", "radius_m", "m", "radius of the slip circle", 1.0, False),
-        (
-            "theta_1",
-            "theta_1_deg",
-            "rad",
-            "polar angle of the arc's first end; 270 is below the centre",
-            math.pi / 180,
-            False,
-        ),
-        ("theta_2", "theta_2_deg", "rad", "polar angle of the arc's second end, above the first", math.pi / 180, False),
-        ("unit_weight", "unit_weight_kN_m3", "N/m^3", "unit weight", 1e3, False),
-        ("gravity", "gravity_m_s2", "m/s^2", f"gravity, by default {GRAVITY}", 1.0, True),
-        ("width", "width_m", "m", f"length across the section, by default {WIDTH}", 1.0, True),
+    _declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)
+    for name, key, unit, per_unit, help in (
+        ("radius", "radius_m", "m", 1.0, "radius of the slip circle"),
+        ("theta_1", "theta_1_deg", "rad", math.pi / 180,
+         "polar angle of the arc's first end; 270 is below the centre"),
+        ("theta_2", "theta_2_deg", "rad", math.pi / 180, "polar angle of the arc's second end, above the first"),
+        ("unit_weight", "unit_weight_kN_m3", "N/m^3", 1e3, "unit weight"),
+        ("gravity", "gravity_m_s2", "m/s^2", 1.0, f"gravity, by default {GRAVITY}"),
+        ("width", "width_m", "m", 1.0, f"length across the section, by default {WIDTH}"),
     )
-)
-_GIVEN = [
-    _declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", -INFINITY if n == "weight_moment" else 0.0)
-    for n in GIVEN
-]
+)  # fmt: skip
+_GIVEN = [_declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", *b[:2], kind="fixed") for n, b in GIVEN.items()]
 
 
-def _number(p: Parameter, many: bool, title: str, unit: str, required: bool, to_si: Callable[[float], Any],
-            to_file: Callable[[float], float], tangent: bool = False) -> Key:  # fmt: skip
-    """The key of a number, or of a list of them, with the parameter's bounds in the file's unit."""
-    limits = {} if p.lower == -INFINITY else {"gt": to_file(p.lower)}
-    if p.lower == -5e-324:  # bounds are open, and zero is allowed
-        limits = {"ge": 0.0}
-    limits |= {"lt": to_file(p.upper)} if to_file(p.upper) < INFINITY else {}
+def _number(p: Parameter, title: str, unit: str = "", required: bool = False, tangent: bool = False) -> Key:
+    """The key of a number, of a list of them or of either, with the parameter's bounds in the file's unit."""
+    of = Number(p.key, p.name, unit, per_unit=p.per_unit, tangent=tangent, si=p.unit)
+    closed = p.lower == -5e-324  # bounds are open, and zero is allowed
+    of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
     if p.key.endswith("_deg") and not p.unit and not tangent:
-        limits["lt"] = ROUGHEST  # which is not told: who meets it gave an angle
+        of = replace(of, high=ROUGHEST)  # which is not told: who meets it gave an angle
     least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
-    told = dict(limits)  # of what only a wrong unit passes the sign is enough
+    told = dict(of.limits)  # of what only a wrong unit passes the sign is enough
     if p.lower in (least, -most):
         told = {"gt": 0.0} if p.lower > 0.0 else {}
+    told.pop("lt", None)
     if p.upper < most or tangent:
-        told |= {k: v for k, v in limits.items() if k == "lt"}
-    else:
-        told.pop("lt", None)
+        told["lt"] = of.high
     said = {"gt": "above", "ge": "at least", "lt": "below"}
     words = " and ".join(f"{said[k]} {v:g}" for k, v in told.items())
-    allowed = " ".join(filter(None, ["a list of numbers" if many else "a number", words, unit and f"({unit})"]))
-
-    def convert(given: Any) -> Any:
-        return [float(to_si(v)) for v in given] if many else float(to_si(given))
-
-    return Key(p.name, title, allowed, required, "list" if many else "number", limits, convert,
-               1.0 if tangent else float(to_si(1.0)), tangent, unit, p.unit)  # fmt: skip
+    one, many = (" ".join(filter(None, [n, words, unit and f"({unit})"])) for n in ("a number", "a list of numbers"))
+    allowed = {"list": many, "series": f"{one}, or {many}"}.get(p.kind, one)
+    return Key(p.name, title, allowed, required, p.kind, of)
 
 
 def _keys(p: Parameter) -> dict[str, Key]:
     """The keys of a parameter; friction has two, for its angle and for the coefficient itself."""
-    many = p.kind == "list"
+    words = {"flag": "true or false", "text": "text"}.get(p.kind, f"one of {p.kind.replace('|', ', ')}")
     if not p.key:
         return {}
-    if p.kind == "flag":
-        return {p.key: Key(p.name, p.help, "true or false", False, "flag", {}, bool)}
-    if p.kind == "text":
-        return {p.key: Key(p.name, p.help, "text", not p.optional)}
-    if "|" in p.kind:
-        return {p.key: Key(p.name, p.help, f"one of {p.kind.replace('|', ', ')}", not p.optional, p.kind)}
+    if p.kind in ("flag", "text") or "|" in p.kind:
+        return {p.key: Key(p.name, p.help, words, not p.optional, p.kind)}
     if not p.unit and p.key.endswith("_deg"):
-        return {
-            p.key: _number(p, many, f"{p.help}, as an angle", "deg", False, lambda v: np.tan(np.deg2rad(v)),
-                           lambda v: math.degrees(math.atan(v)), tangent=True),
-            p.name: _number(p, many, p.help, "", False, float, float),
-        }  # fmt: skip
+        angle = _number(p, f"{p.help}, as an angle", "deg", tangent=True)
+        return {p.key: angle, p.name: _number(p, p.help)}
     unit = p.unit
     if p.per_unit != 1.0:  # the key tells it, such as kN_m3 for N/m^3, but not what stands between
         between = iter(re.findall("[/ ]", p.unit))
         unit = re.sub("_", lambda _: next(between, " "), p.key.removeprefix(f"{p.name}_"))
-    key = _number(p, many, p.help, unit, not p.optional, lambda v: v * p.per_unit, lambda v: v / p.per_unit)
-    if p.kind == "series":
-        one, many_of = key, _number(p, True, p.help, unit, False, lambda v: v * p.per_unit, lambda v: v / p.per_unit)
-        key = key._replace(
-            kind="series",
-            allowed=f"{one.allowed}, or {many_of.allowed}",
-            convert=lambda v: (many_of if isinstance(v, list) else one).convert(v),
-        )
-    return {p.key: key}
+    return {p.key: _number(p, p.help, unit, not p.optional)}
 
 
 def _table(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}) -> Table:
@@ -180,11 +195,6 @@ def _table(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] 
 def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
     law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", name)
     return _table(LAWS[name].help, LAWS[name].parameters, {"law": law})
-
-
-def may_have_rate(law: str) -> bool:
-    """Whether a law may be multiplied by one of speed."""
-    return not {"speed", "time"} & set(LAWS[law].depends_on)
 
 
 def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
@@ -209,31 +219,31 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
 
 
 def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
-    return _declare(name, f"{name}_m", "m", help, lower, LIMITS["m"][1], optional=True)
+    return _declare(name, f"{name}_m", "m", help, lower, LIMITS["m"][1], 1.0, True, "fixed")
 
 
 def _weight(help: str, optional: bool = False) -> Parameter:
-    return _declare("unit_weight", "unit_weight_kN_m3", "N/m^3", help, 0.0, 1e5, 1e3, optional)
+    return _declare("unit_weight", "unit_weight_kN_m3", "N/m^3", help, 0.0, 1e5, 1e3, optional, "fixed")
 
 
 def _points(name: str, title: str) -> dict[str, Key]:
     key = "points_m" if name == "ground" else f"{name}_m"
-    return {key: Key(name, title, "a list of points, [[x, y], [x, y], ...] (m)", kind="points", convert=np.array)}
+    return {key: Key(name, title, "a list of points, [[x, y], [x, y], ...] (m)", kind="points")}
 
 
 def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
-    said = f"two numbers, {form} (m)"
-    return {f"{name}_m": Key(name, title, said, kind="pair", convert=lambda v: (float(v[0]), float(v[1])))}
+    return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair")}
 
 
 _UPRIGHT = _declare("angle", "angle_deg", "rad", "its angle, at most 90", 0.0,
-                    math.nextafter(math.pi / 2, 2.0), math.pi / 180, True)  # fmt: skip
+                    math.nextafter(math.pi / 2, 2.0), math.pi / 180, True, "fixed")  # fmt: skip
 SLOPING: Mapping[str, Table] = {  # in place of an arc
     "ground": _table(
         "a real slope, in place of [arc]",
         [_length("height", "height of a simple slope between level ground"), _UPRIGHT,
          _length("run", "its horizontal length", -5e-324), _weight("unit weight of the soil"),
-         *_ARC[-2:], _length("base", "y of a firm layer below which no circle goes", -INFINITY)],
+         *(replace(p, kind="fixed") for p in _ARC[-2:]),
+         _length("base", "y of a firm layer below which no circle goes", -INFINITY)],
         _points("ground", "points of the surface from left to right"),
     )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
     "circle": _table(
@@ -254,7 +264,7 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         "what limits the search for the critical circle",
         [_length("depth", "least thickness of the mass, against skins", -5e-324),
          _declare("k_h", "k_h", "", "horizontal acceleration as a share of g, positive down-slope", -1.0, 1.0,
-                  optional=True)],
+                  1.0, True, "fixed")],
         _pair("entry", "x of the upper end") | _pair("exit", "x of the lower end"),
     ),
 }  # fmt: skip
@@ -265,7 +275,7 @@ def sloping(tables: Mapping[str, Table]) -> dict[str, Table]:
     """The tables of a scene with a ground in place of an arc, and the soil of one."""
     found = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
     for path in ("friction", "cohesion"):
-        keys = {k: key._replace(limits={**key.limits, "lt": _PLAUSIBLE.get(k, key.limits["lt"])}) if key.limits else key
+        keys = {k: key._replace(number=replace(key.number, high=_PLAUSIBLE.get(k, key.number.high)))
                 for k, key in found[path].keys.items()}  # fmt: skip
         found[path] = found[path]._replace(keys=keys)
     return found

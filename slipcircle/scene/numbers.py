@@ -5,7 +5,6 @@ A grid, an uncertain number, a back-analysis and a derivative name a number in t
 list that it stands in, the number of its point from 0, and x or y: ``ground.points_m.3.y``, in SI units ``ground.3.y``.
 """
 
-import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
@@ -14,59 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from generated.effects import EFFECTS
 from slipcircle.base.distributions import distribution_mistakes, made
 from slipcircle.scene.friction import law_names
 from slipcircle.scene.ground import FAR
+from slipcircle.scene.keys import Number as Number
 from slipcircle.scene.keys import Table, tables_of
-
-
-@dataclass(frozen=True)
-class Number:
-    """A number of a scene.
-
-    Attributes
-    ----------
-    key : str
-        How people name it: a scene file's key, or the name.
-    name : str
-        In `Scene.numbers`.
-    unit : str
-        Of the key.
-    low, high, closed
-        Its open bounds, in the key's unit, and whether the lower one is allowed as well.
-    per_unit, tangent
-        SI units in the key's unit; or whether the key is the angle of a coefficient, in degrees.
-    si : str
-        Unit of the name.
-    """
-
-    key: str
-    name: str
-    unit: str = ""
-    low: float = -math.inf
-    high: float = math.inf
-    closed: bool = False
-    per_unit: float = 1.0
-    tangent: bool = False
-    si: str = ""
-
-    @property
-    def plain(self) -> "Number":
-        """The same in SI units, by its name."""
-        low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
-        return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
-
-    def to_si(self, values: Any) -> Any:
-        """Values in the key's unit as the scene has them."""
-        return np.tan(np.deg2rad(values)) if self.tangent else np.asarray(values) * self.per_unit
-
-    def from_si(self, values: Any) -> Any:
-        """Values of the scene in the key's unit."""
-        return np.rad2deg(np.arctan(values)) if self.tangent else np.asarray(values) / self.per_unit
-
-    def slope(self, value: float) -> float:
-        """Derivative of what the scene has by the key's value."""
-        return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
 
 
 def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
@@ -74,16 +26,15 @@ def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
     found = {}
     for path, table in tables.items():
         for k, key in table.keys.items():
-            if key.kind in ("number", "series") and path != "arc.given" and key.name != "accuracy":
+            if key.kind in ("number", "series"):
                 constant = (path, key.name) == ("friction", "coefficient")
                 name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
-                shown, limits = f"{path}.{k}".lstrip("."), key.limits
-                low, high = limits.get("gt", limits.get("ge", -math.inf)), limits.get("lt", math.inf)
-                found[shown] = Number(shown, name, key.unit, low, high, "ge" in limits, key.per_unit, key.tangent,
-                                      key.si)  # fmt: skip
+                shown = f"{path}.{k}".lstrip(".")
+                found[shown] = replace(key.number, key=shown, name=name)
     return found
 
 
+DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad")  # down-slope; both ends turn
 _POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "water.level_m"}  # where files have them
 _RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
 
@@ -109,13 +60,10 @@ def lengths(arc: Any) -> set[str]:
 def numbers_in(arc: Any) -> dict[str, Any]:
     """The numbers of an arc or a section by name: each a number, or an array of one a lane."""
     found: dict[str, Any] = {}
-    for field, axes in arc.quantities.items():
+    for field in arc.quantities:
         value = getattr(arc, field)
-        if not axes:
-            found[field] = value
-            continue
         lanes = np.asarray(value)
-        found |= {name: lanes[(..., *at)] for name, at in places(arc, field).items()}
+        found |= {name: lanes[(..., *at)] if at else value for name, at in places(arc, field).items()}
     return found
 
 
@@ -139,14 +87,14 @@ def fields_with(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
-def keyed(friction: Any, arc: Any) -> dict[str, Number]:
-    """The numbers of a scene with this friction and arc by their keys."""
-    law, *rate = law_names(friction)
+def keyed(scene: Any) -> dict[str, Number]:
+    """The numbers that a scene with its friction and arc may have, by their keys."""
+    arc, (law, *rate) = scene.arc, law_names(scene.friction)
     known = numbers(tables_of("constant" if law == "callable" else law, *rate))
     if law == "callable":
         known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
     if "ground" not in arc.quantities:
-        return known
+        return known | {DIP.key: DIP}
     found = {}
     for k, n in known.items():  # a slope's file has what an arc has in other tables
         if n.name in arc.quantities:
@@ -159,20 +107,16 @@ def keyed(friction: Any, arc: Any) -> dict[str, Number]:
     return found
 
 
-def named(friction: Any, arc: Any) -> dict[str, Number]:
+def named(scene: Any) -> dict[str, Number]:
     """The same by their names: of two keys, as friction has, the first."""
-    return {n.name: n for n in reversed(keyed(friction, arc).values())}
+    return {n.name: n for n in reversed(keyed(scene).values())}
 
 
-def number_of(path: str, friction: Any, arc: Any) -> Number:
-    """The number that a path stands for, a key of a scene file or a name in SI units.
-
-    Raises
-    ------
-    ValueError
-        If a scene with this friction and arc has no such number.
-    """
-    known = keyed(friction, arc)
+def number_in(scene: Any, path: str) -> Number:
+    """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
+    known = keyed(scene)
+    only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
+    path = only[0] if len(only) == 1 else path  # of an effect with one number
     if path in known:
         return known[path]
     for n in known.values():
@@ -191,14 +135,7 @@ def listed(keys: Collection[str]) -> str:
 
 @dataclass(frozen=True)
 class Uncertain:
-    """A number that is known by its distribution.
-
-    Attributes
-    ----------
-    number : Number
-    given : mapping or scipy.stats frozen distribution
-        As a scene file has it, or SciPy's; in the number's unit.
-    """
+    """A number that is known by its distribution, as a scene file has it, or SciPy's frozen one; in the key's unit."""
 
     number: Number
     given: Any
@@ -235,16 +172,16 @@ class Uncertain:
         return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
 
 
-def declared(given: Mapping[str, Any], friction: Any, arc: Any) -> tuple[dict[str, Uncertain], list[str]]:
+def declared(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
     """Uncertain numbers by their names in `Scene.numbers`, and a sentence for each mistake."""
     found: dict[str, Uncertain] = {}
     said = []
-    for path, value in given.items():
+    for path, value in scene.uncertain.items():
         if isinstance(value, Uncertain):
             found[path] = value
             continue
         try:
-            number = number_of(path, friction, arc)
+            number = number_in(scene, path)
         except ValueError as error:
             said.append(f"uncertain.{error}")
             continue
@@ -256,4 +193,6 @@ def declared(given: Mapping[str, Any], friction: Any, arc: Any) -> tuple[dict[st
         if number.name in found:
             said.append(f"uncertain.{path}: {found[number.name].key} says the same; leave one out")
         found[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)
+    values = scene.numbers
+    said += [f"uncertain.{u.key}: the scene has no value of it to vary" for n, u in found.items() if n not in values]
     return found, said

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated.effects import EFFECTS, LAWS, Parameter
-from slipcircle.base.checks import INFINITY, Bounds, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, mistakes, parameter_mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.base.series import Pulse, Series
-from slipcircle.records.given import factor, greatest, resolved
+from slipcircle.records.given import factor, resolved
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
 from slipcircle.scene.numbers import declared, numbers_in
@@ -112,9 +112,7 @@ class Scene(Generic[Numbers]):
     def __post_init__(self) -> None:
         effects, found = _named(self.effects)
         object.__setattr__(self, "effects", effects)
-        bounds: dict[str, Bounds] = {
-            "initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s"),
-        }
+        bounds: dict[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
         if self.end_time is not None:
             bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
         known = isinstance(self.arc, Arc | Section)
@@ -126,40 +124,32 @@ class Scene(Generic[Numbers]):
                              "says the pore pressure already; leave one out")  # fmt: skip
         found += mistakes({n: getattr(self, n) for n in bounds}, bounds) + accuracy_mistakes(self.accuracy)
         found += law_mistakes(self.friction)
-        if (
-            isinstance(self.arc, Arc)
-            and self.arc.given is not None
-            and any(EFFECTS[e].turns for e in effects if e in EFFECTS)
-        ):
+        if known and self.arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
             found.append(
                 "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
             )
-        wrong = {name: _effect_mistakes(name, parameters) for name, parameters in effects.items()}
-        for name, said in wrong.items():
-            found += said
-            if not said and known:
-                gravity = np.unique(self.arc.gravity).tolist()
-                if "record" in effects[name] and (
-                    len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}
-                ):
-                    found.append("arc.gravity: must be one number with a record, which is read over gravity; give "
-                                 "effects.shaking.horizontal as a Series over gravity instead")  # fmt: skip
-                    continue
+        gravity = np.unique(self.arc.gravity).tolist() if known else []
+        for name, parameters in effects.items():
+            said = _effect_mistakes(name, parameters)
+            if (
+                not said
+                and "record" in parameters
+                and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain})
+            ):
+                said = ["arc.gravity: must be one number with a record, which is read over gravity; give "
+                        "effects.shaking.horizontal as a Series over gravity instead"]  # fmt: skip
+            elif not said:
                 try:
-                    effects[name] = resolved(name, effects[name], max(gravity, default=9.81))
+                    effects[name] = resolved(name, parameters, max(gravity, default=9.81))
                 except ValueError as error:
-                    found.append(str(error))
+                    said = [str(error)]
+            found += said
         found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
         uncertain: Any = self.uncertain
         if not isinstance(uncertain, Mapping):
             found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
         elif self.uncertain and not found:
-            drawn, found = declared(self.uncertain, self.friction, self.arc)
-            found += [
-                f"uncertain.{u.key}: the scene has no value of it to vary"
-                for n, u in drawn.items()
-                if n not in self.numbers
-            ]
+            drawn, found = declared(self)
             object.__setattr__(self, "uncertain", drawn)
         raise_all(f"Scene {self.name}".rstrip(), found)
 
@@ -179,7 +169,7 @@ class Scene(Generic[Numbers]):
         found = numbers_in(self.arc)
         law = self.friction
         if isinstance(law, Mapping):
-            tables = any(p.kind == "list" for p in LAWS[str(law["law"])].parameters) if law.get("law") in LAWS else True
+            tables = LAWS[str(law["law"])].parameters[0].kind == "list"
             found |= {f"friction.{n}": value for n, value in law.items() if n not in ("law", "rate") and not tables}
         elif not callable(law):
             found["friction"] = law
@@ -190,7 +180,7 @@ class Scene(Generic[Numbers]):
         shaken = self.called.get("shaking", {})
         if isinstance(record := shaken.get("horizontal"), Series):  # its peak and its scale stand for each other
             share = factor("shaking", shaken, "horizontal")
-            found |= {"shaking.scale": share, "shaking.peak": share * greatest(record)}
+            found |= {"shaking.scale": share, "shaking.peak": share * record.greatest}
         return found | {
             f"{e}.{n}": value
             for e, given in self.called.items()
@@ -235,21 +225,12 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
-    wanted = {p.name: p for p in effect.parameters if p.kind != "rotation"}
-    needed = [p for p in effect.parameters if not p.optional]
-    found = [f"effects.{name}: {p.name!r} is missing: {p.help} ({p.unit})" for p in needed if p.name not in parameters]
+    given = [(p, parameters[p.name]) for p in effect.parameters if p.name in parameters]
+    found = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
     if effect.any_of and not any(n in parameters for n in effect.any_of):
         found.append(f"effects.{name}: one of {', '.join(effect.any_of)} is missing")
-    found += [
-        f"effects.{name}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}"
-        for n in parameters
-        if n not in wanted
-    ]
-    given = [(p, parameters[p.name]) for p in wanted.values() if p.name in parameters]
-    words = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
-    numbers = {p.name: v for p, v in given if p.kind in ("number", "list", "series") and p.key and not callable(v)}
-    bounds = {n: (p.lower, p.upper, f"{p.help} ({p.unit})") for n, p in wanted.items() if n in numbers}
-    return found + words + [f"effects.{name}.{m}" for m in mistakes(numbers, bounds)]
+    wanted = [p for p in effect.parameters if p.kind != "rotation"]
+    return found + parameter_mistakes(f"effects.{name}", parameters, wanted)
 
 
 def _odd(p: Parameter, value: Any) -> bool:

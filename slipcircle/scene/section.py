@@ -92,7 +92,7 @@ class Section(Mass):
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        raise_all("Section", section_mistakes(vars(self)) or first(faults(self), self.shape))
+        raise_all("Section", section_mistakes(vars(self), self.quantities) or first(faults(self), self.shape))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
@@ -110,14 +110,18 @@ class Section(Mass):
     @cached_property
     def _circle(self) -> tuple[Floats, Floats, Floats]:
         """Ground, centre and radius with one axis of lanes."""
-        ground, centre = np.asarray(self.ground, dtype=np.float64), np.asarray(self.centre, dtype=np.float64)
-        if ground.ndim > 2:
-            ground = np.broadcast_to(ground, (*self.shape, *ground.shape[-2:]))
         return (
-            ground.reshape(-1, *ground.shape[-2:]),
-            np.broadcast_to(centre, (*self.shape, 2)).reshape(-1, 2),
+            self._lines(self.ground),
+            np.broadcast_to(np.asarray(self.centre, dtype=np.float64), (*self.shape, 2)).reshape(-1, 2),
             np.broadcast_to(np.asarray(self.radius, dtype=np.float64), self.shape).reshape(-1),
         )
+
+    def _lines(self, points: Any) -> Floats:
+        """Lines with one axis of lanes; of one for all that is 1."""
+        points = np.asarray(points, dtype=np.float64)
+        if points.ndim > 2:
+            points = np.broadcast_to(points, (*self.shape, *points.shape[-2:]))
+        return points.reshape(-1, *points.shape[-2:])
 
     @cached_property
     def _cut(self) -> Cut:
@@ -295,11 +299,7 @@ class Section(Mass):
 
     @cached_property
     def _level(self) -> Floats:
-        """With one axis of lanes."""
-        level = np.asarray(self.level, dtype=np.float64)
-        if level.ndim > 2:
-            level = np.broadcast_to(level, (*self.shape, *level.shape[-2:]))
-        return level.reshape(-1, *level.shape[-2:])
+        return self._lines(self.level)
 
     @cached_property
     def _water(self) -> tuple[Callable[[Any, Any], Any], Floats]:
@@ -328,8 +328,6 @@ class Section(Mass):
     @cached_property
     def pressure_kinks(self) -> Any:
         """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
-        if self.level is None:
-            return self._shaped(np.empty((len(self._facing), 0)))
         _, kinks = self._water
         turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
         return self._shaped(np.sort(turns, axis=1))

@@ -15,10 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from generated import slopes
-from slipcircle.base.checks import INFINITY, mistakes, raise_all
+from slipcircle.base.checks import raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Floats
-from slipcircle.scene.ground import line_mistakes, ponds
+from slipcircle.scene.friction import law_parts
+from slipcircle.scene.ground import field_mistakes, ponds
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -47,7 +48,6 @@ of from a fifth on. Beside Taylor's friction circles Bishop's least factor is ri
 would be 4 to 23 % too great there. With mu = 0 the share is without meaning."""
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
-_BELOW_0 = -5e-324
 _LINES = ("ground", "level")
 _ROUNDS, _LEAST = 20, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
@@ -97,21 +97,9 @@ class Slope:
     base: float | None = None
 
     def __post_init__(self) -> None:
-        positive, any_of = "a positive unit weight in N/m^3", "a finite number"
-        found = mistakes(vars(self), {
-            "cohesion": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"),
-            "friction": (_BELOW_0, 5.0, "a friction coefficient tan(phi) from 0 to 5; an angle is its arctangent"),
-            "unit_weight": (0.0, INFINITY, positive), "water_unit_weight": (0.0, INFINITY, positive),
-            "pore_ratio": (_BELOW_0, 1.0, "at least 0 and below 1"),
-            "pressure": (_BELOW_0, INFINITY, "a stress of at least 0 in Pa"), "k_h": (-1.0, 1.0, "between -1 and 1"),
-            **({} if self.base is None else {"base": (-INFINITY, INFINITY, any_of)}),
-        })  # fmt: skip
-        found += [f"{n} = {v!r}: must be one number" for n, v in vars(self).items() if n not in _LINES and np.ndim(v)]
-        found += line_mistakes("ground", self.ground)
-        if self.level is not None:
-            found += line_mistakes("level", self.level)
-            if self.pore_ratio != 0.0:
-                found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
+        found = field_mistakes(vars(self))
+        if self.level is not None and self.pore_ratio != 0.0:
+            found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
             for name in _LINES if self.level is not None else _LINES[:1]:
                 object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
@@ -138,17 +126,9 @@ def factors(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: F
             methods: Collection[str] = METHODS, pieces: int = 1) -> dict[str, Floats]:  # fmt: skip
     """Factors of safety of the masses between circles and the ground, from one point of the ground to another.
 
-    Parameters
-    ----------
-    slope : Slope
-    centre, radius : ndarray
-        (n, 2) and (n,), m.
-    left, right : ndarray
-        Ends of the arcs, (n, 2), m; between them the ground lies inside the circle.
-    methods : collection of str
-        Which of ``METHODS``; the others are NaN.
-    pieces : int
-        Into which arcs are cut, besides at kinks, for the sake of ``negative``, which is counted at 10 points of each.
+    Of circles (n, 2) and (n,), and the ends of their arcs, (n, 2), m, between which the ground lies inside the circle;
+    by the methods that are asked for, the others are NaN. Cut into pieces, besides at kinks, an arc is counted at 10
+    points of each for the sake of ``negative``.
 
     Returns
     -------
@@ -230,13 +210,9 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, f
     def first(value: Any) -> float:
         return float(np.ravel(value(0.0) if callable(value) else value)[0])
 
-    law = friction if isinstance(friction, Mapping) else {"coefficient": friction}
     given, water = effects.get("cohesion", {}), effects.get("pore_pressure", {})
-    laws = [law, law["rate"]] if "rate" in law else [law]
-    strength = {
-        "friction": math.prod(first(of["peak"] if "peak" in of else of["coefficient"]) for of in laws),
-        "cohesion": first(given.get("cohesion", 0.0)),
-    }
+    laws = [[of[n] for n in ("peak", "coefficient", "function") if n in of] for _, of in law_parts(friction)]
+    strength = {"friction": math.prod(first(of[0]) for of in laws), "cohesion": first(given.get("cohesion", 0.0))}
     if "record" in water or not any(strength.values()):
         return {}
     return strength | {"pore_ratio": first(water.get("ratio", 0.0)), "pressure": first(water.get("pressure", 0.0))}

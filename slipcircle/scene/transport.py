@@ -24,21 +24,11 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
 
 
 class Growth(NamedTuple):
-    """Derivatives by numbers of a section, one a column.
+    """Derivatives by numbers of a section, one a column."""
 
-    Attributes
-    ----------
-    moments : mapping
-        Of each moment of the section, dimensionless, without its sign of facing; of ``cover`` the integral.
-    ends : ndarray
-        Of the angles of both ends of the arc, (2, numbers), rad.
-    pressure : callable
-        Of the mean pressure under the water level, Pa, after rotations (..., numbers).
-    """
-
-    moments: Mapping[str, Floats]
-    ends: Floats
-    pressure: Callable[[Any], Any]
+    moments: Mapping[str, Floats]  # of each, dimensionless, without its sign of facing; of ``cover`` the integral
+    ends: Floats  # of the angles of both ends of the arc, (2, numbers), rad
+    pressure: Callable[[Any], Any]  # of the mean pressure below the water level, Pa, after rotations (..., numbers)
 
 
 def telling(section: Section) -> list[str]:

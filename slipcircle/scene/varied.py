@@ -7,28 +7,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated.effects import EFFECTS
 from slipcircle.scene.arc import Arc
-from slipcircle.scene.numbers import Number, fields_with, keyed, listed, named, number_of, numbers_in
+from slipcircle.scene.numbers import DIP, Number, fields_with, keyed, listed, named, number_in, numbers_in
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import soil
 
-DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180)  # down-slope; both ends of the arc turn
-
-
-def number_in(scene: Scene, path: str) -> Number:
-    """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
-    if path in (DIP.key, DIP.name) and isinstance(scene.arc, Arc):
-        return DIP if path == DIP.key else Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
-    only = [p for p in EFFECTS[path].parameters if p.kind == "number" and p.key] if path in EFFECTS else []
-    return number_of(f"{path}.{only[0].key}" if len(only) == 1 else path, scene.friction, scene.arc)
-
 
 def absent(scene: Scene, path: str) -> str:
     """What to say of a number that a scene has no value of."""
-    keys = named(scene.friction, scene.arc)
+    keys = named(scene)
     return f"{path}: the scene has no value of it to vary; it has {listed([keys[n].key for n in scene.numbers])}"
 
 
@@ -73,9 +62,14 @@ def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
     """An arc or a section with other values, which were checked elsewhere, or will be; itself, where none is other."""
     if all(value is getattr(arc, name) for name, value in values.items()):
         return arc
-    found = object.__new__(type(arc))
-    for f in fields(arc):
-        object.__setattr__(found, f.name, values.get(f.name, getattr(arc, f.name)))
+    return _unchecked(arc, values)
+
+
+def _unchecked(whole: Any, values: Mapping[str, Any]) -> Any:
+    """A dataclass with other values, which it does not look at."""
+    found = object.__new__(type(whole))
+    for f in fields(whole):
+        object.__setattr__(found, f.name, values.get(f.name, getattr(whole, f.name)))
     return found
 
 
@@ -83,10 +77,10 @@ def other_way(scene: Scene) -> Scene:
     """A shaken scene with its horizontal shaking turned around."""
     if "shaking" not in scene.called:
         raise ValueError(f"{scene.name}: nothing shakes it, so that it has no other polarity")
-    pushed = scene.called["shaking"]["horizontal"]
-    turned = pushed.scaled(-1.0) if callable(pushed) else -np.asarray(pushed)
-    effects = parts_with(scene, {"shaking.horizontal": turned})["effects"]
-    return replace(scene, effects=effects, name=f"{scene.name} reversed")
+    assert isinstance(scene.effects, dict)
+    shaking = scene.effects["shaking"]
+    turned = {"shaking": shaking | {"horizontal": shaking["horizontal"].scaled(-1.0)}}
+    return replace(scene, effects=scene.effects | turned, name=f"{scene.name} reversed")
 
 
 def scene_with(scene: Scene, values: Mapping[str, Any]) -> Scene:
@@ -129,22 +123,13 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
         if more is None:
             break
         bad = bad | (more if more.size == 1 else more.reshape(bad.shape))
-    found = object.__new__(Scene)
-    for f in fields(Scene):
-        object.__setattr__(found, f.name, getattr(scene, f.name))
-    for name, value in (parts | {"arc": arc}).items():
-        object.__setattr__(found, name, value)
-    return found, bad
+    return _unchecked(scene, parts | {"arc": arc}), bad
 
 
 def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
     """Where values are out of their bounds, as `Arc`, `Section` and `Scene` would refuse them one by one."""
-    known = {n.name: n.plain for n in keyed(scene.friction, scene.arc).values() if not n.tangent} | {
-        DIP.name: Number(DIP.name, DIP.name, "rad", 0.0, np.pi / 2, True)
-    }
+    known = {n.name: n.plain for n in keyed(scene).values() if not n.tangent}
     bad = np.zeros(np.broadcast_shapes(*(np.shape(v) for v in values.values())), dtype=bool)
     for name, value in values.items():
-        number = known[name]
-        least = value >= number.low if number.closed else value > number.low
-        bad |= ~(np.isfinite(value) & least & (value < number.high))
+        bad |= ~known[name].holds(value)
     return bad
