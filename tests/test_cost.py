@@ -178,7 +178,7 @@ def test_everything_is_timed_in_turns() -> None:
 def test_slow_ways_get_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
     """No pass takes long: ten times as many elements only as long as the last pass says so."""
     monkeypatch.setattr(cost, "_timed", lambda work, loops: 5e-4 * np.size(work.args[0]))
-    slow, subject = Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
+    slow, subject = ways.Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
     for size, patience, count in ((400, 1.0, 10), (400, 20.0, 400), (400, 5.0, 100), (1, 1.0, 1)):
         assert cost._fitting(slow, replace(subject, patience=patience), size) == count
 

@@ -13,7 +13,7 @@ import pytest
 import slipcircle
 from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
 from slipcircle import Arc, Scene, load
-from slipcircle.files.scenefile import read
+from slipcircle.files.scenefile import load as read
 from slipcircle.files.scenekeys import schema
 from slipcircle.outputs.guide import guide
 from slipcircle.scene.keys import tables_of
