@@ -208,7 +208,7 @@ PRINTED: Any = load("vaiont-as-printed").arc
         (lambda: ANY.backanalyse(VAIONT, run_out=300.0, bounds=3), "bounds = 3: must be a key"),
         (lambda: CHANGED(VAIONT, uncertain=3), "uncertain = 3: must be a mapping"),
         (lambda: CHANGED(VAIONT.arc, given=3), "given = 3: must be a mapping"),
-        (lambda: CHANGED(PRINTED, given=PRINTED.given | {"radial_weight": np.ones(2)}), "weight: must be one number"),
+        (lambda: CHANGED(PRINTED, given=PRINTED.given | {"radial_weight": np.ones(2)}), "weight.*: must be one number"),
         (lambda: solve(VAIONT).to_dict("a"), "times = 'a': must be times in s"),
         (lambda: Arc(60.0, 215.0, 276.0, 19e3), "in rad: were they in degrees"),
     ],
