@@ -1,9 +1,15 @@
-"""What every test starts from."""
+"""What every test starts from, and how the command line is asked in this process."""
 
-from collections.abc import Iterator
+import json
+import re
+import shlex
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 from flint import ctx
+
+from slipcircle.__main__ import main
 
 
 @pytest.fixture(autouse=True)
@@ -12,3 +18,69 @@ def precision() -> Iterator[None]:
     before = ctx.prec
     yield
     ctx.prec = before
+
+
+@pytest.fixture
+def asked(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, str, str]]:
+    """A command's exit status, output and messages; its line in one text or several, paths as they are."""
+
+    def ask(*parts: object) -> tuple[int, str, str]:
+        capsys.readouterr()
+        try:
+            status = main([w for part in parts for w in (shlex.split(part) if isinstance(part, str) else [str(part)])])
+        except SystemExit as leaving:
+            status = int(str(leaving.code))
+        return status, *capsys.readouterr()
+
+    return ask
+
+
+@pytest.fixture
+def said(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
+    """What a command prints, which must end well."""
+
+    def ask(*parts: object) -> str:
+        status, out, err = asked(*parts)
+        assert status == 0, err
+        return out
+
+    return ask
+
+
+@pytest.fixture
+def records(said: Callable[..., str]) -> Callable[..., list[Any]]:
+    """What a command prints with ``--json``: a list of JSON as its standard has it, without NaN and Infinity."""
+
+    def refuse(text: str) -> None:
+        pytest.fail(f"{text} is no JSON")
+
+    def ask(*parts: object) -> list[Any]:
+        found = json.loads(said(*parts, "--json"), parse_constant=refuse)
+        assert isinstance(found, list)
+        return found
+
+    return ask
+
+
+@pytest.fixture
+def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
+    """The one line of a command that refuses what it is given, and prints nothing else."""
+
+    def ask(*parts: object) -> str:
+        status, out, err = asked(*parts)
+        assert (status, out, err.count("\n"), err[:12]) == (1, "", 1, "slipcircle: ")
+        return err
+
+    return ask
+
+
+@pytest.fixture
+def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures cost most of the time; where they are not what is tested, they are empty."""
+    monkeypatch.setattr("slipcircle.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>")
+
+
+def columns(table: str) -> dict[str, list[str]]:
+    """The cells of a printed table by the label of their row."""
+    found = (re.split(r"  +", line) for line in table.splitlines() if "  " in line.strip())
+    return {label: cells for label, *cells in found if label}

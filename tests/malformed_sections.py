@@ -123,23 +123,13 @@ def centre(rng: Random, given: Data) -> Wrong:
 
 
 def misses(rng: Random, given: Data) -> Wrong:
+    """A circle above the ground, beside it, or too small to reach it."""
     (x, y), r = given["centre"], given["radius"]
-    high = max(p[1] for p in given["ground"])
-    ends = sorted(p[0] for p in (given["ground"][0], given["ground"][-1]))
-    other = rng.choice([{"centre": [x, high + 1.001 * r]}, {"centre": [ends[1] + 1.001 * r, y]},
-                        {"radius": (y - high) * 0.99} if y > high else {"centre": [ends[0] - 2 * r, y]}])  # fmt: skip
-    if not Section_misses(given | other):
-        other = {"centre": [x, high + 2 * r]}
-    circle = given | other
-    return Wrong(other, "centre", re.escape(f"radius = {circle['radius']:.10g}: misses the ground"))
-
-
-def Section_misses(given: Data) -> bool:
-    """Whether every point of the ground lies outside the circle, by its vertices and the feet of perpendiculars."""
-    p = np.asarray(given["ground"]) - given["centre"]
-    e = np.diff(p, axis=0)
-    s = np.clip(-(p[:-1] * e).sum(axis=1) / (e * e).sum(axis=1), 0, 1)
-    return bool(np.hypot(*(p[:-1] + s[:, None] * e).T).min() > 1.0001 * given["radius"])
+    high, right = (max(p[k] for p in given["ground"]) for k in (1, 0))
+    other: Data = {"centre": rng.choice([[x, high + 1.001 * r], [right + 1.001 * r, y]])}
+    if y > high and rng.random() < 0.3:
+        other = {"radius": (y - high) * 0.99}
+    return Wrong(other, "centre", re.escape(f"radius = {(given | other)['radius']:.10g}: misses the ground"))
 
 
 def several(rng: Random, given: Data) -> Wrong:
@@ -173,21 +163,19 @@ def below_ground(rng: Random, given: Data) -> Wrong:
 
 def end_inside(rng: Random, given: Data) -> Wrong:
     x = given["centre"][0]
-    keep = [p for p in given["ground"] if p[0] > x] if rng.random() < 0.5 else [p for p in given["ground"] if p[0] < x]
     side = [x, float(np.interp(x, *np.asarray(given["ground"]).T))]
-    ground = [side, *keep] if keep[0][0] > x else [*keep, side]
+    right = [p for p in given["ground"] if p[0] > x]
+    left = [p for p in given["ground"] if p[0] < x]
+    ground = rng.choice([[side, *right], [*left, side]])
     return Wrong({"ground": ground, "level": None}, "centre", "an end of the ground lies inside the circle")
 
 
 def deep(rng: Random, given: Data) -> Wrong:
-    lowest = given["centre"][1] - given["radius"]
-    base = lowest + rng.uniform(1e-6, 1) * 0.3 * given["radius"]
-    section = Section(**{k: v for k, v in given.items() if k != "level"})
-    ends = (section.entry, section.exit)
-    below = (ends[0][0] - given["centre"][0]) * (ends[1][0] - given["centre"][0]) < 0.0
-    low = lowest if below else min(y for _, y in ends)
-    base = max(base, low + 1e-6 * given["radius"])
-    return Wrong({"base": base}, "radius", re.escape(f"{given['radius']:.10g}") + ".*below .*base")
+    section, (x, y), r = Section(**{k: v for k, v in given.items() if k != "level"}), given["centre"], given["radius"]
+    (one, left), (other, right) = section.entry, section.exit
+    low = y - r if min(one, other) < x < max(one, other) else min(left, right)
+    base = low + rng.uniform(1e-6, 0.3) * r
+    return Wrong({"base": base}, "radius", re.escape(f"{r:.10g}") + ".*below .*base")
 
 
 def pond(rng: Random, given: Data) -> Wrong:

@@ -37,7 +37,7 @@ ROOT = Path(__file__).parents[1]
 COPIED = ("slipcircle", "generated", "derive", "tests", "notebooks")
 FIRST = ("test_outputs", "test_records", "test_scenefile", "test_ensemble_states", "test_backanalysis", "test_ensemble")
 # Slow, or of other things.
-NEVER = ("test_house", "test_notebooks", "test_cost", "test_cost_scenes", "test_compiled", "test_build",
+NEVER = ("test_house", "test_notebooks", "test_cost", "test_compiled", "test_build",
          "test_extending", "test_all_weights")  # fmt: skip
 SLOW = 5  # times what the tree itself takes for its answers is a hang
 HANG_S = 90  # of one test; the slowest takes a tenth of it

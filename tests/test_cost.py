@@ -1,31 +1,33 @@
-"""The price list: references against quadrature in ball arithmetic; verdicts that follow from the rows. No timings."""
+"""The price list: references against ball arithmetic and Taylor series; verdicts that follow. No timings."""
 
 import csv
 import io
 import json
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
-from types import SimpleNamespace
+from pathlib import Path
 from typing import Any
 
+import exact_scenes
+import flint
 import mpmath
 import numpy as np
 import oracle
 import pytest
+import taylor
 from mpmath import mpf
 
-from generated import kernels
-from slipcircle.cost import cost, costtext, reference, scenes, ways
+from generated._compiled import LEVELS
+from generated.tiers import BOUNDS
+from slipcircle.cost import cost, costtext, reference, scenes, sections, ways
 from slipcircle.cost.cost import Row
-from slipcircle.cost.ways import Way
 from slipcircle.outputs import pictures, tables
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
-ANSWERS = json.loads(scenes.ANSWERS.read_text("utf-8"))
-FORMS = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
 # Few elements and few turns: no test is about how long something takes.
 QUICK: dict[str, Any] = {"SIZES": (1, 50, 400), "REPEATS": 2, "_TICK": 1e-7, "_PATIENCE": 0.0, "_PASS": 0.04}
 
@@ -41,6 +43,11 @@ def _quick() -> Iterator[None]:
 @pytest.fixture(scope="module")
 def rows(_quick: None) -> list[Row]:
     return cost.measure([MEASURED])
+
+
+def answers() -> dict[str, dict[str, list[str]]]:
+    """References of the scenes, by case and friction."""
+    return dict(json.loads(scenes.ANSWERS.read_text("utf-8")))
 
 
 def digits(ball: Any) -> mpf:
@@ -71,21 +78,14 @@ def test_references_are_the_definitions(name: str, kind: str) -> None:
 def test_the_set_is_dense_at_both_ends(kind: str) -> None:
     points = reference.inputs(kind)
     assert points.dtype == kind
-    assert points[0] == 0.0
-    assert points[-1] == points.dtype.type(np.pi / 2)
+    assert [points[0], points[-1]] == [0.0, points.dtype.type(np.pi / 2)]
     assert np.all(np.diff(points) > 0)
     assert len(points) > 0.8 * reference.POINTS
-    place = cost_axis(points.astype(float))
-    decades = np.histogram(place, np.arange(-7 if kind == "float32" else -14, 7 if kind == "float32" else 14))[0]
-    assert min(decades) > 20
     assert np.mean((points > 0.1) & (points < 1.5)) > 0.2
+    for gap in (points[1:], np.pi / 2 - points.astype(float)):
+        least = -6 if kind == "float32" else -13
+        assert min(np.histogram(np.log10(gap[gap > 0.0]), np.arange(least, 0))[0]) > 20
     np.testing.assert_array_equal(reference.inputs.__wrapped__(kind), points)  # drawn anew, the same
-
-
-def cost_axis(alpha: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    from slipcircle.cost.costplot import both_ends
-
-    return both_ends(alpha)
 
 
 def test_errors_are_fractional_and_hold_among_denormal_numbers() -> None:
@@ -93,122 +93,22 @@ def test_errors_are_fractional_and_hold_among_denormal_numbers() -> None:
     some = np.linspace(1, found.points.shape[1] - 1, 60).astype(int)
     results = found.nearest[some] + 3 * found.unit[some]
     picked = reference.reference(found.points[:, some], [found.values[i] for i in some])
-    ulp, relative = picked.errors(results)
-    for result, ball, seen in zip(results, picked.values, ulp, strict=True):
-        assert abs(seen) == pytest.approx(oracle.ulps(result, ball), rel=1e-9)
     with mpmath.workdps(60):
-        for result, ball, seen in zip(results, picked.values, relative, strict=True):
+        for result, ball, ulp, relative in zip(results, picked.values, *picked.errors(results), strict=True):
+            assert abs(ulp) == pytest.approx(oracle.ulps(result, ball), rel=1e-9)
             size = max(digits(ball), mpf(float(np.finfo(float).smallest_normal)))
-            assert seen == pytest.approx(float(abs(mpf(float(result)) - digits(ball)) / size), rel=1e-9)
+            assert relative == pytest.approx(float(abs(mpf(float(result)) - digits(ball)) / size), rel=1e-9)
     results[3], results[5] = np.nan, -np.inf
-    ulp, relative = picked.errors(results)
-    assert ulp[3] == ulp[5] == relative[3] == relative[5] == np.inf
-
-
-# --- tiers, by a stand-in that has the compiled kernels' interface -------------------------------------------------
-
-TIERS = {"best": (3e-16, 2.0), "1e-10": (8e-11, None), "1e-6": (7e-7, None), "float32": (6e-8, 0.505)}
-
-
-def stand_in(exact: Callable[..., Any], spoilt: str = "") -> SimpleNamespace:
-    """A module like `generated._compiled`, whose tiers keep what they promise, all but the one that is spoilt."""
-
-    asked: list[str] = []
-
-    def kernel(name: str, texts: Any, level: str) -> Callable[..., Any]:
-        asked.append(level)
-
-        def call(alpha: Any, out: Any = None, where: Any = True, accuracy: float | None = None) -> Any:
-            x = np.asarray(alpha)
-            tier = {8e-11: "1e-10", 7e-7: "1e-6"}[accuracy] if accuracy else "best" if x.dtype == float else "float32"
-            value = exact(np.minimum(x.astype(float), np.pi / 2)) * (1 + TIERS[tier][0] / 2 * (accuracy is not None))
-            value = (value * (1 + 1e-6 * (tier == spoilt))).astype(x.dtype)
-            if out is None:
-                return value[()]
-            np.copyto(out, value)
-            return out
-
-        return call
-
-    loops: dict[str, dict[str, None]] = {tier: {MEASURED: None} for tier in ("best", "1e-10", "1e-6")}
-    levels: Any = {"avx512": ("fused", loops), "avx2": ("fused", loops), "baseline": ("plain", loops)}
-    levels["numpy"] = ("numpy", {})
-    bounds = {tier: {"fused": bound, "plain": bound} for tier, bound in TIERS.items()}
-    return SimpleNamespace(LEVELS=levels, BOUNDS={MEASURED: bounds}, kernel=kernel, asked=asked)
-
-
-@pytest.fixture
-def tiered(monkeypatch: pytest.MonkeyPatch) -> Callable[[str], list[Row]]:
-    def measured(spoilt: str = "") -> list[Row]:
-        module = stand_in(np.vectorize(exactly, otypes=[float]), spoilt)
-        monkeypatch.setattr(ways, "_compiled", module)
-        monkeypatch.setattr(ways, "tiers", module)
-        monkeypatch.setattr(kernels, "TEXTS", {MEASURED: dict.fromkeys(TIERS)}, raising=False)
-        monkeypatch.setattr(reference, "POINTS", 200)
-        monkeypatch.setattr(ways, "INTEGRANDS", {})  # no quadrature
-        for cached in (reference.inputs, reference.kernel, reference._balls):
-            cached.cache_clear()
-        found = cost.measure([MEASURED])
-        for cached in (reference.inputs, reference.kernel, reference._balls):
-            cached.cache_clear()
-        return found
-
-    return measured
-
-
-def exactly(alpha: float) -> float:
-    return float(oracle.kernel(MEASURED, alpha))
-
-
-def test_tiers_stand_in_three_forms_with_what_is_proved_of_them(tiered: Callable[..., list[Row]]) -> None:
-    rows = tiered()
-    assert vars(ways)["_compiled"].asked == ["avx512", "baseline", "numpy"] * len(TIERS)  # the widest of each form
-    ours = {r.way: r for r in rows if r.ours}
-    assert list(ours) == [f"{tier}, {form}" for tier in TIERS for form in FORMS.values()]
-    for way, row in ours.items():
-        tier = way.partition(",")[0]
-        assert (row.bound, row.bound_ulp) == TIERS[tier]
-        assert row.kind == ("float32" if tier == "float32" else "float64")
-        assert row.error <= TIERS[tier][0]
-        assert row.ulp is not None
-        assert row.ulp <= (TIERS[tier][1] or np.inf)
-    assert 3e-11 < ours["1e-10, fused"].error < 5e-11
-    assert 0.4 < float(ours["float32, fused"].ulp or 0) < 0.502
-    assert "above what is proved" not in costtext.verdict(rows)
-    head, cells = costtext.table(rows)
-    proved = {c[head.index("way")]: c[head.index("proved")] for c in cells}
-    assert (proved["best, fused"], proved["1e-10, NumPy"], proved["float32, plain C"]) == (
-        "2 ulp",
-        "8e-11",
-        "0.505 ulp",
-    )
-    assert proved["printed, float64"] == proved["half-angle, NumPy"] == "sampled only"
-
-
-@pytest.mark.parametrize("tier", ["best", "1e-10", "float32"])
-def test_an_error_above_the_bound_is_said_first(tier: str, tiered: Callable[..., list[Row]]) -> None:
-    said = " ".join(costtext.verdict(tiered(tier)).split())
-    assert said.startswith("Seen above what is proved, so the proof or the build is wrong: ")
-    assert said.partition(".")[0].count(f"{tier}, ") == 3
-
-
-def test_where_results_underflow_another_bound_holds() -> None:
-    points = np.array([3e-103, 1e-90])
-    row = Row(MEASURED, "best, fused", 1e-16, (0.1,), 1.0, bound=2e-16, bound_ulp=0.65, ulp=0.94, ours=True)
-    for ulp, said in ((np.array([0.94, 0.6]), False), (np.array([0.94, -0.7]), True)):
-        measured = replace(row, profile=cost.Profile(points, ulp, ulp))
-        assert ("above what is proved" in costtext.verdict([measured])) == said
+    assert {e[k] for e in picked.errors(results) for k in (3, 5)} == {np.inf}
 
 
 # --- rows ----------------------------------------------------------------------------------------------------------
 
 
 def test_measured_rows(rows: list[Row]) -> None:
-    others = [r.way for r in rows if not r.ours]
-    assert others == [
-        "half-angle, NumPy", "printed, float64", *(f"Gauss, {n} points" for n in ways.GAUSS_POINTS),
-        ways.FLOOR,
-    ]  # fmt: skip
+    """Tiers in the forms that run here with what is proved of them; the printed form and quadrature beside."""
+    others = ["half-angle, NumPy", "printed, float64", *(f"Gauss, {n} points" for n in ways.GAUSS_POINTS), ways.FLOOR]
+    assert [r.way for r in rows if not r.ours] == others
     assert {r.function for r in rows} == {MEASURED}
     *computed, floor = rows
     for r in computed:
@@ -223,6 +123,33 @@ def test_measured_rows(rows: list[Row]) -> None:
     assert all(more <= max(1.5 * fewer, 1e-14) for fewer, more in pairwise(gauss))
     assert (floor.way, floor.verdict) == (ways.FLOOR, "floor")
     assert np.isnan(floor.error)
+    forms = {form for form, _ in LEVELS.values()}
+    words = [word for form, word in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")) if form in forms]
+    ours = {r.way: r for r in rows if r.ours}
+    assert list(ours) == [f"{tier}, {word}" for tier in BOUNDS[MEASURED] for word in words]
+    head, cells = costtext.table(rows)
+    proved = {c[head.index("way")]: c[head.index("proved")] for c in cells}
+    for way, row in ours.items():
+        tier, _, word = way.partition(", ")
+        bounds = BOUNDS[MEASURED][tier]
+        assert (row.bound, row.bound_ulp) == bounds["fused" if word == "fused" else "plain"]
+        assert row.kind == ("float32" if tier == "float32" else "float64")
+        assert row.error <= (row.bound or 0.0)
+        assert row.ulp is not None
+        assert row.ulp <= (row.bound_ulp or np.inf)
+        assert proved[way] == (f"{row.bound_ulp:.3g} ulp" if row.bound_ulp else f"{row.bound:.3g}")
+    assert proved["printed, float64"] == proved["half-angle, NumPy"] == "sampled only"
+    said = " ".join(costtext.verdict(rows).split())
+    assert "above what is proved" not in said
+    for way, row in ours.items():
+        above = [replace(r, error=3 * r.error, ulp=3 * (r.ulp or 0.0), profile=None) if r is row else r for r in rows]
+        said = " ".join(costtext.verdict(above).split())
+        assert said.startswith(f"Seen above what is proved, so the proof or the build is wrong: {way}")
+    points = np.array([3e-103, 1e-90])  # where results underflow another bound holds
+    row = Row(MEASURED, "best, fused", 1e-16, (0.1,), 1.0, bound=2e-16, bound_ulp=0.65, ulp=0.94, ours=True)
+    for ulp, above_it in ((np.array([0.94, 0.6]), False), (np.array([0.94, -0.7]), True)):
+        measured = replace(row, profile=cost.Profile(points, ulp, ulp))
+        assert ("above what is proved" in costtext.verdict([measured])) == above_it
 
 
 def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
@@ -236,19 +163,8 @@ def test_the_worst_input_shows_the_error(rows: list[Row]) -> None:
                 kind = np.dtype(row.kind).type
                 unit, least = np.spacing(kind(float(exact))), np.finfo(kind).smallest_normal
                 size = mpf(float(unit)) if against else max(exact, mpf(float(least)))
-                rest = value - value.dtype.type(float(value))  # what a longdouble has beyond a double
-                found = float(abs(mpf(float(value)) + mpf(float(rest)) - exact) / size)
+                found = float(abs(mpf(float(value)) - exact) / size)
             assert seen == pytest.approx(found, rel=1e-3), (row.way, against)
-
-
-def test_the_worst_is_the_largest_of_either_sign() -> None:
-    exact = reference.kernel(MEASURED)
-    results = exact.nearest + 2 * exact.unit
-    results[700] -= 7 * exact.unit[700]
-    row = cost._seen(Row("f", "w", 0.0, (), 1.0), Way("w", lambda x: results), exact)
-    assert row.ulp == pytest.approx(5, abs=0.51)
-    assert row.worst_input_ulp == (exact.points[0, 700],)
-    assert row.points == len(results)
 
 
 def test_everything_is_timed_in_turns() -> None:
@@ -262,18 +178,9 @@ def test_everything_is_timed_in_turns() -> None:
 def test_slow_ways_get_few_elements(monkeypatch: pytest.MonkeyPatch) -> None:
     """No pass takes long: ten times as many elements only as long as the last pass says so."""
     monkeypatch.setattr(cost, "_timed", lambda work, loops: 5e-4 * np.size(work.args[0]))
-    slow, subject = Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
+    slow, subject = ways.Way("slow", np.copy), ways.Subject("f", [], reference.kernel, ways.angles)
     for size, patience, count in ((400, 1.0, 10), (400, 20.0, 400), (400, 5.0, 100), (1, 1.0, 1)):
         assert cost._fitting(slow, replace(subject, patience=patience), size) == count
-
-
-def test_progress_and_unknown_functions() -> None:
-    said = io.StringIO()
-    cost.measure(["dynamic_coefficient"], progress=said)
-    assert said.getvalue() == "measuring dynamic_coefficient\n"
-    known = r"^function 'polar' is unknown; known are kernels, flow, polar_moment, .*sections, .*record$"
-    with pytest.raises(ValueError, match=known):
-        cost.measure(["resistance_factor", "polar"])
 
 
 # --- verdicts ------------------------------------------------------------------------------------------------------
@@ -281,11 +188,6 @@ def test_progress_and_unknown_functions() -> None:
 
 def judged(*rows: tuple[str, float, float]) -> list[Row]:
     return cost.judged([Row("f", way, error, (), 0.5, ns, ns, ours=way.startswith("our")) for way, error, ns in rows])
-
-
-def verdicts(*rows: tuple[str, float, float]) -> dict[str, str]:
-    """Verdict of each way, from its error and its time."""
-    return {r.way: r.verdict for r in judged(*rows)}
 
 
 RACE = (
@@ -301,22 +203,14 @@ RACE = (
 )
 
 
-def test_the_frontier_and_who_is_beaten() -> None:
-    assert verdicts(*RACE) == {
-        "exact": "frontier",
-        "our good": "frontier",
-        "our rough": "frontier",
-        "slow and good": "beaten: our good",
-        "our slow and rough": "beaten: our rough",
-        "slower than exact": "beaten: exact",
-        "fails": "no digit",
-        "wrong": "no digit",
-        "copy": "floor",
-    }
-
-
-def test_losses_are_said_as_plainly_as_wins() -> None:
-    said = " ".join(costtext.verdict(judged(*RACE)).split())
+def test_verdicts_of_a_race() -> None:
+    """The frontier, who is beaten and by whom; losses are said as plainly as wins."""
+    found = judged(*RACE)
+    assert [r.verdict for r in found] == [
+        "frontier", "frontier", "frontier", "beaten: our good", "beaten: our rough", "beaten: exact", "no digit",
+        "no digit", "floor",
+    ]  # fmt: skip
+    said = " ".join(costtext.verdict(found).split())
     assert said == (
         "Frontier: exact (1.0e-30, 1 us); our good (1.0e-15, 10 ns); our rough (1.0e-3, 1 ns). "
         "Of ours, these lose: our slow and rough to our rough (50 times slower). "
@@ -325,26 +219,21 @@ def test_losses_are_said_as_plainly_as_wins() -> None:
     assert "None of ours is beaten." in costtext.verdict(judged(*RACE[:4]))
     assert "Faster than" not in costtext.verdict(judged(*RACE[:4]))
     assert "ours" not in costtext.verdict(judged(*RACE[1:3]))  # nothing to compare with
+    head, cells = costtext.table(found)
+    assert head == ["#", "way", "proved", "seen", "N=1", "N=1e4", "N=1e6", "verdict"]  # the others are empty
+    assert [c[-1] for c in cells][4:7] == ["beaten 3", "beaten 1", "no digit"]
+    assert [c[0] for c in cells] == [str(i) for i in range(1, len(RACE) + 1)]
 
 
 def test_a_close_race_is_not_decided() -> None:
     """Under `BEATEN` times faster is noise; nobody beats itself, nor one that is more accurate."""
     assert cost.BEATEN == 1.2
-    assert verdicts(("one", 1e-9, 10.0), ("two", 1e-9, 11.9)) == {"one": "frontier", "two": "frontier"}
-    assert "one" in verdicts(("one", 1e-9, 10.0), ("two", 1e-9, 12.1))["two"]
-    assert verdicts(("one", 1e-9, 10.0), ("two", 0.99e-9, 1e6)) == {"one": "frontier", "two": "frontier"}
-    assert verdicts(("alone", float("inf"), 1.0)) == {"alone": "no digit"}
+    for error, ns, verdict in ((1e-9, 11.9, "frontier"), (1e-9, 12.1, "beaten: one"), (0.99e-9, 1e6, "frontier")):
+        assert [r.verdict for r in judged(("one", 1e-9, 10.0), ("two", error, ns))] == ["frontier", verdict]
+    assert judged(("alone", float("inf"), 1.0))[0].verdict == "no digit"
 
 
 # --- as text, for machines, and drawn ------------------------------------------------------------------------------
-
-
-def test_the_table_names_who_beats_by_number() -> None:
-    head, cells = costtext.table(judged(*RACE))
-    assert head == ["#", "way", "proved", "seen", "N=1", "N=1e4", "N=1e6", "verdict"]  # the others are empty
-    verdict = {c[1]: c[-1] for c in cells}
-    assert (verdict["our slow and rough"], verdict["exact"], verdict["fails"]) == ("beaten 3", "frontier", "no digit")
-    assert [c[0] for c in cells] == [str(i) for i in range(1, len(RACE) + 1)]
 
 
 def test_the_widest_rows_fit(capsys: pytest.CaptureFixture[str]) -> None:
@@ -374,22 +263,126 @@ def test_records_and_csv_keep_every_digit(rows: list[Row]) -> None:
         assert line["error"] == ("" if row.error != row.error else repr(row.error))
 
 
-def test_the_picture(tiered: Callable[..., list[Row]]) -> None:
+def test_the_command(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    table, picture = tmp_path / "cost.csv", tmp_path / "cost.png"
+    _, out, err = asked("cost resistance_factor --json --csv", table, "--plot", picture)
+    assert err == "measuring resistance_factor\n"
+    found = json.loads(out, parse_constant=pytest.fail)
+    assert np.__version__ in found["machine"]
+    ways_of = [row["way"] for row in found["rows"]]
+    assert {"printed, float64", "half-angle, NumPy", "np.copyto (floor)"} <= set(ways_of)
+    assert {row["function"] for row in found["rows"]} == {"resistance_factor"}
+    assert table.read_text("utf-8").count("\nresistance_factor,") == len(ways_of)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    lines = said("cost resistance_factor").splitlines()
+    assert max(map(len, lines)) <= 100
+    for number, way in enumerate(ways_of, 1):
+        assert any(re.match(rf"{number} +{re.escape(way)} ", line) for line in lines), way
+    assert any(line.startswith("Frontier: ") for line in lines)
+    fails = Row("f", "printed form", float("inf"), (1.5,), 3.0)
+    monkeypatch.setattr(cost, "measure", lambda names, progress: [fails])
+    assert json.loads(said("cost --json"), parse_constant=pytest.fail)["rows"][0]["error"] is None
+
+
+def test_the_picture(rows: list[Row]) -> None:
     pytest.importorskip("matplotlib")
     from slipcircle.cost import costplot
 
-    rows = [*tiered(), *judged(*RACE[:3])]
-    drawn = pictures.render(lambda figure: costplot.overview(rows, figure), costplot.size(rows), "svg").decode()
-    for text in (MEASURED, "best, fused", "printed, float64", "ours, worst seen; a bar up to what is proved",
+    both = [*rows, *judged(*RACE[:3])]
+    drawn = pictures.render(lambda figure: costplot.overview(both, figure), costplot.size(both), "svg").decode()
+    for text in (MEASURED, "best, NumPy", "printed, float64", "ours, worst seen; a bar up to what is proved",
                  "time of an element at N = 1e4, ns", "alpha, rad", "our good"):  # fmt: skip
         assert f"<!-- {text} -->" in drawn, text
+    place = costplot.both_ends(np.array([0.0, 1e-6, np.pi / 4, np.pi / 2 - 1e-6, np.nextafter(np.pi / 2, 0), 1.571]))
+    assert (place[0], place[2]) == (-np.inf, 0.0)
+    assert place[3] == pytest.approx(-place[1], abs=1e-9)  # as far from its end, as far from the middle
+    assert np.all(np.diff(place) > 0)
 
 
-def test_the_axis_of_alpha_shows_both_ends() -> None:
-    alpha = np.array([0.0, 1e-12, 1e-6, 0.1, np.pi / 4, np.pi / 2 - 1e-6, np.nextafter(np.pi / 2, 0), np.pi / 2, 1.571])
-    place = cost_axis(alpha)
-    assert place[0] == -np.inf
-    assert np.all(np.diff(place[1:]) >= 0)
-    assert place[4] == 0
-    assert place[5] == pytest.approx(-place[2], abs=1e-9)  # as far from its end, as far from the middle
-    assert place[7] == place[8] == pytest.approx(16.1, abs=0.1)  # pi/2 lies 6e-17 above its nearest double
+# --- scenes --------------------------------------------------------------------------------------------------------
+
+
+def test_the_answers_are_made_again() -> None:
+    """To their last digit; frictions are those of the ensemble's lanes."""
+    assert scenes.ANSWERS.read_text("utf-8") == exact_scenes.written()
+    assert sections.ANSWERS.read_text("utf-8") == exact_scenes.measures()
+    for one, *lanes in (map(float, of) for of in answers().values()):
+        assert one == pytest.approx(float(scenes.frictions(1)[0]), rel=1e-15)
+        assert lanes == pytest.approx(scenes.frictions(len(scenes.ANGLES)).tolist(), rel=1e-15)
+
+
+@pytest.mark.parametrize("name", [n for n in scenes.CASES if n != "closed form"])
+def test_the_references_of_scenes_are_the_motion(name: str) -> None:
+    """By extrapolation, against Taylor series of the equation of motion from quadratures of the definitions."""
+    case, mu = scenes.CASES[name], float(next(iter(answers()[name])))
+    scene = case.scene(mu)
+    arc = {n: float(getattr(scene.arc, n)) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")}
+    effects: dict[str, Any] = dict(scene.called)
+    made: Sequence[str] = answers()[name][repr(mu)]
+    if case.shakes:
+        with pytest.MonkeyPatch.context() as patch:  # few samples: series through all of them take minutes
+            patch.setattr(scenes, "SAMPLES", 40)
+            scenes.record.cache_clear()
+            time, k_h = scenes.record()
+            made = exact_scenes.texts(case, mu)
+        scenes.record.cache_clear()
+        effects["shaking"] = {"time": time.tolist(), "horizontal": k_h.tolist()}
+    given = {"arc": arc, "friction": scene.friction, "effects": effects, "initial_velocity": 0.0, "end_time": None}
+    with flint.ctx.workprec(200):
+        found = taylor.solve(given, digits=24)
+        for name, kept in zip(("run_out", "peak_velocity", "duration"), made, strict=True):
+            assert abs(float(flint.arb(found[name]) / flint.arb(kept) - 1)) < 1e-20
+
+
+def test_the_reference_of_the_closed_form_is_the_papers() -> None:
+    """(4.3), (4.5) corrected, at 40 digits."""
+    mu, known = next(iter(answers()["closed form"].items()))
+    with flint.ctx.workprec(200), mpmath.workdps(40):
+        of = exact_scenes.Exactly(scenes.CASES["closed form"])
+        a, b, t = (
+            digits(x) for x in (of.rate(flint.arb(float(mu)), of.start())[1], of.polar * flint.arb(float(mu)), of.end)
+        )
+        root, radius, scale = mpmath.sqrt(a * b), digits(of.radius), digits(of.scale)
+        exact = (radius * mpmath.log(mpmath.cosh(root * t)) / b,
+                 radius * mpmath.sqrt(a / b) * mpmath.tanh(root * t) / scale, t * scale)  # fmt: skip
+        for value, text in zip(exact, known, strict=True):
+            assert abs(value / mpf(text) - 1) < 1e-22
+
+
+@pytest.mark.parametrize(
+    ("name", "many"),
+    [("closed form", True), ("constant friction", False), ("constant friction", True), ("heat", False)],
+)
+def test_rows_of_scenes(name: str, many: bool) -> None:
+    """Ours keep to the accuracy, by either walk; a peer's error falls with its tolerance."""
+    rows = {r.way: r for r in cost.measured(scenes.subject(name, many))}
+    for way, row in rows.items():
+        asked = float(way.rpartition(" ")[2])
+        assert row.points == (3 if many else 1)
+        assert 0 < row.price < np.inf
+        if row.ours:
+            assert row.error < max(asked, 2e-14), way
+    for peer in ("DOP853, rtol", "heyoka, tol"):
+        errors = [r.error for way, r in rows.items() if way.startswith(peer)]
+        assert not errors or errors[-1] < min(1e-9, errors[0])
+
+
+def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cost, "find_spec", lambda name: None)
+    said = io.StringIO()
+    assert all(r.ours for r in cost.measured(scenes.subject("constant friction", False), said))
+    assert said.getvalue() == "".join(
+        f"constant friction: {name} is missing, and left out\n" for name in ("scipy", "heyoka")
+    )
+
+
+def test_rows_of_sections() -> None:
+    """Ours to their last digits, quadrature better with more points, polygons with more chords; blocks bound memory."""
+    rows = {r.way: r for r in cost.measure(["sections"])}
+    assert all(r.error < 2e-14 for r in rows.values() if r.ours)
+    for peer, least in (("Gauss", 1e-6), ("shapely", 1e-4)):
+        errors = [r.error for way, r in rows.items() if way.startswith(peer)]
+        assert not errors or (errors == sorted(errors, reverse=True) and errors[-1] < least)
+    subject = sections.subject()
+    small, large = (cost._peak(cost._work(subject.ways[0], subject.bulk(n), n)) for n in (20_000, 60_000))
+    assert large - small < 1.5 * 40_000 * 8 * (7 + 3)  # arguments and results

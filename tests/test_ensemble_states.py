@@ -75,8 +75,8 @@ def test_lanes_are_scenes_in_every_field(law: str, effects: str) -> None:
         assert isinstance(alone, Motion)
         assert (bool(found.moves[k]), bool(found.arrested[k])) == (alone.moves, alone.arrested), k
         error = 4 * (float(found.error_estimate[k]) + alone.error_estimate) + 1e-13
-        speed, gravity = abs(float(alone.peak.velocity)), given["arc"]["gravity"]
-        stress, radius = float(alone.plan.scene.arc.static_normal_stress), given["arc"]["radius"]
+        speed, gravity, radius = abs(float(alone.peak.velocity)), given["arc"]["gravity"], given["arc"]["radius"]
+        stress = float(alone.plan.scene.arc.static_normal_stress)
         assert found.duration[k] == pytest.approx(alone.duration, rel=error)
         assert found.run_out[k] == pytest.approx(alone.run_out, rel=error)
         where = 30 * math.sqrt(error)  # a flat top
@@ -94,24 +94,16 @@ def test_lanes_are_scenes_in_every_field(law: str, effects: str) -> None:
         assert float(found.error_estimate[k]) <= max(3e3 * alone.error_estimate, 3e-10)
 
 
-def test_lanes_go_both_ways_and_stand() -> None:
-    found = together(lanes("constant", "turning"))
-    assert {bool(x) for x in found.moves} == {True, False}
-    assert {*np.unique(found.plan.scene.arc.facing)} == {-1.0, 1.0}
-    assert {*np.sign(found.at(0.0).velocity)} == {-1.0, 0.0, 1.0}
-    assert np.any(found.run_out > 0.0)
-
-
 @pytest.mark.parametrize("law", ["constant", "hyperbolic", "rate"])
 def test_a_lane_does_not_know_its_neighbours(law: str) -> None:
     """The same bits among others, in another order, and beside lanes that are no scene."""
     rows = lanes(law, "turning")
     found = together(rows)
-    names = ("duration", "run_out", "error_estimate")
     backwards = together(rows[::-1])
     few = together(rows[2:5])
+    assert {*found.plan.scene.arc.facing} == {*np.sign(found.at(0.0).velocity)} - {0.0} == {-1.0, 1.0}
     spoilt = together([*rows[:3], rows[3] | {"initial_velocity": 1e200}, *rows[4:]])
-    for name in names:
+    for name in ("duration", "run_out", "error_estimate"):
         whole = getattr(found, name)
         np.testing.assert_array_equal(getattr(backwards, name)[::-1], whole)
         np.testing.assert_array_equal(getattr(few, name), whole[2:5])
@@ -151,40 +143,21 @@ def test_at_the_limit_and_one_ulp_to_either_side(effects: dict[str, Any]) -> Non
 def test_shapes() -> None:
     """Fields of any shapes that fit together, arrays without a dimension or without a lane."""
     vaiont: Scene = load("vaiont")
-    arc, mu = vaiont.arc, np.array([0.1, 0.2, 0.3, 0.9])
-    radius = np.array([[300.0], [400.0], [500.0]])
-    found = solve(replace(vaiont, arc=replace(arc, radius=radius), friction=mu), 1e-14)
+    mu, radius = np.array([0.1, 0.2, 0.3, 0.9]), np.array([[300.0], [400.0], [500.0]])
+    found = solve(replace(vaiont, arc=replace(vaiont.arc, radius=radius), friction=mu), 1e-14)
     for values in (found.status, found.moves, found.arrested, found.duration, found.run_out, found.peak.velocity,
                    found.end.time, found.peak.normal_stress, found.error_estimate):  # fmt: skip
         assert np.shape(values) == (3, 4)
-    for i, j in np.ndindex(3, 4):
-        alone = solve(replace(vaiont, arc=replace(arc, radius=float(radius[i, 0])), friction=float(mu[j])))
-        assert found.duration[i, j] == pytest.approx(alone.duration, rel=1e-13)
-        assert found.run_out[i, j] == pytest.approx(alone.run_out, rel=1e-13)
+    alone = solve(replace(vaiont, arc=replace(vaiont.arc, radius=400.0), friction=0.2))
+    assert [found.duration[1, 1], found.run_out[1, 1]] == pytest.approx([alone.duration, alone.run_out], rel=1e-13)
     assert found.count() == {"RESTS": 6, "STAYS": 3, "TURNED": 3}
     assert isinstance(solve(replace(vaiont, friction=np.array(0.2))), Motion)
     none = solve(replace(vaiont, friction=np.zeros((0, 3))))
     assert none.duration.shape == none.peak.velocity.shape == (0, 3)
     assert none.count() == {}
-    with pytest.raises(ValueError, match="shapes do not fit together"):
-        replace(vaiont, arc=replace(arc, radius=np.ones(3)), friction=np.array([0.1, 0.2]))
-
-
-def test_what_became_of_each_lane() -> None:
-    """Every status, and NaN where there is no answer."""
-    vaiont: Scene = load("vaiont")
-    limit = solve(load("vaiont")).limit_friction
-    mu = np.array([0.3, 0.9, 0.1, limit * (1 - 1e-14), 0.2, np.nan, 0.0])
-    velocity = np.array([0.0, 0.0, 0.0, 0.0, 1e6, 0.0, 0.0])
-    found = solve(replace(vaiont, friction=0.3 + 0 * velocity, initial_velocity=0 * velocity))
-    assert found.count() == {"RESTS": 7}
-    with pytest.raises(ValueError, match="friction"):
-        replace(vaiont, friction=mu)
-    good = np.where(np.isnan(mu), 0.3, mu)
-    found = solve(replace(vaiont, friction=good, initial_velocity=velocity))
-    assert found.count() == {"RESTS": 3, "STAYS": 1, "MOVING": 1, "TURNED": 1, "UPRIGHT": 1}
-    assert np.isnan(found.duration[4])
-    assert np.all(np.isfinite(np.delete(found.duration, 4)))
+    printed: Scene = load("vaiont-as-printed")  # with coefficients that are given
+    singles = [solve(replace(printed, friction=mu)).run_out for mu in (0.1, 0.3)]
+    assert solve(replace(printed, friction=np.array([0.1, 0.3]))).run_out == pytest.approx(singles, rel=1e-14)
 
 
 def test_the_accuracy_asked_for() -> None:
@@ -226,43 +199,3 @@ def test_references_together() -> None:
             assert found.peak.velocity[k] == pytest.approx(float(wanted["peak_velocity"]), rel=bound)
             seen += bound < 1e-11
     assert seen > 160
-
-
-def test_extreme_lanes_among_ordinary_ones() -> None:
-    """Softening within micrometres or never, at the limit and beyond, at great speed: each its own, none in the way."""
-    vaiont: Scene = load("vaiont")
-    limit = float(solve(vaiont).limit_friction)
-    rows = np.array([(0.4, 0.18, 1.0, 0.0), (0.4, 0.18, 1e-6, 0.0), (0.4, 0.18, 1e9, 0.0), (0.4, 0.4, 1.0, 0.0),
-                     (limit, 0.18, 1.0, 0.0), (limit * (1 - 1e-9), 0.18, 1.0, 0.0), (0.6, 0.18, 1.0, 0.0),
-                     (0.6, 0.18, 1.0, 1e-3), (0.6, 0.18, 1.0, 20.0), (0.1, 0.4, 30.0, 0.0), (0.4, 0.05, 0.1, -5.0),
-                     (0.4, 0.18, 1.0, 120.0), (0.4, 0.18, 1.0, 1e4)])  # fmt: skip
-    for law in ("exponential", "linear", "hyperbolic"):
-        names = ("peak", "residual", "length")
-        found = solve(replace(vaiont, friction={"law": law} | dict(zip(names, rows.T[:3], strict=True)),
-                              initial_velocity=rows.T[3]))  # fmt: skip
-        for k, (*friction, velocity) in enumerate(rows.tolist()):
-            scene = replace(vaiont, friction={"law": law} | dict(zip(names, friction, strict=True)),
-                            initial_velocity=velocity)  # fmt: skip
-            try:
-                alone = solve(scene)
-            except ValueError:
-                assert np.isnan(found.duration[k])
-                continue
-            error = 4e-13 + 4 * alone.error_estimate + 2 * float(found.error_estimate[k])
-            assert (found.moves[k], found.arrested[k]) == (alone.moves, alone.arrested)
-            assert found.run_out[k] == pytest.approx(alone.run_out, rel=error)
-            assert found.duration[k] == pytest.approx(alone.duration, rel=error)
-        assert set(found.count()) >= {"RESTS", "STAYS", "UPRIGHT"}
-        assert 1e-10 < found.error_estimate[5] < 1e-5, "next to the limit rounding of the drive counts"
-
-
-def test_given_coefficients_are_no_axis() -> None:
-    printed: Scene = load("vaiont-as-printed")
-    found = solve(replace(printed, friction=np.array([0.1, 0.3])))
-    for k, mu in enumerate((0.1, 0.3)):
-        assert found.run_out[k] == pytest.approx(solve(replace(printed, friction=mu)).run_out, rel=1e-14)
-    arc = printed.arc
-    assert isinstance(arc, Arc)
-    given: dict[str, Any] = dict(arc.given or {}) | {"radial_weight": np.array([0.1, 0.2])}
-    with pytest.raises(ValueError, match=r"given.radial_weight: must be one number"):
-        replace(arc, given=given)

@@ -1,16 +1,25 @@
-"""What a scene accepts, and what it says when it does not."""
+"""What a scene and the calls of Python accept, and what they say when they do not."""
 
 import dataclasses
 import math
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from slipcircle import Arc, Scene, load, plan
+import slipcircle
+from generated.effects import EFFECTS, LAWS
+from slipcircle import Arc, Scene, load, plan, solve
 from slipcircle.base.series import Pulse
+from slipcircle.files.scenefile import load as read
 from slipcircle.files.scenefile import shipped
+from slipcircle.scene.arc import QUANTITIES
 
+FOLDER = Path(slipcircle.__file__).parent / "scenes"
 ARC = Arc(800.0, 3.8, 5.0, 21e3)
 
 
@@ -35,39 +44,6 @@ def test_a_scene_is_frozen_and_keeps_its_own_effects() -> None:
 @pytest.mark.parametrize("friction", [0, 0.0, -0.0, 5e-324, 0.2, 7, np.float32(0.5), [0.1, 0.2], np.arange(3)])
 def test_friction_that_is_accepted(friction: Any) -> None:
     assert Scene(ARC, friction).friction is friction
-
-
-@pytest.mark.parametrize(
-    ("changes", "said"),
-    [
-        ({"arc": None}, "arc = None: must be an Arc"),
-        ({"friction": -0.1}, "friction = -0.1: must be a friction coefficient, tan(phi)"),
-        ({"friction": -5e-324}, "friction = -4.940656458e-324:"),  # the smallest of all
-        ({"friction": np.nan}, "friction = nan:"),
-        ({"friction": np.inf}, "friction = inf:"),
-        ({"friction": [0.1, -0.2]}, "friction = -0.2:"),
-        ({"friction": "0.1"}, "friction = '0.1':"),
-        ({"friction": None}, "friction = None:"),
-        ({"friction": True}, "friction = True:"),
-        ({"initial_velocity": np.nan}, "initial_velocity = nan: must be a velocity in m/s"),
-        ({"initial_velocity": -np.inf}, "initial_velocity = -inf:"),
-        ({"initial_velocity": 1j}, "initial_velocity = 1j:"),
-        *(({"end_time": x}, f"end_time = {x:.10g}: must be a positive time in s") for x in (0.0, -1.0, np.nan, np.inf)),
-        ({"end_time": "30 s"}, "end_time = '30 s':"),
-        *(({"accuracy": x}, f"accuracy = {x:.10g}: must be a relative error betw") for x in (0.0, 1.0, -1e-9, np.nan)),
-        ({"effects": "centripetal"}, "effects = 'centripetal': must be a list of names"),
-        ({"effects": None}, "effects = None:"),
-        ({"effects": 5}, "effects = 5:"),
-        ({"effects": ["sinking"]}, "effects: 'sinking' is unknown; known are "),
-        ({"effects": {"centripetal": {"mass": 1.0}}}, "effects.centripetal: 'mass' is unknown; known are none"),
-        ({"effects": {"centripetal": None}}, "effects.centripetal = None: must be a mapping of parameters"),
-    ],
-)
-def test_what_is_refused(changes: dict[str, Any], said: str) -> None:
-    slope: dict[str, Any] = {"arc": ARC, "friction": 0.2, "name": "slope"}
-    with pytest.raises(ValueError, match=r"^Scene slope: ") as caught:
-        Scene(**(slope | changes))
-    assert said in str(caught.value)
 
 
 RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
@@ -98,12 +74,40 @@ REFUSED: list[tuple[Any, Any, str]] = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("friction", "effects", "said"), REFUSED, ids=[r[2][:30] for r in REFUSED])
-def test_laws_and_effects_that_are_refused(friction: Any, effects: Any, said: str) -> None:
-    with pytest.raises(ValueError, match=r"^Scene: ") as caught:
-        Scene(ARC, friction, effects)
+# --- plans ---------------------------------------------------------------------------------------------------------
+
+
+CHANGES: list[tuple[dict[str, Any], str]] = [
+    ({"arc": None}, "arc = None: must be an Arc"),
+    ({"friction": -0.1}, "friction = -0.1: must be a friction coefficient, tan(phi)"),
+    ({"friction": -5e-324}, "friction = -4.940656458e-324:"),  # the smallest of all
+    ({"friction": [0.1, -0.2]}, "friction = -0.2:"),
+    *(({"friction": x}, f"friction = {x!r}:") for x in (np.nan, np.inf, "0.1", None, True)),
+    ({"initial_velocity": np.nan}, "initial_velocity = nan: must be a velocity in m/s"),
+    *(({"initial_velocity": x}, f"initial_velocity = {x}:") for x in (-np.inf, 1j)),
+    *(({"end_time": x}, f"end_time = {x:.10g}: must be a positive time in s") for x in (0.0, -1.0, np.nan, np.inf)),
+    ({"end_time": "30 s"}, "end_time = '30 s':"),
+    *(({"accuracy": x}, f"accuracy = {x:.10g}: must be a relative error betw") for x in (0.0, 1.0, -1e-9, np.nan)),
+    ({"effects": "centripetal"}, "effects = 'centripetal': must be a list of names"),
+    *(({"effects": x}, f"effects = {x}:") for x in (None, 5)),
+    ({"effects": ["sinking"]}, "effects: 'sinking' is unknown; known are "),
+    ({"effects": {"centripetal": {"mass": 1.0}}}, "effects.centripetal: 'mass' is unknown; known are none"),
+    ({"effects": {"centripetal": None}}, "effects.centripetal = None: must be a mapping of parameters"),
+    (
+        {"effects": {"cohesion": {"cohesion": 1e30}}},
+        "cohesion = 1e+30: must be shear strength without",
+    ),
+    *(({"friction": friction, "effects": effects}, said) for friction, effects, said in REFUSED),
+]
+
+
+@pytest.mark.parametrize(("changes", "said"), CHANGES, ids=[said[:30] for _, said in CHANGES])
+def test_what_is_refused(changes: dict[str, Any], said: str) -> None:
+    slope: dict[str, Any] = {"arc": ARC, "friction": 0.2, "name": "slope"}
+    with pytest.raises(ValueError, match=r"^Scene slope: ") as caught:
+        Scene(**(slope | changes))
     assert said in str(caught.value)
-    assert str(caught.value).count("\n") == 0
+    assert "\n" not in str(caught.value)
 
 
 def test_all_mistakes_are_listed_at_once() -> None:
@@ -113,27 +117,128 @@ def test_all_mistakes_are_listed_at_once() -> None:
         assert part in str(caught.value)
 
 
-def test_scenes_that_ship() -> None:
-    for name in shipped():
-        scene = load(name)
-        assert scene.name == name
-        assert scene.note
-    with pytest.raises(ValueError, match=r"'viaont' is unknown; known are .*; did you mean vaiont\?$") as caught:
-        load("viaont")
-    assert all(name in str(caught.value) for name in shipped())
-
-
-# --- plans ---------------------------------------------------------------------------------------------------------
+def test_bounds_of_files_hold_in_python_too() -> None:
+    """The same limits of each unit, from the one declaration."""
+    for bad in (1e103, 5e-324):
+        with pytest.raises(ValueError, match=r"radius = .*: must be a positive length in m, between 1e-06 and 1e\+20"):
+            Arc(bad, 3.8, 4.9, 2e4)
+    for parameters in (*(e.parameters for e in EFFECTS.values()), *(law.parameters for law in LAWS.values())):
+        assert all(p.upper < 1e21 for p in parameters if p.key and p.kind in ("number", "list", "series"))
 
 
 def test_accuracy_of_the_call_wins() -> None:
     scene = Scene(ARC, 0.2, accuracy=1e-6)
-    assert plan(Scene(ARC, 0.2)).accuracy == 1e-9
-    assert plan(scene).accuracy == 1e-6
-    assert plan(scene, 1e-3).accuracy == 1e-3
+    assert [plan(s, a).accuracy for s, a in ((Scene(ARC, 0.2), None), (scene, None), (scene, 1e-3))] == [
+        1e-9,
+        1e-6,
+        1e-3,
+    ]
+    wrong: Any
+    for wrong in (0.0, 1.0, -1.0, np.nan, np.inf, "high"):
+        with pytest.raises(ValueError, match=r"accuracy = .*: must be a relative error between 0 and 1"):
+            plan(Scene(ARC, 0.2), wrong)
 
 
-@pytest.mark.parametrize("accuracy", [0.0, 1.0, -1.0, np.nan, np.inf, "high"])
-def test_accuracy_that_is_refused(accuracy: Any) -> None:
-    with pytest.raises(ValueError, match=r"accuracy = .*: must be a relative error between 0 and 1"):
-        plan(Scene(ARC, 0.2), accuracy)
+# --- scenes that ship ----------------------------------------------------------------------------------------------
+
+
+def test_every_shipped_scene_loads_solves_and_passes_its_own_check() -> None:
+    kinds = ("", "-as-printed", "-frozen", "-heated", "-rate", "-shaken", "-softening")
+    vaionts = tuple(f"vaiont{kind}" for kind in kinds)
+    assert shipped() == ("newmark-pulse", "real-slope", *vaionts, "valley-side", "wet-slope")
+    motions = {name: solve(load(name)) for name in shipped()}
+    for name, motion in motions.items():
+        scene = load(name)
+        assert scene == read(FOLDER / f"{name}.toml")
+        assert (scene.name, bool(scene.note), motion.moves) == (name, True, True)
+        assert motion.arrested == (scene.end_time is None)
+    assert {name: round(m.run_out) for name, m in motions.items() if m.arrested} == {
+        "newmark-pulse": 0, "real-slope": 10, "valley-side": 21, "vaiont": 677, "vaiont-rate": 574,
+        "vaiont-shaken": 675, "vaiont-softening": 676, "wet-slope": 8,
+    }  # fmt: skip
+
+
+def test_the_papers_scenes_hold_the_papers_numbers() -> None:
+    arc = Arc(1492.6, float(np.deg2rad(215.2)), float(np.deg2rad(276.9)), 20e3)
+    frozen, mu = load("vaiont-frozen"), float(np.tan(np.deg2rad(10.0)))
+    assert frozen == Scene(arc, mu, ("centripetal",), 0.0, 30.0, None, "vaiont-frozen", frozen.note)
+    assert load("vaiont").called == {"rotation": {}, "centripetal": {}}
+    assert load("vaiont-as-printed").arc == Arc(**{f: getattr(arc, f) for f in QUANTITIES}, given={
+        "moment_of_inertia": 0.4376, "radial_weight": 0.0870, "weight_moment": 0.0387, "resistance_factor": 0.1523,
+        "dynamic_coefficient": 0.468,
+    })  # fmt: skip
+
+
+def test_values_that_are_not_the_papers_say_so() -> None:
+    """Every number has a comment, or stands in a table whose header has one."""
+    for path in FOLDER.glob("*.toml"):
+        head = ""
+        for line in path.read_text("utf-8").splitlines():
+            head = line if line.startswith("[") else head
+            if re.match(r"\w+ = (?!\")", line):
+                assert re.search(r"# .*(Table|section|\(\d|assumed|belongs|integral)", line + head), (path.name, line)
+
+
+# --- calls ---------------------------------------------------------------------------------------------------------
+
+VAIONT = load("vaiont")
+DRAWN = replace(VAIONT, uncertain={"friction.angle_deg": {"distribution": "normal", "mean": 10, "std": 1}})
+ANY: Any = slipcircle  # whose types no checker holds
+CHANGED: Any = replace
+PRINTED: Any = load("vaiont-as-printed").arc
+
+
+@pytest.mark.parametrize(
+    ("work", "said"),
+    [
+        *((lambda x=x: ANY.load(x), "scene .*: must be the name of one that ships, or the path of its file")
+          for x in (3, None, b"vaiont", ["a"], VAIONT)),
+        *((lambda f=f, x=x, more=more: getattr(ANY, f)(x, *more), rf"scene = {x!r}: must be a Scene; load\({said}\)")
+          for f, more in (("solve", ()), ("plan", ()), ("ensemble", (3,)), ("grid", (3,)))
+          for x, said in (("vaiont", "'vaiont'"), (None, "name"), (3, "name"))),
+        (lambda: ANY.backanalyse("vaiont", run_out=1.0), r"scene = 'vaiont': must be a Scene; load\('vaiont'\)"),
+        *((lambda x=x: ANY.solve(VAIONT, x), "accuracy = .*: must be a relative error") for x in ("a", 2, [1e-9])),
+        (lambda: CHANGED(VAIONT, accuracy=[1e-9]), "accuracy = .*: must be a relative error"),
+        *((lambda n=n: ANY.ensemble(DRAWN, 3, **{n: "a"}), f"{n} = 'a': must be")
+          for n in ("method", "confidence", "size", "sensitivity", "correlation", "rng")),
+        (lambda: ANY.grid(VAIONT, 3), "levels = 3: must be a mapping"),
+        (lambda: ANY.grid(VAIONT, {"friction.angle": [1.0]}), r"friction\.angle: is no number"),
+        (lambda: ANY.grid(VAIONT, {"friction": ["a"]}), "friction: must be a list of numbers"),
+        (lambda: ANY.backanalyse(VAIONT, run_out=300.0, field=3), "field = 3, bounds = None: must be a key"),
+        (lambda: ANY.backanalyse(VAIONT, run_out=300.0, bounds=3), "bounds = 3: must be a key"),
+        (lambda: CHANGED(VAIONT, uncertain=3), "uncertain = 3: must be a mapping"),
+        (lambda: CHANGED(VAIONT.arc, given=3), "given = 3: must be a mapping"),
+        (lambda: CHANGED(PRINTED, given=PRINTED.given | {"radial_weight": np.ones(2)}), "weight.*: must be one number"),
+        (lambda: solve(VAIONT).to_dict("a"), "times = 'a': must be times in s"),
+        (lambda: Arc(60.0, 215.0, 276.0, 19e3), "in rad: were they in degrees"),
+    ],
+)  # fmt: skip
+def test_a_call_of_the_wrong_kind_is_one_error(work: Callable[[], Any], said: str) -> None:
+    with pytest.raises(ValueError, match=said) as found:
+        work()
+    assert "\n" not in str(found.value)
+
+
+def broken(_: Any) -> Any:
+    raise KeyError("a")
+
+
+@pytest.mark.parametrize(
+    ("law", "said"),
+    [
+        (lambda s: np.nan * np.asarray(s), r"\(.*\) = nan: must be a number of at least 0"),
+        (lambda s: np.where(np.asarray(s) > 100.0, np.nan, 0.2), r"\(1\d\d.*\) = nan"),
+        (lambda s: 0.2 - np.asarray(s) / 100.0, r"\(2.*\) = -0\.\d+: must be a number of at least 0"),
+        (lambda s: np.zeros(3), r"returns shape \(3,\) for an argument of shape"),
+        (lambda s: 0.2 if s < 10 else 0.1, "must take an array of numbers and return one; it says ValueError"),
+        (lambda s: "a", "must take an array of numbers and return one"),
+        (lambda s: 1j * np.asarray(s), "it says ValueError: complex numbers"),
+        (lambda: 0.2, "it says TypeError"),
+        (broken, "it says KeyError"),
+        (lambda s: np.inf + np.asarray(s), "= inf: must be"),
+        (lambda s: 0.2 + 0.01 * np.random.default_rng().random(np.shape(s)), "changes too sharply"),
+    ],
+)
+def test_a_bad_friction_function_is_one_error(law: Any, said: str) -> None:
+    with pytest.raises(ValueError, match=f"^friction.*{said}"):
+        solve(Scene(VAIONT.arc, law, ["rotation"]))

@@ -2,15 +2,16 @@
 
 import json
 import math
-import re
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from conftest import columns
 
 import slipcircle
-from slipcircle.__main__ import main
 from slipcircle.files.scenefile import searched
 from slipcircle.outputs.guide import guide
 from slipcircle.scene.search import Critical
@@ -29,34 +30,28 @@ cohesion_kPa = 3
 CIRCLE = "[circle]\ncentre_m = [29.5, 53.6]\nradius_m = 28.6\nbetween_m = [29, 60]\n"
 
 
+Write = Callable[[str], str]
+
+
 @pytest.fixture
-def write(tmp_path: Path) -> "Write":
-    return Write(tmp_path / "my-slope.toml")
-
-
-class Write:
+def write(tmp_path: Path) -> Write:
     """Write a slope's file; returns its path."""
 
-    def __init__(self, path: Path) -> None:
-        self.path = path
+    def to_file(text: str) -> str:
+        path = tmp_path / "my-slope.toml"
+        path.write_text(text, "utf-8")
+        return str(path)
 
-    def __call__(self, text: str) -> str:
-        self.path.write_text(text, "utf-8")
-        return str(self.path)
-
-
-def search(*argv: str) -> int:
-    return main(["search", *argv])
+    return to_file
 
 
 def found_in(path: str) -> Critical:
     return searched(path, None, lambda line: None)[2]
 
 
-def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, asked: Any, said: Any, records: Any) -> None:
     path, picture = write(ACADS), tmp_path / "slope.png"
-    assert search(path, "--json", "--plot", str(picture)) == 0
-    out, err = capsys.readouterr()
+    _, out, err = asked("search", path, "--json --plot", picture)
     (record,) = json.loads(out)
     assert record["factor_of_safety"]["bishop"] == pytest.approx(0.985, rel=1e-3)
     assert set(record["factor_of_safety"]) == {"paper", "ordinary", "bishop"}
@@ -65,13 +60,8 @@ def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, capsys:
     assert record.keys() == {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"}
     assert "my-slope: least factor" in err
     assert picture.read_bytes().startswith(b"\x89PNG")
-    search(path, "--method", "ordinary")
-    assert "0.9424" in capsys.readouterr().out
-
-
-def test_a_circle_that_is_given_is_not_searched(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
-    search(write(ACADS + CIRCLE), "--json")
-    (record,) = json.loads(capsys.readouterr().out)
+    assert "0.9424" in said("search", path, "--method ordinary")
+    (record,) = records("search", write(ACADS + CIRCLE))  # a circle that is given is not searched
     assert (record["tried"], record["refused"]) == (1, 0)
     assert record["circle"] == {"centre": [29.5, 53.6], "radius": 28.6}
     assert record["factor_of_safety"]["bishop"] == pytest.approx(0.98516, rel=1e-4)
@@ -90,45 +80,32 @@ SCENE = ACADS.replace("[friction]\nangle_deg = 19.6\n", "") + SLIDE + 'critical 
 FIXED = SCENE.replace('[circle]\ncritical = "bishop"\n', CIRCLE)
 
 
-def test_the_motion_has_the_factors_of_its_circle(
-    write: Write, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+@pytest.mark.usefixtures("unseen")
+def test_the_motion_has_the_factors_of_its_circle(write: Write, tmp_path: Path, said: Any, records: Any) -> None:
     path, page = write(SCENE), tmp_path / "slide.html"
-    assert main(["run", path, "--report", str(page)]) == 0
-    table = dict(re.split(r"  +", line, maxsplit=1) for line in capsys.readouterr().out.splitlines() if "  " in line)
-    assert table["factor of safety by Bishop's simplified method"] == "0.9850"
-    assert table["factor of safety by the ordinary method (Fellenius)"] == "0.9502"  # of Bishop's circle
-    assert table["circle"] == "least factor by bishop"
-    assert {
-        "peak velocity",
-        "x of the toe at the end",
-        "run-out along the arc",
-        "centre",
-        "lower end of the slip surface, x and y",
-    } <= table.keys()
+    table = columns(said("run", path, "--report", page))
+    assert table["factor of safety by Bishop's simplified method"] == ["0.9850"]
+    assert table["factor of safety by the ordinary method (Fellenius)"] == ["0.9502"]  # of Bishop's circle
+    assert table["circle"] == ["least factor by bishop"]
+    assert table.keys() >= {"peak velocity", "x of the toe at the end", "run-out along the arc", "centre",
+                            "lower end of the slip surface, x and y"}  # fmt: skip
     for label in ("Bishop&#x27;s simplified method", "circles tried, refused", "arc under negative normal stress"):
         assert label in page.read_text("utf-8")
-    main(["run", path, "--json"])
-    (motion,) = json.loads(capsys.readouterr().out)
-    search(path, "--json")
-    (alone,) = json.loads(capsys.readouterr().out)
+    (motion,), (alone,) = records("run", path), records("search", path)
     assert motion["stability"] == alone
     assert motion["factor_of_safety"] == pytest.approx(alone["factor_of_safety"]["paper"], rel=1e-9)
 
 
-def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, asked: Any) -> None:
     cut = SCENE.replace("points_m = [[0, 25], [30, 25], [50, 35], [90, 35]]", "height_m = 10\nangle_deg = 90")
     cut = cut.replace("base_m = 20", "base_m = -5").replace("cohesion_kPa = 3", "cohesion_kPa = 30")
-    assert main(["run", write(cut)]) == 0
-    assert "of the arc is under negative effective normal stress" in capsys.readouterr().err
+    assert "of the arc is under negative effective normal stress" in asked("run", write(cut))[2]
 
 
-def test_a_given_circle_has_factors_with_its_motion(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", write(FIXED)]) == 0
-    out = capsys.readouterr().out
-    assert re.search("Bishop's simplified method +0.9852", out)
-    assert re.search("circle +as given", out)
-    assert re.search("circles tried, refused +1, 0", out)
+def test_a_given_circle_has_factors_with_its_motion(write: Write, tmp_path: Path, said: Any) -> None:
+    table = columns(said("run", write(FIXED)))
+    assert table["factor of safety by Bishop's simplified method"] == ["0.9852"]
+    assert (table["circle"], table["circles tried, refused"]) == (["as given"], ["1, 0"])
     scene = slipcircle.load(write(FIXED))
     assert scene.stability is not None
     assert scene.stability.factor_of_safety["bishop"] == pytest.approx(0.98516, rel=1e-4)
@@ -138,7 +115,7 @@ def test_a_given_circle_has_factors_with_its_motion(write: Write, capsys: pytest
     assert slipcircle.solve(pressed).factor_of_safety == pytest.approx(
         pressed.stability.factor_of_safety["paper"], rel=1e-9
     )
-    write.path.with_name("pore.csv").write_text("time,pressure\n0,3\n9,8\n")
+    (tmp_path / "pore.csv").write_text("time,pressure\n0,3\n9,8\n")
     recorded = slipcircle.load(write(FIXED + "[pore_pressure]\nrecord = 'pore.csv'\nunits = 'kPa'\n"))
     assert recorded.stability is None  # what it holds at the start is not read before the scene is made
     by_speed = "rate = { law = 'rate_weakening', peak = 0.5, residual = 0.1, velocity_m_s = 1 }\nlaw"
@@ -165,35 +142,18 @@ def test_the_strength_at_the_start_counts(write: Write, soil: str, friction: flo
         assert slope.pore_ratio == 0.1
 
 
-def test_the_command_refuses_what_it_cannot_read(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
-    assert search(write(ACADS.replace("kN_m3 = 20", "kN_m3 = 19500"))) == 1
-    assert "is that in N/m3" in capsys.readouterr().err
-    assert search(write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0"))) == 1
-    assert "thinner skin" in capsys.readouterr().err
+def test_the_command_refuses_what_it_cannot_read(write: Write, refused: Any, asked: Any) -> None:
+    assert "is that in N/m3" in refused("search", write(ACADS.replace("kN_m3 = 20", "kN_m3 = 19500")))
+    assert "thinner skin" in refused("search", write(ACADS.replace("cohesion_kPa = 3", "cohesion_kPa = 0")))
     limits = "[search]\nexit_m = [30, 2]\ndepth_m = 2e5\n"
     for command, text in (("search", ACADS + limits), ("run", SCENE + limits)):
-        assert main([command, write(text)]) == 1
-        err = capsys.readouterr().err
-        assert "search.exit_m = [30, 2]: must be the least and the greatest x" in err
-        assert "search.depth_m = 200000.0:" in err
-    assert search("vaiont") == 1
-    assert "a search needs [ground]" in capsys.readouterr().err
-    assert search("real-slope", write(ACADS), "--plot", "x.png") == 1
-    assert "shows one slope" in capsys.readouterr().err
-    assert search("no-such-slope.toml") == 1
-    assert "no-such-slope.toml: there is no such file" in capsys.readouterr().err
-    with pytest.raises(SystemExit, match="2"):
-        search(write(ACADS), "--method", "janbu")
-
-
-def test_from_python(write: Write) -> None:
-    alone = found_in(write(ACADS))
-    found = slipcircle.critical(alone.slope)
-    assert found == alone
-    ground = np.asarray(found.slope.ground)
-    section = slipcircle.Section(ground, found.centre, found.radius, 20e3, between=found.between)
-    assert section.exit == pytest.approx(found.exit)
-    assert section.entry == pytest.approx(found.entry)
+        told = refused(command, write(text))
+        assert "search.exit_m = [30, 2]: must be the least and the greatest x" in told
+        assert "search.depth_m = 200000.0:" in told
+    assert "a search needs [ground]" in refused("search vaiont")
+    assert "shows one slope" in refused("search real-slope", write(ACADS), "--plot x.png")
+    assert "no-such-slope.toml: there is no such file" in refused("search no-such-slope.toml")
+    assert asked("search", write(ACADS), "--method janbu")[0] == 2
 
 
 def test_what_a_file_says(write: Write) -> None:
@@ -228,27 +188,11 @@ def test_what_a_file_says(write: Write) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("unit_weight_kN_m3 = 20", "unit_weight_kN_m3 = 19500", "is that in N/m3"),
-        ("unit_weight_kN_m3 = 20", "", "unit_weight_kN_m3: is missing"),
-        ("angle_deg = 19.6", "coefficient = 10", "say angle_deg"),
-        ("angle_deg = 19.6", "angle_deg = 19.6\ncoefficient = 0.3", "exclude each other; leave one out"),
-        ("angle_deg = 19.6", "angle = 19.6", "did you mean angle_deg"),
         ("[friction]\nangle_deg = 19.6", "", "friction: is missing: friction on the slip surface, a table"),
-        ("[cohesion]", "[cohesoin]", "did you mean cohesion"),
         ("cohesion_kPa = 3", "cohesion_kPa = 300000", "is that in Pa"),
-        ("cohesion_kPa = 3", "cohesion_kPa = '3'", "must be a number"),
-        ("points_m", "points", "did you mean points_m"),
-        ("[30, 25], [50, 35]", "[50, 35], [30, 25]", "order them by x"),
         ("[30, 25]", "[30]", "a list of points"),
         ("base_m = 20", "base_m = 30", "ground.base_m = 30: must lie below the ground"),
-        ("base_m = 20", "base_m = 20\nheight_m = 3", "do not go together"),
-        ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[circle]\ncentre_m = [1]\nradius_m = 3\n", "two numbers"),
-        ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[circle]\ncentre_m = [29, 90]\nradius_m = 3\n", "misses the ground"),
-        ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[circle]\ncritical = 'bishp'\n", "did you mean bishop"),
-        ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[search]\nk_h = 4\n", "a share of g"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[water]\nlevel_m = [[0, 26], [90, 26]]\n", "water.level_m: stands"),
-        ("[ground]", "[ground", "is not TOML"),
-        ("= 19.6", "= { distribution = 'normal', mean = 20 }", "friction.angle_deg: std: is missing"),
         ("= 20\nbase", "= { distribution = 'normal', mean = 20, std = 1 }\nbase", "must be a number"),
         ("[cohesion]", "[pore_pressure]\nrecord = 'x.csv'\n[cohesion]", "a pore pressure that is no record"),
         ("cohesion_kPa = 3\n", "cohesion_kPa = 3\n[circle]\nthrough_m = [[30, 25], [40, 30], [55, 35]]\ndepth_m = 2\n",
@@ -262,27 +206,19 @@ def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, word
     assert old in ACADS
     with pytest.raises(ValueError, match=words) as raised:
         found_in(write(ACADS.replace(old, new)))
-    assert str(raised.value).startswith(str(write.path))
-
-
-def test_all_mistakes_at_once(write: Write) -> None:
-    text = ACADS.replace("= 20", "= 19500", 1).replace("19.6", "196").replace("[cohesion]", "[cohesoin]")
-    with pytest.raises(ValueError, match="cohesoin") as raised:
-        found_in(write(text))
-    assert len(str(raised.value).splitlines()) == 3
+    assert "my-slope.toml: " in str(raised.value)
 
 
 # --- ensembles ------------------------------------------------------------------------------------------------------
 
 
-def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(
-    write: Write, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+@pytest.mark.usefixtures("unseen")
+def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(write: Write, tmp_path: Path, asked: Any) -> None:
     drawn = "{ distribution = 'lognormal', mean = 3, std = 2 }"  # its median is 2.5
     path, page = write(SCENE.replace("cohesion_kPa = 3", f"cohesion_kPa = {drawn}")), tmp_path / "study.html"
-    assert main(["sweep", path, "--samples", "64", "--seed", "1", "--report", str(page), "--sensitivity", "0"]) == 0
+    _, _, err = asked("sweep", path, "--samples 64 --seed 1 --sensitivity 0 --report", page)
     words = "the critical circle of the means, of the least factor by bishop"
-    assert words in capsys.readouterr().err
+    assert words in err
     assert words in page.read_text("utf-8")
     study = slipcircle.ensemble(slipcircle.load(path), 64, rng=1, sensitivity=0)
     of_means = found_in(write(ACADS))
@@ -295,18 +231,18 @@ def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(
     assert alone.reach.displacement == pytest.approx(study.samples["reach"][k], rel=1e-9)
 
 
-def test_means_given_with_the_command_have_their_own_circle(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+def test_means_given_with_the_command_have_their_own_circle(write: Write, asked: Any) -> None:
     scene = slipcircle.load(write(SCENE))
     drawn = {"friction.peak_deg": {"distribution": "normal", "mean": 30, "std": 2}}
-    study = slipcircle.ensemble(replace(scene, uncertain=drawn), 64, rng=1)
+    study = slipcircle.ensemble(replace(scene, uncertain=drawn), 64, rng=1, sensitivity=0)
     expected = found_in(write(ACADS.replace("19.6", "30")))
     assert study.scene.arc.centre == expected.centre  # type: ignore[union-attr]
     assert study.scene.stability == expected
     higher = {"ground.points_m.2.y": {"distribution": "normal", "mean": 36, "std": 0.2}}
     study = slipcircle.ensemble(replace(scene, uncertain=higher), 64, rng=1, sensitivity=0)
     assert study.scene.stability == found_in(write(ACADS.replace("[50, 35]", "[50, 36]")))
-    assert main(["sweep", write(SCENE), "--grid", "friction.peak_deg=18,19"]) == 0
-    assert "the critical circle of the scene as it is given" in capsys.readouterr().err
+    _, _, err = asked("sweep", write(SCENE), "--grid friction.peak_deg=18,19")
+    assert "the critical circle of the scene as it is given" in err
     fixed = slipcircle.ensemble(replace(slipcircle.load(write(FIXED)), uncertain=drawn), 64, rng=1)
     assert np.array_equal(fixed.scene.arc.centre, [29.5, 53.6])  # type: ignore[union-attr]
     assert not any("critical" in said for said in fixed.warnings)
@@ -335,16 +271,13 @@ def test_the_guide_tells_by_how_much_the_methods_differ() -> None:
     assert "critical method by which the critical circle is looked for: one of paper, ordinary, bishop" in said
 
 
-def test_the_limits_of_a_file_hold(write: Write, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> None:
     limits = "[search]\nentry_m = [60, 65]\nexit_m = [20, 24]\ndepth_m = 2\nk_h = 0.1\n"
-    search(write(ACADS + limits), "--json")
-    (record,) = json.loads(capsys.readouterr().out)
+    (record,) = records("search", write(ACADS + limits))
     assert 60 - 1e-6 <= record["entry"][0] <= 65
     assert 20 <= record["exit"][0] <= 24 + 1e-6
-    search(write(ACADS + limits.replace("k_h = 0.1", "")), "--json")
-    (still,) = json.loads(capsys.readouterr().out)
+    (still,) = records("search", write(ACADS + limits.replace("k_h = 0.1", "")))
     assert still["factor_of_safety"]["bishop"] > record["factor_of_safety"]["bishop"] + 0.2
-    assert main(["run", write(SCENE + limits)]) == 0
-    out = capsys.readouterr().out
-    assert re.search("horizontal acceleration k_h of these +0.1", out)
-    assert re.search(r"\nfactor of safety +\d", out)  # the motion's own, without k_h
+    table = columns(said("run", write(SCENE + limits)))
+    assert table["horizontal acceleration k_h of these"] == ["0.1"]
+    assert "factor of safety" in table  # the motion's own, without k_h

@@ -1,0 +1,129 @@
+"""What ensembles are drawn and judged by: distributions, points and estimates, against SciPy and closed answers."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from slipcircle.base.distributions import DISTRIBUTIONS, made
+from slipcircle.studies.sampling import latin, monte_carlo, sobol
+from slipcircle.studies.statistics import (
+    BIN_ERROR,
+    BINS,
+    bins,
+    edges,
+    histogram_quantile,
+    indices,
+    moments,
+    pooled,
+    proportion,
+    ranks,
+    sums,
+)
+
+_LOG = math.log1p(0.3**2)
+
+SCIPY: list[tuple[str, dict[str, float], Any]] = [
+    ("normal", {"mean": 10.0, "std": 2.0}, stats.norm(10, 2)),
+    ("lognormal", {"mean": 5.0, "std": 1.5}, stats.lognorm(math.sqrt(_LOG), scale=5 / math.exp(_LOG / 2))),
+    ("uniform", {"low": -1.0, "high": 3.0}, stats.uniform(-1, 4)),
+    ("triangular", {"low": 1.0, "mode": 2.0, "high": 5.0}, stats.triang(0.25, 1, 4)),
+    ("triangular", {"low": 1.0, "mode": 1.0, "high": 5.0}, stats.triang(0.0, 1, 4)),
+    ("truncated_normal", {"mean": 0.0, "std": 1.0, "low": -1.0, "high": 2.0}, stats.truncnorm(-1, 2)),
+    ("truncated_normal", {"mean": 0.0, "std": 1.0, "low": 9.0, "high": 12.0}, stats.truncnorm(9, 12)),
+    ("truncated_normal", {"mean": 3.0, "std": 2.0, "low": -22.0, "high": -19.0}, stats.truncnorm(-12.5, -11, 3, 2)),
+]
+
+
+@pytest.mark.parametrize(("name", "given", "wanted"), SCIPY, ids=lambda x: x if isinstance(x, str) else "")
+def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -> None:
+    p = np.concatenate([[1e-12, 1e-6], np.linspace(0.001, 0.999, 97), [1 - 1e-6]])
+    found = made({"distribution": name} | given)
+    np.testing.assert_allclose(found.ppf(p), wanted.ppf(p), rtol=1e-9)
+    assert found.stats("mv") == pytest.approx(wanted.stats("mv"), rel=1e-9, abs=1e-12)
+    assert {n for n, _, _ in SCIPY} == set(DISTRIBUTIONS)
+
+
+def test_sobol_points_are_scipys() -> None:
+    """Any stretch is that of the whole sequence."""
+    seed = np.random.SeedSequence(5, spawn_key=(1, 2))
+    scipys = stats.qmc.Sobol(3, rng=np.random.default_rng(seed)).random(4096).T
+    for start, count in ((0, 4096), (512, 512), (1024, 1000), (3072, 1024), (4, 4), (7, 1), (0, 1)):
+        np.testing.assert_array_equal(sobol(5, (1, 2), start, count, 3), scipys[:, start : start + count])
+
+
+def test_a_latin_hypercube_fills_every_stratum() -> None:
+    points = latin(1, 5000, 3)
+    for x in points:
+        np.testing.assert_array_equal(np.sort(np.floor(x * 5000)), np.arange(5000))
+    assert np.all(np.abs(np.asarray(np.corrcoef(points))[~np.eye(3, dtype=bool)]) < 0.06)
+
+
+def test_proportion_and_ranks_cover() -> None:
+    """SciPy's exact interval; ranks from the binomial distribution itself."""
+    for hits, n in ((0, 50), (1, 50), (49, 50), (50, 50), (3, 50), (499_000, 1_000_000)):
+        wanted = stats.binomtest(hits, n).proportion_ci(0.95)
+        assert proportion(hits, n, 0.95) == pytest.approx((wanted.low, wanted.high), abs=1e-12)
+    for p, n in ((0.5, 100), (0.95, 1000), (0.01, 1_000_000), (0.3, 10**8), (0.5, 3), (1e-4, 50)):
+        low, high = ranks(p, n, 0.95)
+        below = stats.binom(n, p)
+        assert below.cdf(low - 1) < 0.025 <= below.cdf(low)
+        assert high == n + 1 or below.cdf(high - 2) < 0.975 <= below.cdf(high - 1)
+
+
+def test_moments_of_parts_are_those_of_the_whole() -> None:
+    """In any parts, empty ones too."""
+    values = np.random.default_rng(2).gamma(2.0, 3.0, 5000) + 1e4
+    found = np.zeros(5)
+    for part in np.split(values, [0, 1, 7, 7, 1000, 4990]):
+        found = pooled(found, moments(part))
+    mean = float(np.mean(values))
+    off = [math.fsum((values - mean) ** k) for k in (2, 3, 4)]
+    np.testing.assert_allclose(found, np.array([5000.0, mean, *off]), rtol=1e-9)
+
+
+def test_bins() -> None:
+    sample = np.sort(10 ** np.random.default_rng(1).uniform(-8, 8, 1000))
+    values = np.concatenate([[0.0, 1e-300, 1e300, np.inf], sample, edges()[1:-1]])
+    k = bins(values)
+    assert np.all((edges()[k] <= values) & ((values < edges()[k + 1]) | (k == BINS - 1)))
+    inner, shares = edges()[1:-1], np.linspace(0, 1, 51)
+    assert np.max(np.diff(inner) / inner[:-1]) <= BIN_ERROR
+    found = histogram_quantile(np.bincount(bins(sample), minlength=BINS), shares, (sample[0], sample[-1]))
+    np.testing.assert_allclose(found, np.quantile(sample, shares, method="inverted_cdf"), rtol=BIN_ERROR)
+
+
+def batches(function: Any, d: int, seed: int, points: int = 500) -> Any:
+    found = []
+    for k in range(32):
+        a, b = monte_carlo(seed, (2, k), 0, points, 2 * d).reshape(2, d, points)
+        mixed = [np.where((np.arange(d) == i)[:, None], b, a) for i in range(d)]
+        found.append(sums(np.stack([function(x) for x in (a, b, *mixed)])))
+    return np.stack(found)
+
+
+def ishigami(u: Any) -> Any:
+    x = np.pi * (2 * u - 1)
+    return np.sin(x[0]) + 7 * np.sin(x[1]) ** 2 + 0.1 * x[2] ** 4 * np.sin(x[0])
+
+
+_V = 0.5 + 7**2 / 8 + 0.1 * np.pi**4 / 5 + 0.1**2 * np.pi**8 / 18
+
+_V1, _V13 = 0.5 * (1 + 0.1 * np.pi**4 / 5) ** 2, 0.1**2 * np.pi**8 * (1 / 18 - 1 / 50)
+
+
+def test_indices_and_their_intervals() -> None:
+    """Sobol indices that are known in closed form (Ishigami and Homma 1990), fifty times over."""
+    first, total = [_V1 / _V, 49 / 8 / _V, 0.0], [(_V1 + _V13) / _V, 49 / 8 / _V, _V13 / _V]
+    inside, runs = 0, 50
+    for seed in range(runs):
+        found = indices(batches(ishigami, 3, seed, points=100), 0.95)
+        for estimates, exact in ((found.first, first), (found.total, total)):
+            for e, x in zip(estimates, exact, strict=True):
+                assert e.value == pytest.approx(x, abs=0.15)
+                inside += e.low <= x <= e.high
+    assert 0.91 < inside / (6 * runs) < 0.98
+    flat = indices(batches(lambda u: 5.0 + 0.0 * u[0], 3, 1, 10), 0.95)
+    assert all(math.isnan(e.value) for e in (*flat.first, *flat.total))
