@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "ba3ededbcc81217e7d970ea2daf71e86499c3a183a106aebfc8912d84f98bdd7"
+#define DIGEST "111f341dad24abea6edce6769373a66efde19820d97145a3db6e25d8641ddada"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -214,7 +214,7 @@ typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
 enum { TIME, ROTATION, SLIP, DIRECTION, LIFTED, STATUS, STEPS, PHASES, ORDER, FACTOR, END_TIME, ONE_WAY, FIRST_ONLY, LIMIT, PEAK_TIME, PEAK_ROTATION, PEAK_OMEGA, PEAK_RATE, REACH_TIME, REACH_ROTATION, END_ROTATION, END_OMEGA, END_RATE, CLOSE, LIFT_TIME, PASSED, REST_SINCE, TURNS, LAST_WAY, X, OMEGA };
-enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 };
+enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, WAY, Q1 };
 enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
 enum { NOTHING, LIFT, FASTER, SLOWER, STOOD };
 enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
@@ -644,12 +644,13 @@ static void time_bound(const Hand *h, const Table *t, const Data *d, unsigned k)
         shifted(d, piece, h->column[k], 0.0, terms);
         const double half = 0.5 * terms[1] * past * c[SCALE][k];
         const double angle = terms[1] * (h->c[TIME][k] * c[SCALE][k] - d->breaks[piece]) + terms[2];
-        c[LOWER][k] += 2.0 * c[SCALED_BY][k] * terms[0] * sin(half) * cos(angle + half);
+        const double rise = 2.0 * c[SCALED_BY][k] * terms[0] * sin(half) * cos(angle + half);
+        c[LOWER][k] += rise, c[WAY][k] += fabs(rise);
         return;
     }
     double sum = 0.0;
     for (int j = about_now(h, t, d, k, 1, terms) - 1; j > 0; j--) sum = (sum + terms[j]) * past;
-    c[LOWER][k] += sum;
+    c[LOWER][k] += sum, c[WAY][k] += fabs(sum);
 }
 
 /* Where a lane's piece begins. */
@@ -673,7 +674,7 @@ static void pieces(const Hand *h, unsigned k)
             const double now = all[TIME][k] * scale * (1.0 + 2 * EPS);
             int64_t piece = (int64_t)c[PIECE][k];
             while (piece < last && d->breaks[piece + 1] <= now) piece++;
-            c[PIECE][k] = (double)piece, c[INC][k] = 0.0;
+            c[PIECE][k] = (double)piece, c[INC][k] = c[WAY][k] = 0.0;
             about_now(h, t, d, k, 1, terms);
             c[VALUE][k] = terms[0];
             time_bound(h, t, d, k);
@@ -740,8 +741,14 @@ static int pass_breaks(const Hand *h, unsigned k)
         if (t->kind != OF_TIME || !(c[UPPER][k] <= h->c[TIME][k])) continue;
         const int64_t piece = (int64_t)c[PIECE][k] + 1;
         const double jump = d->jumps[piece] * c[SCALED_BY][k];
-        c[PIECE][k] = (double)piece, c[INC][k] = c[LOWER][k] + jump;
+        c[PIECE][k] = (double)piece, c[INC][k] = c[LOWER][k] + jump, c[WAY][k] += fabs(jump);
         leaps |= jump != 0.0;
+        /* Increments add their roundings up, along a record: beyond some way the difference of two values is better. */
+        double terms[HIGHEST + 1];
+        shifted(d, piece, h->column[k], 0.0, terms);
+        const double there = c[SCALED_BY][k] * terms[0] * (d->sine ? sin(terms[2]) : 1.0);
+        const double rounding = fabs(there) + fabs(c[VALUE][k]);
+        if (c[WAY][k] > rounding) c[INC][k] = there - c[VALUE][k], c[WAY][k] = rounding;
         time_bound(h, t, d, k);
         if (d->open && piece == d->pieces - 1) h->c[STATUS][k] = NEED;
     }

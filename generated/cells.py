@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a099728748f7819ab6e0e9ac8607832bd6a8175ae5e5fe79a28e7369dba679da
+# sha256 of the text below: 206bddfe17bd5077cf552613345fae626ee057c8681f890252be2519ce6c7d25
 """Numbers that both walks know by name."""
 
 # Cells of a lane, first in every program and in this order.
@@ -43,7 +43,8 @@ UPPER = 3  # where the piece ends
 LOWER = 4  # where it begins, of a function of speed
 SCALE = 5  # its argument over that of the program
 SCALED_BY = 6  # what its values are multiplied by
-Q1 = 7  # first of its coefficients beyond the value
+WAY = 7  # of a function of time, the rounding of its increment, over an eps: what it went up and down
+Q1 = 8  # first of its coefficients beyond the value
 
 # What a lane is doing.
 START = 0  # not begun
@@ -74,7 +75,7 @@ CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', '
     'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE', 'REACH_TIME',
     'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE', 'LIFT_TIME', 'PASSED', 'REST_SINCE', 'TURNS',
     'LAST_WAY', 'x', 'omega')
-TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'Q1')
+TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'WAY', 'Q1')
 KINDS = ('slip', 'speed', 'time', 'rotation')
 ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0', 'cell_f0',
     'cell_p0', 'cell_ps0', 'cell_driving', 'cell_resisting', 'cell_mu')

@@ -43,6 +43,7 @@ TABLE = {
     "LOWER": "where it begins, of a function of speed",
     "SCALE": "its argument over that of the program",
     "SCALED_BY": "what its values are multiplied by",
+    "WAY": "of a function of time, the rounding of its increment, over an eps: what it went up and down",
     "Q1": "first of its coefficients beyond the value",
 }
 STATUS = {

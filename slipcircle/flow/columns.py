@@ -71,7 +71,7 @@ class Columns:
         factor = c[at + its.SCALED_BY]
         if slot.kind == "time":
             self._time_piece(slot, data)
-            c[at + its.INC] = 0.0
+            c[at + its.INC] = c[at + its.WAY] = 0.0
             terms = self._local(slot, data)
             c[at + its.VALUE] = terms[0]
             return
@@ -168,6 +168,16 @@ class Columns:
                 c[at + its.PIECE, over] = piece
                 jump = data.jumps[piece] * c[at + its.SCALED_BY, over]
                 c[at + its.INC, over] += jump
+                c[at + its.WAY, over] += np.abs(jump)
+                # Increments add their roundings up, along a record: beyond some way the difference of two values is
+                # better.
+                terms = data.polynomial(piece)
+                there = c[at + its.SCALED_BY, over] * terms[0] * (np.sin(terms[2]) if data.sine else 1.0)
+                since = c[at + its.VALUE, over]
+                rounding = np.abs(there) + np.abs(since)
+                far = c[at + its.WAY, over] > rounding
+                c[at + its.INC, over] = np.where(far, there - since, c[at + its.INC, over])
+                c[at + its.WAY, over] = np.where(far, rounding, c[at + its.WAY, over])
                 leaps[over] |= jump != 0.0
                 self._time_bound(slot, data)
                 if data.open:

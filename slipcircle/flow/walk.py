@@ -131,7 +131,9 @@ class Walker(Resting):
             c[cell] += increment(r[register], tau)
         for k in self.timed:
             slot = p.tables[k]
-            c[slot.cells + its.INC] += increment(r[slot.register], tau)
+            rise = increment(r[slot.register], tau)
+            c[slot.cells + its.INC] += rise
+            c[slot.cells + its.WAY] += np.abs(rise)
         c[its.TIME] = np.where(at_limit, limit, c[its.TIME] + tau)
         self.settle(event, value(net, tau), at_limit)
 

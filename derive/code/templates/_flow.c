@@ -490,12 +490,13 @@ static void time_bound(const Hand *h, const Table *t, const Data *d, unsigned k)
         shifted(d, piece, h->column[k], 0.0, terms);
         const double half = 0.5 * terms[1] * past * c[SCALE][k];
         const double angle = terms[1] * (h->c[TIME][k] * c[SCALE][k] - d->breaks[piece]) + terms[2];
-        c[LOWER][k] += 2.0 * c[SCALED_BY][k] * terms[0] * sin(half) * cos(angle + half);
+        const double rise = 2.0 * c[SCALED_BY][k] * terms[0] * sin(half) * cos(angle + half);
+        c[LOWER][k] += rise, c[WAY][k] += fabs(rise);
         return;
     }
     double sum = 0.0;
     for (int j = about_now(h, t, d, k, 1, terms) - 1; j > 0; j--) sum = (sum + terms[j]) * past;
-    c[LOWER][k] += sum;
+    c[LOWER][k] += sum, c[WAY][k] += fabs(sum);
 }
 
 /* Where a lane's piece begins. */
@@ -519,7 +520,7 @@ static void pieces(const Hand *h, unsigned k)
             const double now = all[TIME][k] * scale * (1.0 + 2 * EPS);
             int64_t piece = (int64_t)c[PIECE][k];
             while (piece < last && d->breaks[piece + 1] <= now) piece++;
-            c[PIECE][k] = (double)piece, c[INC][k] = 0.0;
+            c[PIECE][k] = (double)piece, c[INC][k] = c[WAY][k] = 0.0;
             about_now(h, t, d, k, 1, terms);
             c[VALUE][k] = terms[0];
             time_bound(h, t, d, k);
@@ -586,8 +587,14 @@ static int pass_breaks(const Hand *h, unsigned k)
         if (t->kind != OF_TIME || !(c[UPPER][k] <= h->c[TIME][k])) continue;
         const int64_t piece = (int64_t)c[PIECE][k] + 1;
         const double jump = d->jumps[piece] * c[SCALED_BY][k];
-        c[PIECE][k] = (double)piece, c[INC][k] = c[LOWER][k] + jump;
+        c[PIECE][k] = (double)piece, c[INC][k] = c[LOWER][k] + jump, c[WAY][k] += fabs(jump);
         leaps |= jump != 0.0;
+        /* Increments add their roundings up, along a record: beyond some way the difference of two values is better. */
+        double terms[HIGHEST + 1];
+        shifted(d, piece, h->column[k], 0.0, terms);
+        const double there = c[SCALED_BY][k] * terms[0] * (d->sine ? sin(terms[2]) : 1.0);
+        const double rounding = fabs(there) + fabs(c[VALUE][k]);
+        if (c[WAY][k] > rounding) c[INC][k] = there - c[VALUE][k], c[WAY][k] = rounding;
         time_bound(h, t, d, k);
         if (d->open && piece == d->pieces - 1) h->c[STATUS][k] = NEED;
     }
