@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "111f341dad24abea6edce6769373a66efde19820d97145a3db6e25d8641ddada"
+#define DIGEST "5b84b6d863449e6e21ecd5f313cabe05ac188b3c94e233aa5ece5cbc51f538f3"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -660,7 +660,7 @@ static double begins(const Data *d, int64_t piece, int64_t column)
 }
 
 /* Where a phase begins: each table's piece, its value, and the coefficients of what is beyond. */
-static void pieces(const Hand *h, unsigned k)
+static void pieces(Hand *h, unsigned k)
 {
     const Walk *const w = h->w;
     for (int i = 0; i < w->tables; i++) {
@@ -673,7 +673,7 @@ static void pieces(const Hand *h, unsigned k)
         if (t->kind == OF_TIME) {
             const double now = all[TIME][k] * scale * (1.0 + 2 * EPS);
             int64_t piece = (int64_t)c[PIECE][k];
-            while (piece < last && d->breaks[piece + 1] <= now) piece++;
+            while (piece < last && d->breaks[piece + 1] <= now) piece++, h->known[k] = INFINITY; /* it may leap there */
             c[PIECE][k] = (double)piece, c[INC][k] = c[WAY][k] = 0.0;
             about_now(h, t, d, k, 1, terms);
             c[VALUE][k] = terms[0];

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 34ad87599701366766ec97a36224c2af7a0b3e02ac2b5372e2c2c77ae167e9ce
+# sha256 of the text below: fdd88ef995f6f2defb6d8b554f5addee620aa266ecd557386f5496a0bfb8c9a0
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "111f341dad24abea6edce6769373a66efde19820d97145a3db6e25d8641ddada"  # of the compiled walk's source
+DIGEST = "5b84b6d863449e6e21ecd5f313cabe05ac188b3c94e233aa5ece5cbc51f538f3"  # of the compiled walk's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

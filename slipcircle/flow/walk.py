@@ -267,7 +267,10 @@ class Walker(Resting):
                 c[its.PASSED] = np.where(up, its.FASTER, np.where(down, its.SLOWER, c[its.PASSED]))
             if data.open:
                 c[its.STATUS, up & (c[at + its.PIECE] == len(data.breaks) - 1)] = its.NEED
+        timed = [p.tables[k].cells + its.PIECE for k in self.timed]
+        before = c[timed]
         self.base()
+        scale[np.any(c[timed] != before, axis=0)] = np.inf  # at a break of a function of time, which may leap there
         self._carry(rate, drive, scale)
 
     def _carry(self, rate: Floats, drive: Floats, scale: Floats) -> None:

@@ -506,7 +506,7 @@ static double begins(const Data *d, int64_t piece, int64_t column)
 }
 
 /* Where a phase begins: each table's piece, its value, and the coefficients of what is beyond. */
-static void pieces(const Hand *h, unsigned k)
+static void pieces(Hand *h, unsigned k)
 {
     const Walk *const w = h->w;
     for (int i = 0; i < w->tables; i++) {
@@ -519,7 +519,7 @@ static void pieces(const Hand *h, unsigned k)
         if (t->kind == OF_TIME) {
             const double now = all[TIME][k] * scale * (1.0 + 2 * EPS);
             int64_t piece = (int64_t)c[PIECE][k];
-            while (piece < last && d->breaks[piece + 1] <= now) piece++;
+            while (piece < last && d->breaks[piece + 1] <= now) piece++, h->known[k] = INFINITY; /* it may leap there */
             c[PIECE][k] = (double)piece, c[INC][k] = c[WAY][k] = 0.0;
             about_now(h, t, d, k, 1, terms);
             c[VALUE][k] = terms[0];
