@@ -1,10 +1,9 @@
 """Flow programs: operations, fragments and what is joined of them, against the equation of motion as it stands."""
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
-import flow_oracle
 import numpy as np
 import pytest
 import sympy as sp
@@ -15,10 +14,7 @@ from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations
 from generated import flow, series
-from slipcircle.flow.link import RESULTS
 from slipcircle.flow.program import Program, join
-
-CASES = random.Random(7).sample(list(flow_oracle.cases()), 80)
 
 
 @pytest.fixture
@@ -95,39 +91,6 @@ def test_increments_keep_their_digits() -> None:
 # --- programs --------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("case", CASES, ids=str)
-def test_program_is_the_equation_of_motion(case: flow_oracle.Case) -> None:
-    for seed in range(2):
-        assert flow_oracle.difference(case, seed) < flow_oracle.BOUND
-
-
-def changed(name: str, of: str, change: Callable[[tuple[Any, ...]], tuple[Any, ...]], result: str) -> flow.Fragment:
-    """A fragment with one operation changed."""
-    fragment = flow.FRAGMENTS[name]
-    found = tuple(change(op) if op[1] == result else op for op in getattr(fragment, of))
-    assert found != getattr(fragment, of)
-    return fragment._replace(scalar=found) if of == "scalar" else fragment._replace(series=found)
-
-
-@pytest.mark.parametrize(
-    ("name", "of", "change", "result"),
-    [
-        ("rotation", "scalar", lambda op: ("add", *op[1:]), "press_0"),
-        ("rotation", "series", lambda op: ("sqr", "vers(x)", "x"), "sin(x)"),
-        ("shaking", "scalar", lambda op: ("add", *op[1:]), "shaking.driving"),
-        ("balance", "series", lambda op: (*op[:3], op[3][:-1]), "dfriction"),
-        ("exponential", "series", lambda op: ("rec", op[1], op[2], op[4]), "exponential.exp2"),
-        ("product", "series", lambda op: ("sqr", op[1], op[2]), "drate_mu*dslip_mu"),
-    ],
-)
-def test_a_planted_fault_shows(
-    name: str, of: str, change: Any, result: str, fresh: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setitem(flow.FRAGMENTS, name, changed(name, of, change, result))
-    case = ("rotation", "centripetal", "shaking"), ("exponential", "rate_weakening"), ("k_h",), ()
-    assert not flow_oracle.difference(case, 0) < 1e-3
-
-
 def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
 
     def names(p: Program) -> list[str]:
@@ -145,23 +108,6 @@ def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
     one = join(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",))
     both = join(("rotation", "shaking"), ("constant",), moving=("k_h", "k_v"))
     assert (names(one).count("mul"), names(both).count("mul")) == (2, 4)
-
-
-def test_reading_order_and_places(fresh: None) -> None:
-    """Every operation comes after what it reads; no cell that lasts is written over; constants are named by value."""
-    for case in CASES:
-        p = join(*case)
-        known = {*(register for _, register, _ in p.states)}
-        for op, *names in p.series:
-            results = names[: RESULTS.get(op, 1)]
-            reads = [r for _, r in names[2]] if op == "lin" else [] if op == "ramp" else names[len(results) :]
-            reads = reads[:-1] if op == "pow" else reads
-            assert {*reads} <= known
-            known |= {*results}
-        written = [op[1] for op in p.scalar if op[1] < p.lasting]
-        assert len(written) == len({*written})
-        assert p.cells[: len(flow.CELLS)] == flow.CELLS
-        assert {p.cells.index(x) for x in p.constants} == {*range(p.lasting, p.lasting + len(p.constants))}
 
 
 # --- declarations ----------------------------------------------------------------------------------------------------
@@ -197,18 +143,23 @@ def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
     for name, fragment in space["FRAGMENTS"].items():
         monkeypatch.setitem(flow.FRAGMENTS, name, fragment)
     order = 7
-    ctx.prec, ctx.cap = 300, order + 1
+    ctx.prec, ctx.cap = 120, order + 1
     program = join(("rotation", *(e.name for e in NEW)), ("stiffening",))
     rng = random.Random(2)
     names = ("fall", "fall_slope", "press", "press_slope", "level", "polar", "fading", "scale", "collapse", "dilation",
              "widening", "stiffening.first", "stiffening.last", "width", "SLIP", "TIME", "ROTATION")  # fmt: skip
-    p = {x: arb(rng.uniform(0.1, 0.9)) for x in names} | {"DIRECTION": arb(1)}
-    c = flow_oracle.prologue(program, p)
-    now = {"x": arb(0.2), "omega": arb(0.7), "width": arb(0.4)}
-    for cell, _, _ in program.states:
-        c[cell] = now[program.cells[cell]]
-    r = flow_oracle.run(program, c, {}, order)
-    x, w, width = start = [arb_series([v], prec=order + 1) for v in now.values()]
+    given = {x: rng.uniform(0.1, 0.9) for x in names} | {"DIRECTION": 1.0} | program.constants
+    c = np.array([[given.get(x, 0.0)] for x in program.cells])
+    series.scalar_ops(program.scalar, c)
+    now, r = {"x": 0.2, "omega": 0.7, "width": 0.4}, np.zeros((len(program.registers), order + 1, 1))
+    for cell, register, _ in program.states:
+        r[register, 0] = now[program.cells[cell]]
+    for n in range(order):
+        series.series_ops(program.series, r, c, n)
+        for _, register, rate in program.states:
+            r[register, n + 1] = r[rate, n] / (n + 1)
+    p = {name: arb(value) for name, value in given.items()}
+    x, w, width = start = [arb_series([arb(v)], prec=order + 1) for v in now.values()]
     one = arb_series([arb(1)], prec=order + 1)
     for _ in range(order + 1):
         turned = p["ROTATION"] + x
@@ -221,8 +172,8 @@ def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
         grown = p["widening"] * (one - width) * mu * w
         x, w, width = (s + rate.integral() for s, rate in zip(start, (w, net, grown), strict=True))
     for name, wanted in (("x", x), ("omega", w), ("width", width)):
-        found = r[program.registers.index(name)]
-        assert all(abs(a - b) < arb(1e-60) for a, b in zip(found, wanted.coeffs(), strict=False))
+        found = r[program.registers.index(name), :, 0]
+        assert found == pytest.approx([float(v) for v in wanted.coeffs()][: order + 1], rel=1e-12, abs=1e-13), name
 
 
 def test_a_parameter_knows_its_sign_in_a_mirror() -> None:
@@ -239,70 +190,6 @@ def test_what_has_no_operation_is_refused() -> None:
     strange = Effect("strange", "", (parameter("k"),), (), "no recurrence", resistance=THETA * sp.besselj(0, SLIP))
     with pytest.raises(ValueError, match="no operation on series for besselj"):
         fragments.of_effect(strange)
-
-
-def test_fragments_say_what_they_are() -> None:
-    assert flow.FRAGMENTS.keys() >= {e.name for e in EFFECTS} | {law.name for law in LAWS} | {"balance", "gravity"}
-    assert all(f.words for f in flow.FRAGMENTS.values())
-
-
-@pytest.mark.parametrize("case", CASES[:12], ids=str)
-def test_energy_is_kept(case: flow_oracle.Case) -> None:
-    """The kinetic energy changes by the work less the dissipation, coefficient by coefficient."""
-    program, r, _ = flow_oracle.at_a_point(case, 1, ("energy",))
-    work, lost, omega = (r[program.registers.index(x)] for x in ("work", "dissipation", "omega"))
-    for i in range(1, flow_oracle.ORDER):
-        kinetic = sum((omega[k] * omega[i - k] for k in range(i + 1)), arb(0)) / 2
-        assert abs(work[i] - lost[i] - kinetic) < arb(1e-60)
-    assert abs(work[1]) > arb(1e-9)
-
-
-@pytest.mark.parametrize("case", CASES[:40], ids=str)
-def test_a_program_differentiates_itself(case: flow_oracle.Case) -> None:
-    for seed in range(2):
-        assert flow_oracle.tangent_difference(case, seed) < 1e-60
-
-
-@pytest.mark.parametrize(
-    ("table", "op", "sign"), [(flow.SERIES_TANGENTS, "turn", "=-1.0"), (flow.CELL_TANGENTS, "mul", "add")]
-)
-def test_a_wrong_derivative_shows(
-    table: dict[str, Any], op: str, sign: str, fresh: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    own, template = table[op]
-    wrong = eval(repr(template).replace(sign, {"=-1.0": "=1.0", "add": "sub"}[sign]))
-    assert wrong != template
-    monkeypatch.setitem(table, op, (own, wrong))
-    case = ("rotation", "centripetal", "shaking"), ("exponential", "rate_weakening"), ("k_h",), ()
-    assert not flow_oracle.tangent_difference(case, 0) < 1e-3
-
-
-@pytest.mark.parametrize(
-    ("effects", "laws", "moving", "departed"),
-    [
-        ((), ("exponential",), (), None),
-        (("cohesion", "drag"), ("prescribed",), (), None),
-        (("rotation", "centripetal"), ("constant",), (), "ROTATION"),
-        (("rotation", "shaking"), ("constant",), ("k_h",), "TIME"),
-        (("thermal_pressurisation",), ("constant",), (), "TIME"),
-        (("shaking",), ("constant",), (), None),
-    ],
-)
-def test_the_limit_friction_is_used_as_long_as_it_is_that_of_the_start(
-    effects: tuple[str, ...], laws: tuple[str, ...], moving: tuple[str, ...], departed: str | None
-) -> None:
-    """Another value of it changes the drive until what it depends on has changed, and never after."""
-    ctx.prec = 200
-    program = join(effects, laws, moving, (), ("energy",))
-    start = {"DIRECTION": arb(1), "fall": arb(1), "press": arb(1), "level": arb(1)} | {
-        x: arb(0.1) for x in program.cells if x.partition(".")[0] in laws
-    }
-    for name in (None, "TIME", "ROTATION", "SLIP"):
-        cells = start | ({name: arb(0.01)} if name else {})
-        one, other = (flow_oracle.prologue(program, cells | {"LIMIT": arb(x)}) for x in (0.5, 0.7))
-        drive = program.roles["cell_drive"]
-        same = abs(one[drive] - other[drive]) < arb(1e-30)
-        assert same == (name is not None and name == departed)
 
 
 @pytest.mark.parametrize("law", ["exponential", "hyperbolic"])
