@@ -284,44 +284,38 @@ def rule() -> list[tuple[mpf, mpf]]:
 
 
 class Plane:
-    """One direction of travel in 60 digits: pressed, then perhaps carried by water. All dimensionless.
+    """One direction of travel in 60 digits, all dimensionless.
 
-    E = omega^2 obeys E' + q E = 2 (fall - mu (press - water)), whose solution is elementary.
+    E = omega^2 obeys E' + q E = 2 (fall - mu press), whose solution is elementary.
     """
 
     def __init__(self, given: golden.Data) -> None:
         with ctx.workprec(260):
             p = taylor.Problem(given)
-            water = p.water.on(arb(0))[0] * p.level
-            named = {k: getattr(p, k) for k in ("fall", "press", "polar", "drag", "dip", "omega", "cohesion", "scale")}
-            m = {k: mpf(v.mid().str(70, radius=False)) for k, v in (named | {"water": water}).items()}
-        self.m, self.mu, self.radius = m, mpf(given["friction"]), mpf(given["arc"]["radius"])
-        self.q = q = 2 * (self.mu * m["polar"] + m["drag"])
-        self.sine = 2 * (m["fall"] * q + self.mu * m["press"]) / (q * q + 1)
-        self.cosine = 2 * (m["fall"] - self.mu * m["press"] * q) / (q * q + 1)
-        self.level = 2 * (self.mu * m["water"] - m["cohesion"]) / q
+            names = ("fall", "press", "polar", "drag", "dip", "omega", "scale")
+            m = {k: mpf(getattr(p, k).mid().str(70, radius=False)) for k in names}
+        self.m, self.radius, mu = m, mpf(given["arc"]["radius"]), mpf(given["friction"])
+        self.q = q = 2 * (mu * m["polar"] + m["drag"])
+        self.sine = 2 * (m["fall"] * q + mu * m["press"]) / (q * q + 1)
+        self.cosine = 2 * (m["fall"] - mu * m["press"] * q) / (q * q + 1)
         self.first = m["omega"] ** 2 - self.forced(mpf(0))
 
     def forced(self, x: mpf) -> mpf:
         dip = self.m["dip"] - x
-        return self.sine * mpmath.sin(dip) + self.cosine * mpmath.cos(dip) + self.level
+        return self.sine * mpmath.sin(dip) + self.cosine * mpmath.cos(dip)
 
     def energy(self, x: mpf) -> mpf:
         return self.forced(x) + self.first * mpmath.exp(-self.q * x)
 
-    def normal(self, x: mpf) -> mpf:
-        return self.m["polar"] * self.energy(x) + self.m["press"] * mpmath.cos(self.m["dip"] - x) - self.m["water"]
-
-    def time(self, energy: Callable[[mpf], mpf], start: mpf, end: mpf) -> mpf:
-        """The integral of E^-1/2, by x = start + length sin^2, on panels that crowd towards both ends."""
-        length = end - start
+    def time(self, length: mpf) -> mpf:
+        """The integral of E^-1/2, by x = length sin^2, on panels that crowd towards both ends."""
         finest = 16 * (1 + self.q * length)  # E changes over 1/q
         parts = [mpf(0), *itertools.takewhile(lambda p: p < 0.5, (4**k / finest for k in range(99)))]
         inner = [mpmath.asin(mpmath.sqrt(p)) for p in parts]
         edges = [*inner, *(mpmath.pi / 2 - s for s in reversed(inner))]
 
         def rate(s: mpf) -> mpf:
-            return length * mpmath.sin(2 * s) / mpmath.sqrt(energy(start + length * mpmath.sin(s) ** 2))
+            return length * mpmath.sin(2 * s) / mpmath.sqrt(self.energy(length * mpmath.sin(s) ** 2))
 
         return mpmath.fsum(w * (b - a) * rate(a + (b - a) * z) for a, b in itertools.pairwise(edges) for z, w in rule())
 
@@ -337,7 +331,6 @@ def root(f: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
 BRAKES = {  # of what drag; how near, where not just within the estimate
     "strong": (scene(230.0, 280.0, 0.2, effects=TURNING | {"drag": {"xi": 1e-2}}), 1.0),
     "as strong as no soil has": (scene(243.0, 244.0, tan(12.0), effects=TURNING | {"drag": {"xi": 1e-3}}), 1.0),
-    "stronger by far": (scene(243.0, 243.2, tan(5.0), effects=TURNING | {"drag": {"xi": 1e-11}}), 1.0),
     # The speed is held from the first micrometres on, and forgets nothing else.
     "steep": (Hard("", arc(80.0, 0.3), 0.3, TURNING | {"drag": {"xi": 1e-4}}).data, 1e-12),
     # E is rounded drive over brake, its slope nothing but rounding.
@@ -364,34 +357,8 @@ def test_a_drag_that_takes_up_the_drive(name: str) -> None:
         fastest = root(lambda x: p.energy(x + mpf(10) ** -30) - p.energy(x), mpf(0), 80 / p.q)
         end = root(p.energy, 2 * fastest + mpf(10) ** -40, mpf(2))
         peak = mpmath.sqrt(p.energy(fastest)) * p.radius / p.m["scale"]
-        wanted = end * p.radius, p.time(p.energy, mpf(0), end) * p.m["scale"], peak
+        wanted = end * p.radius, p.time(end) * p.m["scale"], peak
         assert motion.arrested
         for found, exact in zip((motion.run_out, motion.duration, float(motion.peak.velocity)), wanted, strict=True):
             error = float(abs(mpf(found) / exact - 1))
             assert error <= (estimate if nearest == 1.0 else nearest), f"{error:.1e} beside {estimate:.1e}"
-
-
-@pytest.mark.xfail(strict=False, reason="float64 knows what presses to 1e-16, so the time to 1e-6, within it or not")
-def test_a_late_lift_off_under_a_huge_friction() -> None:
-    """Friction holds the speed at which nothing presses any more, until gravity alone brakes harder than that."""
-    effects = {"rotation": {}, "centripetal": {}, "pore_pressure": {"pressure": 1.8e6}}
-    given = scene(210.0, 270.0, 1e10, 60.0, 40.0, effects)
-    motion = solve(golden.built("late", given))
-    with mpmath.workdps(60):
-        p = Plane(given)
-        lift = root(p.normal, mpf("0.01"), mpf("1.2"))
-        begin, energy = p.time(p.energy, mpf(0), lift), p.energy(lift)
-        assert abs(motion.lift_off[0] / float(begin * p.m["scale"]) - 1.0) < 1e-6
-        m = p.m
-
-        def free(x: mpf) -> mpf:
-            return energy + 2 * m["fall"] * (mpmath.cos(m["dip"] - x) - mpmath.cos(m["dip"] - lift))
-
-        top = root(free, lift, mpf(3))  # where it swings back
-        up = p.time(free, lift, top)
-        left, x = mpf(given["end_time"]) / m["scale"] - begin, mpf(motion.run_out) / p.radius
-        for _ in range(8):
-            passed = 2 * up - p.time(free, lift, x) if motion.end.velocity < 0.0 else p.time(free, lift, x)
-            x -= (passed - left) * mpmath.sqrt(free(x)) * (1 if motion.end.velocity > 0.0 else -1)
-        error = float(abs(mpf(motion.run_out) / (x * p.radius) - 1))
-    assert error <= motion.error_estimate, f"{error:.1e} beside {motion.error_estimate:.1e}"

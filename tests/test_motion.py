@@ -7,7 +7,6 @@ import mpmath
 import numpy as np
 import pytest
 from mpmath import mpf
-from oracle import coefficients
 
 from slipcircle import Arc, Scene, load, solve
 
@@ -41,21 +40,6 @@ def test_a_slide_that_never_rests_needs_an_end(effects: tuple[str, ...]) -> None
 
 
 # --- balances ------------------------------------------------------------------------------------------------------
-
-
-def test_energy_in_joules() -> None:
-    """Half the mass moment of inertia times omega squared, and the weight's moment times the rotation."""
-    arc = Arc(400.0, 3.9, 5.2, 21e3, width=250.0)
-    motion = solve(Scene(arc, 0.1, ("centripetal",), 4.0, 25.0))
-    spin = motion.end.angular_velocity
-    assert motion.energy.kinetic_start == pytest.approx(arc.moment_of_inertia * (4.0 / 400.0) ** 2 / 2, rel=1e-14)
-    assert motion.energy.kinetic_end == pytest.approx(arc.moment_of_inertia * spin**2 / 2, rel=1e-14)
-    assert motion.energy.work == pytest.approx(arc.weight_moment * motion.end.rotation, rel=1e-14)
-    # The resisting moment of constant friction mu J_r alone, where the centripetal term is left out.
-    plain = solve(Scene(arc, 0.1, (), 4.0, 25.0))
-    c = coefficients(arc)
-    moment = 0.1 * float(c.radial) * 250.0 * 21e3 * 400.0**3
-    assert plain.energy.dissipation == pytest.approx(moment * plain.end.rotation, rel=1e-13)
 
 
 # --- times ---------------------------------------------------------------------------------------------------------

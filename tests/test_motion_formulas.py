@@ -181,33 +181,3 @@ def test_accuracy(name: str) -> None:
 @pytest.mark.parametrize("name", RIDE)
 def test_the_solution_ends(name: str) -> None:
     check_ended(getattr(motion, name), name)
-
-
-def test_terminal_velocity() -> None:
-    """Reached from below to the last bits, kept exactly, and without overflow of cosh at any time."""
-    times = np.array([1e2, 1e3, 1e8, 1e100, 1e300])
-    for start in (0.0, 2.0):
-        omega = motion.frozen_angular_velocity(4.0, 1.0, start, times)
-        np.testing.assert_array_max_ulp(omega, np.full(5, 2.0), 2)
-    assert np.all(motion.frozen_angular_acceleration(4.0, 1.0, 2.0, np.linspace(0, 50, 101)) == 0)
-    phi = motion.frozen_rotation(4.0, 1.0, 0.0, times)
-    np.testing.assert_allclose(phi, 2 * times - np.log(2), rtol=4e-16)
-
-
-def test_without_centripetal_stress_the_drive_alone_is_integrated() -> None:
-    """b = 0: omega_0 + a t and its integral, at most two rounding errors apart."""
-    a, w, t = (np.array(x).ravel() for x in np.meshgrid([-2.0, 0.0, 0.3], [0.0, 0.7, 5.0], [0.0, 1e-9, 0.2, 3.0, 1e5]))
-    plain = {"angular_velocity": w + a * t, "rotation": t * (w + a * t / 2), "angular_acceleration": a + 0.0 * t}
-    for name, value in plain.items():
-        size = np.abs(w * (t if name == "rotation" else 1)) + np.abs(a * (t**2 if name == "rotation" else t)) + 1e-300
-        full = getattr(motion, f"frozen_{name}")(a, 0.0, w, t)
-        assert np.all(np.abs(full - value) <= 4.5e-16 * size), name
-
-
-def test_it_stands_still_at_the_arrest() -> None:
-    """At the arrest's time the velocity is zero and the rotation the arrest's, within the time's own rounding."""
-    for a, b, w in [(-0.3, 0.8, 0.5), (-1.0, 0.0, 2.0), (-1e-6, 1e6, 1.0), (-5.0, 1e-12, 1e-3)]:
-        time = motion.frozen_arrest_time(a, b, w)
-        assert abs(motion.frozen_angular_velocity(a, b, w, time)) <= 8e-16 * (w + abs(a) * time)
-        turn = motion.frozen_rotation(a, b, w, time)
-        np.testing.assert_allclose(turn, motion.frozen_arrest_rotation(a, b, w), rtol=1e-14)

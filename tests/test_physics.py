@@ -15,7 +15,6 @@ import pytest
 import taylor
 import test_combinations
 from flint import ctx
-from mpmath import mpf
 from oracle import coefficients
 
 from slipcircle import Arc, Motion, Scene, solve
@@ -92,33 +91,6 @@ def test_without_friction_it_is_a_pendulum(dip: float, half: float) -> None:
     assert residual(motion) < 1e-13
 
 
-@pytest.mark.parametrize("half", [1e-6, 0.01, 0.54, 1.5])
-@pytest.mark.parametrize("dip", [d for d in DIPS if d < 1.5])
-def test_constant_friction_tilts_the_pendulum(dip: float, half: float) -> None:
-    """Gravity tilted by delta = arctan(mu C_r/C_theta): stop angle 2 (psi_0 - delta), and back: mu from the run-out."""
-    arc = dipping(dip, half)
-    c = coefficients(arc)
-    limit = float(c.limit)
-    for share in (1e-9, 1e-3, 0.3, 0.9, 1 - 1e-3, 1 - 1e-6):
-        mu = limit * share
-        motion = solve(Scene(arc, mu, ("rotation",), end_time=30 * float(c.time_scale)))  # at least the first swing
-        with mpmath.workdps(40):
-            delta = mpmath.atan(mpf(mu) * c.pressing / c.turning)
-            strength = mpmath.hypot(c.turning, mpf(mu) * c.pressing)
-            modulus = mpmath.sin((c.dip - delta) / 2) ** 2
-            duration = 2 * mpmath.sqrt(c.inertia / strength) * mpmath.ellipk(modulus) * c.time_scale
-            stop = float(2 * (c.dip - delta) * c.radius)
-            swings = golden.changes(motion, 120, 1)
-            first = swings[0][0] if swings else motion.duration
-            condition = 1 / (1 - share)
-            found = float(motion.at(first).displacement)
-            assert found == pytest.approx(stop, rel=4e-15 * condition + 2e-14), share
-            assert first == pytest.approx(float(duration), rel=4e-14), share
-            back = mpmath.tan(c.dip - mpf(found) / (2 * c.radius)) * c.turning / c.pressing
-        if share > 1e-6:
-            assert float(back) == pytest.approx(mu, rel=1e-13 / share + 1e-13)
-
-
 @pytest.mark.parametrize("half", [1e-3, 1e-5, 1e-7])
 def test_a_thin_arc_is_a_block_on_an_incline(half: float) -> None:
     """From the definitions, as alpha -> 0: all of the mass at r = 1, its mean thickness alpha**2 R/3, its slope psi.
@@ -152,22 +124,6 @@ def test_a_thin_arc_is_a_block_on_an_incline(half: float) -> None:
 
 
 # --- symmetries ----------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("effects", [("rotation",), ("rotation", "centripetal")])
-@pytest.mark.parametrize("velocity", [0.0, 5.0, -8.0])
-def test_without_friction_the_motion_runs_back(effects: tuple[str, ...], velocity: float) -> None:
-    """Reversed at any moment, it returns to where it came from with the speed that it had, reversed."""
-    arc = dipping(0.6, 0.4)
-    there = solve(Scene(arc, 0.0, effects, velocity, end_time=9.0))
-    for time in (0.5, 3.0, 9.0):
-        state = there.at(time)
-        first, last = (np.add(theta, state.rotation) for theta in (arc.theta_1, arc.theta_2))
-        turned = replace(arc, theta_1=first, theta_2=last)
-        way = turned.facing  # beyond the lowest point down-slope is back
-        back = solve(Scene(turned, 0.0, effects, -way * float(state.velocity), end_time=time))
-        assert way * back.run_out == pytest.approx(-float(state.displacement), rel=1e-12)
-        assert way * back.end.velocity == pytest.approx(-velocity, abs=1e-11)
 
 
 # --- peak, arrest, friction, lift-off ------------------------------------------------------------------------------

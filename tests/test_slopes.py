@@ -1,7 +1,6 @@
 """Moments of the mass under any ground, against strips in ball arithmetic, exact rationals, limits and invariances."""
 
 import math
-from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
@@ -9,10 +8,6 @@ import pytest
 from flint import arb
 from strips import integrals
 
-from derive.algebra import slopes
-from derive.code import emit
-from derive.generate import slopes as text
-from derive.generate import write
 from generated import kernels
 from slipcircle.scene import circles
 from slipcircle.scene.arc import Arc
@@ -138,51 +133,6 @@ def test_one_chord_gives_the_arc(alpha: float, dip: float) -> None:
     assert found.dip == pytest.approx(abs(dip), abs=1e-15 + 2e-16 / alpha)
 
 
-def test_weights_of_the_turned_mass() -> None:
-    ground, centre, radius = HARD["scarp"]
-    found = Section(ground, centre, radius, 2e4)
-    w, turn = found.weights, 0.2
-    cos, sin = math.cos(-turn), math.sin(-turn)  # facing right: counterclockwise
-
-    def turned(p: tuple[float, float]) -> tuple[float, float]:
-        x, y = p[0] - centre[0], p[1] - centre[1]
-        return (centre[0] + x * cos + y * sin, centre[1] - x * sin + y * cos)
-
-    assert found.facing == 1
-    other = moments([turned(p) for p in ground], centre, radius)
-    assert w.fall * math.cos(turn) - w.fall_slope * math.sin(turn) == pytest.approx(
-        -other["moment_x"] / other["inertia"]
-    )
-    assert w.press * math.cos(turn) - w.press_slope * math.sin(turn) == pytest.approx(
-        -other["radial_y"] / other["inertia"]
-    )
-    assert found.placed(found.centroid, turn) == pytest.approx(
-        np.array([other["moment_x"], other["moment_y"]]) * radius / other["area"] + centre
-    )
-
-
-def test_area_and_centroid_with_rational_crossings() -> None:
-    # Crossings (-3, -4) and (4, -3) of the circle of radius 5: polygon in exact rationals, and a segment of 90 deg.
-    ground = [(-6.0, -4.5), (-3.0, -4.0), (-1.0, -2.5), (1.0, -2.75), (4.0, -3.0), (8.0, -2.0)]
-    found = Section(ground, (0.0, 0.0), 5.0, 2e4)
-    corners = [(Fraction(x), Fraction(y)) for x, y in ground[1:5]]
-    twice = first_x = first_y = Fraction(0)
-    for (x1, y1), (x2, y2) in zip(corners, corners[1:] + corners[:1], strict=True):
-        cross = x2 * y1 - x1 * y2  # left to right above, back below: clockwise
-        twice, first_x, first_y = twice + cross, first_x + (x1 + x2) * cross, first_y + (y1 + y2) * cross
-    segment, lever = 25 * (math.pi / 2 - 1) / 2, 2 / 3 * 125 * math.sin(math.pi / 4) ** 3
-    way = np.array([1.0, -7.0]) / math.sqrt(50.0)  # towards the middle of the arc
-    area = float(twice / 2) + segment
-    assert found.area == pytest.approx(area, rel=1e-14)
-    assert found.centroid == pytest.approx(
-        (np.array([float(first_x / 6), float(first_y / 6)]) + lever * way) / area, rel=1e-14
-    )
-    assert found.mass_per_metre == pytest.approx(area * 2e4 / 9.81)
-    assert found.chord == pytest.approx(math.sqrt(50.0))
-    assert found.entry == pytest.approx([4.0, -3.0])
-    assert found.facing == -1
-
-
 def test_invariances() -> None:
     rng = np.random.default_rng(3)
     for _ in range(20):
@@ -202,46 +152,6 @@ def test_invariances() -> None:
             for name in MEASURES:
                 size = math.hypot(*(base[k] for k in LENGTHS.get(name, (name,))))
                 assert abs(other[name] - base[name]) < BOUND * size
-
-
-def test_shifting() -> None:
-    ground, centre, radius = [(-48.0, 8.5), (-10.0, 8.0), (4.0, 1.25), (50.0, 1.0)], (2.0, 18.0), 20.0
-    base = Section(ground, centre, radius, 2e4)
-    moved = Section(np.array(ground) + [4096.0, -512.0], np.array(centre) + [4096.0, -512.0], radius, 2e4)
-    assert moved.weights == base.weights
-    assert moved.entry == pytest.approx(base.entry + [4096.0, -512.0], rel=1e-15)
-
-
-def test_a_thousand_edges_of_a_smooth_curve() -> None:
-    def fine(edges: int) -> dict[str, float]:
-        x = np.linspace(-1.5, 1.5, edges + 1)
-        return moments(list(zip(x.tolist(), (0.3 * np.sin(2 * x) - 0.4 * x).tolist(), strict=True)), (0.1, 1.0), 1.5)
-
-    coarse, middle, finest = fine(250), fine(500), fine(1000)
-    x = np.polynomial.legendre.leggauss(60)
-    lower, upper = _ends_of_the_curve()
-    at = (upper + lower) / 2 + (upper - lower) / 2 * x[0]
-    top, floor = 0.3 * np.sin(2 * at) - 0.4 * at - 1.0, -np.sqrt(1.5**2 - (at - 0.1) ** 2)
-    area = float((x[1] * (top - floor)).sum() * (upper - lower) / 2 / 1.5**2)
-    first = float((x[1] * (at - 0.1) * (top - floor)).sum() * (upper - lower) / 2 / 1.5**3)
-    for name, truth in (("area", area), ("moment_x", first)):
-        assert (4 * finest[name] - middle[name]) / 3 == pytest.approx(truth, rel=1e-8)
-        assert (coarse[name] - middle[name]) / (middle[name] - finest[name]) == pytest.approx(4.0, rel=0.05)
-
-
-def _ends_of_the_curve() -> tuple[float, float]:
-    """x of its crossings with the circle, by bisection."""
-
-    def clear(x: float) -> float:
-        return 1.5**2 - (x - 0.1) ** 2 - (0.3 * math.sin(2 * x) - 0.4 * x - 1.0) ** 2
-
-    found = []
-    for low, high in ((-1.5, 0.0), (1.5, 0.0)):
-        for _ in range(100):
-            middle = (low + high) / 2
-            low, high = (low, middle) if clear(middle) > 0 else (middle, high)
-        found.append(low)
-    return found[0], found[1]
 
 
 def test_lanes_are_single_sections() -> None:
@@ -299,56 +209,4 @@ def test_circles_as_people_give_them() -> None:
 # --- water ----------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("mirror", [False, True])
-def test_mean_pressure_against_quadrature(mirror: bool) -> None:
-    way = -1 if mirror else 1
-    ground = np.array([(-50.0, 10.0), (-20.0, 10.0), (0.0, 0.0), (50.0, 0.0)])
-    level = np.array([(-45.0, 5.0), (-14.0, 4.0), (-3.0, -0.5), (60.0, -1.0)])
-    if mirror:
-        ground, level = ground[::-1] * [-1, 1], level[::-1] * [-1, 1]
-    found = Section(ground, (way * -5.0, 20.0), 22.0, 2e4, level=level, water_unit_weight=9.81e3)
-    assert found.facing == way
-    first, last = (math.atan2(way * (x + way * 5.0), 20.0 - y) for x, y in (found.entry, found.exit))
-    assert last - first == pytest.approx(2 * found.half_angle)
-    turns = np.array([0.0, 0.05, 0.3, -0.1])
-    beta = np.linspace(first, last, 200_001)
-    beta = (beta[1:] + beta[:-1]) / 2
-    for turn, mean in zip(turns, found.mean_pressure(turns), strict=True):
-        x, y = way * (-5.0 + 22.0 * np.sin(beta + turn)), 20.0 - 22.0 * np.cos(beta + turn)
-        assert mean == pytest.approx(9.81e3 * np.maximum(np.interp(x, *level.T) - y, 0.0).mean(), rel=1e-8)
-    # Between kinks the mean is smooth: its fourth differences vanish as the step does.
-    kinks = [k for k in found.pressure_kinks if -0.3 < k < 0.3]
-    for low, high in pairwise(kinks):
-        if high - low > 1e-3:
-            values = found.mean_pressure(np.linspace(low, high, 9))
-            assert abs(np.diff(values, 4)).max() < 10 * (high - low) ** 4 * values.max()
-
-
-def test_mean_cover_is_the_mean_height_of_the_ground() -> None:
-    found = Section(*HARD["scarp"], 2e4)
-    (cx, cy), r = HARD["scarp"][1:]
-    ends = sorted((found.entry[0], found.exit[0]))
-    first, last = np.arcsin((np.array(ends) - cx) / r).tolist()
-    beta = np.linspace(first, last, 400_001)
-    beta = (beta[1:] + beta[:-1]) / 2
-    x, y = cx + r * np.sin(beta), cy - r * np.cos(beta)
-    ground = np.array(HARD["scarp"][0])
-    assert found.mean_cover == pytest.approx((np.interp(x, *ground.T) - y).mean(), rel=1e-5)
-
-
 # --- derivation -----------------------------------------------------------------------------------------------------
-
-
-def test_derivation_proves_its_claims_and_is_what_is_generated() -> None:
-    assert len(slopes.prove()) >= 12
-    assert (write.FOLDER / "slopes.py").read_text("utf-8").endswith(emit.wrapped(text.module()))
-
-
-def test_the_form_is_chosen_where_both_agree() -> None:
-    # An edge just longer than REACH (r1 + r2), and one just shorter: the moments go on.
-    values = []
-    for x in (0.2582, 0.25821, 0.25822):
-        ground, radius = np.array([[(-2.0, -1.0), (-x, -1.0), (x, -1.0), (2.0, -1.0)]]), 1.001 * math.hypot(x, 1.0)
-        parts = circles.cut(ground, np.zeros((1, 2)), np.array([radius]))
-        values.append(circles.moments(parts, parts.stretch == 0)["inertia"][0])
-    assert np.diff(values, 2) == pytest.approx(0.0, abs=1e-9)

@@ -10,9 +10,9 @@ import pytest
 
 from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
-from slipcircle.scene.search import Critical, Search, critical
+from slipcircle.scene.search import Search, critical
 from slipcircle.scene.section import Section
-from slipcircle.scene.stability import METHODS, Slope, factors
+from slipcircle.scene.stability import Slope, factors
 
 
 def tangent(degrees: float) -> float:
@@ -197,28 +197,6 @@ def test_factors_are_the_limit_of_slices(mirror: bool, more: dict[str, object]) 
         assert ours[method] == pytest.approx(value, rel=1e-7, abs=counted), method
 
 
-def test_without_friction_all_methods_agree() -> None:
-    found = Section(GROUND, (-6.0, 24.0), 25.0, 19e3)
-    ours = fixed(Slope(GROUND, 40e3, 0.0, 19e3, level=LEVEL), (-6.0, 24.0), 25.0)
-    expected = 40e3 / (19e3 * 25.0) * 2 * found.half_angle / found.moments["weight_moment"]
-    for method in METHODS:
-        assert ours[method] == pytest.approx(expected, rel=1e-12)
-
-
-def test_the_ordinary_method_of_one_chord_in_closed_form() -> None:
-    # Without cohesion and water: mu times the integral of h cos^2 over that of -h sin cos, h of a straight chord.
-    p, q, radius = np.array([-20.0, 10.0]), np.array([8.0, 0.0]), 30.0
-    centre, _ = circle_through(p, q, radius=radius)
-    slope = Slope([p - 2 * (q - p), q + 2 * (q - p)], 0.0, 0.5, 2e4)
-    a = math.asin(np.hypot(*(q - p)) / 2 / radius)
-    dip = math.atan2(10.0, 28.0)
-    normal = math.sin(a) - a * math.cos(a) + math.cos(2 * dip) * (
-        (math.sin(a) + math.sin(3 * a) / 3) / 2 - math.cos(a) * math.sin(2 * a) / 2
-    )  # fmt: skip
-    drive = 2 / 3 * math.sin(a) ** 3 * math.sin(dip) * math.cos(dip)
-    assert fixed(slope, tuple(centre), radius)["ordinary"] == pytest.approx(0.5 * normal / drive, rel=1e-12)
-
-
 def test_many_circles_are_single_ones() -> None:
     rng = np.random.default_rng(1)
     p = np.stack([rng.uniform(-50, -26, 500), np.full(500, 13.0)], axis=1)
@@ -342,27 +320,6 @@ def test_bishop_s_method_is_too_low_where_its_slices_hang_on_the_base(
     assert factor == pytest.approx(most, abs=6e-3)
 
 
-def test_a_mirrored_slope_has_the_mirrored_circle() -> None:
-    slope = Slope(GROUND, 8e3, tangent(25), 19e3, level=LEVEL, k_h=0.05)
-    other = replace(slope, ground=np.array(GROUND)[::-1] * [-1, 1], level=np.array(LEVEL)[::-1] * [-1, 1])
-    one, two = critical(slope), critical(other)
-    assert (one.facing, two.facing) == (1, -1)
-    for method in METHODS:
-        assert two.factor_of_safety[method] == pytest.approx(one.factor_of_safety[method], rel=1e-5)
-    assert two.centre == pytest.approx((-one.centre[0], one.centre[1]), rel=1e-3)
-
-
-def test_the_circle_is_a_section_that_moves_at_the_paper_s_factor() -> None:
-    found = critical(ACADS, "paper")
-    section = Section(ACADS.ground, found.centre, found.radius, 20e3, between=found.between)
-    w = section.weights
-    level = w.level * 3e3 / section.reference_stress
-    assert (level + tangent(19.6) * w.press) / w.fall == pytest.approx(found.factor_of_safety["paper"], rel=1e-9)
-    assert section.entry == pytest.approx(found.entry)
-    assert section.exit == pytest.approx(found.exit)
-    assert section.facing == found.facing
-
-
 @pytest.mark.parametrize("seed", range(0, 200, 25))
 def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
     assert peers_slopes.excess(seed) < 5e-4
@@ -416,14 +373,3 @@ def test_slopes_that_are_refused(more: dict[str, object], words: str) -> None:
     given = {"ground": ACADS.ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4}
     with pytest.raises(ValueError, match=words):
         Slope(**(given | more))  # type: ignore[arg-type]
-
-
-def test_results_are_plain() -> None:
-    found = critical(ACADS)
-    assert isinstance(found, Critical)
-    record = found.record()
-    assert {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"} <= record.keys()
-    assert set(record["factor_of_safety"]) == set(METHODS)
-    assert tuple(factors(ACADS, *masses(ACADS.ground, np.array([found.centre]), np.array([found.radius]))))[:3] == (
-        *METHODS,
-    )

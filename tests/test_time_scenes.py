@@ -38,21 +38,6 @@ def test_undrained_adiabatic_decay(friction: Any) -> None:
         )
 
 
-def test_viscous_terminal_velocity() -> None:
-    """Frozen, without friction that grows: v = drive/(eta A_s/h), reached exponentially at the rate of the drag."""
-    eta, h, mu = 1e8, 0.5, 0.1
-    motion = solve(Scene(ARC, mu, {"viscosity": {"viscosity": eta, "thickness": h}}, end_time=200.0))
-    d, arc = ARC.dimensionless, ARC
-    force = arc.unit_weight * arc.radius**2 * (d.weight_moment - mu * d.radial_weight)  # a moment over R
-    resistance = eta / h * 2 * arc.half_angle * arc.radius
-    rate = resistance / (arc.unit_weight / arc.gravity * arc.radius**2 * d.moment_of_inertia)
-    assert motion.end.velocity == pytest.approx(float(force / resistance), rel=1e-9)
-    times = np.array([0.1, 1.0, 3.0]) / float(rate)
-    expected = -force / resistance * np.expm1(-rate * times)
-    np.testing.assert_allclose(motion.at(times).velocity, expected, rtol=1e-9)
-    assert motion.peak.velocity == pytest.approx(float(motion.end.velocity), rel=1e-9)
-
-
 def test_a_viscous_pendulum() -> None:
     """Small swings without friction: the damped oscillator's first standstill."""
     arc: Any = Arc(50.0, math.radians(225.0), math.radians(315.0 - 0.02), 2e4)
@@ -89,31 +74,6 @@ def test_constant_shaking_tilts_gravity() -> None:
 # --- starts, stops and restarts --------------------------------------------------------------------------------------
 
 
-def test_one_way_never_slides_up_and_two_way_does() -> None:
-    waves = {"pulse": "sine", "amplitude": -1.8, "duration": 5.0, "cycles": 10.0}
-    one, two = (solve(Scene(ARC, 0.5, TURNING | {"shaking": waves | {"two_way": w}})) for w in (False, True))
-    times = np.linspace(0.0, 25.0, 2001)
-    assert np.min(one.at(times).velocity) == 0.0
-    assert np.min(two.at(times).velocity) < -0.1
-    assert two.run_out < one.run_out
-    rests = one.at(times)
-    assert np.sum(rests.velocity == 0.0) > 200
-    assert np.all(rests.acceleration[rests.velocity == 0.0] == 0.0)
-    assert np.all(np.diff(rests.displacement) >= 0.0)
-    starts = [t for t, before, _ in golden.changes(one) if before == 0]
-    assert len(starts) == 10
-    weight, radial = (float(x) for x in ARC.amplitudes_per_inertia)
-    for time in starts:  # the drive is just the resistance
-        k, dip = -1.8 * math.sin(4 * math.pi * time), float(ARC.dip) - float(one.at(time).rotation)
-        fall, press = math.sin(dip) + k * math.cos(dip), math.cos(dip) - k * math.sin(dip)
-        assert abs(weight * fall - 0.5 * radial * press) < 1e-7
-
-
-def test_swing_back_by_gravity_needs_no_two_way() -> None:
-    motion = solve(Scene(ARC, 0.05, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": 0.1, "duration": 2.0}}))
-    assert (1, -1) in [c[1:] for c in golden.changes(motion)]
-
-
 def test_shaking_that_ends_while_it_slides_and_a_rest_before_the_end_time() -> None:
     push = {"pulse": "rectangular", "amplitude": 0.5, "duration": 2.0, "start": 1.0}
     motion = solve(Scene(ARC, 0.5, TURNING | {"shaking": push}))
@@ -134,19 +94,6 @@ def test_water_that_rises_later_starts_it_later() -> None:
     limit = float(ARC.dimensionless.limit_friction)
     assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-7)  # slower than rounding
     assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
-
-
-def test_water_by_a_ratio_that_does_not_change_is_the_closed_form_and_what_rises_starts_it() -> None:
-    """It yields where mu (1 - r_u) = mu_eq, wherever it lies."""
-    plain = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": 0.3}}))
-    series = solve(
-        Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": Series(np.array([0, 1]), np.array([0.3, 0.3]))}})
-    )
-    assert series.run_out == pytest.approx(plain.run_out, rel=1e-9)
-    assert series.duration == pytest.approx(plain.duration, rel=1e-9)
-    late = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"time": [0, 40], "ratio": [0, 0.4]}}))
-    limit = float(ARC.dimensionless.limit_friction)
-    assert golden.changes(late)[0][0] == pytest.approx(100 * (1 - limit / 0.5), rel=1e-7)
 
 
 # --- hard cases ------------------------------------------------------------------------------------------------------
@@ -170,12 +117,6 @@ def test_weightless(vertical: float) -> None:
 def test_huge_shaking_is_refused_where_the_mass_turns_over(amplitude: float) -> None:
     with pytest.raises(ValueError, match="the chord stands upright"):
         solve(Scene(ARC, 0.5, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": amplitude, "duration": 5.0}}))
-
-
-@pytest.mark.parametrize("amplitude", [0.0, 1e-300, 1e-9])
-def test_shaking_too_weak_moves_nothing(amplitude: float) -> None:
-    motion = solve(Scene(ARC, 0.5, TURNING | {"shaking": {"pulse": "sine", "amplitude": amplitude, "duration": 5.0}}))
-    assert (motion.moves, motion.arrested, motion.run_out, motion.duration) == (False, True, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("heat", [3e3, 1e4, 1e6, 1e9])
