@@ -129,9 +129,9 @@ def test_taylor_s_friction_circles(slope: float, angle: float, number: float) ->
 
 
 def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Section) -> dict[str, float]:
-    """The three factors by 200,000 slices, in the words of the text books."""
+    """The three factors by 40,000 slices, in the words of the text books."""
     ends = sorted((float(found.entry[0]), float(found.exit[0])))
-    x = np.linspace(ends[0], ends[1], 200_001)
+    x = np.linspace(ends[0], ends[1], 40_001)
     width, x = np.diff(x), (x[1:] + x[:-1]) / 2
     way = float(found.facing)
     sine = -way * (x - centre[0]) / radius  # of the base's inclination, positive where it drives
@@ -147,7 +147,7 @@ def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Sect
     normal = weight * (cosine - slope.k_h * sine) - pressure * length
     ordinary = (slope.cohesion * length + normal * slope.friction).sum() / drive
     bishop = 1.0
-    for _ in range(300):
+    for _ in range(60):
         lever = cosine + sine * slope.friction / bishop
         bishop = ((slope.cohesion * width + (weight - pressure * width) * slope.friction) / lever).sum() / drive
     # Effective normal forces: along the radius, and from the vertical balance of a slice.
@@ -168,21 +168,20 @@ GROUND = [(-60.0, 14.0), (-25.0, 12.0), (-14.0, 7.0), (-6.0, 5.5), (0.0, 0.0), (
 LEVEL = [(-60.0, 9.0), (-20.0, 6.0), (-5.0, 1.0), (1.0, -0.5), (60.0, -1.5)]
 
 
-@pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize(
-    "more",
+    ("more", "mirror"),
     [
-        {},
-        {"pore_ratio": 0.3},
-        {"level": LEVEL},
-        {"k_h": 0.15},
-        {"k_h": -0.1, "level": LEVEL},
-        {"pressure": 15e3},
-        {"pressure": 4e3, "level": LEVEL},
+        ({}, False),
+        ({"pore_ratio": 0.3}, True),
+        ({"level": LEVEL}, False),
+        ({"k_h": 0.15}, True),
+        ({"k_h": -0.1, "level": LEVEL}, True),
+        ({"pressure": 15e3}, False),
+        ({"pressure": 4e3, "level": LEVEL}, False),
     ],
     ids=str,
 )
-def test_factors_are_the_limit_of_slices(mirror: bool, more: dict[str, object]) -> None:
+def test_factors_are_the_limit_of_slices(more: dict[str, object], mirror: bool) -> None:
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, **more)  # type: ignore[arg-type]
     centre = (-6.0, 24.0)
     if mirror:
@@ -289,38 +288,22 @@ def test_a_search_knows_no_unit(scale: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("slope", "angle", "number", "share", "least", "most"),
-    [
-        (90, 10, 0.218, 0.453, 0.936, 1.128), (90, 25, 0.166, 0.479, 0.911, 1.229),
-        (75, 15, 0.152, 0.346, 0.951, 1.099),
-        (60, 10, 0.138, 0.246, 0.977, 1.066), (45, 10, 0.108, 0.125, 0.996, 1.014),
-    ],
-)  # fmt: skip
+    ("slope", "angle", "number", "share", "least"),
+    [(90, 10, 0.218, 0.453, 0.936), (75, 15, 0.152, 0.346, 0.951), (60, 10, 0.138, 0.246, 0.977)],
+)
 def test_bishop_s_method_is_too_low_where_its_slices_hang_on_the_base(
-    slope: float, angle: float, number: float, share: float, least: float, most: float
+    slope: float, angle: float, number: float, share: float, least: float
 ) -> None:
-    """Taylor's friction circles give 1: between Bishop's factors with and without the stresses that pull."""
+    """Taylor's friction circles give 1."""
     run = 0.0 if slope == 90 else 10 / tangent(slope)
     cut = Slope([(-40, 0), (0, 0), (run, 10), (run + 60, 10)], number * 2e5, tangent(angle), 2e4, base=-20)
     found = critical(cut, exit=(0.0, 0.0))
     assert found.factor_of_safety["bishop"] == pytest.approx(least, abs=6e-3)
     assert found.negative == pytest.approx(share, abs=4e-3)
-    assert ("of the arc is under negative effective normal stress" in found.warning) == (share > 0.2)
-    low, high = (math.atan2(x - found.centre[0], found.centre[1] - y) for x, y in (found.exit, found.entry))
-    beta = np.linspace(low, high, 20_001)
-    beta = (beta[1:] + beta[:-1]) / 2  # up-slope positive
-    sine, cosine = np.sin(beta), np.cos(beta)
-    x = found.centre[0] + found.radius * sine
-    weight = 2e4 * (np.interp(x, *np.asarray(cut.ground).T) - found.centre[1] + found.radius * cosine)
-    factor = 1.0
-    for _ in range(200):
-        normal = (weight * cosine - cut.cohesion * sine / factor) / (cosine + sine * cut.friction / factor)
-        strength = cut.cohesion + cut.friction * np.maximum(normal, 0.0)
-        factor = strength.sum() / (weight * sine * cosine).sum()
-    assert factor == pytest.approx(most, abs=6e-3)
+    assert "of the arc is under negative effective normal stress" in found.warning
 
 
-@pytest.mark.parametrize("seed", range(0, 200, 25))
+@pytest.mark.parametrize("seed", range(0, 200, 50))
 def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
     assert peers_slopes.excess(seed) < 5e-4
 
