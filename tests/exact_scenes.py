@@ -6,7 +6,6 @@
 import json
 from typing import Any
 
-import numpy as np
 import taylor
 from strips import integrals
 
@@ -21,10 +20,7 @@ def texts(case: Case, friction: float) -> tuple[str, ...]:
     if case.shakes:
         record = effects["shaking"]["horizontal"]
         effects["shaking"] = {"time": record.time.tolist(), "horizontal": record.values.tolist()}
-    arc = {
-        n: float(np.asarray(getattr(scene.arc, n))) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")
-    }
-    given = {"arc": arc, "friction": scene.friction, "effects": effects, "initial_velocity": 0.0}
+    given = {"arc": oracle.plain(scene.arc), "friction": scene.friction, "effects": effects, "initial_velocity": 0.0}
     found = taylor.solve(given | {"end_time": scene.end_time}, digits=24)
     return tuple(found[name] for name in ("run_out", "peak_velocity", "duration"))
 

@@ -40,13 +40,13 @@ def test_the_reference_of_the_closed_form_is_the_papers() -> None:
     """(4.3), (4.5) corrected, at 40 digits."""
     mu, known = next(iter(ANSWERS["closed form"].items()))
     scene: Any = scenes.CASES["closed form"].scene(float(mu))
-    m = oracle.coefficients(scene.arc)
+    m = oracle.numbers(scene.arc)
     with mpmath.workdps(40):
-        a = (m.turning * mpmath.sin(m.dip) - mpf(float(mu)) * m.radial) / m.inertia
-        b, t = mpf(float(mu)) * m.polar / m.inertia, scene.end_time / m.time_scale
+        a = m["fall"] * mpmath.sin(m["dip"]) - mpf(float(mu)) * m["press"] * mpmath.cos(m["dip"])
+        b, t = mpf(float(mu)) * m["polar"], scene.end_time / m["scale"]
         root = mpmath.sqrt(a * b)
-        exact = (m.radius * mpmath.log(mpmath.cosh(root * t)) / b,
-                 m.radius * mpmath.sqrt(a / b) * mpmath.tanh(root * t) / m.time_scale, mpf(scene.end_time))  # fmt: skip
+        exact = (m["radius"] * mpmath.log(mpmath.cosh(root * t)) / b,
+                 m["radius"] * mpmath.sqrt(a / b) * mpmath.tanh(root * t) / m["scale"], scene.end_time)  # fmt: skip
         for value, text in zip(exact, known, strict=True):
             assert abs(value / mpf(text) - 1) < 1e-22
 

@@ -4,6 +4,7 @@ import ast
 import os
 import subprocess
 import sys
+import sysconfig
 import zipfile
 from collections.abc import Iterator
 from graphlib import TopologicalSorter
@@ -12,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import generated
+from derive import build
 
 ROOT = Path(__file__).parents[1]
 PACKAGES = ("derive", "generated", "slipcircle")
@@ -177,7 +179,11 @@ def test_wheel_holds_the_three_packages_and_works_away_from_here(tmp_path: Path)
     unpacked = tmp_path / "unpacked"
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(unpacked)
-        names = {n for n in archive.namelist() if ".dist-info/" not in n and not n.endswith(".so")}
+        every = {n for n in archive.namelist() if ".dist-info/" not in n}
+    names = {n for n in every if not n.endswith(".so")}
+    suffix = sysconfig.get_config_var("EXT_SUFFIX")
+    pure = wheel.name.endswith("-py3-none-any.whl")
+    assert every - names == (set() if pure else {f"generated/{name}{suffix}" for name in build.PARTS})
     # Every file and no other, so that no pattern of .gitignore quietly takes one out.
     here = (path for package in PACKAGES for path in (ROOT / package).rglob("*") if path.is_file())
     built = {"__pycache__", ".ipynb_checkpoints"}
