@@ -6,6 +6,7 @@
 import json
 from typing import Any
 
+import oracle
 import taylor
 from strips import integrals
 
