@@ -52,27 +52,6 @@ def evaluate(form: sp.Expr, first: mp.mpf, half: mp.mpf) -> Any:
 
 
 @each
-def test_proof(appendix: Appendix) -> None:
-    proof = simplify(appendix)
-    assert proof.expression.free_symbols == {alpha, theta_m}
-    assert proof.operations == (proof.steps[0].operations, 9)
-    assert proof.steps[0].operations == {"I": 671, "II": 744}[appendix.name]
-    assert all(step.text and step.proof and step.operations == sp.count_ops(step.expression) for step in proof.steps)
-
-
-def test_what_they_integrate() -> None:
-    assert simplify(APPENDIX_I).integrand == -r * sp.sin(theta)  # (2.23) as claimed
-    assert simplify(APPENDIX_II).integrand == -r * sp.cos(theta)  # (3.13) claims -r^2 cos(theta)
-
-
-def test_table_4_1_shows_appendix_ii() -> None:
-    # Table 4-1 prints J_theta = 0.0387, which is Appendix II and not the definition (3.13).
-    assert mp.nstr(evaluate(parse(APPENDIX_I), *PAPER).real, 3) == "0.087"
-    assert mp.nstr(evaluate(parse(APPENDIX_II), *PAPER).real, 3) == "0.0387"
-    assert mp.nstr(quadrature(-(r**2) * sp.cos(theta), *PAPER, 15), 3) == "0.0365"
-
-
-@each
 @pytest.mark.parametrize(
     ("start", "end", "branch"),
     [

@@ -39,39 +39,6 @@ def test_a_wrong_recurrence_is_no_theorem(name: str, monkeypatch: pytest.MonkeyP
         operations.prove(3)
 
 
-def balls(values: Any) -> list[arb]:
-    return [arb(float(x)) for x in values]
-
-
-@pytest.mark.parametrize("name", operations.OPERATIONS)
-def test_numpy_runs_the_table(name: str) -> None:
-    """Series arithmetic in balls knows no recurrence."""
-    rng, order, lanes = np.random.default_rng(3), 12, 5
-    o = operations.OPERATIONS[name]
-    r = np.zeros((len(o.results) + len(o.arguments), order + 1, lanes))
-    c = np.full((1, lanes), 1.7)
-    first = len(o.results)
-    r[first:] = rng.uniform(-0.5, 0.5, r[first:].shape)
-    if operations.Q in o.arguments:
-        r[first] = r[first + 1] * np.arange(order + 1)[:, None]
-    op = (name, *range(len(r)), *(0 for _ in o.numbers))
-    for n in range(order + 1):
-        series.series_ops((op,), r, c, n)
-    ctx.prec, ctx.cap = 200, order + 1
-    for lane in range(lanes):
-        a, b = (arb_series(balls(r[-1 - i, :, lane]), prec=order + 1) for i in (1, 0))
-        one = arb_series([arb(1)], prec=order + 1)
-        exact: dict[str, tuple[Any, ...]] = {
-            "mul": (a * b,), "sqr": (b * b,), "tim": (arb_series([arb(0), *b.derivative().coeffs()], prec=order + 1),),
-            "turn": (b.sin(), one - b.cos()), "exp": (b.exp(), b.exp() - one), "rec": (one / (one + b), -b / (one + b)),
-            "log": ((one + b).log(),), "pow": ((one + b) ** arb(1.7), (one + b) ** arb(1.7) - one),
-        }  # fmt: skip
-        for i, wanted in enumerate(exact[name]):
-            values = np.array([float(x) for x in wanted.coeffs()])
-            size = np.maximum(np.abs(values), np.abs(values[1:]).max())
-            assert np.all(np.abs(r[i, :, lane] - values) <= 64 * 2.0**-52 * size)
-
-
 def test_increments_keep_their_digits() -> None:
     """Order 0 of 1 - cos, exp - 1, 1/(1 + z) - 1 and log(1 + z) at a small argument."""
     r = np.zeros((5, 1, 1))

@@ -1,16 +1,13 @@
 """A mass that turns through a water level: random sections against 30 digits, energy, both walks, ensembles, words."""
 
-import contextlib
 import dataclasses
 import math
 from typing import Any
 
-import flint
 import numpy as np
 import pytest
 import references
 import section_references
-import taylor
 
 from slipcircle import Motion, Scene, Section, solve
 from slipcircle.flow import cells as its
@@ -28,25 +25,6 @@ def test_random_sections_against_thirty_digits(index: int) -> None:
     found = references.judged(index, SEED)
     assert found.alike, found.scene
     assert found.error <= found.estimate < 1e-10, found.scene
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_mean_pressure_and_cover_of_random_sections(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    while True:
-        with contextlib.suppress(taylor.Unfit):
-            arc = section_references.drawn("level", rng)["arc"]
-            break
-    section = Section(**arc)
-    with flint.ctx.workprec(200):
-        exact = section_references.Section(section_references.plain(arc, 0.1))
-        flint.ctx.cap = 1
-        for turn in (0.0, 0.1, -0.2):
-            place = sum(bool(b < turn) for b in exact.borders)
-            under: Any = exact.under(flint.arb_series([turn]), place)
-            pressure = under[0] * exact.measured(arc)["reference_stress"]
-            assert section.mean_pressure(turn) == pytest.approx(float(pressure), rel=2e-14, abs=1e-9)
-        assert section.weights.cover == pytest.approx(float(exact.cover), rel=2e-14)
 
 
 def body(level: Any = LEVEL, **more: Any) -> Section:

@@ -1,16 +1,13 @@
 """Moments of the mass under any ground, against strips in ball arithmetic, exact rationals, limits and invariances."""
 
 import math
-from itertools import pairwise
 
 import numpy as np
 import pytest
 from flint import arb
 from strips import integrals
 
-from generated import kernels
 from slipcircle.scene import circles
-from slipcircle.scene.arc import Arc
 from slipcircle.scene.circles import MEASURES
 from slipcircle.scene.ground import circle_through, circle_touching, simple_slope
 from slipcircle.scene.section import Section
@@ -104,54 +101,6 @@ def test_moments_of_thin_masses(depth: float, bend: float) -> None:
     assert worst(ground, centre, radius) < BOUND
     found = Section(ground, centre, radius, 2e4)
     assert found.depth == pytest.approx(radius * depth * (1.0 + 0.4 * bend), rel=0.5)
-
-
-def test_without_compensation_thin_masses_lose_their_digits(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(circles, "_clearance", lambda x, y, r: (r * r - x[0] * x[0] - y[0] * y[0], 0.0 * x[0] * r))
-    assert worst(*thin(1e-8, 0.4)) > 1e3 * BOUND
-
-
-@pytest.mark.parametrize("alpha", [1e-4, 0.03, 0.2, 0.26, 0.7, 1.2, 1.5])
-@pytest.mark.parametrize("dip", [-0.3, 0.0, 0.25, 0.8])
-def test_one_chord_gives_the_arc(alpha: float, dip: float) -> None:
-    middle = 1.5 * math.pi - dip
-    arc = Arc(50.0, middle - alpha, middle + alpha, 2e4)
-    ends = [50.0 * np.array([math.cos(t), math.sin(t)]) for t in (middle - alpha, middle + alpha)]
-    beyond = (ends[1] - ends[0]) / 4
-    found = Section([ends[0] - beyond, ends[1] + beyond], (0.0, 0.0), 50.0, 2e4)
-    loss = 1e-15 / alpha**2  # the ends are rounded, and the depth is of order alpha^2
-    fall, press = arc.amplitudes_per_inertia
-    way = -1.0 if dip < 0 else 1.0
-    expected = (way * fall * math.sin(dip), fall * math.cos(dip), press * math.cos(dip), -way * press * math.sin(dip))
-    assert found.weights[:4] == pytest.approx(expected, rel=1e-13 + loss, abs=1e-13 * fall)
-    assert found.weights.polar == pytest.approx(float(kernels.polar_moment_per_inertia(alpha)), rel=1e-13 + loss)
-    lever = kernels.resistance_factor(alpha) / kernels.moment_of_inertia(alpha)
-    assert found.weights.level == pytest.approx(float(lever), rel=1e-13 + 10 * loss)
-    for name in ("depth", "reference_stress", "time_scale", "half_angle"):
-        assert getattr(found, name) == pytest.approx(float(getattr(arc, name)), rel=1e-13 + 10 * loss), name
-    assert found.depth == pytest.approx(found.sagitta, rel=1e-12 + loss)
-    assert found.dip == pytest.approx(abs(dip), abs=1e-15 + 2e-16 / alpha)
-
-
-def test_invariances() -> None:
-    rng = np.random.default_rng(3)
-    for _ in range(20):
-        ground, centre, radius = bumpy(rng, 6)
-        base = moments(ground, centre, radius)
-        split = [ground[0], *(p for a, b in pairwise(ground)
-                              for p in (((a[0] + b[0]) / 2, (a[1] + b[1]) / 2), b))]  # fmt: skip
-        changed = {
-            "scaled": moments([(8 * x, 8 * y) for x, y in ground], (8 * centre[0], 8 * centre[1]), 8 * radius),
-            "mirrored": moments([(-x, y) for x, y in ground[::-1]], (-centre[0], centre[1]), radius),
-            "split": moments(split, centre, radius),
-        }
-        assert changed["scaled"] == base
-        for name in ("radial_x", "moment_x"):
-            changed["mirrored"][name] *= -1
-        for other in changed.values():
-            for name in MEASURES:
-                size = math.hypot(*(base[k] for k in LENGTHS.get(name, (name,))))
-                assert abs(other[name] - base[name]) < BOUND * size
 
 
 def test_lanes_are_single_sections() -> None:

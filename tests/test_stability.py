@@ -115,16 +115,6 @@ def test_steep_slopes_without_friction_need_no_base() -> None:
     assert critical(deep).factor_of_safety["bishop"] == pytest.approx(0.552, abs=2e-4)
 
 
-@pytest.mark.parametrize(
-    ("slope", "angle", "number"), [(45, 5, 0.136), (45, 10, 0.108), (45, 20, 0.062), (30, 10, 0.075), (30, 20, 0.025)]
-)
-def test_taylor_s_friction_circles(slope: float, angle: float, number: float) -> None:
-    """c/(gamma H) at which F = 1, by another method, read off his chart to two or three digits."""
-    ground = [(-40, 0), (0, 0), (10 / tangent(slope), 10), (70, 10)]
-    found = critical(Slope(ground, number * 20e3 * 10, tangent(angle), 20e3, base=-20))
-    assert found.factor_of_safety["bishop"] == pytest.approx(1.0, abs=0.012)
-
-
 # --- definitions ----------------------------------------------------------------------------------------------------
 
 

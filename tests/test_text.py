@@ -10,7 +10,7 @@ import sympy as sp
 from derive.algebra.remainders import Horner, Select
 from derive.approximate.programs import variants
 from derive.check.proof import ProofError
-from derive.code import emit, operations, text
+from derive.code import emit, text
 from derive.code.program import program
 from derive.declare.symbols import a, alpha, omega_0, t
 from derive.generate import emit_c
@@ -67,16 +67,3 @@ def test_no_line_is_long() -> None:
     wrapped = emit.wrapped(long)
     assert max(map(len, wrapped.split("\n"))) <= 120
     assert eval(wrapped, {"call": dict}) == eval(long, {"call": dict})
-
-
-@pytest.mark.parametrize(
-    ("words", "found"), [("friction: falls", "Friction: falls."), ("dE/d(start) at x", "dE/d(start) at x."),
-                         ("C_theta over C_r", "C_theta over C_r.")]
-)  # fmt: skip
-def test_a_sentence_keeps_its_symbols(words: str, found: str) -> None:
-    assert emit.sentence(words) == found
-
-
-def test_every_operation_of_a_certified_program_has_a_meaning_and_c() -> None:
-    kinds = {op.kind for v in FITTED for op in v.program.ops} - {"input", "const"}
-    assert all(operations.OPERATIONS[k].meaning is not None and operations.OPERATIONS[k].c for k in kinds)

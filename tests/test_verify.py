@@ -251,38 +251,27 @@ def test_vector_balance_by_adding_up_forces() -> None:
 # --- definitions, domains, digits ------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", DEFINITIONS)
-def test_a_definition_is_checked_for_dimension(name: str) -> None:
-    assert BY_ID[name].dimension
-    if not BY_ID[name].expression.startswith("0"):
-        assert moved(name, dimension="M*T") == ("wrong", "cause not found")
+SOLVED = {"expression": "sqrt(a/b)*tanh(sqrt(a*b)*t)"}  # (3.20), mended
+CHANGES: list[tuple[str, dict[str, Any], str]] = [
+    # A definition is checked for its dimension, and what was named before is none.
+    *((name, {"dimension": "M*T"}, "wrong") for name in DEFINITIONS if not BY_ID[name].expression.startswith("0")),
+    *((name, {"kind": "definition"}, "holds") for name in ("(2.21)", "(2.8)", "(2.18)")),
+    ("(2.11)", {"printed": "omega = R (1 - cos(alpha)/cos(theta - theta_1 - alpha))"}, "holds"),
+    # Domains.
+    *((name, {"domain": (domain,)}, verdict) for name, domain, verdict in (
+        ("(2.19)", ("alpha", 0, sp.pi), "wrong"), ("(3.15)", ("alpha", 0, sp.pi), "wrong"),
+        ("(2.19)", ("alpha", 0, sp.pi / 4), "holds"), ("(1.13)", ("omega", -sp.oo, sp.oo), "wrong"),
+        ("(3.4)", ("omega", -sp.oo, 0), "wrong"), ("(3.19)", ("omega_0", -sp.oo, sp.oo), "wrong"),
+        ("(1.13)", ("omega", 1, 2), "definition"))),
+    ("(3.20)", SOLVED, "assumption"),  # that a and b are constant
+    ("(3.20)", SOLVED | {"domain": (("a", -sp.oo, 0), ("b", -sp.oo, 0))}, "wrong"),  # friction above the limit
+]  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ["(2.21)", "(2.8)", "(2.18)"])
-def test_what_was_named_before_is_no_definition(name: str) -> None:
-    assert moved(name, kind="definition")[0] == "holds"
-
-
-def test_a_definition_names() -> None:
-    assert moved("(2.11)", printed="omega = R (1 - cos(alpha)/cos(theta - theta_1 - alpha))")[0] == "holds"
-
-
-@pytest.mark.parametrize(
-    ("name", "domain", "verdict"),
-    [("(2.19)", ("alpha", 0, sp.pi), "wrong"), ("(3.15)", ("alpha", 0, sp.pi), "wrong"),
-     ("(2.19)", ("alpha", 0, sp.pi / 4), "holds"), ("(1.13)", ("omega", -sp.oo, sp.oo), "wrong"),
-     ("(3.4)", ("omega", -sp.oo, 0), "wrong"), ("(3.19)", ("omega_0", -sp.oo, sp.oo), "wrong"),
-     ("(1.13)", ("omega", 1, 2), "definition")],
-)  # fmt: skip
-def test_a_changed_domain_moves_the_verdict(name: str, domain: tuple[str, Any, Any], verdict: str) -> None:
-    assert moved(name, domain=(domain,))[0] == verdict
-
-
-def test_the_solution_asks_for_friction_below_the_limit() -> None:
-    mended = {"expression": "sqrt(a/b)*tanh(sqrt(a*b)*t)"}
-    assert moved("(3.20)", **mended)[0] == "assumption"  # that a and b are constant
-    braked = (("a", -sp.oo, 0), ("b", -sp.oo, 0))
-    assert moved("(3.20)", **mended, domain=braked)[0] == "wrong"
+@pytest.mark.parametrize(("name", "changes", "verdict"), CHANGES)
+def test_a_change_moves_the_verdict(name: str, changes: dict[str, Any], verdict: str) -> None:
+    assert BY_ID[name].dimension or "dimension" not in changes
+    assert moved(name, **changes)[0] == verdict
 
 
 def test_gravity_is_implied_though_not_stated(judged: dict[str, Row]) -> None:
