@@ -118,21 +118,16 @@ def chosen() -> Iterator[tuple[str, Data]]:
     for where, effects in (("frozen", {}), ("turning", TURNING)):
         shaken = scene(0.36, effects | {"shaking": quake}, 0.0, 7.0)
         yield f"rests in between, {where}", shaken
-        yield f"rests in between, {where}, mirrored", mirrored(shaken)
         both = scene(0.36, effects | {"shaking": quake | {"amplitude": 0.7, "two_way": True}}, 0.0, 7.0)
         yield f"shaken both ways, {where}", both
-        yield f"shaken both ways, {where}, mirrored", mirrored(both)
         yield f"ends in a rest, {where}", shaken | {"end_time": 0.05}
         yield f"ends while it slides, {where}", shaken | {"end_time": 0.7}
         yield f"record both ways, {where}", scene(0.3, effects | {"shaking": RECORD | {"two_way": True}}, -0.4, 6.0)
     yield "stays", scene(0.4, TURNING)
-    yield "stays, mirrored", mirrored(scene(0.4, TURNING))
     yield "stays until its end time", scene(0.4, {}, 0.0, 3.0)
     yield "pushed and rests, frozen", scene(0.4, {"centripetal": {}}, 5.0)
-    yield "pushed and rests, frozen, mirrored", mirrored(scene(0.4, {"centripetal": {}}, 5.0))
     yield "pushed up and stays there", scene(0.5, TURNING, -4.0)
     yield "swings back twice", scene(0.04, TURNING)
-    yield "swings back, mirrored", mirrored(scene(0.04, TURNING))
     yield "ends on its way back", scene(0.04, TURNING, 0.0, 16.0)
     yield "without friction", scene(0.0, TURNING)
     yield "without friction, cohesion stops it", scene(0.0, TURNING | {"cohesion": {"cohesion": 2e3}})
@@ -144,12 +139,7 @@ def chosen() -> Iterator[tuple[str, Data]]:
         carried = scene(mu, {"rotation": {}, "pore_pressure": {"pressure": pressure}, "cohesion": {"cohesion": 4e3}},
                         velocity)  # fmt: skip
         yield f"lifts off and lands, pushed {words}", carried
-        yield f"lifts off and lands, pushed {words}, mirrored", mirrored(carried)
     yield "lifted from the start", scene(0.2, wet | {"pore_pressure": {"pressure": 2.6e5}}, 0.0, 3.0)
-    yield (
-        "lifted from the start, mirrored",
-        mirrored(scene(0.2, wet | {"pore_pressure": {"pressure": 2.6e5}, "cohesion": {"cohesion": 1e3}}, 0.0, 3.0)),
-    )
     yield "lifted by shaking", scene(0.5, TURNING | {"shaking": {"pulse": "half-sine", "amplitude": 0.2,
           "vertical_amplitude": 1.6, "duration": 0.8}})  # fmt: skip
     yield "lifted by shaking at rest", scene(0.9, TURNING | {"cohesion": {"cohesion": 2e5}, "shaking": {

@@ -2,7 +2,6 @@
 
 import dataclasses
 import math
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -44,24 +43,20 @@ def random_arcs(count: int, seed: int) -> list[Arc]:
 
 
 def references(arc: Arc) -> dict[str, arb]:
-    """The dimensionless coefficients of the exact two angles."""
-    theta_1, theta_2 = ends(arc)
-    half = (Fraction(theta_2) - Fraction(theta_1)) / 2
-    pressing, _ = oracle.whole("radial_weight", theta_1, theta_2)
-    turning = abs(oracle.whole("weight_moment", theta_1, theta_2)[0])  # positive down-slope
-    names = ("moment_of_inertia", "resistance_factor", "polar_moment")
-    inertia, factor, polar = (oracle.kernel(name, half) for name in names)
+    """The dimensionless coefficients of the exact two angles, positive down-slope."""
     with ctx.workprec(oracle.BITS + 40):
+        m = oracle.moments(oracle.plain(arc))
+        fall, press = m["fall"] * m["dip"].sin(), m["press"] * m["dip"].cos()
         return {
-            "moment_of_inertia": inertia,
-            "radial_weight": pressing,
-            "weight_moment": turning,
-            "resistance_factor": factor,
-            "dynamic_coefficient": polar / factor,
-            "static_normal_stress": pressing / factor,
-            "limit_friction": turning / pressing,
-            "radial_weight_per_inertia": pressing / inertia,
-            "polar_moment_per_inertia": polar / inertia,
+            "moment_of_inertia": m["inertia"],
+            "radial_weight": press * m["inertia"],
+            "weight_moment": fall * m["inertia"],
+            "resistance_factor": m["level"] * m["inertia"],
+            "dynamic_coefficient": m["polar"] / m["level"],
+            "static_normal_stress": press / m["level"],
+            "limit_friction": fall / press,
+            "radial_weight_per_inertia": press,
+            "polar_moment_per_inertia": m["polar"],
         }
 
 

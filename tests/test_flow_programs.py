@@ -11,7 +11,7 @@ from flint import arb, arb_series, ctx
 
 from derive.check.proof import ProofError
 from derive.declare import effects as declared
-from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
+from derive.declare.effects import EFFECTS, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations
 from generated import flow, series
 from slipcircle.flow.program import Program, join
@@ -84,13 +84,8 @@ def parameter(name: str) -> Parameter:
     return Parameter(name, "", 0.0, 1e3, "of a test", name, symbol=sp.Symbol(name, real=True), dimensionless=VALUE)
 
 
-FADING, SCALE, COLLAPSE, DILATION, WIDENING = (sp.Symbol(x, real=True) for x in ("fading", "scale", "collapse",
-                                                                            "dilation", "widening"))  # fmt: skip
-WIDTH = sp.Symbol("width", real=True)
+COLLAPSE, DILATION, WIDENING, WIDTH = (sp.Symbol(x, real=True) for x in ("collapse", "dilation", "widening", "width"))
 NEW = (
-    # Of slip: cohesion that is lost with the slip. Of speed: a resistance by a power of it.
-    Effect("fading_cohesion", "", (parameter("fading"), parameter("scale")), ("slip",), "strength that slip destroys",
-           resistance=LAMBDA * FADING * sp.exp(-SLIP / SCALE)),
     Effect("collapse", "", (parameter("collapse"),), ("speed",), "a resistance that saturates",
            resistance=THETA * COLLAPSE * OMEGA / (1 + OMEGA) ** sp.Rational(3, 2)),
     # With a state of its own: dilation opens pores, which lowers their pressure, as long as it goes on.
@@ -101,9 +96,7 @@ NEW_LAW = Law("stiffening", "", (parameter("first"), parameter("last")), ("slip"
               sp.Symbol("first", real=True) + sp.Symbol("last", real=True) * sp.root(1 + SLIP, 4))  # fmt: skip
 
 
-def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
-    fresh: None, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_effects_of_speed_and_with_a_state_by_declaration_alone(fresh: None, monkeypatch: pytest.MonkeyPatch) -> None:
     """One of each, and a law: from its declaration to a program that is its equation."""
     space: dict[str, Any] = {"__name__": "declared"}
     exec(emit.module((*EFFECTS, *NEW), (*LAWS, NEW_LAW)), space)
@@ -113,8 +106,8 @@ def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
     ctx.prec, ctx.cap = 120, order + 1
     program = join(("rotation", *(e.name for e in NEW)), ("stiffening",))
     rng = random.Random(2)
-    names = ("fall", "fall_slope", "press", "press_slope", "level", "polar", "fading", "scale", "collapse", "dilation",
-             "widening", "stiffening.first", "stiffening.last", "width", "SLIP", "TIME", "ROTATION")  # fmt: skip
+    names = ("fall", "fall_slope", "press", "press_slope", "level", "polar", "collapse", "dilation", "widening",
+             "stiffening.first", "stiffening.last", "width", "SLIP", "TIME", "ROTATION")  # fmt: skip
     given = {x: rng.uniform(0.1, 0.9) for x in names} | {"DIRECTION": 1.0} | program.constants
     c = np.array([[given.get(x, 0.0)] for x in program.cells])
     series.scalar_ops(program.scalar, c)
@@ -134,8 +127,7 @@ def test_effects_of_slip_of_speed_and_with_a_state_by_declaration_alone(
         press = p["press"] * turned.cos() - p["press_slope"] * turned.sin()
         mu = p["stiffening.first"] + p["stiffening.last"] * ((one + p["SLIP"] + x).log() / 4).exp()
         normal = press + p["level"] * p["dilation"] * width
-        net = fall - mu * normal - p["level"] * p["fading"] * (-(p["SLIP"] + x) / p["scale"]).exp()
-        net = net - p["collapse"] * w / ((one + w) * (one + w).sqrt())
+        net = fall - mu * normal - p["collapse"] * w / ((one + w) * (one + w).sqrt())
         grown = p["widening"] * (one - width) * mu * w
         x, w, width = (s + rate.integral() for s, rate in zip(start, (w, net, grown), strict=True))
     for name, wanted in (("x", x), ("omega", w), ("width", width)):
