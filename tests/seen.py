@@ -64,10 +64,6 @@ class Inputs(NamedTuple):
     alpha: Floats
     even: NDArray[np.bool_]
 
-    def every(self, step: int) -> "Inputs":
-        """A part of them, in which every kind of input has its share."""
-        return Inputs(self.alpha[::step], self.even[::step])
-
 
 def inputs(count: int = 1_000_000) -> Inputs:
     """For every kernel, tier and form the same.
@@ -355,9 +351,6 @@ def table(names: Iterable[str], at: Reference, even: NDArray[np.bool_]) -> Itera
         worst = (f"{claim} {e:.4g} <= {r[claim]:.3g} at {x.hex()}" for claim, (e, x) in seen.worst.items())
         line = f"{r['kernel']:<31} {r['tier']:<7} {r['form']:<5} {run.level:<8} {bias}  "
         yield f"{line}{', '.join(worst)} {TIERS[r['tier']].unit}", seen.faults
-
-
-# --- command line ----------------------------------------------------------------------------------------------------
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

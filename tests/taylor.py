@@ -23,9 +23,6 @@ class Unfit(Exception):
     """The scene turns over or never ends."""
 
 
-# --- a scene in numbers ----------------------------------------------------------------------------------------------
-
-
 class Problem:
     """A scene's equation of motion, all over Theta*, in dimensionless time; see (2.20), (3.11)."""
 
@@ -107,9 +104,6 @@ class Problem:
         return fall * (self.fall * side), (press - along * ratio) * self.press - water * self.level
 
 
-# --- series ----------------------------------------------------------------------------------------------------------
-
-
 def value(series: arb_series, h: arb) -> arb:
     found = arb(0)
     for k in range(series.length() - 1, -1, -1):
@@ -146,9 +140,6 @@ def zero(series: arb_series, h: arb, passed: bool = False) -> arb | None:
         if abs(step) <= abs(at) * arb(2) ** (8 - ctx.prec):
             break
     return at
-
-
-# --- the motion ------------------------------------------------------------------------------------------------------
 
 
 class Step(NamedTuple):

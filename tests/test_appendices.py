@@ -24,7 +24,7 @@ from derive.algebra.appendices import (
 )
 from derive.algebra.integrate import quadrature
 from derive.check.proof import ProofError
-from derive.declare.symbols import alpha, r, theta, theta_1, theta_2, theta_m
+from derive.declare.symbols import alpha, theta_1, theta_2, theta_m
 
 ROOT = Path(__file__).parents[1]
 each = pytest.mark.parametrize("appendix", APPENDICES, ids=lambda appendix: appendix.name)
@@ -79,23 +79,6 @@ def test_print_one_line_and_quadrature_agree(appendix: Appendix, start: str, end
         assert abs(evaluate(line, *at) - integral) < abs(integral) * mp.mpf(10) ** -DIGITS
 
 
-SINE, COSINE = sp.sin(alpha), sp.cos(alpha)
-AMPLITUDES = {
-    1: SINE - COSINE**2 * sp.atanh(SINE),
-    2: sp.Rational(2, 3) * SINE**3,
-    3: (2 * SINE - COSINE**4 * (SINE / COSINE**2 + sp.atanh(SINE))) / 4,
-}
-
-
-@pytest.mark.parametrize("weight", [-sp.sin(theta), -sp.cos(theta), 2 * sp.sin(theta) + sp.cos(theta)])
-@pytest.mark.parametrize("n", AMPLITUDES)
-def test_the_integrand_is_found(n: int, weight: sp.Expr) -> None:
-    amplitude = AMPLITUDES[n]  # of r^n cos(u) about the bisector, where sin(u) integrates to nothing
-    for at in (0.3, 1.2):
-        assert abs(quadrature(r**n * sp.cos(theta), -at, at, 15) - float(amplitude.subs(alpha, at))) < 1e-14
-    assert sp.expand(integrand(amplitude * weight.subs(theta, theta_m)) - r**n * weight) == 0
-
-
 @pytest.mark.parametrize(
     "change",
     [lambda e: e + sp.sin(theta_m), lambda e: e * sp.cos(alpha), lambda e: e * sp.sin(theta_m), lambda e: e * alpha],
@@ -138,9 +121,6 @@ def test_unknown_notation_is_refused() -> None:
         parse(replace(APPENDIX_I, printed="1 + x?"))
     with pytest.raises(ValueError, match="without partner"):
         parse(replace(APPENDIX_I, printed="(1 + sa"))
-
-
-# --- planted misprints -----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

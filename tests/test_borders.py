@@ -21,8 +21,6 @@ def motion(given: golden.Data) -> Motion:
     return found
 
 
-# --- what does nothing -----------------------------------------------------------------------------------------------
-
 FLAT = {"time": [0.0, 1.0, 2.5], "horizontal": [0.0, 0.0, 0.0]}
 NOTHING: dict[str, Any] = {
     "a record of zeros": {"shaking": FLAT},
@@ -70,9 +68,6 @@ def test_a_law_that_does_not_change_is_constant_friction() -> None:
             assert not golden.differences(law["law"], motion(golden.scene(law, golden.TURNING, velocity)), kept)
 
 
-# --- peaks cut short -------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("velocity", "bump"), [(0.0, 0.36), (2.0, 0.6), (-2.0, 0.36)])
 def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) -> None:
     """It is the first until the second is faster, the end where speed still grows, each to the estimate."""
@@ -95,9 +90,6 @@ def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) ->
         if found.peak.time == found.duration:
             assert found.peak == found.end
             assert abs(found.peak.acceleration) > 1e-3
-
-
-# --- restarts --------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mirror", [False, True])
@@ -125,9 +117,6 @@ def test_a_restart_within_rounding_is_no_certainty(effects: dict[str, Any], mirr
     turned = golden.scene(stays, {"rotation": {}}, 0.0, 1.0, theta_1=golden.SLOPE["theta_1"] - up,
                           theta_2=golden.SLOPE["theta_2"] - up)  # fmt: skip
     assert motion(turned).limit_friction == pytest.approx(stays, rel=1e-12)
-
-
-# --- workers ---------------------------------------------------------------------------------------------------------
 
 
 def test_as_many_workers_as_asked_for(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

@@ -24,9 +24,6 @@ needs_compiler = pytest.mark.skipif(
 )
 
 
-# --- the object ----------------------------------------------------------------------------------------------------
-
-
 def loops_in(binary: Path) -> Iterator[tuple[str, list[str]]]:
     """Instructions of every loop, by its name."""
     text = subprocess.run(["objdump", "-d", "--no-show-raw-insn", binary], capture_output=True, text=True, check=True)
@@ -52,9 +49,6 @@ def test_loops_are_wide_and_call_nothing() -> None:
         assert sum(bool(re.match(wide, x)) for x in code) >= 3, f"{name} is not a vector loop"
         if level == "baseline":
             assert not [x for x in code if re.match(r"v|.*[yz]mm", x)], f"{name} needs more than a baseline processor"
-
-
-# --- the build -----------------------------------------------------------------------------------------------------
 
 
 def small(folder: Path, change: Callable[[str], str] = str) -> Path:

@@ -352,9 +352,6 @@ def test_a_refusal_passes_between_processes() -> None:
     assert (type(passed), str(passed), passed.check) == (type(refusal), str(refusal), "bound")
 
 
-# --- independence --------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("module", [certify, rounding, truth, proof, records, table])
 def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
     for node in ast.walk(ast.parse(Path(module.__file__).read_text("utf-8"))):

@@ -50,9 +50,6 @@ def test_stable_quotient_equals_the_ratio_of_closed_forms(quotient: object, half
         assert abs(ours / sp.lambdify(alpha, ratio, "mpmath")(mpf(half)) - 1) < mpf(10) ** -DIGITS
 
 
-# --- the motion ----------------------------------------------------------------------------------------------------
-
-
 def test_balance_is_proved() -> None:
     steps = dynamics.balance()
     assert {"2.20", "3.8", "3.11", "3.16", "3.17", "3.18", "3.21"} <= set(steps)
@@ -64,9 +61,6 @@ def test_every_piece_of_every_motion_formula_is_proved() -> None:
     for name in ("angular_velocity", "angular_acceleration", "rotation"):
         assert {f"{name}, a b t**2 > 1", f"{name}, a b t**2 <= 1"} <= set(claims)
     assert any("arrest" in c for c in claims)
-
-
-# --- planted bugs: none is proved ---------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", oracle.BASE)

@@ -25,9 +25,6 @@ def fresh() -> Iterator[None]:
     join.cache_clear()
 
 
-# --- operations ------------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("name", operations.OPERATIONS)
 def test_a_wrong_recurrence_is_no_theorem(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     right = operations.OPERATIONS[name]
@@ -55,9 +52,6 @@ def test_increments_keep_their_digits() -> None:
         assert r[1, 0, 0] == pytest.approx(wanted, rel=1e-15)
 
 
-# --- programs --------------------------------------------------------------------------------------------------------
-
-
 def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
 
     def names(p: Program) -> list[str]:
@@ -75,9 +69,6 @@ def test_a_program_holds_what_its_scene_calls_for_and_nothing_else() -> None:
     one = join(("rotation", "shaking"), ("constant",), moving=("k_h",), absent=("k_v",))
     both = join(("rotation", "shaking"), ("constant",), moving=("k_h", "k_v"))
     assert (names(one).count("mul"), names(both).count("mul")) == (2, 4)
-
-
-# --- declarations ----------------------------------------------------------------------------------------------------
 
 
 def parameter(name: str) -> Parameter:

@@ -166,9 +166,6 @@ def test_energy_balances_and_adds_up(name: str) -> None:
         assert motion.energy.work == pytest.approx(moment * motion.end.rotation, rel=1e-11, abs=1e-12 * float(total))
 
 
-# --- against the definitions -----------------------------------------------------------------------------------------
-
-
 def moments(given: golden.Data) -> dict[str, float]:
     """Moments of the definitions by quadrature, over the moment of inertia, and the dip."""
     with ctx.workprec(160):

@@ -170,9 +170,6 @@ except ImportError as error:
     assert str(foreign) in python(code, tmp_path)
 
 
-# --- the wheel -----------------------------------------------------------------------------------------------------
-
-
 def test_wheel_holds_the_three_packages_and_works_away_from_here(tmp_path: Path) -> None:
     succeed(sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", tmp_path)
     (wheel,) = tmp_path.glob("slipcircle-*.whl")

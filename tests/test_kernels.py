@@ -105,9 +105,6 @@ def amplitude(name: str) -> Kernel:
     return _compiled.kernel(oracle.WHOLE[name], kernels.TEXTS[oracle.WHOLE[name]], "numpy")
 
 
-# --- the oracle itself ---------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 @pytest.mark.parametrize("theta_1", [3.25, 5.0])
 def test_the_oracle_agrees_with_quadrature_over_the_uncentred_chord(moment: Any, theta_1: float) -> None:
@@ -123,17 +120,11 @@ def test_the_oracle_agrees_with_quadrature_over_the_uncentred_chord(moment: Any,
         assert abs(mpmath.mpf(reference.str(45, radius=False)) / value - 1) < mpmath.mpf(10) ** -35
 
 
-# --- the kernels of alpha ------------------------------------------------------------------------------------------
-
-
 @each_kernel
 def test_accuracy(name: str) -> None:
     """At most 16 ulp, everywhere on the domain, without a warning."""
     error, at = errors(getattr(kernels, name), name, angles())[0]
     assert error <= BOUND, f"{name}({at!r}) is wrong by {error:.1f} ulp"
-
-
-# --- the weights of (theta_1, theta_2) -----------------------------------------------------------------------------
 
 
 @each_weight

@@ -16,9 +16,6 @@ def limit_friction(arc: Arc) -> float:
     return float(abs(arc.dimensionless.limit_friction))
 
 
-# --- rest is an answer ---------------------------------------------------------------------------------------------
-
-
 @BOTH
 def test_an_end_before_the_arrest_is_the_end(effects: tuple[str, ...]) -> None:
     to_rest = solve(Scene(VAIONT, 0.6, effects, initial_velocity=12.0))
@@ -35,12 +32,6 @@ def test_a_slide_that_never_rests_needs_an_end(effects: tuple[str, ...]) -> None
     for mu, velocity in ((0.1, 0.0), (0.0, 0.0), (0.0, -3.0), (limit_friction(VAIONT), 5.0)):
         with pytest.raises(ValueError, match=r"^end_time: .*never rests.* give end_time in s$"):
             solve(Scene(VAIONT, mu, effects, velocity))
-
-
-# --- balances ------------------------------------------------------------------------------------------------------
-
-
-# --- times ---------------------------------------------------------------------------------------------------------
 
 
 def test_times_of_any_shape() -> None:
@@ -99,9 +90,6 @@ def test_the_end_itself_may_be_asked_for() -> None:
 def test_scenes_that_cannot_be_solved(scene: Scene, said: str) -> None:
     with pytest.raises(ValueError, match=said):
         solve(scene)
-
-
-# --- the paper's slide ---------------------------------------------------------------------------------------------
 
 
 def test_vaiont_as_printed_is_the_papers_motion() -> None:

@@ -115,8 +115,6 @@ def errors(formula: Formula, name: str) -> list[tuple[float, tuple[float, ...]]]
     )
 
 
-# --- the oracle itself ---------------------------------------------------------------------------------------------
-
 RIDES = [(0.7, 0.4, 0.2, 1), (0.7, -0.4, 0.2, 1.1), (-0.7, 0.4, 0.9, 1.3), (-0.7, -0.4, -0.1, 1.2), (0.9, 2.0, -0.5, 2)]
 
 
@@ -146,9 +144,6 @@ def test_the_oracle_agrees_with_quadrature_at_the_arrest(braked: tuple[float, ..
             reference = oracle.motion(f"frozen_{name}", *braked)
             assert reference is not None
             assert abs(reference.value / value - 1) < mpf(10) ** -22, name
-
-
-# --- the formulas --------------------------------------------------------------------------------------------------
 
 
 def test_every_formula_has_a_reference() -> None:

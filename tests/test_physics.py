@@ -37,9 +37,6 @@ def residual(motion: Motion, count: int = 21) -> float:
     return size(np.asarray(energy.residual)[total > 0.0] / total[total > 0.0])
 
 
-# --- rest is an answer ---------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("seed", range(2))
 def test_rest_and_the_printed_limit_agree_to_the_last_bit(seed: int) -> None:
     """From rest, every combination of what depends on position and speed, on any arc."""
@@ -61,9 +58,6 @@ def test_rest_and_the_printed_limit_agree_to_the_last_bit(seed: int) -> None:
             assert (motion.yield_coefficient < 0.0) == moves
             if not moves:
                 assert (motion.arrested, motion.duration, motion.run_out) == (True, 0.0, 0.0)
-
-
-# --- checks that no one here made up -------------------------------------------------------------------------------
 
 
 def dipping(dip: float, half: float, radius: float = 300.0) -> Arc:
@@ -122,12 +116,6 @@ def test_a_thin_arc_is_a_block_on_an_incline(half: float) -> None:
     # Curvature adds v**2/R, and turns the slope by s/R: little, on such a radius.
     full = solve(Scene(arc, 1.5, ("rotation", "centripetal"), initial_velocity=20.0))
     assert full.run_out == pytest.approx(braked.run_out, rel=1e-2 * half**2 + tolerance)
-
-
-# --- symmetries ----------------------------------------------------------------------------------------------------
-
-
-# --- peak, arrest, friction, lift-off ------------------------------------------------------------------------------
 
 
 def test_a_short_flight_between_samples_is_found() -> None:

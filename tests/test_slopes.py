@@ -130,9 +130,6 @@ def test_lanes_are_single_sections() -> None:
     assert common.centroid.shape == (2, 2, 2)
 
 
-# --- circles --------------------------------------------------------------------------------------------------------
-
-
 def test_circles_as_people_give_them() -> None:
     p, q = (3.0, 12.0), (25.0, 2.0)
     for centre, radius in (
@@ -153,9 +150,3 @@ def test_circles_as_people_give_them() -> None:
             circle_through(p, q, **wrong)
     assert simple_slope(10.0, angle=math.pi / 4)[1] == pytest.approx([-10.0, 10.0])
     assert simple_slope(10.0, run=5.0)[1] == pytest.approx([-5.0, 10.0])
-
-
-# --- water ----------------------------------------------------------------------------------------------------------
-
-
-# --- derivation -----------------------------------------------------------------------------------------------------

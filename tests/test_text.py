@@ -5,14 +5,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-import sympy as sp
 
-from derive.algebra.remainders import Horner, Select
 from derive.approximate.programs import variants
 from derive.check.proof import ProofError
 from derive.code import emit, text
-from derive.code.program import program
-from derive.declare.symbols import a, alpha, omega_0, t
 from derive.generate import emit_c
 
 FITTED = [v for v in variants() if v.form != "numpy"]
@@ -48,18 +44,6 @@ def test_c_that_does_something_else_is_refused(form: str, monkeypatch: pytest.Mo
     monkeypatch.setattr(emit_c, "C", replace(emit_c.C, number=lambda x: float(np.nextafter(x, 2)).hex()))
     with pytest.raises(ProofError, match=r"text that was written: found .* wanted"):
         emit_c.CText(form).functions("kernel", chosen.program)
-
-
-def test_named_parts_and_polynomials() -> None:
-    """A choice at a seam has a near and a far piece, Horner's scheme its coefficients, and a part is called."""
-    series = Horner(alpha**2, sp.Rational(1, 3), sp.Rational(1, 5), sp.Rational(1, 7))
-    inner = program("inner", ("alpha",), Select(alpha, sp.Rational(1, 2), alpha * series, 1 / (alpha + sp.cos(alpha))))
-    outer = program("outer", ("a", "t"), omega_0 + t, let={alpha: a * t, omega_0: inner})
-    written = emit.PythonText()
-    first = written.body(inner)
-    assert "horner(alpha_2, (0.3333333333333333, 0.2, 0.14285714285714285))" in first
-    assert "return np.where(alpha < 0.5, near, far)" in first
-    assert "_inner(alpha)" in written.body(outer)
 
 
 def test_no_line_is_long() -> None:

@@ -35,9 +35,6 @@ def test_undrained_adiabatic_decay(friction: Any) -> None:
         )
 
 
-# --- limits ----------------------------------------------------------------------------------------------------------
-
-
 def test_constant_shaking_tilts_gravity() -> None:
     """k_h and k_v that never change: an arc of another dip under another gravity."""
     k_h, k_v = 0.15, 0.2
@@ -51,9 +48,6 @@ def test_constant_shaking_tilts_gravity() -> None:
     assert shaken.run_out == pytest.approx(tilted.run_out, rel=1e-9)
     assert shaken.duration == pytest.approx(tilted.duration, rel=1e-9)
     assert shaken.peak.velocity == pytest.approx(tilted.peak.velocity, rel=1e-9)
-
-
-# --- starts, stops and restarts --------------------------------------------------------------------------------------
 
 
 def test_shaking_that_ends_while_it_slides_and_a_rest_before_the_end_time() -> None:
@@ -76,9 +70,6 @@ def test_water_that_rises_later_starts_it_later() -> None:
     limit = float(ARC.dimensionless.limit_friction)
     assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-7)  # slower than rounding
     assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
-
-
-# --- hard cases ------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("amplitude", [1e3, 1e9])
