@@ -99,7 +99,7 @@ def test_effects_of_speed_and_with_a_state_by_declaration_alone(fresh: None, mon
     rng = random.Random(2)
     names = ("fall", "fall_slope", "press", "press_slope", "level", "polar", "collapse", "dilation", "widening",
              "stiffening.first", "stiffening.last", "width", "SLIP", "TIME", "ROTATION")  # fmt: skip
-    given = {x: rng.uniform(0.1, 0.9) for x in names} | {"DIRECTION": 1.0} | program.constants
+    given = {x: rng.uniform(0.1, 0.9) for x in names} | {"DIRECTION": 1.0} | dict(program.constants)
     c = np.array([[given.get(x, 0.0)] for x in program.cells])
     series.scalar_ops(program.scalar, c)
     now, r = {"x": 0.2, "omega": 0.7, "width": 0.4}, np.zeros((len(program.registers), order + 1, 1))
