@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 3d3ac5088020e4aff770807ecb3acb8932d459f2258c2ca8537e4412b8ffa65b
+# sha256 of the text below: 4bfebe7cbd7d6c2877ad7a50265eb7a4f9d0b8b211b601ac10a43083f67e0660
 """Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
 Fragments are joined to a scene's program by the names of what they make and take. ``..._0`` is a number where the phase
@@ -32,41 +32,6 @@ class Fragment(NamedTuple):
 # The names of an operation's results and arguments, and the operations that make the tangents of its results: a prime
 # marks a tangent, other names are for what is made on the way.
 Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
-
-# Cells that every program has, first and in this order.
-MEANINGS = {
-    'TIME': 't* at the start of the next step',
-    'ROTATION': 'rotation where the phase began, signed',
-    'SLIP': 'slip over the radius where the phase began',
-    'DIRECTION': 'of travel, 1 or -1; 0 at rest',
-    'LIFTED': '1 where nothing presses on the slip surface, else 0',
-    'STATUS': 'what the lane is doing',
-    'STEPS': 'steps taken',
-    'PHASES': 'phases ended',
-    'ORDER': 'of its series',
-    'FACTOR': 'length of a step over the radius of convergence',
-    'END_TIME': 't* at which it ends at the latest',
-    'ONE_WAY': '1 where shaking may start it down-slope only',
-    'FIRST_ONLY': '1 where the first standstill ends it',
-    'LIMIT': 'limit friction of weight alone at the start',
-    'PEAK_TIME': 't* of the greatest speed',
-    'PEAK_ROTATION': 'rotation then, signed',
-    'PEAK_OMEGA': 'omega* then, signed',
-    'PEAK_RATE': 'd omega*/dt* then, signed',
-    'REACH_TIME': 't* of the greatest rotation from the start',
-    'REACH_ROTATION': 'that rotation, signed',
-    'END_ROTATION': 'rotation at the end, signed',
-    'END_OMEGA': 'omega* then, signed',
-    'END_RATE': 'd omega*/dt* then, signed',
-    'CLOSE': 'least margin of a decision at rest, over its terms',
-    'LIFT_TIME': 't* of the first lift-off',
-    'PASSED': 'what the phase began by passing',
-    'REST_SINCE': 't* of the standstill that it rests from',
-    'TURNS': 'phases that began against the one before',
-    'LAST_WAY': 'direction of the last phase',
-    'x': 'rotation since the phase began, in the direction of travel',
-    'omega': 'its rate, omega*',
-}
 
 # Numbers that every scene gives.
 INPUTS = {
@@ -760,5 +725,4 @@ FRAGMENTS: dict[str, Fragment] = {
     ),
 }
 
-CELLS = tuple(MEANINGS)
 QUANTITIES = ('driving', 'resisting', 'pressing', 'lifting')  # what fragments add to

@@ -332,8 +332,11 @@ def fresh(count: int, seed: int, sections: bool) -> int:
     if not sections:
         parts = ((STEADY, 3), (TIMED, 1))
         asked = [(list(of)[k % len(of)], k // len(of)) for of, share in parts for k in range(share * count // 4)]
+    found = list[Found]()
     with ProcessPoolExecutor(2) as pool:
-        found = list(pool.map(partial(judged, seed=seed), asked, chunksize=4))
+        for one in pool.map(partial(judged, seed=seed), asked, chunksize=4):
+            found.append(one)
+            print(f"\r{len(found)} of {len(asked)} scenes", end="", file=sys.stderr, flush=True)
     print(f"{'kind':22} scenes  worst error  least estimate/error")
     for group in dict.fromkeys(f.group for f in found):
         own = [f for f in found if f.group == group]

@@ -18,8 +18,8 @@ import taylor
 from mpmath import mpf
 
 import slipcircle
+from generated import cells as its
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.flow import cells as its
 from slipcircle.flow.bind import Bound
 
 DATA = references.FILE.read_bytes()

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 import slipcircle
+from generated import cells as its
 from slipcircle.base.series import Pulse, Series
-from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, walk
 from slipcircle.flow.bind import Bound, bind
+from slipcircle.flow.program import Log, Samples
 
 pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled walk here")
 
@@ -95,8 +96,8 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
     found: list[Any] = []
     for walker in (compiled.run, walk.walk):
         times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / np.float64(bound.time_scale), (1, LANES))
-        samples = its.Samples(times, np.full((4, 61, LANES), np.nan))
-        log: its.Log = []
+        samples = Samples(times, np.full((4, 61, LANES), np.nan))
+        log: Log = []
         walker(bound.program, bound.tables, bound.cells.copy(), samples, log)
         found.append((samples.states, [(kind, round(t, 9)) for kind, t, *_ in log if kind in (its.BEGINS, its.STANDS)]))
     states, other = found[0][0], found[1][0]

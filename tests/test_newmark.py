@@ -305,6 +305,18 @@ def test_samples_exactly_at_the_yield_coefficient() -> None:
     assert shaken(series([0, 1, 2, 3], [0, n, np.nextafter(n, 1.0), 0])).moves
 
 
+@pytest.mark.parametrize("name", ["rectangular", "half-sine", "triangular", "sine"])
+@pytest.mark.parametrize("ulps", [-512, -2, -1, 0, 1, 2, 512])
+def test_next_to_the_yield_coefficient(name: str, ulps: int) -> None:
+    """Where rounding decides, the estimate says so, and all that may be moved is nothing, within the pulse's time."""
+    n = shaken(Pulse(name, 0.1, 0.5, 1.0)).yield_coefficient
+    motion = shaken(Pulse(name, n * (1 + ulps * 2.0**-53), 0.5, 1.0))
+    assert abs(motion.run_out) < 1e-12
+    assert motion.duration < 1.5 + 1e-6
+    assert motion.moves == (ulps > 0) or abs(ulps) < 100
+    assert motion.error_estimate > 0.3 or ulps < -100
+
+
 @pytest.mark.parametrize("horizontal", [series([0, 1, 2], [0, 0, 0]), Pulse("half-sine", -5.0, 0.0, 1.0)])
 def test_no_shaking_or_up_slope_only(horizontal: Any) -> None:
     motion = shaken(horizontal)

@@ -9,8 +9,8 @@ import pytest
 import references
 import section_references
 
+from generated import cells as its
 from slipcircle import Motion, Scene, Section, solve
-from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, walk
 from slipcircle.flow.bind import bind
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
-from derive.flow.fragments import CELLS, INPUTS, QUANTITIES, fragments, pieces
+from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import Fragment
 from derive.flow.operations import OPERATIONS
 from derive.flow.tangents import of_cells, of_series
@@ -38,7 +38,6 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
     parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
     kinked = {law.name: _pieces(law) for law in laws if law.kinks}
     blocks = (
-        ("cells that every program has, first and in this order", "MEANINGS", {x: repr(y) for x, y in CELLS.items()}),
         ("numbers that every scene gives", "INPUTS", {x: repr(y) for x, y in INPUTS.items()}),
         ("laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
          "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]", kinked),
@@ -50,7 +49,7 @@ def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> s
     for comment, name, rows in blocks:
         lines = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
         text.append(f"# {comment[0].upper()}{comment[1:]}.\n{name} = {{\n{lines}}}\n\n")
-    return "".join(text) + f"CELLS = tuple(MEANINGS)\nQUANTITIES = {QUANTITIES!r}  # what fragments add to\n"
+    return "".join(text) + f"QUANTITIES = {QUANTITIES!r}  # what fragments add to\n"
 
 
 def _pieces(law: Law) -> str:

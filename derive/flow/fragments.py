@@ -25,40 +25,6 @@ from derive.declare.effects import (
 )
 from derive.flow.lowering import Fragment, Increment, Lowering, cell, series, total
 
-# Cells that every program has, first and in this order, with what they hold.
-CELLS = {
-    "TIME": "t* at the start of the next step",
-    "ROTATION": "rotation where the phase began, signed",
-    "SLIP": "slip over the radius where the phase began",
-    "DIRECTION": "of travel, 1 or -1; 0 at rest",
-    "LIFTED": "1 where nothing presses on the slip surface, else 0",
-    "STATUS": "what the lane is doing",
-    "STEPS": "steps taken",
-    "PHASES": "phases ended",
-    "ORDER": "of its series",
-    "FACTOR": "length of a step over the radius of convergence",
-    "END_TIME": "t* at which it ends at the latest",
-    "ONE_WAY": "1 where shaking may start it down-slope only",
-    "FIRST_ONLY": "1 where the first standstill ends it",
-    "LIMIT": "limit friction of weight alone at the start",
-    "PEAK_TIME": "t* of the greatest speed",
-    "PEAK_ROTATION": "rotation then, signed",
-    "PEAK_OMEGA": "omega* then, signed",
-    "PEAK_RATE": "d omega*/dt* then, signed",
-    "REACH_TIME": "t* of the greatest rotation from the start",
-    "REACH_ROTATION": "that rotation, signed",
-    "END_ROTATION": "rotation at the end, signed",
-    "END_OMEGA": "omega* then, signed",
-    "END_RATE": "d omega*/dt* then, signed",
-    "CLOSE": "least margin of a decision at rest, over its terms",
-    "LIFT_TIME": "t* of the first lift-off",
-    "PASSED": "what the phase began by passing",
-    "REST_SINCE": "t* of the standstill that it rests from",
-    "TURNS": "phases that began against the one before",
-    "LAST_WAY": "direction of the last phase",
-    "x": "rotation since the phase began, in the direction of travel",
-    "omega": "its rate, omega*",
-}
 # What every scene gives, all over Theta*.
 INPUTS = {
     "fall": "J_theta/Theta*, what gravity drives with at the start",

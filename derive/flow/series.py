@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from derive.flow.fragments import CELLS
 from derive.flow.operations import OPERATIONS, SCALARS, Operation, k, n
 
 
@@ -133,8 +132,8 @@ def c_cells() -> str:
 
 
 def c_enums() -> str:
-    """The cells that every lane has, and the codes of the operations."""
-    codes = [*CELLS], ["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS]
+    """The codes of the operations."""
+    codes = ["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS]
     return "".join(f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
 
 

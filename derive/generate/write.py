@@ -17,8 +17,8 @@ from derive.check.records import Record, read
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Moment
 from derive.declare.symbols import r, theta
+from derive.flow import cells, series
 from derive.flow import emit as flow
-from derive.flow import series
 from derive.generate import emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -39,6 +39,7 @@ def files(proved: list[Record]) -> dict[str, str]:
     c_walk = walk_source()
     texts = {
         "_compiled.py": (emit.TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
+        "cells.py": cells.python(),
         "definitions.py": definitions_module(closed),
         "_evaluate.py": (emit.TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "effects.py": functions.effects_module(),
@@ -65,7 +66,12 @@ def files(proved: list[Record]) -> dict[str, str]:
 def walk_source() -> str:
     """The compiled walk, with the operations that it knows."""
     text = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
-    made = {"CODES": series.c_enums(), "SERIES": series.c_series(), "CELL_OPERATIONS": series.c_cells()}
+    made = {
+        "ROLES": cells.c_roles(),
+        "CODES": cells.c() + series.c_enums(),
+        "SERIES": series.c_series(),
+        "CELL_OPERATIONS": series.c_cells(),
+    }
     for mark, lines in made.items():
         text = text.replace(f"@{mark}@\n", lines)
     return text
@@ -144,11 +150,11 @@ def _package(names: list[str]) -> str:
 
 
 def present(folder: Path = FOLDER) -> dict[str, str]:
-    """Text of the files that are there; caches and built binaries do not count."""
+    """Text of the files that are there; caches, built binaries and what a killed build has left do not count."""
     return {
         str(path.relative_to(folder)): path.read_text(encoding="utf-8")
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".so", ".pyd", ".dylib")
+        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".so", ".pyd", ".dylib", ".o")
     }
 
 

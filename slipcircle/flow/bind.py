@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.base.series import Pulse, Series
-from slipcircle.flow import cells as its
 from slipcircle.flow import tables
 from slipcircle.flow.program import Program, join
 from slipcircle.records.given import factor as factor_of

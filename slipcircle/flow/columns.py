@@ -6,11 +6,11 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from generated.series import scalar_ops, series_ops
 from slipcircle.base.checks import EPS
-from slipcircle.flow import cells as its
 from slipcircle.flow.polynomials import shifted, value
-from slipcircle.flow.program import Program, Table
+from slipcircle.flow.program import Log, Program, Samples, Table
 from slipcircle.flow.tables import Data
 
 Floats = NDArray[np.float64]
@@ -19,8 +19,8 @@ Floats = NDArray[np.float64]
 class Columns:
     """Some lanes: columns of cells, each by itself."""
 
-    def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None,
-                 which: NDArray[np.intp], log: its.Log | None = None) -> None:  # fmt: skip
+    def __init__(self, program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None,
+                 which: NDArray[np.intp], log: Log | None = None) -> None:  # fmt: skip
         self.program, self.tables, self.c, self.samples, self.which = program, tables, cells, samples, which
         self.log = log
         self.timed = [k for k, t in enumerate(program.tables) if t.kind == "time"]

@@ -10,18 +10,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from generated.series import DIGEST, SCALAR, SERIES
-from slipcircle.flow import cells as its
 from slipcircle.flow.link import RESULTS
-from slipcircle.flow.program import Program
+from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.flow.tables import Data
 
 Floats = NDArray[np.float64]
 
-# What the C walk knows by number, beside the operations: kinds of tables, and roles.
-KINDS = ("slip", "speed", "time", "rotation")
-ROLES = ("x", "omega", "net", "normal", "upright", "cell_drive", "cell_drive_scale", "cell_normal0", "cell_f0",
-         "cell_p0", "cell_ps0", "cell_driving", "cell_resisting", "cell_mu")  # fmt: skip
 STRIDE = 42  # coefficients from one register to the next: the highest order that the C walk takes, and two
 ROUNDS = 50_000  # steps of some lanes between looks at the keyboard: a tenth of a second at most
 NOTES = 4096  # events that one call may note
@@ -80,16 +76,16 @@ def flat(program: Program) -> bytes:
     # A lane at its start has no use for the cells beyond those given, but for constants.
     sizes = (len(program.cells), program.given, len(program.registers), len(program.states), len(program.tables),
              len(scalar), len(series), len(later))  # fmt: skip
-    roles = [program.roles.get(name, -1) for name in ROLES]
-    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(ROLES, roles, strict=True)]
+    roles = [program.roles.get(name, -1) for name in its.ROLES]
+    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(its.ROLES, roles, strict=True)]
     states = [(cell, at[r], at[rate]) for cell, r, rate in program.states]
-    tables = [(KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
+    tables = [(its.KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
     parts = (sizes, roles, scalar, series, later, *states, *tables)
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
 
-def run(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
-        log: its.Log | None = None, level: str | None = None) -> None:  # fmt: skip
+def run(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None,
+        log: Log | None = None, level: str | None = None) -> None:  # fmt: skip
     """Walk every lane until it rests, ends or fails, as `slipcircle.flow.walk.walk` does; other threads run meanwhile.
 
     Parameters

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from generated import motion as formulas
-from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
-from slipcircle.flow.program import Program
+from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 
@@ -20,8 +20,8 @@ Floats = NDArray[np.float64]
 STATES = ("rotation", "angular_velocity", "angular_acceleration")
 
 
-def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
-         log: its.Log | None = None) -> None:  # fmt: skip
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None,
+         log: Log | None = None) -> None:  # fmt: skip
     """As `slipcircle.flow.walk.walk`, for lanes that friction presses on throughout; others it leaves as they are."""
     lanes = _Closed(program, tables, cells.copy(), samples, np.arange(cells.shape[1]), log)
     with np.errstate(all="ignore"):

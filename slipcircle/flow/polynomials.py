@@ -51,7 +51,8 @@ def first_root(series: Floats, h: Floats) -> Floats:
     for c in scaled[1:]:  # on [0, 1]
         power *= h
         c *= power
-    crosses = scaled.sum(axis=0) <= 0.0
+    last = scaled.sum(axis=0)
+    crosses = (last < 0.0) | ((last == 0.0) & (scaled[0] > 0.0))  # what is nothing has none
     dips = ~crosses & (scaled[1] < 0.0) & (np.einsum("k,kl->l", np.arange(len(scaled)), scaled) > 0.0)
     found = np.full(h.shape, np.inf)
     upper = np.ones_like(h)

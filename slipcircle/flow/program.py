@@ -9,12 +9,21 @@ from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
+from generated.cells import CELLS, TABLE
 from numpy.typing import NDArray
 
-from generated.flow import CELLS, FRAGMENTS, INPUTS, QUANTITIES
+from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
 from slipcircle.flow.link import ZERO, Linker, Operation, needed, places
 
-TABLE_CELLS = ("PIECE", "VALUE", "INC", "UPPER", "LOWER", "SCALE", "FACTOR")  # then Q1 to Q of the degree
+Floats = NDArray[np.float64]
+Log = list[tuple[int, float, float, float]]  # events: kind, time, rotation, direction
+
+
+class Samples(NamedTuple):
+    """States at given times, filled while the lanes walk: (states, times, lanes)."""
+
+    times: Floats  # dimensionless, increasing, (times, lanes)
+    states: Floats  # rotation, angular velocity, its rate, slip, then the further states
 
 
 @dataclass(frozen=True)
@@ -171,7 +180,7 @@ def _linked(
     directions: int,
 ) -> Program:
     """Names to indices: from what is wanted back to what it takes."""
-    own = [f"{t}.{x}" for t, _, _, d in tables for x in (*TABLE_CELLS, *_powers(d))]
+    own = [f"{t}.{x}" for t, _, _, d in tables for x in (*TABLE[:-1], *_powers(d))]
     varied = [*rates, "ROTATION", "SLIP", *given, *(x for x in own if x.rpartition(".")[2][0] in "VQ")]
     primes = [f"'{j}" for j in range(directions)]
     fixed = [*dict.fromkeys((*CELLS, *rates, *given, *own, *(x + prime for prime in primes for x in varied)))]

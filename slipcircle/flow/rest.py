@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from slipcircle.base.checks import EPS
-from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
 from slipcircle.flow.polynomials import divided, first_root
 

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from slipcircle.base.checks import EPS, choose, plain
-from slipcircle.flow import cells as its
 from slipcircle.flow import compiled, frozen, tables, walk
 from slipcircle.flow.bind import Bound, Grown, bind
 from slipcircle.flow.columns import Columns
-from slipcircle.flow.program import Program
+from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
 from slipcircle.scene.varied import arc_with
@@ -24,10 +24,10 @@ BLOCK = 16000
 ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its states
 
 
-def walked(bound: Bound, closed: bool = False, samples: its.Samples | None = None, log: its.Log | None = None,
-           walker: Any = None) -> Floats:  # fmt: skip
-    """The cells of lanes at their end; tables of Python functions grow as the motion reaches them."""
-    cells, data = bound.start(), list(bound.tables)
+def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, log: Log | None = None,
+           walker: Any = None, cells: Any = None) -> Floats:  # fmt: skip
+    """The cells of lanes at their end, by default a copy's; tables of Python functions grow on the way."""
+    cells, data = bound.start() if cells is None else cells, list(bound.tables)
     if closed:
         frozen.walk(bound.program, data, cells, samples, log)
     walker = walker or (compiled.run if compiled.module() else walk.walk)
@@ -122,6 +122,10 @@ class Lanes:
 
     @cached_property
     def bound(self) -> Bound:
+        """What programs are asked with, again and again."""
+        return self._bind()
+
+    def _bind(self) -> Bound:
         found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
         if self.invalid is not False:
             found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
@@ -148,9 +152,12 @@ class Lanes:
         weight = np.multiply(arc.width, arc.unit_weight) * np.power(arc.radius, 3.0)
         return weight * arc.dimensionless.moment_of_inertia
 
-    def solve(self, log: its.Log | None = None) -> Floats:
+    def solve(self, log: Log | None = None) -> Floats:
         """The cells of all lanes at their end."""
-        return walked(self.bound, self.closed, None, log)
+        if self.count == 1:
+            return walked(self.bound, self.closed, None, log)
+        bound = self._bind()  # of many lanes copies and what is kept cost as much as the walk
+        return walked(bound, self.closed, None, log, cells=bound.cells)
 
     def _sampled(self, bound: Bound, times: Floats, closed: bool) -> tuple[Floats, Floats]:
         """As `read`, of any bound lanes; and their last cells."""
@@ -158,7 +165,7 @@ class Lanes:
         at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
         rows = np.zeros((2 + len(bound.program.states), times.size, self.count))
         found = np.full((2 + len(bound.program.states), times.size, self.count), np.nan)
-        cells = walked(bound, closed, its.Samples(np.ascontiguousarray(at), rows))
+        cells = walked(bound, closed, Samples(np.ascontiguousarray(at), rows))
         found[:, order] = rows
         return found, cells
 

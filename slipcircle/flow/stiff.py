@@ -21,11 +21,11 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
+from generated import cells as its
 from slipcircle.base.checks import EPS
-from slipcircle.flow import cells as its
 from slipcircle.flow import compiled
 from slipcircle.flow.columns import Columns
-from slipcircle.flow.program import Program
+from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker, registers
 
@@ -52,8 +52,8 @@ def _radau(count: int) -> tuple[Floats, Floats, Floats]:
 AT, WEIGHTS, TO_LEGENDRE = _radau(POINTS)
 
 
-def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
-         log: its.Log | None = None, which: Any = ()) -> None:  # fmt: skip
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None,
+         log: Log | None = None, which: Any = ()) -> None:  # fmt: skip
     """As `slipcircle.flow.walk.walk`, for some lanes, one after the other, from where they are."""
     for lane in which:
         one = _Implicit(program, [t.lanes([lane]) for t in tables], cells[:, [lane]], samples, np.array([lane]), log)

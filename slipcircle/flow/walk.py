@@ -10,19 +10,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from slipcircle.base.checks import EPS
-from slipcircle.flow import cells as its
 from slipcircle.flow.columns import Columns
 from slipcircle.flow.polynomials import divided, first_root, increment, shifted, value
-from slipcircle.flow.program import Program
+from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.flow.rest import Resting
 from slipcircle.flow.tables import Data
 
 Floats = NDArray[np.float64]
 
 
-def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.Samples | None = None,
-         log: its.Log | None = None) -> None:  # fmt: skip
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None,
+         log: Log | None = None) -> None:  # fmt: skip
     """Walk every lane until it rests, ends or fails; ``cells`` holds where it begins and, then, where it is.
 
     Parameters
@@ -32,7 +32,7 @@ def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: its.S
         For each table of the program.
     cells : ndarray
         (cells, lanes), changed in place. The status of each lane says how it ended.
-    samples : its.Samples, optional
+    samples : Samples, optional
         What to read off on the way.
     log : list, optional
         Takes the events of the first lane: kind, time, rotation, direction.
@@ -82,7 +82,7 @@ def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats
 class Walker(Resting):
     """Lanes on their way, which this class steps."""
 
-    stiff_step = its.STIFF_STEP
+    stiff_step: float = its.STIFF_STEP
 
     def round(self) -> None:
         status = self.c[its.STATUS].copy()
@@ -125,7 +125,7 @@ class Walker(Resting):
         at_limit &= event < 0
         self._peak(net, x, omega, tau)
         self._read(c[its.TIME], np.where(at_limit, limit, c[its.TIME] + tau), (x, omega, net, r))
-        stiff = (np.abs(net[0]) * tau < 1e-3 * omega[0]) & (event < 0)
+        stiff = (np.abs(net[0]) * tau < its.STIFF_CHANGE * omega[0]) & (event < 0)
         c[its.STEPS] += np.where(stiff, self.stiff_step, 1.0) * ~at_limit  # a record takes as many as it has samples
         for cell, register, _ in p.states:
             c[cell] += increment(r[register], tau)
@@ -187,7 +187,7 @@ class Walker(Resting):
             w = divided(w, w[0] == 0.0)
         found, which = first_root(w, h), np.zeros(h.shape, dtype=np.intp)
         # It rests at once where its drive vanished to rounding or points backwards.
-        found = np.where(w[0] < 0.0, 0.0, found)
+        found = np.where((w[0] < 0.0) | ((w[0] == 0.0) & (value(omega, h) == 0.0)), 0.0, found)
 
         def later(k: int, series: Floats, passed: Any = False) -> None:
             nonlocal found, which

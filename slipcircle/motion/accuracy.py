@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated.flow import CELLS
+from generated import cells as its
 from slipcircle.base.checks import EPS, choose
-from slipcircle.flow import cells as its
 from slipcircle.flow.bind import STEP, Bound
-from slipcircle.flow.program import Program
+from slipcircle.flow.program import Program, Samples
 from slipcircle.flow.solve import Lanes, walked
 
 Floats = NDArray[np.float64]
@@ -33,7 +32,7 @@ SHARES = (np.arange(8) + 0.5) / 8  # of the duration, at which states are compar
 @lru_cache(maxsize=256)
 def _moves(program: Program) -> Floats:
     """Which way the companions move each cell, inputs of the program alone, (cells, 8); 0 for the motion itself."""
-    names, reserved = program.cells, len(CELLS)
+    names, reserved = program.cells, len(its.CELLS)
     inputs = [
         k for k in range(reserved, len(names)) if "." not in names[k] or not names[k].rpartition(".")[2].isupper()
     ]
@@ -67,7 +66,7 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
     samples = None
     if single:  # all at once, beside the motion itself
         times = np.repeat(SHARES[:, None] * own[0], 8, axis=1)
-        samples = its.Samples(times, np.zeros((2 + len(bound.program.states), *times.shape)))
+        samples = Samples(times, np.zeros((2 + len(bound.program.states), *times.shape)))
     spread, unlike = np.zeros(1), np.asarray(cells[its.CLOSE] < UNDECIDED)
     for which in [np.arange(8)] if single else np.arange(1, 8)[:, None]:
         other = walked(companions(bound, which, lanes.arc.rounding), lanes.closed, samples)

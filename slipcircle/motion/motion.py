@@ -4,15 +4,16 @@ Phases, events and signs are those of ``notebooks/0_the_method.ipynb``.
 """
 
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from generated import cells as its
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.base.kinds import Numbers
-from slipcircle.flow import cells as its
+from slipcircle.flow.program import Log
 from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
@@ -83,7 +84,7 @@ class Motion(Results, Generic[Numbers]):
     A motion of many lanes has a length and is indexed; `to_dict`, `to_pandas` and `to_xarray` turn it into tables.
     """
 
-    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: its.Log) -> None:
+    def __init__(self, plan: Plan, lanes: Lanes, cells: Mapping[int, Floats], log: Log) -> None:
         self.plan, self._lanes, self._cells, self._log = plan, lanes, cells, log
         self._latest: tuple[bytes, Floats] | None = None  # times that were last asked for, and the states there
 
@@ -236,14 +237,18 @@ class Motion(Results, Generic[Numbers]):
 
     def _state(self, time: Any, rotation: int, omega: int, rate: int, moving: Any = True) -> State:
         """A state of each lane from cells; of those that do not move, without speed and rate."""
-        lanes, scale, radius = self._lanes, self._lanes.time_scale, self._lanes.radius
+        scale, radius = self._lanes.time_scale, self._lanes.radius
         turn = self._known(self._cells[rotation])
         speed, gain = (self._known(choose(moving, self._cells[cell], 0.0)) for cell in (omega, rate))
-        stress = lanes.stress(time / scale, turn, speed)
         with np.errstate(over="ignore"):  # what overflows is refused
             turning = speed / scale
-            columns = (time, turn, turning, radius * turning, radius * turn, radius * gain / scale**2, stress)
-        return State(*(self._shaped(v + 0.0) for v in columns))  # no -0.0
+            columns = (time, turn, turning, radius * turning, radius * turn, radius * gain / scale**2)
+        stress = partial(self._stress, time / scale, turn, speed)
+        return State(*(self._shaped(v + 0.0) for v in columns), stress=stress)  # no -0.0
+
+    def _stress(self, time: Any, rotation: Any, omega: Any) -> Any:
+        """The mean normal stress of each lane in one state, Pa; dimensionless numbers."""
+        return self._shaped(self._lanes.stress(time, rotation, omega) + 0.0)
 
     def at(self, times: ArrayLike) -> State:
         """The state at any times between the start and the end, and at rest after an arrest.
@@ -267,11 +272,14 @@ class Motion(Results, Generic[Numbers]):
         for row, cell in enumerate((its.END_ROTATION, its.END_OMEGA, its.END_RATE)):
             rows[row] = np.where(over, self._cells[cell], rows[row])
         rotation, omega, rate = (rows[k].T + 0.0 for k in range(3))  # (lanes, times)
-        stress = lanes.outputs(np.ravel(time), rows)["pressing"] * self._stress_unit
         speed = omega / scale
-        columns = (rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2, stress)
+        columns = (rotation, speed, radius * speed, radius * rotation, radius * rate / scale**2)
         found = [np.reshape(np.broadcast_to(v, rotation.shape), shape)[()] for v in columns]
-        return State(np.broadcast_to(time, shape)[()], *found)
+        return State(np.broadcast_to(time, shape)[()], *found, stress=partial(self._stress_along, time, rows))
+
+    def _stress_along(self, time: Floats, rows: Floats) -> Any:
+        """The mean normal stress of each lane at each time, Pa."""
+        return self._along(time, self._lanes.outputs(np.ravel(time), rows)["pressing"] * self._stress_unit)
 
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))

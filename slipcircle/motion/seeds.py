@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
-from slipcircle.flow import cells as its
 from slipcircle.flow.bind import law_parts, turns, under_water
 from slipcircle.flow.solve import Lanes
 from slipcircle.flow.tables import Data, of_law

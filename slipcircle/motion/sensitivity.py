@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from generated import cells as its
 from generated.effects import EFFECTS, LAWS
-from slipcircle.flow import cells as its
 from slipcircle.flow.bind import Bound, law_parts
 from slipcircle.flow.polynomials import shifted, slopes, value
-from slipcircle.flow.program import Program, Table
+from slipcircle.flow.program import Log, Program, Table
 from slipcircle.flow.solve import Lanes, walked
 from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
@@ -100,7 +100,7 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     return np.array([radius / scale * peak, run_out, duration])
 
 
-def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", its.Log, float]:
+def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log, float]:
     """The walk at its end, events since implicit steps took over, and when they did.
 
     That time is infinite where they did not, and 0 where something that changes with time still broke after it.

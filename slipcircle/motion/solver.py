@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+from generated.cells import MOST_TURNS
 
 from generated.effects import EFFECTS
 from slipcircle.base.kinds import Numbers
-from slipcircle.flow.cells import MOST_TURNS
 from slipcircle.flow.solve import BLOCK, Lanes
 from slipcircle.motion.motion import TOLD, Motion, told
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan

@@ -1,12 +1,13 @@
 """What a motion is told in: what became of it, its state and its energy at a time, its phases."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import InitVar, dataclass, field
 from enum import IntEnum
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.flow import cells as its
+from generated import cells as its
 
 
 class Status(IntEnum):
@@ -48,7 +49,8 @@ class State:
     Attributes
     ----------
     time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
-        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, water included).
+        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, water included; computed
+        when it is first asked for).
     """
 
     time: Any
@@ -57,7 +59,18 @@ class State:
     velocity: Any
     displacement: Any
     acceleration: Any
-    normal_stress: Any
+    normal_stress: Any = field(init=False)
+    stress: InitVar[Callable[[], Any]] = field(kw_only=True)
+
+    def __post_init__(self, stress: Callable[[], Any]) -> None:
+        object.__setattr__(self, "_stress", stress)
+
+    def __getattr__(self, name: str) -> Any:
+        """What is not there yet: the stress, which most have no use for and which takes the program to compute."""
+        if name != "normal_stress":
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        object.__setattr__(self, name, self._stress())
+        return self.normal_stress
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ typedef struct {
 } Data;
 /* Registers, by where they begin, and cells that the prologue fills; -1 where the program has none. */
 typedef struct {
-    int32_t x, omega, net, normal, upright, drive, drive_scale, normal0, f0, p0, ps0, driving, resisting, mu;
+@ROLES@
 } Roles;
 
 typedef struct {
@@ -211,17 +211,8 @@ enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
-/* Of a lane, breaks of what changes with time left out. Steps that hardly change the speed, a thousandth or less, are
- * held short by what decays at once (the motion is stiff): each counts for many. */
-enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
-
 @CODES@
-enum { START, MOVING, RESTING, ARRESTED, ENDED, STOPPED, UPRIGHT, TOO_LONG, FAILED, NEED };
-enum { PIECE, VALUE, INC, UPPER, LOWER, SCALE, SCALED_BY, Q1 }; /* of a table's cells */
-enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
-enum { NOTHING, LIFT, FASTER, SLOWER }; /* what a phase has just passed: its root at the start is divided out */
 enum { NONE = -1, STANDS, LIFTS, TIPS, EDGES }; /* events: none, standstill, lift-off or landing, upright, tables' */
-enum { BEGINS = 1, CAME_TO_REST, LIFTED_OFF, LANDED }; /* what is noted */
 enum { READY, BEGIN, FACE, GO, ENTER, LEAP, ANEW }; /* what is to be based before a lane's next step */
 
 /* The lanes in hand, beside their cells. */
@@ -431,7 +422,7 @@ static V first_zero(const V *p, int n, V h, unsigned which)
 {
     V slope, high = h;
     V last = with_slope(p, n, h, &slope);
-    unsigned crosses = which & bits(last <= 0.0);
+    unsigned crosses = which & bits((last < 0.0) | ((last == 0.0) & (p[0] > 0.0))); /* what is nothing has none */
     const unsigned dips = which & ~crosses & bits((p[1] < 0.0) & (slope > 0.0));
     if (dips) {
         V s[HIGHEST + 2];
@@ -770,7 +761,7 @@ static void reaches(const Hand *h, unsigned k)
 static void lifted_now(Hand *h, unsigned k)
 {
     V *const c = h->c;
-    note(h, k, LIFTED_OFF);
+    note(h, k, NOTE_LIFTS);
     if (isnan(c[LIFT_TIME][k])) c[LIFT_TIME][k] = c[TIME][k];
 }
 
@@ -828,7 +819,7 @@ static void moves(Hand *h, unsigned k, double rate)
     V *const c = h->c;
     c[STATUS][k] = MOVING, c[PASSED][k] = NOTHING, c[PHASES][k] += 1.0;
     c[TURNS][k] += c[LAST_WAY][k] * c[DIRECTION][k] < 0.0, c[LAST_WAY][k] = c[DIRECTION][k];
-    note(h, k, BEGINS);
+    note(h, k, NOTE_BEGINS);
     if (c[LIFTED][k] > 0.0) lifted_now(h, k);
     fastest(h, k, rate);
     h->todo[k] = READY;
@@ -962,7 +953,7 @@ static void stands(Hand *h, unsigned k)
     base(h, k);
     reaches(h, k);
     c[REST_SINCE][k] = c[TIME][k];
-    note(h, k, CAME_TO_REST);
+    note(h, k, NOTE_STANDS);
     h->faced[k] = 1;
     face(h, k, -c[DIRECTION][k]);
     h->todo[k] = FACE;
@@ -1047,7 +1038,8 @@ static void step(Hand *h, unsigned which)
         function(e, omega, top, one, zero, from_rest);
         for (int i = 0; i < 2; i++) function(e, e, top, one, zero, from_rest & (e[0] == 0.0));
         const V at = first_zero(e, top, tau, ask);
-        TAKE(pick(lanes(ask) & (e[0] < 0.0), zero, at), STANDS);
+        const M nothing = from_rest & (e[0] == 0.0) & (last == 0.0); /* its drive vanished to rounding */
+        TAKE(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), STANDS);
     }
     if (role->normal >= 0) {
         const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
@@ -1123,7 +1115,7 @@ static void step(Hand *h, unsigned which)
     c[TIME] = pick(here, until_[0], c[TIME]);
     unsigned eventful = 0;
     EACH(k, which) eventful |= (unsigned)(event[k] != NONE) << k;
-    const M stiff = (size(net[0]) * tau < 1e-3 * omega[0]) & ~lanes(eventful);
+    const M stiff = (size(net[0]) * tau < STIFF_CHANGE * omega[0]) & ~lanes(eventful);
     c[STEPS] += pick(here & ~lanes(at_limit), pick(stiff, flat(STIFF_STEP), one), zero);
     c[PASSED] = pick(here, zero, c[PASSED]);
     CANDIDATE(here, c[OMEGA], c[TIME], c[X], rate);
@@ -1136,7 +1128,7 @@ static void step(Hand *h, unsigned which)
         else if (event[k] == LIFTS) {
             c[LIFTED][k] = 1.0 - c[LIFTED][k];
             if (c[LIFTED][k] > 0.0) lifted_now(h, k);
-            else note(h, k, LANDED);
+            else note(h, k, NOTE_LANDS);
             enters(h, k, rate[k]);
             c[PASSED][k] = LIFT;
         } else if (event[k] == TIPS) ends(h, k, rate[k], UPRIGHT);

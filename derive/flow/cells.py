@@ -1,0 +1,112 @@
+"""What a walk knows by number, declared once for C and for NumPy: a lane's cells, and what stands in them."""
+
+# Cells that every program has, first and in this order, with what they hold.
+CELLS = {
+    "TIME": "t* at the start of the next step",
+    "ROTATION": "rotation where the phase began, signed",
+    "SLIP": "slip over the radius where the phase began",
+    "DIRECTION": "of travel, 1 or -1; 0 at rest",
+    "LIFTED": "1 where nothing presses on the slip surface, else 0",
+    "STATUS": "what the lane is doing",
+    "STEPS": "steps taken",
+    "PHASES": "phases ended",
+    "ORDER": "of its series",
+    "FACTOR": "length of a step over the radius of convergence",
+    "END_TIME": "t* at which it ends at the latest",
+    "ONE_WAY": "1 where shaking may start it down-slope only",
+    "FIRST_ONLY": "1 where the first standstill ends it",
+    "LIMIT": "limit friction of weight alone at the start",
+    "PEAK_TIME": "t* of the greatest speed",
+    "PEAK_ROTATION": "rotation then, signed",
+    "PEAK_OMEGA": "omega* then, signed",
+    "PEAK_RATE": "d omega*/dt* then, signed",
+    "REACH_TIME": "t* of the greatest rotation from the start",
+    "REACH_ROTATION": "that rotation, signed",
+    "END_ROTATION": "rotation at the end, signed",
+    "END_OMEGA": "omega* then, signed",
+    "END_RATE": "d omega*/dt* then, signed",
+    "CLOSE": "least margin of a decision at rest, over its terms",
+    "LIFT_TIME": "t* of the first lift-off",
+    "PASSED": "what the phase began by passing",
+    "REST_SINCE": "t* of the standstill that it rests from",
+    "TURNS": "phases that began against the one before",
+    "LAST_WAY": "direction of the last phase",
+    "x": "rotation since the phase began, in the direction of travel",
+    "omega": "its rate, omega*",
+}
+# Of a table, from its first cell on; the coefficients of its piece follow each other.
+TABLE = {
+    "PIECE": "number of its piece",
+    "VALUE": "where the phase began",
+    "INC": "of a function of time, its increment since",
+    "UPPER": "where the piece ends",
+    "LOWER": "where it begins, of a function of speed",
+    "SCALE": "its argument over that of the program",
+    "SCALED_BY": "what its values are multiplied by",
+    "Q1": "first of its coefficients beyond the value",
+}
+STATUS = {
+    "START": "not begun",
+    "MOVING": "on its way",
+    "RESTING": "at rest, and may start again",
+    "ARRESTED": "at rest for good",
+    "ENDED": "at its end time",
+    "STOPPED": "at its first standstill, which ends what nothing brings to rest",
+    "UPRIGHT": "the chord stands upright",
+    "TOO_LONG": "more steps or turns than are made",
+    "FAILED": "its numbers overflow",
+    "NEED": "a table has to go on",
+}
+PASSED = {
+    "NOTHING": "its events have no root at the start",
+    "LIFT": "lifted or landed",
+    "FASTER": "into the next piece of a function of speed",
+    "SLOWER": "into the one before",
+    "STOOD": "a standstill",
+}
+NOTES = {
+    "BEGINS": "a phase",
+    "STANDS": "still",
+    "LIFTS": "off",
+    "LANDS": "again",
+}
+KINDS = ("slip", "speed", "time", "rotation")  # what a table is a function of
+# Registers and cells of a program that the walk reads.
+ROLES = ("x", "omega", "net", "normal", "upright", "cell_drive", "cell_drive_scale", "cell_normal0", "cell_f0",
+         "cell_p0", "cell_ps0", "cell_driving", "cell_resisting", "cell_mu")  # fmt: skip
+# Of a lane, breaks of what changes with time left out. A step that changes the speed by less than a share is held short
+# by what decays at once (the motion is stiff): it counts for many.
+LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
+STIFF_CHANGE = 1e-3
+
+# What is numbered: in words, the prefix of its names in C, the first number, names and meanings.
+NUMBERED = (
+    ("Cells of a lane, first in every program and in this order", "", 0, {x.upper(): y for x, y in CELLS.items()}),
+    ("Cells of a table", "", 0, TABLE),
+    ("What a lane is doing", "", 0, STATUS),
+    ("What its phase began by passing", "", 0, PASSED),
+    ("What is noted of the first lane", "NOTE_", 1, NOTES),
+)
+
+
+def python() -> str:
+    """The module `generated.cells`."""
+    parts = ['"""Numbers that both walks know by name."""\n\n']
+    for words, _, start, names in NUMBERED:
+        rows = "".join(f"{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
+        parts.append(f"# {words}.\n{rows}\n")
+    given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS
+    return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items()), f"STIFF_CHANGE = {STIFF_CHANGE}\n"))
+
+
+def c() -> str:
+    """The same for the compiled walk."""
+    rows = [[f"{prefix}{x}{f' = {start}' * (start > 0 and not k)}" for k, x in enumerate(names)]
+            for _, prefix, start, names in NUMBERED]  # fmt: skip
+    rows += [[f"OF_{x.upper()}" for x in KINDS], [f"{x} = {y}" for x, y in LIMITS.items()]]
+    return "".join(f"enum {{ {', '.join(row)} }};\n" for row in rows) + f"#define STIFF_CHANGE {STIFF_CHANGE}\n"
+
+
+def c_roles() -> str:
+    """The members of the struct of a program's roles."""
+    return f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n"

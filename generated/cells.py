@@ -1,0 +1,84 @@
+# Written by `python -m derive` with SymPy 1.14.0; do not edit.
+# sha256 of the text below: a9c9836f1871a0342abef5a9a915cc2887479a45bd797889945537a8baa9712a
+"""Numbers that both walks know by name."""
+
+# Cells of a lane, first in every program and in this order.
+TIME = 0  # t* at the start of the next step
+ROTATION = 1  # rotation where the phase began, signed
+SLIP = 2  # slip over the radius where the phase began
+DIRECTION = 3  # of travel, 1 or -1; 0 at rest
+LIFTED = 4  # 1 where nothing presses on the slip surface, else 0
+STATUS = 5  # what the lane is doing
+STEPS = 6  # steps taken
+PHASES = 7  # phases ended
+ORDER = 8  # of its series
+FACTOR = 9  # length of a step over the radius of convergence
+END_TIME = 10  # t* at which it ends at the latest
+ONE_WAY = 11  # 1 where shaking may start it down-slope only
+FIRST_ONLY = 12  # 1 where the first standstill ends it
+LIMIT = 13  # limit friction of weight alone at the start
+PEAK_TIME = 14  # t* of the greatest speed
+PEAK_ROTATION = 15  # rotation then, signed
+PEAK_OMEGA = 16  # omega* then, signed
+PEAK_RATE = 17  # d omega*/dt* then, signed
+REACH_TIME = 18  # t* of the greatest rotation from the start
+REACH_ROTATION = 19  # that rotation, signed
+END_ROTATION = 20  # rotation at the end, signed
+END_OMEGA = 21  # omega* then, signed
+END_RATE = 22  # d omega*/dt* then, signed
+CLOSE = 23  # least margin of a decision at rest, over its terms
+LIFT_TIME = 24  # t* of the first lift-off
+PASSED = 25  # what the phase began by passing
+REST_SINCE = 26  # t* of the standstill that it rests from
+TURNS = 27  # phases that began against the one before
+LAST_WAY = 28  # direction of the last phase
+X = 29  # rotation since the phase began, in the direction of travel
+OMEGA = 30  # its rate, omega*
+
+# Cells of a table.
+PIECE = 0  # number of its piece
+VALUE = 1  # where the phase began
+INC = 2  # of a function of time, its increment since
+UPPER = 3  # where the piece ends
+LOWER = 4  # where it begins, of a function of speed
+SCALE = 5  # its argument over that of the program
+SCALED_BY = 6  # what its values are multiplied by
+Q1 = 7  # first of its coefficients beyond the value
+
+# What a lane is doing.
+START = 0  # not begun
+MOVING = 1  # on its way
+RESTING = 2  # at rest, and may start again
+ARRESTED = 3  # at rest for good
+ENDED = 4  # at its end time
+STOPPED = 5  # at its first standstill, which ends what nothing brings to rest
+UPRIGHT = 6  # the chord stands upright
+TOO_LONG = 7  # more steps or turns than are made
+FAILED = 8  # its numbers overflow
+NEED = 9  # a table has to go on
+
+# What its phase began by passing.
+NOTHING = 0  # its events have no root at the start
+LIFT = 1  # lifted or landed
+FASTER = 2  # into the next piece of a function of speed
+SLOWER = 3  # into the one before
+STOOD = 4  # a standstill
+
+# What is noted of the first lane.
+BEGINS = 1  # a phase
+STANDS = 2  # still
+LIFTS = 3  # off
+LANDS = 4  # again
+
+CELLS = ('TIME', 'ROTATION', 'SLIP', 'DIRECTION', 'LIFTED', 'STATUS', 'STEPS', 'PHASES', 'ORDER', 'FACTOR', 'END_TIME',
+    'ONE_WAY', 'FIRST_ONLY', 'LIMIT', 'PEAK_TIME', 'PEAK_ROTATION', 'PEAK_OMEGA', 'PEAK_RATE', 'REACH_TIME',
+    'REACH_ROTATION', 'END_ROTATION', 'END_OMEGA', 'END_RATE', 'CLOSE', 'LIFT_TIME', 'PASSED', 'REST_SINCE', 'TURNS',
+    'LAST_WAY', 'x', 'omega')
+TABLE = ('PIECE', 'VALUE', 'INC', 'UPPER', 'LOWER', 'SCALE', 'SCALED_BY', 'Q1')
+KINDS = ('slip', 'speed', 'time', 'rotation')
+ROLES = ('x', 'omega', 'net', 'normal', 'upright', 'cell_drive', 'cell_drive_scale', 'cell_normal0', 'cell_f0',
+    'cell_p0', 'cell_ps0', 'cell_driving', 'cell_resisting', 'cell_mu')
+MOST_STEPS = 200000
+STIFF_STEP = 20
+MOST_TURNS = 2000
+STIFF_CHANGE = 0.001
