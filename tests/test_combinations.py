@@ -150,22 +150,6 @@ def test_every_combination_of_effects(law: str) -> None:
     assert solved > 0.8 * len(part)
 
 
-@pytest.mark.parametrize("centripetal", [False, True])
-@pytest.mark.parametrize("name", ARCS)
-def test_frozen_slides_from_any_start(name: str, centripetal: bool) -> None:
-    """Constant friction below and above the limit, starts in either direction, arrest and turning back."""
-    given = arc(name)
-    effects: dict[str, Any] = {"centripetal": {}} if centripetal else {}
-    speed, pace = math.sqrt(given["radius"] * given["gravity"]), math.sqrt(given["radius"] / given["gravity"])
-    m = {k: float(v) for k, v in oracle.moments(given).items()}
-    limit = m["fall"] / m["press"] * abs(math.tan(m["dip"]))
-    for share in (0.0, 0.4, 1.5, 5.0):
-        for start in (0.0, 0.3, -0.3, -1e-7, 5.0):
-            ends = golden.scene(share * limit, effects, start * speed, 4 * pace, **given)
-            motion = check(built(ends), ends)
-            assert motion.moves == (start != 0 or share < 1.0)
-
-
 @pytest.mark.parametrize("group", ["pulse", "series"])
 def test_shaken_frozen_slides(group: str) -> None:
     """Random ones, with brakes, water, cohesion and lift-off, one way and both ways."""
