@@ -9,9 +9,9 @@ from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from generated.cells import CELLS, TABLE
 from numpy.typing import NDArray
 
+from generated.cells import CELLS, TABLE
 from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
 from slipcircle.flow.link import ZERO, Linker, Operation, needed, places
 

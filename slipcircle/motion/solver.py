@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from generated.cells import MOST_TURNS
 
+from generated.cells import MOST_TURNS
 from generated.effects import EFFECTS
 from slipcircle.base.kinds import Numbers
 from slipcircle.flow.solve import BLOCK, Lanes
