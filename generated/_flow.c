@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "c40793bd751b748ddf3d6b25f28d392b11d2c342266cda1b3c2e4136ec2a9d24"
+#define DIGEST "ba3ededbcc81217e7d970ea2daf71e86499c3a183a106aebfc8912d84f98bdd7"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -221,6 +221,7 @@ enum { NOTE_BEGINS = 1, NOTE_STANDS, NOTE_LIFTS, NOTE_LANDS };
 enum { OF_SLIP, OF_SPEED, OF_TIME, OF_ROTATION };
 enum { MOST_STEPS = 200000, STIFF_STEP = 20, MOST_TURNS = 2000 };
 #define STIFF_CHANGE 0.001
+#define CARRIED 0.001
 enum { LIN, RAMP, MUL, SQR, TIM, TURN, EXP, REC, LOG, POW };
 enum { S_ADD, S_SUB, S_MUL, S_DIV, S_NEG, S_SIN, S_COS, S_TAN, S_EXP, S_EXPM1, S_LOG, S_LOG1P, S_SQRT, S_ABS, S_MIN, S_MAX, S_LESS, S_SELECT };
 enum { NONE = -1, STANDS, LIFTS, TIPS, EDGES }; /* events: none, standstill, lift-off or landing, upright, tables' */
@@ -1014,7 +1015,7 @@ static int never_rests(const Hand *h, unsigned k)
     const V *const c = h->c;
     const Roles *const role = h->w->role;
     const double p0 = c[role->p0][k], most = hypot(p0, c[role->ps0][k]);
-    return c[FIRST_ONLY][k] == 1.0 || (!changes(h, k) && c[role->normal0][k] + (most - p0) <= 0.01 * most);
+    return c[FIRST_ONLY][k] == 1.0 || (!changes(h, k) && c[role->normal0][k] + (most - p0) <= CARRIED * most);
 }
 
 /* What presses now, where order 0 of the series is there. */

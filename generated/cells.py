@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: a9c9836f1871a0342abef5a9a915cc2887479a45bd797889945537a8baa9712a
+# sha256 of the text below: a099728748f7819ab6e0e9ac8607832bd6a8175ae5e5fe79a28e7369dba679da
 """Numbers that both walks know by name."""
 
 # Cells of a lane, first in every program and in this order.
@@ -82,3 +82,4 @@ MOST_STEPS = 200000
 STIFF_STEP = 20
 MOST_TURNS = 2000
 STIFF_CHANGE = 0.001
+CARRIED = 0.001

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 85e9b032bf613780c1a2e6adf305f86e865d11c3999c320407c2ad1fcc434889
+# sha256 of the text below: bcd50f12817b14253a265a6ac38e6266b3e4ef6f96c1c0bf00eedcf26524016d
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "c40793bd751b748ddf3d6b25f28d392b11d2c342266cda1b3c2e4136ec2a9d24"  # of the compiled walk's source
+DIGEST = "ba3ededbcc81217e7d970ea2daf71e86499c3a183a106aebfc8912d84f98bdd7"  # of the compiled walk's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

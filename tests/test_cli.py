@@ -352,10 +352,10 @@ def test_tables_need_numpy_alone() -> None:
         assert len(done.stdout.splitlines()) > 5
 
 
-def test_without_mpmath_cost_says_what_to_type() -> None:
-    done = python(f"sys.modules['mpmath'] = None; {MAIN}; sys.exit(status)", "cost", "--json")
+def test_without_flint_cost_says_what_to_type() -> None:
+    done = python(f"sys.modules['flint'] = None; {MAIN}; sys.exit(status)", "cost", "--json")
     assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr == "slipcircle: the reference needs mpmath: pip install 'slipcircle[derive]'\n"
+    assert done.stderr == "slipcircle: the reference needs python-flint: pip install 'slipcircle[derive]'\n"
 
 
 # --- what is loaded ------------------------------------------------------------------------------------------------

@@ -55,7 +55,7 @@ def test_the_reference_of_the_closed_form_is_the_papers() -> None:
 @pytest.mark.parametrize("many", [False, True])
 def test_rows_of_scenes(name: str, many: bool) -> None:
     """Ours keep to the accuracy, by either walk; a peer's error falls with its tolerance."""
-    rows = {r.way: r for r in cost._scenes(name, many, None)}
+    rows = {r.way: r for r in cost.measured(scenes.subject(name, many))}
     for way, row in rows.items():
         asked = float(way.rpartition(" ")[2])
         assert row.points == (3 if many else 1)
@@ -68,10 +68,12 @@ def test_rows_of_scenes(name: str, many: bool) -> None:
 
 
 def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(scenes, "find_spec", lambda name: None)
+    monkeypatch.setattr(cost, "find_spec", lambda name: None)
     said = io.StringIO()
-    assert all(way.startswith("slipcircle") for way in scenes.ways("constant friction", True, said))
-    assert said.getvalue() == "scipy is missing, and left out\nheyoka is missing, and left out\n"
+    assert all(r.ours for r in cost.measured(scenes.subject("constant friction", False), said))
+    assert said.getvalue() == "".join(
+        f"constant friction: {name} is missing, and left out\n" for name in ("scipy", "heyoka")
+    )
 
 
 def test_rows_of_sections() -> None:

@@ -256,7 +256,7 @@ def test_links_and_pipes_stay_what_they_are(tmp_path: Path) -> None:
 
 
 def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(design: Design, index: int, seed: int, size: int) -> Result:
+    def fails(design: Design, index: int) -> Result:
         raise MemoryError(f"block {index}")
 
     monkeypatch.setattr("slipcircle.studies.engines.run_block", fails)
@@ -286,6 +286,6 @@ def test_forecast() -> None:
 def test_blocks_come_in_their_order() -> None:
     study = ensemble(SCENE, **MANY).design
     with ThreadPoolExecutor(2) as pool:
-        found = list(computed(study, 7, 512, pool))
-    assert len(found) == study.blocks(512) == 12 + 32
+        found = list(computed(study, pool))
+    assert len(found) == study.blocks == 12 + 32
     assert sum(int(r["status"].sum()) for r in found if "status" in r) == 6000

@@ -8,6 +8,7 @@ import golden
 import mpmath
 import numpy as np
 import pytest
+import taylor
 import test_accuracy
 from mpmath import mpf
 
@@ -88,6 +89,19 @@ def test_pressurisation_that_removes_all_strength(heat: float) -> None:
     free = solve(Scene(ARC, 0.0, TURNING))
     if heat == 1e9:
         assert motion.run_out == pytest.approx(free.run_out, rel=1e-6)
+
+
+def test_heat_that_leaves_little_strength() -> None:
+    """What presses falls below a hundredth of the weight, and still stops the mass: in its sixth swing."""
+    effects = TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 3300.0},
+                         "viscosity": {"viscosity": 3e3, "thickness": 0.5}}  # fmt: skip
+    motion = solve(Scene(ARC, 0.3, effects))
+    arc = {n: float(getattr(ARC, n)) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")}
+    given = {"arc": arc, "friction": 0.3, "effects": effects, "initial_velocity": 0.0, "end_time": None}
+    known = taylor.solve(given, (0.5,), 20)
+    assert (motion.arrested, len(motion.phases)) == (known["arrested"], known["phases"]) == (True, 6)
+    for value, name in ((motion.run_out, "run_out"), (motion.duration, "duration")):
+        assert abs(value / float(known[name]) - 1) < motion.error_estimate < 1e-12
 
 
 def test_friction_that_vanishes_with_speed() -> None:

@@ -77,7 +77,9 @@ ROLES = ("x", "omega", "net", "normal", "upright", "cell_drive", "cell_drive_sca
 # Of a lane, breaks of what changes with time left out. A step that changes the speed by less than a share is held short
 # by what decays at once (the motion is stiff): it counts for many.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
-STIFF_CHANGE = 1e-3
+# A mass that is carried but for a share of its weight swings on for ever: friction takes 2 mu of that share from the
+# width of each swing, so that it takes about as many swings as are followed at most.
+SHARES = {"STIFF_CHANGE": 1e-3, "CARRIED": 1e-3}
 
 # What is numbered: in words, the prefix of its names in C, the first number, names and meanings.
 NUMBERED = (
@@ -95,8 +97,8 @@ def python() -> str:
     for words, _, start, names in NUMBERED:
         rows = "".join(f"{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
-    given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS
-    return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items()), f"STIFF_CHANGE = {STIFF_CHANGE}\n"))
+    given = {"CELLS": (*CELLS,), "TABLE": (*TABLE,), "KINDS": KINDS, "ROLES": ROLES} | LIMITS | SHARES
+    return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 
 
 def c() -> str:
@@ -104,7 +106,8 @@ def c() -> str:
     rows = [[f"{prefix}{x}{f' = {start}' * (start > 0 and not k)}" for k, x in enumerate(names)]
             for _, prefix, start, names in NUMBERED]  # fmt: skip
     rows += [[f"OF_{x.upper()}" for x in KINDS], [f"{x} = {y}" for x, y in LIMITS.items()]]
-    return "".join(f"enum {{ {', '.join(row)} }};\n" for row in rows) + f"#define STIFF_CHANGE {STIFF_CHANGE}\n"
+    enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
+    return "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items())))
 
 
 def c_roles() -> str:

@@ -9,24 +9,30 @@ import tracemalloc
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
+from importlib.util import find_spec
 from statistics import median
-from typing import TextIO
+from timeit import timeit
+from typing import Any, TextIO
 
 import numpy as np
 
 from slipcircle.cost import scenes, sections
-from slipcircle.cost.reference import Floats, Reference
-from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way, multiprecision
+from slipcircle.cost.reference import Answers, Floats, Reference
+from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way
 
 SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that does not
+TIMES = ("ns_1", "ns_1e4", "ns_1e6")  # of a `Row`, of these sizes
 BEATEN = 1.2  # a way is beaten by one at least as accurate and more than this many times faster
 REPEATS = 9
 _TICK, _PATIENCE = 5e-4, 0.08  # seconds: shortest thing timed, all repeats of one
-_LONG = 1.0  # seconds of a pass, above which one is enough
-_QUICK = 0.02  # seconds for scenes, after which ten times as many are not asked for
+_PASS, _LONG = 0.1, 1.0  # seconds that a pass may take, as a rule; above which one is enough
 FRONTIER, LOST = "frontier", "beaten: "
-SUBJECTS = {**FUNCTIONS, sections.NAME: sections.subject}
-NAMES = [*SUBJECTS, *scenes.CASES]
+SUBJECTS: dict[str, Sequence[Callable[[], Subject]]] = {
+    **{name: [made] for name, made in FUNCTIONS.items()},
+    sections.NAME: [sections.subject],
+    **{name: [partial(scenes.subject, name, many) for many in (False, True)] for name in scenes.CASES},
+}
+NAMES = [*SUBJECTS]
 GROUPS = {"kernels": [*FUNCTIONS], "flow": [*scenes.CASES]}
 
 
@@ -41,49 +47,31 @@ class Profile:
 
 @dataclass(frozen=True)
 class Row:
-    """One way to compute one function.
-
-    Attributes
-    ----------
-    bound, bound_ulp
-        Proved bounds of the relative error and of the error in ulp of `kind`; None: sampled only.
-    error, ulp
-        The worst seen, on so many `points`; NaN for the floor, which computes nothing.
-    worst_input, worst_input_ulp
-        Where.
-    ns_1, ns_1e4, ns_1e6
-        Time of an element, ns, with N elements in a call: the median of several turns.
-    elements
-        How many elements the last of them was measured on; fewer than N for slow ways.
-    memory
-        Most that a call on so many took beside its arguments, bytes of Python and NumPy; None: not measured.
-    verdict
-        "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate.
-    """
+    """One way to compute one function."""
 
     function: str
     way: str
-    error: float
-    worst_input: tuple[float, ...]
-    ns_1: float
+    error: float  # the worst relative one seen, on so many `points`; NaN for the floor, which computes nothing
+    worst_input: tuple[float, ...]  # where
+    ns_1: float | None = None  # of an element, with N elements in a call: the median of several turns
     ns_1e4: float | None = None
     ns_1e6: float | None = None
-    elements: int = 1
-    bound: float | None = None
-    bound_ulp: float | None = None
-    ulp: float | None = None
+    elements: int = 1  # how many the last of them was measured on; fewer than N for slow ways
+    bound: float | None = None  # proved, of the relative error; None: sampled only
+    bound_ulp: float | None = None  # proved, of the error in ulp of `kind`
+    ulp: float | None = None  # the worst seen
     worst_input_ulp: tuple[float, ...] = ()
     points: int = 1
     kind: str = "float64"
-    memory: int | None = None
+    memory: int | None = None  # most that a call on so many took beside its arguments, bytes of Python and NumPy
     ours: bool = False
-    verdict: str = ""
+    verdict: str = ""  # "frontier"; "beaten: " and by which way; "no digit" where returning 0 is as accurate
     profile: Profile | None = field(default=None, repr=False, compare=False)
 
     @property
     def price(self) -> float:
         """The time that verdicts compare, ns: in an array that stays in cache, or of one call."""
-        return self.ns_1 if self.ns_1e4 is None else self.ns_1e4
+        return float(self.ns_1e4 or self.ns_1 or "nan")
 
 
 def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
@@ -92,7 +80,7 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     Parameters
     ----------
     names : sequence of str
-        Keys of `ways.FUNCTIONS` or `scenes.CASES`, or a group of them.
+        Keys of `SUBJECTS`, or a group of them.
     progress : text file, optional
         Where to say what is being measured.
 
@@ -101,99 +89,70 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
     ValueError
         For an unknown function.
     ImportError
-        Without mpmath and python-flint, which give the reference.
+        Without python-flint, which gives the reference.
     """
     names = [name for given in names for name in GROUPS.get(given, [given])]
-    unknown = [n for n in names if n not in NAMES]
-    if unknown:
+    if unknown := [n for n in names if n not in NAMES]:
         raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join([*GROUPS, *NAMES])}")
-    multiprecision(30)
+    if find_spec("flint") is None:
+        raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
     found = []
     for name in names:
         if progress:
             print(f"measuring {name}", file=progress, flush=True)
-        if name in scenes.CASES:
-            found += [row for many in (False, True) for row in judged(_scenes(name, many, progress))]
-        else:
-            found += judged(_functions(name, SUBJECTS[name]()))
+        for made in SUBJECTS[name]:
+            found += judged(measured(made(), progress))
     return found
 
 
-def _functions(name: str, subject: Subject) -> list[Row]:
-    rows = []
-    for way, times in zip(subject.ways, _times(subject), strict=True):
-        one, many, most = (ns for ns, _ in times)
-        count = times[-1][1]
-        memory = _peak(_work(way, subject.bulk(count), count)) if subject.weighed else None
-        row = Row(name, way.name, float("nan"), (), one, many, most, count, way.bound, way.bound_ulp,
-                  kind=way.kind, memory=memory, ours=way.ours)  # fmt: skip
-        rows.append(row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind)))
-    return rows
+def measured(subject: Subject, progress: TextIO | None = None) -> list[Row]:
+    """Errors and times of all ways that are installed."""
+    missing = [n for n in dict.fromkeys(way.needs for way in subject.ways) if n and find_spec(n) is None]
+    for name in missing:
+        if progress:
+            print(f"{subject.name}: {name} is missing, and left out", file=progress)
+    ways = [way for way in subject.ways if way.needs not in missing]
+    rows = [
+        Row(subject.name, way.name, float("nan"), (), bound=way.bound, bound_ulp=way.bound_ulp, kind=way.kind,
+            ours=way.ours) for way in ways
+    ]  # fmt: skip
+    for k in subject.sizes:
+        counts = [_fitting(way, subject, SIZES[k]) for way in ways]
+        arguments = {n: subject.bulk(n) for n in counts}
+        works = [_work(way, arguments[n], n) for way, n in zip(ways, counts, strict=True)]
+        for place, (n, seconds) in enumerate(zip(counts, interleaved(works), strict=True)):
+            time: dict[str, Any] = {TIMES[k]: median(seconds) / n * 1e9}
+            rows[place] = replace(rows[place], elements=n, **time)
+        if subject.weighed:
+            rows = [replace(row, memory=_peak(work)) for row, work in zip(rows, works, strict=True)]
+    return [
+        row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind))
+        for row, way in zip(rows, ways, strict=True)
+    ]
 
 
-def _scenes(name: str, many: bool, progress: TextIO | None) -> list[Row]:
-    """Rows of one scene, or of ten thousand."""
-    count = SIZES[1] if many else 1
-    some, near, rest = scenes.exactly(name, many)
-    found = scenes.ways(name, many, progress)
-    counts = [count if way.startswith("slipcircle") else _enough(call, count) for way, call in found.items()]
-    works = [partial(way, scenes.frictions(n)) for way, n in zip(found.values(), counts, strict=True)]
-    rows = []
-    for (way, call), n, seconds in zip(found.items(), counts, interleaved(works), strict=True):
-        error = float(np.nanmax(np.abs((call(some) - near) - rest) / near))
-        took = median(seconds) / n * 1e9
-        ours = way.startswith("slipcircle")
-        rows.append(Row(
-            f"{name}, {count} scenes" if many else name, way, error, (), took, took if many else None, elements=n,
-            points=some.size, ours=ours,
-        ))  # fmt: skip
-    return rows
-
-
-def _enough(way: Callable[[Floats], Floats], most: int) -> int:
-    """How many scenes a pass has time for: ten times as many, while that is quick."""
-    count = min(10, most)
-    way(scenes.frictions(count))  # what is imported at first only shall not pass for long work
-    while count < most and _timed(partial(way, scenes.frictions(count)), 1) < _QUICK:
-        count = min(10 * count, most)
-    return count
-
-
-# --- errors --------------------------------------------------------------------------------------------------------
-
-
-def _seen(row: Row, way: Way, exact: Reference) -> Row:
+def _seen(row: Row, way: Way, exact: Reference | Answers) -> Row:
     """The row with the worst errors of its way."""
     ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
-    at, at_ulp = int(np.argmax(relative)), int(np.argmax(np.abs(ulp)))
-    points = exact.points.T
-    return replace(
-        row, error=float(relative[at]), ulp=float(abs(ulp[at_ulp])), points=len(points),
-        worst_input=tuple(points[at].tolist()), worst_input_ulp=tuple(points[at_ulp].tolist()),
-        profile=Profile(exact.points[0], ulp, relative),
-    )  # fmt: skip
+    at, points = int(np.argmax(relative)), exact.points.T
+    row = replace(row, error=float(relative[at]), worst_input=tuple(points[at].tolist()), points=len(points))
+    if ulp is None:
+        return row
+    at = int(np.argmax(np.abs(ulp)))
+    profile = Profile(exact.points[0], ulp, relative)
+    return replace(row, ulp=float(abs(ulp[at])), worst_input_ulp=tuple(points[at].tolist()), profile=profile)
 
 
 # --- times ---------------------------------------------------------------------------------------------------------
 
 
-def _times(subject: Subject) -> list[list[tuple[float, int]]]:
-    """For each way and each of `SIZES`: ns an element, and on how many elements."""
-    found: list[list[tuple[float, int]]] = [[] for _ in subject.ways]
-    for size in SIZES:
-        arguments = subject.bulk(size)
-        counts = [_fitting(size, sofar, subject.longest) for sofar in found]
-        works = [_work(w, arguments, n) for w, n in zip(subject.ways, counts, strict=True)]
-        for sofar, count, seconds in zip(found, counts, interleaved(works), strict=True):
-            sofar.append((median(seconds) / count * 1e9, count))
-    return found
-
-
-def _fitting(size: int, sofar: list[tuple[float, int]], longest: float) -> int:
-    """How many elements a pass has time for, in seconds."""
-    while sofar and size > SIZES[1] and size * sofar[-1][0] * 1e-9 > longest:
-        size //= 10
-    return size
+def _fitting(way: Way, subject: Subject, size: int) -> int:
+    """How many elements a pass has time for: ten times as many, as long as that would take no longer."""
+    count = min(10, size)
+    _work(way, subject.bulk(count), count)()  # what is imported at first only shall not pass for long work
+    while count < size and 10 * _timed(_work(way, subject.bulk(count), count), 1) < _PASS * subject.patience:
+        count = min(10 * count, size)
+    return count
 
 
 def _peak(work: Callable[[], object]) -> int:
@@ -223,10 +182,8 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
     plans = []
     for work in works:
         took = _timed(work, 1)
-        if took < _LONG:
-            took = _timed(work, 1)
-        if took < _PATIENCE:  # what is slow at first only shall not pass for long work
-            took = min(took, _timed(work, 1), _timed(work, 1))
+        if took < _LONG:  # what is slow at first only shall not pass for long work
+            took = min(_timed(work, 1), _timed(work, 1))
         loops = max(1, int(_TICK / took))
         plans.append((loops, min(REPEATS, max(3 if took < _LONG else 1, int(_PATIENCE / (took * loops))))))
     samples: list[list[float]] = [[] for _ in works]
@@ -240,10 +197,8 @@ def interleaved(works: Sequence[Callable[[], object]]) -> list[list[float]]:
 
 
 def _timed(work: Callable[[], object], loops: int) -> float:
-    start = time.process_time()  # of the processor: what else it does in the meantime is not ours
-    for _ in range(loops):
-        work()
-    return max((time.process_time() - start) / loops, 1e-9)
+    """Seconds of the processor, a loop: what else it does in the meantime is not ours."""
+    return max(timeit(work, timer=time.process_time, number=loops) / loops, 1e-9)
 
 
 # --- verdicts ------------------------------------------------------------------------------------------------------
@@ -254,12 +209,7 @@ def judged(rows: Sequence[Row]) -> list[Row]:
     found = []
     for row in rows:
         better = [r for r in rows if r.error <= row.error and r.price * BEATEN < row.price]
-        best = min(better, key=lambda r: r.price, default=None)
-        if row.error != row.error:
-            said = "floor"
-        elif row.error >= 1:
-            said = "no digit"
-        else:
-            said = LOST + best.way if best else FRONTIER
-        found.append(replace(row, verdict=said))
+        said = LOST + min(better, key=lambda r: r.price).way if better else FRONTIER
+        lost = "floor" if row.error != row.error else "no digit" if row.error >= 1 else ""
+        found.append(replace(row, verdict=lost or said))
     return found

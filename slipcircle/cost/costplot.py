@@ -19,10 +19,7 @@ def overview(rows: Sequence[Row], figure: Any) -> None:
     functions = [[r for r in rows if r.function == name] for name in dict.fromkeys(row.function for row in rows)]
     for line, of in zip(figure.subplots(len(functions), 2, squeeze=False), functions, strict=True):
         frontier(of, line[0])
-        if _sampled(of):
-            over_alpha(of, line[1])
-        else:
-            line[1].set_axis_off()
+        over_alpha(of, line[1])
 
 
 def size(rows: Sequence[Row]) -> tuple[float, float]:
@@ -58,11 +55,6 @@ def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
     return axes
 
 
-def _sampled(rows: Sequence[Row]) -> list[Row]:
-    """Those of one argument whose errors are known at many points."""
-    return [r for r in rows if r.profile is not None and len(r.worst_input) == 1 and r.points > 100]
-
-
 def _height(row: Row) -> float:
     return float(np.clip(row.error, _BEST, _NONE))
 
@@ -76,22 +68,23 @@ def both_ends(alpha: Floats) -> Floats:
 
 
 def over_alpha(rows: Sequence[Row], ax: Any = None) -> Any:
-    """Relative error over alpha, logarithmic towards both ends, with what is proved as a thin line."""
+    """Relative error over alpha, logarithmic towards both ends, with what is proved as a thin line; off if unknown."""
     axes = axis(ax, (9.0, 5.5))
     edges = np.linspace(-_DECADES, _DECADES, _BINS + 1)
-    for k, row in enumerate(_sampled(rows)):
-        assert row.profile is not None
-        place = np.digitize(both_ends(row.profile.points), edges) - 1
-        worst = np.array([np.max(row.profile.relative[place == k], initial=0.0) for k in range(_BINS)])
+    known = [(row, row.profile) for row in rows if row.profile is not None]
+    if not known:
+        axes.set_axis_off()
+        return axes
+    for k, (row, profile) in enumerate(known):
+        place = np.digitize(both_ends(profile.points), edges) - 1
+        worst = np.array([np.max(profile.relative[place == k], initial=0.0) for k in range(_BINS)])
         (line,) = axes.plot((edges[1:] + edges[:-1])[worst > 0] / 2, np.clip(worst[worst > 0], _BEST, _NONE),
                             ls=("-", "--", ":", "-.")[k // 10 % 4], lw=2 if row.ours else 1, label=row.way)  # fmt: skip
         if row.bound is not None:
             axes.axhline(row.bound, color=line.get_color(), lw=0.8)
-    powers = (16, 12, 8, 4)
-    places = [float(np.log10(10.0**-k / (HALF_PI[0] / 2))) for k in powers]
-    words = [f"$10^{{-{k}}}$" for k in powers]
-    axes.set_xticks([*places, 0, *(-x for x in reversed(places))],
-                    [*words, "$\\pi/4$", *(f"$\\pi/2 -$\n{w}" for w in reversed(words))])  # fmt: skip
+    near = {f"$10^{{-{k}}}$": float(both_ends(np.array(10.0**-k))) for k in (16, 12, 8, 4)}
+    axes.set_xticks([*near.values(), 0, *(-x for x in near.values())],
+                    [*near, "$\\pi/4$", *(f"$\\pi/2 -$\n{word}" for word in near)])  # fmt: skip
     axes.set(yscale="log", xlim=(-_DECADES, _DECADES), ylim=(_BEST, _NONE * 2), xlabel="alpha, rad",
              ylabel="relative error, worst in each bin (thin: proved)")  # fmt: skip
     axes.grid(alpha=0.3)

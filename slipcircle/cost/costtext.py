@@ -3,21 +3,21 @@
 import textwrap
 from collections.abc import Sequence
 from dataclasses import fields
+from itertools import compress
 from typing import Any
 
 import numpy as np
 
 from slipcircle.base import files
-from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, Row
-from slipcircle.motion.quantities import shown, spent
+from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, TIMES, Row
+from slipcircle.motion.quantities import plain, shown, spent
 
 WIDTH = 100  # of tables and text, columns
 NOTES = (
     "proved: bound over the whole domain, rounding included. seen: worst relative error; ulp: worst error in units of "
     "the last place of the row's format; at: where.",
-    f"N=: processor time, ns an element or that of a scene, the median of up to {REPEATS} turns, into a given array "
-    "where the way can; ~ on fewer elements. What heyoka takes to compile is left "
-    "out.",
+    f"N=: processor time of an element or a scene, the median of up to {REPEATS} turns, into a given array where the "
+    "way can; ~ on fewer elements. What heyoka takes to compile is left out.",
     "memory: the most that the last of these took of Python and NumPy, its result included; shapely's own is not seen.",
     f"beaten: by the way of that number, at least as accurate and over {BEATEN} times faster at N=1e4.",
     "no digit: an error of 1 or more somewhere; returning 0 is as accurate.",
@@ -54,13 +54,12 @@ def verdict(rows: Sequence[Row]) -> str:
     ]
     lines.append(f"Of ours, these lose: {'; '.join(lost)}." if lost else "None of ours is beaten.")
     faster: dict[str, list[str]] = {}
-    for label, key in zip(COLUMNS[6:9], ("ns_1", "ns_1e4", "ns_1e6"), strict=True):
+    for label, key in zip(COLUMNS[6:9], TIMES, strict=True):
         times = {r.way: float(getattr(r, key) or "nan") for r in rows}
-        mine, theirs = (min(some, key=lambda r: times[r.way]) for some in (ours, others))
-        if times[theirs.way] * BEATEN < times[mine.way]:
-            faster.setdefault(theirs.way, []).append(
-                f"{shown(times[mine.way] / times[theirs.way], 2)} times at {label}"
-            )
+        mine, theirs = (min(times[r.way] for r in some) for some in (ours, others))
+        if theirs * BEATEN < mine:
+            fastest = next(way for way, time in times.items() if time == theirs)
+            faster.setdefault(fastest, []).append(f"{shown(mine / theirs, 2)} times at {label}")
     lines += [
         f"Faster than anything of ours: {way}, {', '.join(gains)}, with an error of {short(by[way].error)}."
         for way, gains in faster.items()
@@ -77,11 +76,6 @@ def short(x: float, digits: int = 2) -> str:
     """A few digits, in as few characters as they take: 7.7e-17."""
     mantissa, _, exponent = f"{x:.{digits - 1}e}".partition("e")
     return f"{mantissa}e{int(exponent)}" if int(exponent or 0) else mantissa
-
-
-def _number(x: float) -> str:
-    """Three digits; whole numbers as far as five characters hold them."""
-    return f"{x:.3g}" if x < 999.5 else f"{x:.0f}" if x < 99999.5 else short(x)
 
 
 def _at(values: Sequence[float]) -> str:
@@ -102,32 +96,28 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
     place = {row.way: str(i) for i, row in enumerate(rows, 1)}
     found = []
     for row in rows:
-        solver, winner = row.ns_1e6 is None, place.get(row.verdict.removeprefix(LOST))
-        time, few = spent if solver else _number, "~" if row.elements < SIZES[1 if solver else -1] else ""
-        ulp = "" if row.ulp is None else "0" if row.ulp < 5e-4 else f"{row.ulp:.3f}" if row.ulp < 10 else None
+        times = [getattr(row, key) for key in TIMES]
+        cells = ["" if time is None else spent(time) for time in times]
+        last = max(k for k, time in enumerate(times) if time is not None)
+        cells[last] = "~" * (row.elements < SIZES[last]) + cells[last]
+        ulp = "" if row.ulp is None else shown(row.ulp, 3) if row.ulp < 1e3 else short(row.ulp, 1)
+        winner = place.get(row.verdict.removeprefix(LOST))
         found.append([
             place[row.way], row.way, _proved(row), short(row.error) if row.error == row.error else "",
-            short(float(row.ulp or 0), 1) if ulp is None else ulp, _at(row.worst_input_ulp),
-            time(row.ns_1), (few if solver else "") + time(row.ns_1e4) if row.ns_1e4 else "",
-            few + time(row.ns_1e6) if row.ns_1e6 else "",
+            ulp, _at(row.worst_input_ulp), *cells,
             "" if row.memory is None else f"{row.memory / 1e6:.3g} MB", f"beaten {winner}" if winner else row.verdict,
         ])  # fmt: skip
     filled = [any(column) for column in zip(*found, strict=True)]
-
-    def kept(texts: Sequence[str]) -> list[str]:
-        return [text for text, wanted in zip(texts, filled, strict=True) if wanted]
-
-    return kept(COLUMNS), [kept(texts) for texts in found]
+    return list(compress(COLUMNS, filled)), [list(compress(texts, filled)) for texts in found]
 
 
 def record(row: Row) -> dict[str, Any]:
     """A row for JSON and CSV, in full precision; None for what is infinite, unknown, or was not measured."""
-    found = {f.name: getattr(row, f.name) for f in fields(row) if f.name != "profile"}
-    return {k: None if isinstance(v, float) and not np.isfinite(v) else v for k, v in found.items()}
+    return {f.name: plain(getattr(row, f.name)) for f in fields(row) if f.name != "profile"}
 
 
 def table_csv(rows: Sequence[Row]) -> bytes:
     """All rows as a table for machines."""
     records = [record(row) for row in rows]
-    cells = ([" ".join(map(repr, v)) if isinstance(v, tuple) else v for v in r.values()] for r in records)
+    cells = ([" ".join(map(repr, v)) if isinstance(v, list) else v for v in r.values()] for r in records)
     return files.table([f.name for f in fields(Row) if f.name != "profile"], cells)

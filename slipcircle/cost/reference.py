@@ -4,8 +4,9 @@ One set for all ways, so that their errors can be compared: uniform in value, un
 ends of [0, pi/2].
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -49,21 +50,21 @@ def inputs(kind: str = "float64") -> NDArray[Any]:
 
 @dataclass(frozen=True)
 class Reference:
-    """Exact values in the format that a result is judged in: value = nearest + rest * unit, all of them arrays.
-
-    The error in ulp is then (result - nearest)/unit - rest: fractional, against the unrounded value, also among
-    denormal numbers.
-    """
+    """Exact values in the format that a result is judged in: value = nearest + rest * unit, all of them arrays."""
 
     points: Floats  # one row per argument
-    values: Sequence[Any]  # balls or mpmath's numbers
+    values: Sequence[Any]  # balls
     nearest: Floats
     unit: Floats
     rest: Floats
     smallest: float  # the format's smallest normal number; relative errors below it are relative to it
 
     def errors(self, results: NDArray[Any]) -> tuple[Floats, Floats]:
-        """Signed errors in ulp and relative errors; a result that is not a number is infinitely wrong."""
+        """Signed errors in ulp and relative errors; a result that is not a number is infinitely wrong.
+
+        Those in ulp are (result - nearest)/unit - rest: fractional, against the unrounded value, also among denormal
+        numbers.
+        """
         with np.errstate(all="ignore"):
             ulp = np.asarray((results - self.nearest) / self.unit - self.rest, dtype=np.float64)
             relative = np.abs(ulp) * (self.unit / np.maximum(np.abs(self.nearest), self.smallest))
@@ -71,49 +72,47 @@ class Reference:
         return np.where(bad, np.inf, ulp), np.where(bad, np.inf, relative)
 
 
+class Answers:
+    """Exact values of several results at each point, kept as decimals; judged by their worst relative error."""
+
+    def __init__(self, points: Floats, texts: Sequence[Sequence[str]], size: Callable[[Floats], Floats] = abs) -> None:
+        self.points = points
+        self.nearest = np.array(texts, dtype=np.float64)
+        self.rest = np.array([[float(Decimal(v) - Decimal(float(v))) for v in row] for row in texts])
+        self.size = size(self.nearest)  # what errors are relative to
+
+    def errors(self, results: Floats) -> tuple[None, Floats]:
+        """Relative errors of the results that are given, the others being NaN."""
+        return None, np.nanmax(np.abs((results - self.nearest) - self.rest) / self.size, axis=0)
+
+
 def reference(points: Floats, values: Sequence[Any], kind: str = "float64") -> Reference:
     """Exact values, all of one type with its own arithmetic, made ready for the comparison in a format."""
     nearest = np.array([float(v) for v in values])
     unit = np.spacing(np.abs(nearest).astype(kind)).astype(np.float64)
-    rest = np.array(
-        [float((v - type(v)(n)) / type(v)(u)) for v, n, u in zip(values, nearest.tolist(), unit.tolist(), strict=True)]
-    )
-    return Reference(points, values, nearest, unit, rest, float(np.finfo(kind).smallest_normal))
+    triples = zip(values, nearest.tolist(), unit.tolist(), strict=True)
+    rest = [float((v - type(v)(n)) / type(v)(u)) for v, n, u in triples]
+    return Reference(points, values, nearest, unit, np.array(rest), float(np.finfo(kind).smallest_normal))
 
 
 @cache
 def kernel(name: str, kind: str = "float64") -> Reference:
-    """The exact values of a kernel on the set.
-
-    Raises
-    ------
-    ImportError
-        Without python-flint.
-    """
+    """The exact values of a kernel on the set."""
     from flint import ctx
 
     with ctx.workprec(400):
-        points = inputs(kind).astype(np.float64)
-        if name in QUOTIENTS:
-            above, below = (_values(n, kind) for n in QUOTIENTS[name])
-            pairs = list(zip(points.tolist(), above, below, strict=True))
-            points = np.array([x for x, _, _ in pairs if x > 0.0])  # at 0 both are 0; the limit has no ball
-            values = [a / b for x, a, b in pairs if x > 0.0]
-        else:
-            values = _values(name, kind)
-        return reference(points[None], values, kind)
-
-
-def _values(name: str, kind: str) -> list[Any]:
-    return [value[name] for value in _balls(kind)]
+        known = {alpha: of for alpha, of in _balls(kind).items() if alpha > 0.0 or name not in QUOTIENTS}  # 0/0 at 0
+        above, *below = QUOTIENTS.get(name, (name,))
+        values = [of[above] / of[below[0]] if below else of[above] for of in known.values()]
+        return reference(np.array([[*known]]), values, kind)
 
 
 @cache
-def _balls(kind: str) -> list[dict[str, Any]]:
+def _balls(kind: str) -> dict[float, dict[str, Any]]:
     """All base quantities at every point; they share sine, cosine and logarithm."""
     from flint import arb, ctx
 
-    found = []
+    found = {}
     for alpha in inputs(kind).tolist():
         # The closed forms are differences of O(alpha) that are O(alpha**3), and 1 - cos is one of O(1).
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
@@ -123,7 +122,7 @@ def _balls(kind: str) -> list[dict[str, Any]]:
             wide = [n for n, v in values.items() if alpha and v.rel_accuracy_bits() < 3.33 * DIGITS]
             if wide:
                 raise ArithmeticError(f"{wide[0]}({alpha!r}) has fewer than {DIGITS} digits")
-        found.append(values)
+        found[alpha] = values
     return found
 
 

@@ -6,19 +6,17 @@ floats SciPy's, over heyoka's expressions heyoka's. The answers are the tests' T
 
 import json
 import math
-from collections.abc import Callable
 from dataclasses import replace
-from decimal import Decimal
 from functools import cache, partial
-from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, NamedTuple, TextIO
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from generated import kernels
 from slipcircle.base.series import Series
-from slipcircle.cost.reference import Floats
+from slipcircle.cost.reference import Answers, Floats
+from slipcircle.cost.ways import Subject, Way
 from slipcircle.files.scenefile import load
 from slipcircle.flow import compiled, walk
 from slipcircle.flow.solve import walked
@@ -29,7 +27,7 @@ from slipcircle.scene.arc import Arc
 from slipcircle.scene.scene import Scene
 
 ACCURACIES = (1e-3, 1e-6, 1e-9, 1e-12, 1e-15)
-LEAST_RTOL = 1e-13  # that SciPy grants
+TOLERANCES = (*ACCURACIES[:-1], 1e-13)  # of SciPy, which grants no less
 ANGLES = (10.0, 14.0, 19.5)  # of friction, deg: the first and last of an ensemble, and between them that of one scene
 RESIDUAL, LENGTH, SPEED = float(np.tan(np.radians(8.0))), 1.0, 5.0  # of the laws: "", m, m/s
 LAYER = {"pressurisation": 4e3, "heat_capacity": 2.7e6, "thickness": 0.5}  # Pa/K, J/m^3 K, m: it stays pressed
@@ -40,7 +38,7 @@ BATCH = 32  # lanes of heyoka at once: as many as still gain
 # ``python tests/exact_scenes.py`` writes them.
 ANSWERS = Path(__file__).with_name("answers.json")
 _LATEST = 1e3  # standstill, dimensionless
-Way = Callable[[Floats], Floats]  # friction coefficients to run-out, peak velocity and duration, (3, n)
+PATIENCE = 5.0  # of a pass over scenes, as of `Subject`
 
 
 @cache
@@ -143,41 +141,29 @@ def answer(of: Equation, phi: Any, omega: Any, time: Any) -> tuple[Any, Any, Any
     return of.radius * phi, of.radius * omega / of.scale, time * of.scale
 
 
-def exactly(name: str, many: bool) -> tuple[Floats, Floats, Floats]:
-    """Frictions, answers as the nearest doubles, and what is left of these to 22 digits, (3, n) each of them."""
-    known = json.loads(ANSWERS.read_text("utf-8"))[name]
-    mu, *answers = zip(*((float(mu), *map(Decimal, texts)) for mu, texts in known.items()), strict=True)
-    near = np.array(answers, dtype=np.float64)
-    rest = np.array([[float(x - Decimal(float(x))) for x in row] for row in answers])
-    which = slice(1, None) if many else slice(1)
-    return np.array(mu)[which], near[:, which], rest[:, which]
-
-
 # --- ways ------------------------------------------------------------------------------------------------------------
 
 
-def ours(case: Case, accuracy: float, walker: Any, closed: bool | None, mu: Floats) -> Floats:
+def ours(case: Case, accuracy: float, walker: Any, mu: Any) -> Floats:
     """By this package: as `solve` does it, or with a walk of one's own choice."""
-    scene = case.scene(mu) if mu.size > 1 else _one(case, float(mu[0]))
-    if walker is None and closed is None:
+    scene = case.scene(mu) if np.size(mu) > 1 else _one(case, float(np.squeeze(mu)))
+    if walker is None:
         motion = solve(scene, accuracy)
     else:
         lanes = lanes_of(chosen := plan(scene, accuracy))
-        cells = walked(lanes.bound, lanes.closed and closed is None, walker=walker)
-        motion = Motion(chosen, lanes, told(cells, not scene.shape), [])
+        motion = Motion(chosen, lanes, told(walked(lanes.bound, lanes.closed, walker=walker), not scene.shape), [])
     return np.array([motion.outcomes[n] for n in ("run_out", "peak_velocity", "duration")]).reshape(3, -1)
 
 
-def dop853(case: Case, tolerance: float) -> Way:
+def dop853(case: Case, tolerance: float, mu: Any) -> Floats:
     """By SciPy's DOP853, scene after scene, with events for the peak and the standstill."""
     from scipy.integrate import solve_ivp
 
-    of = Equation(case)
-    end, (times, k_h) = of.end or _LATEST, record()
+    of, (times, k_h) = _equation(case), record()
 
-    def one(mu: float) -> tuple[Any, Any, Any]:
+    def one(friction: float) -> tuple[Any, Any, Any]:
         def rate(t: float, y: Any) -> list[Any]:
-            return of.rate(mu, y, float(np.interp(t * of.scale, times, k_h)) if case.shakes else None)
+            return of.rate(friction, y, float(np.interp(t * of.scale, times, k_h)) if case.shakes else None)
 
         def stands(_: float, y: Any) -> float:
             return float(y[1])
@@ -187,73 +173,82 @@ def dop853(case: Case, tolerance: float) -> Way:
 
         vars(stands).update(terminal=of.end is None, direction=-1.0)
         vars(slows).update(direction=-1.0)
-        found = solve_ivp(rate, (0.0, end), of.start(), "DOP853", rtol=tolerance, atol=1e-3 * tolerance,
+        found = solve_ivp(rate, (0.0, of.end or _LATEST), of.start(), "DOP853", rtol=tolerance, atol=1e-3 * tolerance,
                           events=[stands, slows])  # fmt: skip
-        peaks = [y[1] for y in found.y_events[1]] if not case.shakes else found.y[1]
-        return answer(of, found.y[0, -1], max([*peaks, found.y[1, -1]]), found.t[-1])
+        peaks = found.y[1] if case.shakes else [*(y[1] for y in found.y_events[1]), found.y[1, -1]]
+        return answer(of, found.y[0, -1], max(peaks), found.t[-1])
 
-    return lambda mu: np.array([one(x) for x in mu.tolist()]).T
+    return np.array([one(x) for x in np.atleast_1d(mu).tolist()]).T
 
 
-def heyoka(case: Case, tolerance: float, lanes: int) -> Way:
-    """By heyoka's Taylor series, compiled once: so many neighbouring frictions at once, all but the peak.
+@cache
+def _equation(case: Case) -> Equation:
+    return Equation(case)
+
+
+def heyoka(case: Case, tolerance: float, lanes: int, mu: Any) -> Floats:
+    """By heyoka's Taylor series: so many neighbouring frictions at once, all but the peak.
 
     The peak would take a call of Python from each lane, so that it is spared it.
     """
+    of, system = _compiled(case, tolerance, lanes)
+    mu = np.atleast_1d(mu)
+    found = np.full((3, mu.size), np.nan)
+    for first in range(0, mu.size, lanes):
+        part = mu[first : first + lanes]
+        system.set_time(0.0)
+        system.state[:], system.pars[0] = np.array(of.start())[:, None], np.resize(part, lanes)
+        if of.end is None:
+            system.reset_cooldowns()
+        until = np.full(lanes, of.end or _LATEST)
+        while True:  # it returns whenever a lane has come to rest; as a rule neighbours do so in one step
+            system.propagate_until(until)
+            moving = (system.state[1] > 1e-9) & (system.time < until)
+            if not moving.any():
+                break
+            until = np.where(moving, until, system.time)
+        found[0, first : first + lanes] = of.radius * system.state[0, : part.size]
+        found[2, first : first + lanes] = of.scale * system.time[: part.size]
+    return found
+
+
+@cache
+def _compiled(case: Case, tolerance: float, lanes: int) -> tuple[Equation, Any]:
     import heyoka as hy  # type: ignore[import-not-found, import-untyped, unused-ignore]
 
-    of = Equation(case, hy)
+    of, symbolic = _equation(case), Equation(case, hy)
     states = hy.make_vars("phi", "omega", "stress")[: 3 if case.heats else 2]
+    symbolic.dip = hy.expression(symbolic.dip)
+    rates = symbolic.rate(hy.par[0], list(states))
+    events = [hy.t_event_batch(states[1], direction=hy.event_direction.negative)] if of.end is None else []
     begin = [[float(x)] * lanes for x in of.start()]
-    of.dip = hy.expression(of.dip)
-    falls = hy.event_direction.negative
-    events = [hy.t_event_batch(states[1], direction=falls)] if of.end is None else []
-    rates = of.rate(hy.par[0], list(states))
-    system = hy.taylor_adaptive_batch([*zip(states, rates, strict=True)], begin, pars=[[0.0] * lanes], tol=tolerance,
-                                      t_events=events)  # fmt: skip
-
-    def solved(mu: Floats) -> Floats:
-        found = np.full((3, mu.size), np.nan)
-        for first in range(0, mu.size, lanes):
-            part = mu[first : first + lanes]
-            system.set_time(0.0)
-            system.state[:], system.pars[0] = begin, np.resize(part, lanes)
-            if events:
-                system.reset_cooldowns()
-            until = np.full(lanes, of.end or _LATEST)
-            while True:  # it returns whenever a lane has come to rest; as a rule neighbours do so in one step
-                system.propagate_until(until)
-                moving = (system.state[1] > 1e-9) & (system.time < until)
-                if not moving.any():
-                    break
-                until = np.where(moving, until, system.time)
-            found[0, first : first + lanes] = of.radius * system.state[0, : part.size]
-            found[2, first : first + lanes] = of.scale * system.time[: part.size]
-        return found
-
-    return solved
+    return of, hy.taylor_adaptive_batch([*zip(states, rates, strict=True)], begin, pars=[[0.0] * lanes], tol=tolerance,
+                                        t_events=events)  # fmt: skip
 
 
-def ways(name: str, many: bool, progress: TextIO | None = None) -> dict[str, Way]:
-    """Ways to solve one scene, or many of one arc by their friction coefficients."""
+def ways(name: str, many: bool) -> list[Way]:
+    """Ways to solve one scene, or many of one arc: friction coefficients to run-out, peak velocity and duration."""
     case = CASES[name]
-    found: dict[str, Way] = {f"slipcircle, {a:.0e}": partial(ours, case, a, None, None) for a in ACCURACIES}
-    frozen = case.shipped == "vaiont-frozen"
-    if frozen or (compiled.module() is not None and not (case.shakes and many)):
-        text, other = ("series", None) if frozen else ("NumPy", walk.walk)
-        found |= {f"slipcircle, {text}, {a:.0e}": partial(ours, case, a, other, False)
-                  for a in ((1e-9,) if case.shakes else ACCURACIES[::2])}  # fmt: skip
-    for module in ("scipy", "heyoka"):
-        if find_spec(module) is None:
-            if progress:
-                print(f"{module} is missing, and left out", file=progress)
-        elif module == "scipy":
-            found |= {f"DOP853, rtol {max(a, LEAST_RTOL):.0e}": dop853(case, max(a, LEAST_RTOL)) for a in ACCURACIES}
-        elif not case.shakes:  # it has no tables
-            found |= {f"heyoka, tol {a:.0e}": heyoka(case, a, BATCH if many else 1) for a in ACCURACIES}
+    found = [Way(f"slipcircle, {a:.0e}", partial(ours, case, a, None), ours=True) for a in ACCURACIES]
+    if name != "closed form" and compiled.module() is not None and not (case.shakes and many):
+        found += [Way(f"slipcircle, NumPy, {a:.0e}", partial(ours, case, a, walk.walk), ours=True)
+                  for a in ((1e-9,) if case.shakes else ACCURACIES[::2])]  # fmt: skip
+    found += [Way(f"DOP853, rtol {a:.0e}", partial(dop853, case, a), needs="scipy") for a in TOLERANCES]
+    if not case.shakes:  # it has no tables
+        lanes = BATCH if many else 1
+        found += [Way(f"heyoka, tol {a:.0e}", partial(heyoka, case, a, lanes), needs="heyoka") for a in ACCURACIES]
     return found
 
 
 def frictions(count: int) -> Floats:
     """Friction coefficients of an ensemble, or that of one scene."""
     return np.tan(np.radians(np.linspace(ANGLES[0], ANGLES[-1], count) if count > 1 else np.array(ANGLES[1:2])))
+
+
+def subject(name: str, many: bool) -> Subject:
+    """One scene, or many of them, as a table of the price list has it."""
+    known = json.loads(ANSWERS.read_text("utf-8"))[name]
+    which = [*known][1:] if many else [*known][:1]
+    exact = Answers(np.array([which], dtype=np.float64), [*zip(*(known[mu] for mu in which), strict=True)])
+    return Subject(f"{name}, 10000 scenes" if many else name, ways(name, many), lambda kind: exact,
+                   lambda count: frictions(count)[None], (1,) if many else (0,), PATIENCE)  # fmt: skip

@@ -6,16 +6,13 @@ of polygons, and is judged by these alone.
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
-from decimal import Decimal
 from functools import partial
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from slipcircle.cost.reference import Floats, Reference
+from slipcircle.cost.reference import Answers, Floats
 from slipcircle.cost.ways import Subject, Way
 from slipcircle.scene import circles
 from slipcircle.scene.circles import MEASURES
@@ -25,7 +22,7 @@ from slipcircle.scene.section import Section
 NAME = "sections"
 # `MEASURES` of the sections of `drawn(COUNT)`, to 24 digits; ``python tests/exact_scenes.py`` writes them.
 ANSWERS, COUNT = Path(__file__).with_name("sections.json"), 12
-LONGEST = 8.0  # seconds that a pass may take: a million sections of ours do not
+PATIENCE = 80.0  # of a pass, as of `Subject`: a million sections of ours take less
 _X = np.linspace(-60.0, 60.0, 11)
 GROUND = np.stack([_X, 10.0 - _X / 5 + 1.5 * np.sin(_X / 9)], axis=1)
 _BLOCK, _GAUSS, _SEGMENTS = 1 << 13, (4, 8, 16), (8, 64, 512)
@@ -101,24 +98,12 @@ def polygons(segments: int, centre: Floats, radius: Floats) -> Floats:
 # --- judgement -------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Exact(Reference):
-    """Exact measures; of a result the worst counts that it gives, of weights against the length of their vector."""
-
-    def errors(self, results: Floats) -> tuple[Floats, Floats]:
-        size = np.abs(self.nearest)
-        for pair in map(list, _VECTORS):
-            size[pair] = np.hypot(*self.nearest[pair])
-        relative = np.nanmax(np.abs((results - self.nearest) - self.rest * self.unit) / size, axis=0)
-        return relative / 2.0**-53, relative
-
-
-def reference(kind: str) -> Exact:
-    """The answers, as doubles and what these lack."""
-    texts = json.loads(ANSWERS.read_text("utf-8"))
-    nearest = np.array([[float(v) for v in row] for row in texts])
-    rest = np.array([[float(Decimal(v) - Decimal(float(v))) for v in row] for row in texts])
-    return Exact(drawn(COUNT), texts, nearest, np.ones_like(nearest), rest, 0.0)
+def sizes(measures: Floats) -> Floats:
+    """What errors of `MEASURES` are relative to: of weights the length of their vector."""
+    found = np.abs(measures)
+    for pair in map(list, _VECTORS):
+        found[pair] = np.hypot(*measures[pair])
+    return found
 
 
 def subject() -> Subject:
@@ -127,7 +112,7 @@ def subject() -> Subject:
         Way("slipcircle, arrays", partial(blocks, bare), ours=True),
         Way("slipcircle, Section", partial(blocks, whole), ours=True),
         *(Way(f"Gauss, {n} x {n} points", partial(blocks, partial(gauss, n))) for n in _GAUSS),
+        *(Way(f"shapely, {4 * n} chords", partial(blocks, partial(polygons, n)), needs="shapely") for n in _SEGMENTS),
     ]
-    if find_spec("shapely") is not None:
-        found += [Way(f"shapely, {4 * n} chords", partial(blocks, partial(polygons, n))) for n in _SEGMENTS]
-    return Subject(found, reference, drawn, LONGEST, weighed=True)
+    exact = Answers(drawn(COUNT), json.loads(ANSWERS.read_text("utf-8")), sizes)
+    return Subject(NAME, found, lambda kind: exact, drawn, patience=PATIENCE, weighed=True)

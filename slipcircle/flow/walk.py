@@ -234,7 +234,7 @@ class Walker(Resting):
         self.base()
         p0, ps0 = c[roles["cell_p0"]], c[roles["cell_ps0"]]
         most = np.hypot(p0, ps0)
-        carried = ~self._changes() & (c[roles["cell_normal0"]] + (most - p0) <= 0.01 * most)
+        carried = ~self._changes() & (c[roles["cell_normal0"]] + (most - p0) <= its.CARRIED * most)
         never = (c[its.FIRST_ONLY] == 1.0) | carried
         c[its.STATUS, never] = its.STOPPED
         self.on(never, "rest")

@@ -15,14 +15,13 @@ from slipcircle.base.checks import EPS
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
-from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene, checked
-from slipcircle.scene.varied import number_in, scene_with
+from slipcircle.scene.varied import scene_with
 from slipcircle.studies import search
-from slipcircle.studies.asked import Bounds, Observations, Observed, between, check, observations
+from slipcircle.studies.asked import Bounds, Observed, observations, searched
 from slipcircle.studies.motions import derivatives
-from slipcircle.studies.ranges import range_of
 from slipcircle.studies.sampling import sobol
+from slipcircle.studies.search import Space
 
 Floats = NDArray[np.float64]
 ROOT = "all roots in the range"
@@ -127,16 +126,6 @@ class BackAnalysis:
     warnings: tuple[str, ...] = ()
 
     @property
-    def field(self) -> str:
-        """The first field."""
-        return next(iter(self.units))
-
-    @property
-    def unit(self) -> str:
-        """Of the first field."""
-        return self.units[self.field]
-
-    @property
     def value(self) -> float:
         """Of the first solution and field."""
         return self.solutions[0].value
@@ -214,160 +203,135 @@ def backanalyse(
     observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-    paths = [field] if isinstance(field, str) else list(field) if isinstance(field, Sequence) else []
-    if not paths or not isinstance(bounds, tuple | Mapping | None):
-        raise ValueError(f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
-                         "pair of numbers or a mapping from keys to such")  # fmt: skip
-    given = dict.fromkeys(paths[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
-    try:
-        fields = [number_in(scene, path) for path in paths]
-        limits = {number_in(scene, path).key: b for path, b in given.items()}
-    except ValueError as error:
-        raise ValueError(f"backanalyse: field: {error}") from error
-    check(scene, fields, observed, bounds, limits)
-    ranges = [between(f.key, *limits[f.key]) if f.key in limits else range_of(scene, f, len(fields) == 1)
-              for f in fields]  # fmt: skip
-    if len(fields) == len(observed) == 1:
-        return _met(scene, fields[0], observed, ranges[0])
-    return _fitted(scene, fields, observed, ranges)
+    space = searched(scene, field, bounds, observed)
+    return _met(space) if len(space.fields) == len(observed) == 1 else _fitted(space)
 
 
-def _met(scene: Scene, field: Number, observed: Observations, values: Floats) -> BackAnalysis:
-    """All values with the one observation."""
-    ((name, (wanted, _)),) = observed.items()
+def _met(space: Space) -> BackAnalysis:
+    """All values of the one field with the one observation."""
+    (field,), (values,), (name,), (wanted,) = space.fields, space.ranges, space.observed, space.seen
 
-    def sample(at: Floats) -> tuple[Floats, NDArray[np.int64]]:
-        found = search.sampled(scene, [field], at[None, :])
-        return found.outcomes[name], found.kind
+    def sample(at: Floats) -> tuple[Floats, search.Kinds]:
+        outcomes, kinds = space.sampled(at[None, :])
+        return outcomes[0], kinds
 
-    solutions = [_solution(scene, [field], [v], observed) for v in search.roots(sample, values, wanted)]
+    solutions = [_solution(space, [v]) for v in search.roots(sample, values, wanted)]
     if solutions:
         solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
-        return BackAnalysis({field.key: field.unit}, dict(observed), tuple(solutions), ROOT)
+        return _told(space, solutions, ROOT)
     if not np.any(np.isfinite(sample(values)[0])):
         raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    places = [search.extreme(sample, values, sign)[1] for sign in (-1.0, 1.0)]
-    ends = tuple((float(solve(scene_with(scene, {field.name: field.to_si(at)})).outcomes[name]), at) for at in places)
+    places = [search.extreme(sample, values, sign) for sign in (-1.0, 1.0)]
+    there = [scene_with(space.scene, {field.name: field.to_si(at)}) for at in places]
+    least, most = ((float(solve(scene).outcomes[name]), at) for scene, at in zip(there, places, strict=True))
     unit = OUTCOMES[name].unit
-    words = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in ends)
-    if ends[1][0] - ends[0][0] <= 1e-9 * abs(ends[1][0]):
-        words = f"only {ends[0][0]:.6g} {unit}, whatever it is"
+    words = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in (least, most))
+    if most[0] - least[0] <= 1e-9 * abs(most[0]):
+        words = f"only {least[0]:.6g} {unit}, whatever it is"
     said = f"{name} = {wanted:.10g} {unit}: no {field.key} gives it; attainable: {words}"
-    raise Unattainable(said, {name: (ends[0], ends[1])})
+    raise Unattainable(said, {name: (least, most)})
 
 
-def _fitted(scene: Scene, fields: Sequence[Number], observed: Observations, ranges: Sequence[Floats]) -> BackAnalysis:
-    names = ", ".join(f.key for f in fields)
-    space = search.Space(scene, fields, ranges, observed)
-    points = sobol(0, (5,), 0, _STARTS * len(fields), len(fields))
-    pairs = zip(points, ranges, strict=True)
-    tried = np.stack([np.interp(p, np.linspace(0.0, 1.0, len(r)), r) for p, r in pairs])
+def _told(space: Space, solutions: Sequence[Solution], method: str, doubts: Sequence[str] = ()) -> BackAnalysis:
+    units = {f.key: f.unit for f in space.fields}
+    return BackAnalysis(units, dict(space.observed), tuple(solutions), method, tuple(doubts))
+
+
+def _fitted(space: Space) -> BackAnalysis:
+    """All values of the fields that meet the observations about as well as the best ones."""
+    names, count = ", ".join(f.key for f in space.fields), len(space.fields)
+    points = zip(sobol(0, (5,), 0, _STARTS * count, count), space.ranges, strict=True)
+    tried = np.stack([np.interp(p, np.linspace(0.0, 1.0, len(r)), r) for p, r in points])
     fits = search.fits(space, space.shares(tried))
     if not fits:
         raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
     solutions, untold = [], list[ValueError]()
     for fit in fits:
         try:
-            solutions.append(_solution(scene, fields, space.at(fit.shares[:, None])[:, 0].tolist(), observed))
+            solutions.append(_solution(space, space.at(fit.shares[:, None])[:, 0].tolist()))
         except ValueError as error:  # here the fields cannot be told apart, though they may elsewhere
             untold.append(error)
     if not solutions:
         raise untold[0]
-    found = _best(solutions, observed)
-    first = found[0]
-    sigmas = [sigma for _, sigma in observed.values()]
-    far = all(sigmas) and len(fields) == len(observed) and first.chi_square > _FAR**2
-    if far or (first.covariance is None and first.chi_square > _MET):
-        outcomes = search.outcomes_of(first.motion, list(observed))
-        near = ", ".join(f"{n} = {y:.6g} {OUTCOMES[n].unit}" for n, y in zip(observed, outcomes, strict=True))
+    # The best one first; the fewest swings, where all is met exactly.
+    solutions.sort(key=lambda s: (max(s.chi_square, _MET), len(s.motion.phases)))
+    first, best = solutions[0], solutions[0].chi_square
+    far = space.weighed and not space.free and best > _FAR**2
+    if far or (first.covariance is None and best > _MET):
+        near = ", ".join(f"{n} = {float(first.motion.outcomes[n]):.6g} {OUTCOMES[n].unit}" for n in space.observed)
         at = ", ".join(f"{n} = {v:.6g}" for n, v in first.values.items())
-        off = f"that is {math.sqrt(first.chi_square):.3g} standard errors off"
+        off = f"that is {math.sqrt(best):.3g} standard errors off"
         how = off if far else "with standard errors that is fitted"
-        raise Unattainable(f"no values of {names} give {' and '.join(observed)} as observed; the nearest is {near} "
-                           f"at {at}; {how}", {})  # fmt: skip
-    doubts = _doubts(first, observed, {f.key: r for f, r in zip(fields, ranges, strict=True)})
+        raise Unattainable(f"no values of {names} give {' and '.join(space.observed)} as observed; the nearest is "
+                           f"{near} at {at}; {how}", {})  # fmt: skip
+    limit = best + 9.0 if space.weighed else 4 * best + _MET  # three standard errors, or twice the misfit
+    doubts = _doubts(space, first)
     if not fits[0].settled:
-        doubts += ("the best values lie where the motion changes its kind: their covariance means little",)
-    return BackAnalysis({f.key: f.unit for f in fields}, dict(observed), found, FITTED, doubts)
+        doubts.append("the best values lie where the motion changes its kind: their covariance means little")
+    return _told(space, [s for s in solutions if s.chi_square <= limit], FITTED, doubts)
 
 
-def _best(solutions: Sequence[Solution], observed: Observations) -> tuple[Solution, ...]:
-    """What fits about as well as the best one, which comes first; the fewest swings, where all is met exactly."""
-    ordered = sorted(solutions, key=lambda s: (max(s.chi_square, _MET), len(s.motion.phases)))
-    best = ordered[0].chi_square
-    known = all(sigma is not None for _, sigma in observed.values())
-    limit = best + 9.0 if known else 4 * best + _MET  # three standard errors; without them, twice the misfit
-    return tuple(s for s in ordered if s.chi_square <= limit)
+def _solution(space: Space, values: Sequence[float]) -> Solution:
+    """What is known of values that explain the observations.
 
-
-def _solution(scene: Scene, fields: Sequence[Number], values: Sequence[float], observed: Observations) -> Solution:
-    si = {f.name: float(f.to_si(v)) for f, v in zip(fields, values, strict=True)}
-    there = scene_with(scene, si)
-    motion = solve(there)
-    sizes = np.array([sigma or abs(seen) for seen, sigma in observed.values()])
-    missed = search.outcomes_of(motion, list(observed)) - [seen for seen, _ in observed.values()]
-    _, slopes = derivatives(there, si)
-    changes = np.array([[slopes[n][f.name] * f.slope(v) for f, v in zip(fields, values, strict=True)]
-                        for n in observed]) / sizes[:, None]  # fmt: skip
-    chi_square = float(np.sum((missed / sizes) ** 2))
-    at = np.array(values)
-    relative = changes * np.where(at == 0.0, 1.0, np.abs(at))
-    off = motion.error_estimate * np.abs(search.outcomes_of(motion, list(observed))) / sizes
-    told = bool(np.all(np.isfinite(relative))) and bool(np.all(np.any(relative != 0.0, axis=0)))
-    error = float(max(np.max(np.abs(np.linalg.pinv(relative)) @ off), EPS)) if told else math.inf
-    return Solution({f.key: float(v) for f, v in zip(fields, values, strict=True)}, motion,
-                    dict(zip(observed, missed.tolist(), strict=True)),
-                    _covariance(fields, at, observed, changes, chi_square), error, chi_square)  # fmt: skip
-
-
-def _covariance(fields: Sequence[Number], at: Floats, observed: Observations, changes: Floats,
-                chi_square: float) -> Floats | None:  # fmt: skip
-    """Covariance of the fields to first order, from the standard errors, or else from the misfit that is left.
-
-    Without either, as where one value without an error is met exactly, there is none.
+    Their covariance is to first order from the standard errors, or else from the misfit that is left; without either,
+    as where one value without an error is met exactly, there is none.
 
     Raises
     ------
     ValueError
         If the observations do not tell the fields apart.
     """
-    if not np.all(np.isfinite(changes)):
-        return None
-    unit = np.where(at == 0.0, 1.0, np.abs(at))
-    relative = changes * unit  # residuals by relative changes
-    size = np.linalg.norm(relative, axis=0)
-    names = ", ".join(observed)
-    if idle := [f.key for f, s in zip(fields, size, strict=True) if not s > _NOISE * np.max(size)]:
+    pairs = [*zip(space.fields, values, strict=True)]
+    si = {f.name: float(f.to_si(v)) for f, v in pairs}
+    there = scene_with(space.scene, si)
+    motion, (_, slopes) = solve(there), derivatives(there, si)
+    outcomes = np.array([float(motion.outcomes[n]) for n in space.observed])
+    missed = outcomes - space.seen
+    chi_square = float(np.sum((missed / space.sizes) ** 2))
+    unit = np.array([abs(v) or 1.0 for v in values])
+    relative = np.array([[slopes[n][f.name] * f.slope(v) for f, v in pairs] for n in space.observed])
+    relative = relative / space.sizes[:, None] * unit
+    covariance, error = None, math.inf
+    if np.all(np.isfinite(relative)):
+        _tell_apart(space, relative)
+        inverse = np.linalg.pinv(relative)
+        error = float(max(np.max(np.abs(inverse) @ (motion.error_estimate * np.abs(outcomes) / space.sizes)), EPS))
+        if space.weighed or space.free:
+            scaled = inverse * unit[:, None]
+            covariance = np.asarray(scaled @ scaled.T * (1.0 if space.weighed else chi_square / space.free))
+    return Solution({f.key: float(v) for f, v in pairs}, motion,
+                    dict(zip(space.observed, missed.tolist(), strict=True)), covariance, error, chi_square)  # fmt: skip
+
+
+def _tell_apart(space: Space, relative: Floats) -> None:
+    """Refuse residuals that do not change with one of the fields, or with several of them together."""
+    size, names = np.linalg.norm(relative, axis=0), ", ".join(space.observed)
+    if idle := [f.key for f, s in zip(space.fields, size, strict=True) if not s > _NOISE * np.max(size)]:
         raise ValueError(f"backanalyse: {', '.join(idle)}: changes nothing of {names}, and cannot be found from it")
     _, singular, rows = np.linalg.svd(relative / size)
     if singular[-1] <= _NOISE * singular[0]:
         way = rows[-1] / size
         way = way / np.max(np.abs(way))
-        steps = " and ".join(f"{f.key} by {100 * w:+.3g} %" for f, w in zip(fields, way, strict=True))
+        steps = " and ".join(f"{f.key} by {100 * w:+.3g} %" for f, w in zip(space.fields, way, strict=True))
         raise ValueError(f"backanalyse: changing {steps} changes nothing of {names}: they cannot be told apart by it")
-    known = all(sigma is not None for _, sigma in observed.values())
-    free = len(observed) - len(fields)
-    if not known and not free:
-        return None
-    inverse = np.linalg.pinv(relative) * unit[:, None]
-    return np.asarray(inverse @ inverse.T * (1.0 if known else chi_square / free))
 
 
-def _doubts(first: Solution, observed: Observations, ranges: Mapping[str, Floats]) -> tuple[str, ...]:
+def _doubts(space: Space, first: Solution) -> list[str]:
     """What to know of a fit."""
     said = []
-    for name, value in first.values.items():
-        low, high = ranges[name][0], ranges[name][-1]
-        if (first.standard_errors or {}).get(name, 0.0) > high - low:
+    for (name, value), low, high in zip(first.values.items(), space.low[:, 0], space.high[:, 0], strict=True):
+        error = (first.standard_errors or {}).get(name, 0.0)
+        if error > high - low:
             said.append(f"{name} is not told by what is observed: {value:.6g} is one of many values that fit as well")
         elif min(value - low, high - value) <= 1e-6 * (high - low):
             said.append(f"{name} = {value:.6g} lies at the end of its range: its standard error means little")
-        elif (first.standard_errors or {}).get(name, 0.0) > abs(value):
+        elif error > abs(value):
             said.append(f"{name} = {value:.6g} is hardly told by what is observed: its standard error is larger")
-    free = len(observed) - len(first.values)
-    if all(sigma is not None for _, sigma in observed.values()):
+    if space.weighed:
         from scipy.special import chdtrc
 
+        free = space.free
         chance = float(chdtrc(free, first.chi_square)) if free else float(first.chi_square < 1.0)
         if chance < _WORST:
             of = "no observation is left over, so that all could be met" if not free else f"chance {chance:.1g}"
@@ -375,4 +339,4 @@ def _doubts(first: Solution, observed: Observations, ranges: Mapping[str, Floats
                 f"the misfit is larger than the standard errors explain: chi-square {first.chi_square:.4g} with "
                 f"{free} degrees of freedom ({of})"
             )
-    return tuple(said)
+    return said

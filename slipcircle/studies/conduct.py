@@ -1,6 +1,7 @@
 """Studies are conducted: samples of uncertain numbers, or a grid, cut into blocks, computed and added up."""
 
 import hashlib
+import json
 import math
 import os
 from collections.abc import Mapping
@@ -9,9 +10,10 @@ from dataclasses import fields
 from typing import IO, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from slipcircle.base import VERSION
-from slipcircle.base.checks import INFINITY, mistakes
+from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
@@ -19,7 +21,7 @@ from slipcircle.scene.numbers import Number, Uncertain, numbers_in
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.section import Section
 from slipcircle.scene.varied import absent, along_means, number_in, value_in
-from slipcircle.studies.design import METHODS, Design
+from slipcircle.studies.design import METHODS, REPLICATES, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN
 from slipcircle.studies.study import Study
@@ -31,24 +33,20 @@ _MOST = 10**12
 
 
 def _known(given: Any) -> Any:
-    """A law, or what else is no number, as a folder remembers it and as JSON holds it."""
+    """What JSON cannot hold, as a folder remembers it."""
     if isinstance(given, Mapping):
-        return {k: _known(v) for k, v in given.items()}
+        return dict(given)
     if isinstance(given, Series):
         samples = hashlib.sha256(given.time.tobytes() + given.values.tobytes()).hexdigest()
         return {"samples": samples, "held": given.held}
-    if isinstance(given, list | tuple | np.ndarray | np.generic):
-        return np.asarray(given).tolist()
-    if isinstance(given, str | float | int) or given is None:
-        return given
-    if not hasattr(given, "__qualname__"):
-        return repr(given)
-    if "<" in given.__qualname__:  # another one has the same name
+    if isinstance(given, np.ndarray | np.generic):
+        return given.tolist()
+    if "<" in getattr(given, "__qualname__", ""):  # another one has the same name
         raise ValueError(
             "folder: a friction function that a later run is to know again needs a name of its own: define it with def "
             "in a module, or give a table"
         )
-    return f"{given.__module__}.{given.__qualname__}"
+    return f"{given.__module__}.{given.__qualname__}" if hasattr(given, "__qualname__") else repr(given)
 
 
 def _whole(value: Any) -> bool:
@@ -57,16 +55,14 @@ def _whole(value: Any) -> bool:
 
 def _seed(rng: Any, folder: Any) -> int:
     """A seed from whatever NumPy takes as one; that of the folder's study where there is none."""
-    if _whole(rng):
-        if rng < 0:
-            raise ValueError(f"rng = {rng!r}: a seed must be at least 0")
-        return int(rng)
     if rng is None and folder is not None and (held := stored(folder)):
         return int(held["seed"])
     try:
-        return int(np.random.default_rng(rng).integers(2**53))
+        made = np.random.default_rng(rng)
+        return int(rng) if _whole(rng) else int(made.integers(2**53))
     except (TypeError, ValueError) as error:
-        raise ValueError(f"rng = {rng!r}: must be a seed, a whole number, or one of NumPy's generators") from error
+        raise ValueError(f"rng = {rng!r}: must be a seed, a whole number of at least 0, or one of NumPy's "
+                         "generators") from error  # fmt: skip
 
 
 def ensemble(
@@ -126,63 +122,60 @@ def ensemble(
     >>> found.moving.value
     1.0
     """
-    said = []
-    if checked(scene, "ensemble").shape:
-        said.append("a scene of arrays is solved as it is: use solve")
-    if not scene.uncertain:
-        said.append("no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its file")
-    if not _whole(n) or not 1 <= n <= _MOST:
-        said.append(f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}")
-    elif method == "latin-hypercube" and n > MOST_LATIN:
-        said.append(f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'")
-    if method not in METHODS:
-        said.append(f"method = {method!r}: must be one of {', '.join(METHODS)}")
-    if not isinstance(confidence, float) or not 0.0 < confidence < 1.0:
-        said.append(f"confidence = {confidence!r}: must be between 0 and 1")
-    if size is not None and (not _whole(size) or size < 4 or size & (size - 1)):
-        said.append(f"size = {size!r}: must be a power of two, 4 at least")
-    if sensitivity is not None and (not _whole(sensitivity) or not 0 <= sensitivity <= 2**22 or sensitivity == 1):
-        said.append(f"sensitivity = {sensitivity!r}: must be 0, or 2 to {2**22} base points")
-    if said:
-        raise ValueError("ensemble: " + "; ".join(said))
+    plain = checked(scene, "ensemble").shape == ()
+    within = _whole(n) and 1 <= n <= _MOST
+    raise_all("ensemble", [said for right, said in (
+        (plain, "a scene of arrays is solved as it is: use solve"),
+        (scene.uncertain, "no number is uncertain: give Scene(uncertain=...), --uncertain, or a distribution in its "
+                          "file"),
+        (within, f"n = {n!r}: must be a whole number of samples, from 1 to {_MOST:.0e}"),
+        (method != "latin-hypercube" or not within or n <= MOST_LATIN,
+         f"n = {n}: a Latin hypercube is held in memory, so {MOST_LATIN} at most; take method='sobol'"),
+        (method in METHODS, f"method = {method!r}: must be one of {', '.join(METHODS)}"),
+        (isinstance(confidence, float) and 0.0 < confidence < 1.0,
+         f"confidence = {confidence!r}: must be between 0 and 1"),
+        (size is None or (_whole(size) and size >= 4 and not size & (size - 1)),
+         f"size = {size!r}: must be a power of two, 4 at least"),
+        (sensitivity is None or (_whole(sensitivity) and 0 <= sensitivity <= 2**22 and sensitivity != 1),
+         f"sensitivity = {sensitivity!r}: must be 0, or 2 to {2**22} base points"),
+        (isinstance(correlation, Mapping | None),
+         f"correlation = {correlation!r}: must be a mapping from pairs of keys to numbers"),
+        (not correlation or not sensitivity,
+         "sensitivity indices are of independent inputs; leave out correlation or sensitivity"),
+    ) if not right])  # fmt: skip
     seed, n, drawn, scene = _seed(rng, folder), int(n), dict(scene.uncertain), along_means(scene)
-    base = (min(_BASE, n) if len(drawn) > 1 and n > 1 else 0) if sensitivity is None else sensitivity
-    if not isinstance(correlation, Mapping | None):
-        raise ValueError(f"ensemble: correlation = {correlation!r}: must be a mapping from pairs of keys to numbers")
-    pairs = _pairs(drawn, correlation or {})
-    if pairs and sensitivity:
-        raise ValueError(
-            "ensemble: sensitivity indices are of independent inputs; leave out correlation or sensitivity"
-        )
-    base = 0 if pairs else base
+    matrix = _correlation(drawn, correlation or {})
+    base = sensitivity
+    if base is None:
+        base = min(_BASE, n) if len(drawn) > 1 and n > 1 and not correlation else 0
     design = Design(scene, plan(scene, accuracy).accuracy, {k: u.number for k, u in drawn.items()}, drawn, (), method,
-                    n, base, n <= _KEEP if keep is None else keep, pairs)  # fmt: skip
-    if np.linalg.eigvalsh(design.correlations)[0] <= 1e-12:
-        raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
-    return conduct(design, seed, size or _size(n // design.replicates), executor, confidence, folder, progress)
+                    n, base, n <= _KEEP if keep is None else keep, matrix, seed, size or _size(n, method))  # fmt: skip
+    return conduct(design, executor, confidence, folder, progress)
 
 
-def _pairs(
-    drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]
-) -> tuple[tuple[str, str, float], ...]:
-    """Correlated inputs by their names."""
-    names = {u.key: n for n, u in drawn.items()} | {n: n for n in drawn}
-    said, found = [], list[tuple[str, str, float]]()
+def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
+    """Of all inputs, from pairs of their keys or names."""
+    names, keys = [*drawn], [u.key for u in drawn.values()]
+    known, found, said = [*keys, *names], np.eye(len(drawn)), list[str]()
     for pair, value in given.items():
-        if unknown := [k for k in pair if k not in names]:
-            said.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(names)}")
-        elif len(pair) != 2 or names[pair[0]] == names[pair[1]] or not -1.0 < value < 1.0:
+        at = [known.index(k) % len(drawn) for k in pair if k in known]
+        if unknown := [k for k in pair if k not in known]:
+            said.append(f"correlation: {', '.join(unknown)} is not uncertain; known are {', '.join(known)}")
+        elif len(at) != 2 or at[0] == at[1] or not -1.0 < value < 1.0:
             said.append(f"correlation of {' and '.join(pair)} = {value!r}: must be between -1 and 1, of two numbers")
         else:
-            found.append((names[pair[0]], names[pair[1]], float(value)))
-    if said:
-        raise ValueError("ensemble: " + "; ".join(said))
-    return tuple(found)
+            found[at, at[::-1]] = value
+    raise_all("ensemble", said)
+    if np.linalg.eigvalsh(found)[0] <= 1e-12:
+        raise ValueError("ensemble: correlation: these do not go together: no numbers have all of them")
+    return found
 
 
-def _size(n: int) -> int:
-    """Samples of a block, of n in a sequence."""
-    return min(max(2 ** max(n // 8, 1).bit_length() // 2, 256), 2**14 if n <= 2**22 else 2**16 if n <= 2**28 else 2**18)
+def _size(n: int, method: str) -> int:
+    """Samples of a block."""
+    each = max(n // (REPLICATES if method == "sobol" else 1), 1)  # of a sequence
+    most = 2**14 if each <= 2**22 else 2**16 if each <= 2**28 else 2**18
+    return min(max(2 ** max(each // 8, 1).bit_length() // 2, 256), most)
 
 
 def grid(
@@ -203,7 +196,7 @@ def grid(
     if not isinstance(levels, Mapping):
         raise ValueError(f"grid: levels = {levels!r}: must be a mapping from keys to lists of numbers")
     inputs: dict[str, Number] = {}
-    said: list[str] = []
+    said = ["a scene of arrays is solved as it is: use solve"] if scene.shape else []
     for path, values in levels.items():
         try:
             number = number_in(scene, path)
@@ -217,42 +210,36 @@ def grid(
         elif np.ndim(values) != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not np.size(values):
             said.append(f"{path}: must be a list of numbers")
         inputs[number.name] = number
-    said += ["a scene of arrays is solved as it is: use solve"] if scene.shape else []
     n = math.prod(np.size(x) for x in levels.values())
     if n > _MOST_GRID:
         said.append(f"{n} combinations: they are held in memory, so {_MOST_GRID} at most; draw samples instead")
-    if said or not levels:
-        raise ValueError("grid: " + ("; ".join(said) or "no values are given"))
+    raise_all("grid", said if levels else ["no values are given"])
     axes = tuple(np.asarray(v, dtype=np.float64) for v in levels.values())
-    design = Design(scene, plan(scene, accuracy).accuracy, inputs, {}, axes, "grid", n, 0, True)
-    return conduct(design, 0, _size(n), executor, 0.95, folder, progress)
+    design = Design(scene, plan(scene, accuracy).accuracy, inputs, {}, axes, "grid", n, 0, True, np.eye(len(inputs)), 0,
+                    _size(n, "grid"))  # fmt: skip
+    return conduct(design, executor, 0.95, folder, progress)
 
 
 def conduct(
-    design: Design, seed: int, size: int, executor: Executor | None, confidence: float,
-    folder: str | os.PathLike[str] | None, progress: IO[str] | None,
+    design: Design, executor: Executor | None, confidence: float, folder: str | os.PathLike[str] | None,
+    progress: IO[str] | None,
 ) -> Study:  # fmt: skip
     """Compute a design's blocks and add them up."""
-    kept = Folder(folder, _described(design, seed, size)) if folder is not None else None
-    found = Study(design, seed, size, confidence)
-    told = Progress(sum(design.scenes(k, size) for k in range(design.blocks(size))), progress) if progress else None
-    found._merge(computed(design, seed, size, executor, kept, told or (lambda scenes, old: None)))
-    return found
+    kept = Folder(folder, _described(design)) if folder is not None else None
+    told = Progress(design.n + design.base * (len(design.inputs) + 2), progress) if progress else None
+    return Study(design, confidence, computed(design, executor, kept, told))
 
 
-def _described(design: Design, seed: int, size: int) -> dict[str, Any]:
+def _described(design: Design) -> dict[str, Any]:
     """What tells one study from another, as a folder remembers it."""
-    scene = design.scene
-    section = {f.name: getattr(scene.arc, f.name) for f in fields(scene.arc)} if isinstance(scene.arc, Section) else {}
-    told = numbers_in(scene.arc) if section else {}
-    return {
-        "slipcircle": VERSION, "outcomes": list(OUTCOMES), "accuracy": design.accuracy,
-        "numbers": {n: _known(v) for n, v in sorted(scene.numbers.items()) if n not in told},
-        "given": _known(scene.arc.given or {}),
-        "section": _known(section),
-        "friction": _known(scene.friction), "effects": _known(scene.called),
+    scene, arc = design.scene, design.scene.arc
+    section = {f.name: getattr(arc, f.name) for f in fields(arc)} if isinstance(arc, Section) else {}
+    described = {
+        "slipcircle": VERSION, "outcomes": [*OUTCOMES], "accuracy": design.accuracy, "section": section,
+        "numbers": {n: v for n, v in scene.numbers.items() if not section or n not in numbers_in(arc)},
+        "given": arc.given or {}, "friction": scene.friction, "effects": scene.called,
         "inputs": [u.key for u in design.inputs.values()], "drawn": [u.record for u in design.drawn.values()],
-        "levels": [x.tolist() for x in design.levels], "method": design.method, "samples": design.n,
-        "sensitivity_base": design.base, "keep": design.keep, "seed": seed,
-        "block": size, "correlation": [list(x) for x in design.correlation],
+        "levels": design.levels, "method": design.method, "samples": design.n, "sensitivity_base": design.base,
+        "keep": design.keep, "seed": design.seed, "block": design.size, "correlation": design.correlation,
     }  # fmt: skip
+    return dict(json.loads(json.dumps(described, default=_known)))

@@ -1,12 +1,12 @@
 """The design of a study: which scenes it solves, drawn or on a grid, cut into blocks that anybody may compute.
 
-`run_block` is a pure function of the design, the block's index, the seed and the blocks' size: where and when it runs
-does not matter, nor how often. Blocks of samples come first, then those for the sensitivity indices.
+`run_block` is a pure function of the design and the block's index: where and when it runs does not matter, nor how
+often. Blocks of samples come first, then those for the sensitivity indices.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,60 +27,22 @@ REPLICATES = 16  # independent scramblings of a Sobol sequence, whose spread is 
 BATCHES = 32  # of the base points of sensitivity indices, whose spread is the error
 
 
-class Piece(NamedTuple):
-    """A stretch of a sequence of points."""
-
-    replicate: int
-    start: int
-    length: int
-
-
 @dataclass(frozen=True)
 class Design:
-    """What is computed, as plain data.
+    """What is computed, as plain data."""
 
-    Attributes
-    ----------
-    scene : Scene
-        Its own values hold where no input has others.
-    accuracy : float
-    inputs : mapping
-        Numbers that vary, by name.
-    drawn : mapping
-        How those vary that are drawn, by name.
-    levels : tuple of ndarray
-        Values of each input, in its key's unit: a grid, the last input fastest. Empty where inputs are drawn.
-    method : str
-        One of `METHODS`, or "grid".
-    n : int
-        How many samples.
-    base : int
-        Base points of the sensitivity indices, each of which takes the number of inputs and two more scenes.
-    keep : bool
-        Whether blocks return their samples too.
-    correlation : tuple
-        Two inputs' names and the correlation of their normal scores, for each pair that is not independent.
-    """
-
-    scene: Scene
+    scene: Scene  # its own values hold where no input has others
     accuracy: float
-    inputs: Mapping[str, Number]
-    drawn: Mapping[str, Uncertain]
-    levels: tuple[Floats, ...]
-    method: str
-    n: int
-    base: int
-    keep: bool
-    correlation: tuple[tuple[str, str, float], ...] = ()
-
-    @property
-    def correlations(self) -> Floats:
-        """The matrix of `correlation`, (inputs, inputs)."""
-        names, found = list(self.inputs), np.eye(len(self.inputs))
-        for one, other, value in self.correlation:
-            k, j = names.index(one), names.index(other)
-            found[k, j] = found[j, k] = value
-        return found
+    inputs: Mapping[str, Number]  # that vary, by name
+    drawn: Mapping[str, Uncertain]  # how those vary that are drawn, by name
+    levels: tuple[Floats, ...]  # values of each input, in its key's unit: a grid, the last input fastest
+    method: str  # one of `METHODS`, or "grid"
+    n: int  # samples
+    base: int  # base points of the sensitivity indices, each of which takes the number of inputs and two more scenes
+    keep: bool  # whether blocks return their samples too
+    correlation: Floats  # of the inputs' normal scores, (inputs, inputs)
+    seed: int
+    size: int  # samples of a block, a power of two, 4 at least
 
     @property
     def replicates(self) -> int:
@@ -91,43 +53,42 @@ class Design:
         """How many samples a replicate has."""
         return self.n // self.replicates + (replicate < self.n % self.replicates)
 
-    def sample_blocks(self, size: int) -> int:
+    @property
+    def sample_blocks(self) -> int:
         """How many blocks of samples there are; the replicates take turns."""
-        return self.replicates * -(-self.share(0) // size)
+        return self.replicates * -(-self.share(0) // self.size)
 
-    def blocks(self, size: int) -> int:
+    @property
+    def blocks(self) -> int:
         """How many blocks there are."""
-        return self.sample_blocks(size) + (min(BATCHES, self.base) if self.drawn else 0)
+        return self.sample_blocks + min(BATCHES, self.base)
 
-    def piece(self, index: int, size: int) -> Piece:
-        """The stretch of a block of samples; a replicate's last one may be empty."""
+    def piece(self, index: int) -> tuple[int, int, int]:
+        """Replicate, start and length of the stretch of a block of samples; a replicate's last one may be empty."""
         turn, replicate = divmod(index, self.replicates)
-        start = turn * size
-        return Piece(replicate, start, max(0, min(size, self.share(replicate) - start)))
+        start = turn * self.size
+        return replicate, start, max(0, min(self.size, self.share(replicate) - start))
 
-    def scenes(self, index: int, size: int) -> int:
-        """How many scenes a block solves."""
-        first = self.sample_blocks(size)
-        return self.piece(index, size).length if index < first else self._batch(index - first) * (len(self.inputs) + 2)
-
-    def _batch(self, batch: int) -> int:
+    def batch(self, index: int) -> int:
+        """How many base points a block of those has."""
         batches = min(BATCHES, self.base)
-        return self.base // batches + (batch < self.base % batches)
+        return self.base // batches + (index - self.sample_blocks < self.base % batches)
+
+    def scenes(self, index: int) -> int:
+        """How many scenes a block solves."""
+        drawn = index < self.sample_blocks
+        return self.piece(index)[2] if drawn else self.batch(index) * (len(self.inputs) + 2)
 
 
-def _points(design: Design, piece: Piece, seed: int) -> Floats:
-    dimensions = len(design.inputs)
-    if design.method == "sobol":
-        return sobol(seed, (1, piece.replicate), piece.start, piece.length, dimensions)
-    if design.method == "latin-hypercube":
-        return latin(seed, design.n, dimensions)[:, piece.start : piece.start + piece.length]
-    return monte_carlo(seed, (0,), piece.start, piece.length, dimensions)
+def _points(design: Design, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
+    sequence = sobol if design.method == "sobol" else monte_carlo
+    return sequence(design.seed, stream, start, count, dimensions)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
-    if design.correlation:  # a Gaussian copula: normal scores are mixed, whatever the distributions
+    if np.any(design.correlation != np.eye(len(points))):  # a Gaussian copula: normal scores are mixed
         normal = statistics().norm
-        mixed = np.tensordot(np.linalg.cholesky(design.correlations), normal.ppf(points), 1)
+        mixed = np.tensordot(np.linalg.cholesky(design.correlation), normal.ppf(points), 1)
         points = np.clip(normal.cdf(mixed), 2.0**-54, 1.0 - 2.0**-53)
     return [np.asarray(u.drawn(p.reshape(-1))) for u, p in zip(design.drawn.values(), points, strict=True)]
 
@@ -137,21 +98,12 @@ def _solve(design: Design, values: list[Floats]) -> tuple[NDArray[np.int8], dict
     with np.errstate(all="ignore"):
         given = {n: number.to_si(x) for (n, number), x in zip(design.inputs.items(), values, strict=True)}
     motion = motions(design.scene, given, design.accuracy)
-    found = {n: np.abs(v) for n, v in motion.outcomes.items()}
     moves = np.where(np.isin(motion.status, ANSWERED), motion.moves, np.nan)
-    return motion.status, {"moves": moves} | {n: found[n] for n in OUTCOMES}
+    return motion.status, {"moves": moves} | {n: np.abs(motion.outcomes[n]) for n in OUTCOMES}
 
 
-def run_block(design: Design, index: int, seed: int, size: int) -> Result:
+def run_block(design: Design, index: int) -> Result:
     """Compute a block.
-
-    Parameters
-    ----------
-    design : Design
-    index : int
-        From 0 to ``design.blocks(size)``.
-    seed, size : int
-        The study's seed, and how many samples its blocks have; a power of two, 4 at least.
 
     Returns
     -------
@@ -159,22 +111,24 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
         ``status`` counts; of each output the bins that are not empty, their counts, the extremes and the `moments`; the
         samples where they are kept. For sensitivity indices instead the `sums` of each outcome.
     """
-    first = design.sample_blocks(size)
-    if index >= first:
-        return {"sums": _sums(design, index - first, seed)}
-    piece = design.piece(index, size)
+    if index >= design.sample_blocks:
+        return {"sums": _sums(design, index)}
+    replicate, start, length = design.piece(index)
     if design.method == "grid":
-        at = np.unravel_index(np.arange(piece.start, piece.start + piece.length), [len(x) for x in design.levels])
+        at = np.unravel_index(np.arange(start, start + length), [len(x) for x in design.levels])
         drawn = [x[k] for x, k in zip(design.levels, at, strict=True)]
+    elif design.method == "latin-hypercube":
+        drawn = _drawn(design, latin(design.seed, design.n, len(design.inputs))[:, start : start + length])
     else:
-        drawn = _drawn(design, _points(design, piece, seed))
+        stream = (1, replicate) if design.method == "sobol" else (0,)
+        drawn = _drawn(design, _points(design, stream, start, length, len(design.inputs)))
     status, outputs = _solve(design, drawn)
     result: Result = {"status": np.bincount(status, minlength=len(Status))}
     answered = ~np.isnan(outputs["moves"])
     result["moving"] = np.array([np.count_nonzero(outputs["moves"] == 1.0)])
     for name in OUTCOMES:
         values = outputs[name][answered]
-        result[f"{name}.bins"], result[f"{name}.counts"] = _filled(bins(values))
+        result[f"{name}.bins"], result[f"{name}.counts"] = np.unique(bins(values), return_counts=True)
         result[f"{name}.moments"] = moments(values)
         result[f"{name}.ends"] = np.array([values.min(), values.max()]) if values.size else np.array([np.inf, -np.inf])
     if design.keep:
@@ -183,24 +137,10 @@ def run_block(design: Design, index: int, seed: int, size: int) -> Result:
     return result
 
 
-def _filled(found: NDArray[np.int64]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
-    """Bins that are not empty, and their counts."""
-    some = found[found > 0]  # without what does not move, the rest mostly lies close together
-    least = int(some.min()) if some.size else 0
-    counts = np.bincount(some - least)
-    filled = np.flatnonzero(counts)
-    none = [0] if some.size < found.size else []
-    return (np.concatenate([none, filled + least]).astype(np.int32),
-            np.concatenate([[found.size - some.size] * len(none), counts[filled]]).astype(np.int32))  # fmt: skip
-
-
-def _sums(design: Design, batch: int, seed: int) -> Floats:
+def _sums(design: Design, index: int) -> Floats:
     """`sums` of each output for a batch of base points A, B, and A with one column of B for each input."""
-    count, d = design._batch(batch), len(design.inputs)
-    if design.method == "sobol":
-        points = sobol(seed, (2, batch), 0, count, 2 * d)
-    else:
-        points = monte_carlo(seed, (2, batch), 0, count, 2 * d)
+    count, d = design.batch(index), len(design.inputs)
+    points = _points(design, (2, index - design.sample_blocks), 0, count, 2 * d)
     laid = np.tile(points[:d, None, :], (1, d + 2, 1))
     laid[:, 1] = points[d:]
     for k in range(d):

@@ -18,8 +18,8 @@ import signal
 import sys
 import time
 import zipfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Event
@@ -51,16 +51,10 @@ def forecast(blocks: int, seconds: float, overhead: float, workers: int) -> floa
 
 @contextmanager
 def engine(name: str, workers: int | None = None, scheduler: str | None = None) -> Iterator[Executor | None]:
-    """An executor by the engine's name; none for "serial".
+    """An executor by the engine's name, one of `ENGINES`; none for "serial".
 
-    Parameters
-    ----------
-    name : str
-        One of `ENGINES`.
-    workers : int, optional
-        Threads or processes; by default one for each processor.
-    scheduler : str, optional
-        Address of a running Dask scheduler, such as tcp://10.0.0.1:8786.
+    With so many workers, by default one for each processor, or those of the Dask scheduler at an address, such as
+    tcp://10.0.0.1:8786.
     """
     if workers is not None and workers < 1:
         raise ValueError(f"--workers {workers}: must be 1 at least; leave it out for one for each processor")
@@ -68,16 +62,14 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
     if (name == "dask") != (scheduler is not None):
         raise ValueError("--engine dask and --scheduler ADDRESS belong together: the address of a running scheduler")
     if name == "threads":
-        from concurrent.futures import ThreadPoolExecutor
-
         with _stopping(ThreadPoolExecutor(workers)) as pool:
             yield pool
     elif name == "processes":
-        from concurrent.futures import ProcessPoolExecutor
+        from concurrent.futures import ProcessPoolExecutor  # only here, as it loads much
         from multiprocessing import get_context
 
-        with _stopping(ProcessPoolExecutor(workers, mp_context=get_context("spawn"))) as processes:
-            yield processes
+        with _stopping(ProcessPoolExecutor(workers, mp_context=get_context("spawn"))) as pool:
+            yield pool
     elif name == "dask":
         try:
             from distributed import Client
@@ -145,7 +137,7 @@ def _first(running: Iterable[Future[Result]]) -> set[Future[Result]]:
 class Folder:
     """Finished blocks on the disk, for one study, seed and size."""
 
-    def __init__(self, path: str | os.PathLike[str], description: Mapping[str, Any]) -> None:
+    def __init__(self, path: str | os.PathLike[str], description: dict[str, Any]) -> None:
         self.path = Path(path)
         try:
             self.path.mkdir(parents=True, exist_ok=True)
@@ -154,9 +146,7 @@ class Folder:
         held = stored(self.path)
         if held is None:
             write(self.path / "study.json", json.dumps(description, indent=2).encode())
-            return
-        wanted = json.loads(json.dumps(description))
-        if other := [k for k in wanted | held if wanted.get(k) != held.get(k)]:
+        elif other := [k for k in description | held if description.get(k) != held.get(k)]:
             raise ValueError(
                 f"{self.path}: holds blocks of another study: {', '.join(other)} differ; give an empty folder"
             )
@@ -193,50 +183,35 @@ def stored(folder: str | os.PathLike[str]) -> dict[str, Any] | None:
 
 
 def computed(
-    design: Design, seed: int, size: int, executor: Executor | None = None, folder: Folder | None = None,
-    progress: Callable[[int, int], None] = lambda scenes, kept: None,
+    design: Design, executor: Executor | None = None, folder: Folder | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Iterator[Result]:  # fmt: skip
-    """Results of all blocks of a design, in their order.
-
-    Parameters
-    ----------
-    design : Design
-    seed, size : int
-    executor : concurrent.futures.Executor, optional
-    folder : Folder, optional
-    progress : callable, optional
-        Told how many scenes each finished block had, and how many of them were there already.
-    """
-    blocks = design.blocks(size)
+    """Results of all blocks of a design, in their order; `Progress` hears of each that is finished."""
+    blocks, ahead, following = design.blocks, _AHEAD if executor else 1, 0
     finished: dict[int, Result] = {}
     running: dict[Future[Result], int] = {}
 
-    def start(index: int) -> None:
-        kept = folder.load(index) if folder else None
-        if kept is not None:
-            finished[index] = kept
-            progress(design.scenes(index, size), design.scenes(index, size))
-        elif executor:
-            running[executor.submit(run_block, design, index, seed, size)] = index
-        else:
-            done(index, run_block(design, index, seed, size))
-
-    def done(index: int, result: Result) -> None:
+    def done(index: int, result: Result, fresh: bool = True) -> None:
         finished[index] = result
-        if folder:
+        if folder and fresh:
             folder.save(index, result)
-        progress(design.scenes(index, size), 0)
+        if progress:
+            scenes = design.scenes(index)
+            progress(scenes, 0 if fresh else scenes)
 
-    ahead = _AHEAD if executor else 1
-    following = 0
     try:
         for index in range(blocks):
-            while index not in finished or (running and following < min(index + ahead, blocks)):
-                while following < min(index + ahead, blocks):
-                    start(following)
-                    following += 1
-                if index in finished:
-                    break
+            until = min(index + ahead, blocks)
+            for k in range(following, until):
+                kept = folder.load(k) if folder else None
+                if kept is not None:
+                    done(k, kept, fresh=False)
+                elif executor:
+                    running[executor.submit(run_block, design, k)] = k
+                else:
+                    done(k, run_block(design, k))
+            following = until
+            while index not in finished:
                 for future in _first(running):
                     done(running.pop(future), future.result())
             yield finished.pop(index)

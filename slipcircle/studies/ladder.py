@@ -1,10 +1,11 @@
 """The effect ladder: a scene solved with its effects added one by one, so that each shows what it changes and costs."""
 
 import math
-import statistics
-import time
-from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
+from statistics import median
+from time import process_time
+from timeit import timeit
 
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import plan
@@ -17,51 +18,25 @@ _PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at
 
 @dataclass(frozen=True)
 class Rung:
-    """One step of the ladder.
+    """One step of the ladder."""
 
-    Attributes
-    ----------
-    added : str
-        The effect added in this step, "" for none.
-    effects : tuple of str
-        All effects of this step.
-    method : str
-        How it was solved.
-    seconds : float
-        Median time of a solution, measured here.
-    cost : int
-        Floating-point operations that a solution typically takes.
-    peak_velocity, run_out, duration : float
-        m/s, m, s.
-    arrested : bool
-        Whether it rests at the end.
-    difference : float
-        To the fullest scene: the largest of the relative differences in peak velocity, run-out and duration.
-    """
-
-    added: str
-    effects: tuple[str, ...]
-    method: str
-    seconds: float
-    cost: int
-    peak_velocity: float
-    run_out: float
-    duration: float
-    arrested: bool
-    difference: float
+    added: str  # the effect added in this step, "" for none
+    effects: tuple[str, ...]  # all of this step
+    method: str  # how it was solved
+    seconds: float  # that a solution took here, the median
+    cost: int  # floating-point operations that a solution typically takes
+    peak_velocity: float  # m/s
+    run_out: float  # m
+    duration: float  # s
+    arrested: bool  # whether it rests at the end
+    difference: float  # to the fullest scene: the largest of peak velocity, run-out and duration, relative
 
 
-def ladder(scene: Scene, clock: Callable[[], float] = time.process_time) -> list[Rung]:
+def ladder(scene: Scene) -> list[Rung]:
     """Solve a scene with its effects added in the order of what they change, most first.
 
     Seen from the fullest scene, each step down leaves out the effect without which the motion stays closest to the
     fullest's. A step that would never rest is followed as long as the fullest scene takes.
-
-    Parameters
-    ----------
-    scene : Scene
-    clock : callable, optional
-        Seconds, by default of the processor.
     """
     full = solve(scene)
     chosen, order, motions = full.plan.effects, list[str](), [full]
@@ -72,22 +47,18 @@ def ladder(scene: Scene, clock: Callable[[], float] = time.process_time) -> list
         order.insert(0, least)
         motions.insert(0, motion)
     return [
-        _rung(added, tuple(order[:k]), motion, full, clock)
+        _rung(added, tuple(order[:k]), motion, full)
         for k, (added, motion) in enumerate(zip(["", *order], motions, strict=True))
     ]
 
 
-def _with(scene: Scene, effects: tuple[str, ...]) -> Scene:
+def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
+    """The motion with some of the effects; where it never rests, or turns over, as long as the fullest takes."""
     arc = scene.arc
     if isinstance(arc, Section) and "pore_pressure" not in effects:
         arc = replace(arc, level=None)  # the water level is what calls for it
     given = {e: scene.called[e] for e in effects if e in scene.effects}
-    return replace(scene, arc=arc, effects=given, uncertain={}, stability=None)
-
-
-def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
-    """The motion with some of the effects; where it never rests, or turns over, as long as the fullest takes."""
-    part = _with(scene, effects)
+    part = replace(scene, arc=arc, effects=given, uncertain={}, stability=None)
     try:
         return solve(part)
     except ValueError:
@@ -99,13 +70,11 @@ def _distance(motion: Motion, full: Motion) -> float:
     return max(abs(a - b) / abs(b) if b else (math.inf if a else 0.0) for a, b in zip(*pairs, strict=True))
 
 
-def _rung(added: str, effects: tuple[str, ...], motion: Motion, full: Motion, clock: Callable[[], float]) -> Rung:
+def _rung(added: str, effects: tuple[str, ...], motion: Motion, full: Motion) -> Rung:
     taken = list[float]()
     while len(taken) < 5 and sum(taken) < _PATIENCE:
-        start = clock()
-        solve(motion.plan.scene)
-        taken.append(clock() - start)
+        taken.append(timeit(partial(solve, motion.plan.scene), timer=process_time, number=1))
     return Rung(
-        added, effects, motion.plan.method, statistics.median(taken), plan(motion.plan.scene).cost,
+        added, effects, motion.plan.method, median(taken), plan(motion.plan.scene).cost,
         float(motion.peak.velocity), motion.run_out, motion.duration, motion.arrested, _distance(motion, full),
     )  # fmt: skip

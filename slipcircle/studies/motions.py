@@ -1,6 +1,5 @@
 """Many motions at once: a scene with arrays of other values, and derivatives as their differences."""
 
-import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -9,6 +8,7 @@ from numpy.typing import NDArray
 
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import plan
+from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import motion_of
 from slipcircle.scene.numbers import lengths
 from slipcircle.scene.scene import Scene
@@ -33,24 +33,22 @@ def derivatives(
     Differences of four values beside each, or of two to one side where the motion is of another kind on the other, as
     at the end of what a value may be; NaN where it is on both, as next to where it begins to move.
     """
-    found: dict[str, dict[str, float]] = {}
     geometry = lengths(scene.arc)
-    sizes = {n: float(scene.arc.depth) if n in geometry else abs(v) or 1.0 for n, v in at.items()}
+    sizes = np.array([float(scene.arc.depth) if n in geometry else abs(v) or 1.0 for n, v in at.items()])
+    slopes = np.full((len(OUTCOMES), len(at)), np.nan)
     for share in _STEPS:
-        steps = {n: share * size for n, size in sizes.items()}
-        values = {n: np.full(1 + 4 * len(at), float(v)) for n, v in at.items()}
-        for k, n in enumerate(at):
-            values[n][1 + 4 * k : 5 + 4 * k] += steps[n] * np.array([1.0, 2.0, -1.0, -2.0])
-        motion = motions(scene, values, min(accuracy or _FINE, _FINE))
+        values = np.tile(np.array([*at.values()])[:, None], (1, 1 + 4 * len(at)))
+        for k, step in enumerate(share * sizes):
+            values[k, 1 + 4 * k : 5 + 4 * k] += step * np.array([1.0, 2.0, -1.0, -2.0])
+        motion = motions(scene, dict(zip(at, values, strict=True)), min(accuracy or _FINE, _FINE))
         same = (motion.status == motion.status[0]) & (motion.turnings == motion.turnings[0])
-        for outcome, y in motion.outcomes.items():
-            near = np.where(same, y - y[0], np.nan)[1:].reshape(len(at), 4)
-            for n, off in zip(at, near, strict=True):
-                both = (8 * (off[0] - off[2]) - (off[1] - off[3])) / 12
-                sides = [s for s in (both, (4 * off[0] - off[1]) / 2, (off[3] - 4 * off[2]) / 2) if np.isfinite(s)]
-                slope = float(sides[0]) / steps[n] if sides else math.nan
-                by = found.setdefault(outcome, {})
-                by[n] = slope if math.isnan(by.get(n, math.nan)) else by[n]
-        if all(math.isfinite(v) for by in found.values() for v in by.values()):
+        y = np.stack([motion.outcomes[n] for n in OUTCOMES])
+        off = np.where(same, y - y[:, :1], np.nan)[:, 1:].reshape(len(OUTCOMES), len(at), 4)
+        right, right_2, left, left_2 = np.moveaxis(off, 2, 0)
+        both = (8 * (right - left) - (right_2 - left_2)) / 12
+        for change in (both, (4 * right - right_2) / 2, (left_2 - 4 * left) / 2):
+            slopes = np.where(np.isfinite(slopes), slopes, change / (share * sizes))
+        if np.all(np.isfinite(slopes)):
             break
-    return {n: float(y[0]) for n, y in motion.outcomes.items()}, found
+    told = {n: dict(zip(at, row, strict=True)) for n, row in zip(OUTCOMES, slopes.tolist(), strict=True)}
+    return {n: float(motion.outcomes[n][0]) for n in OUTCOMES}, told

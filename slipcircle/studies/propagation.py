@@ -9,19 +9,16 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from slipcircle.motion.quantities import OUTCOMES, words
 from slipcircle.scene.varied import scene_with
 from slipcircle.studies.design import Design
 from slipcircle.studies.motions import derivatives
+from slipcircle.studies.statistics import Spread
 
 # Shares of the samples' standard deviation, and standard errors of theirs, up to which a difference is not told. What
 # is of second order moves the mean first, and little to what the mean is used for.
 _MEAN, _STD, _ERRORS = 0.25, 0.1, 3.0
-
-
-Floats = NDArray[np.float64]
 
 
 class Linear(NamedTuple):
@@ -31,23 +28,16 @@ class Linear(NamedTuple):
     std: float
 
 
-class Sampled(NamedTuple):
-    """Mean and standard deviation of samples, each with its standard error."""
-
-    mean: float
-    mean_error: float
-    std: float
-    std_error: float
-
-
 def propagated(design: Design) -> dict[str, Linear]:
     """Mean and standard deviation of each outcome.
 
     Raises
     ------
     ValueError
-        If there is no motion at the means, or no derivative by one of the inputs.
+        If nothing is drawn, there is no motion at the means, or no derivative by one of the inputs.
     """
+    if not design.drawn:
+        raise ValueError("values on a grid have no distribution")
     known = {n: u.moments for n, u in design.drawn.items()}
     if wrong := [design.inputs[n].key for n, (mean, std) in known.items() if not math.isfinite(mean + std)]:
         raise ValueError(f"{', '.join(wrong)}: has no finite mean and standard deviation")
@@ -55,19 +45,16 @@ def propagated(design: Design) -> dict[str, Linear]:
     at, slopes = derivatives(scene_with(design.scene, means), means, design.accuracy)
     if wrong := [design.inputs[n].key for n in means if not all(math.isfinite(s[n]) for s in slopes.values())]:
         raise ValueError(f"{', '.join(wrong)}: the motion at the means has no derivative by it")
-    return {
-        outcome: Linear(abs(at[outcome]), _spread(design, np.array(
-            [by[n] * design.inputs[n].slope(known[n][0]) * known[n][1] for n in means])))
-        for outcome, by in slopes.items()
-    }  # fmt: skip
+    steps = {n: design.inputs[n].slope(mean) * std for n, (mean, std) in known.items()}  # of a standard deviation, SI
+    found = {}
+    for outcome, by in slopes.items():
+        shares = np.array([by[n] * step for n, step in steps.items()])
+        variance = float(shares @ design.correlation @ shares)
+        found[outcome] = Linear(abs(at[outcome]), math.sqrt(max(variance, 0.0)))
+    return found
 
 
-def _spread(design: Design, shares: Floats) -> float:
-    """Standard deviation of a sum of shares, given each its own, of inputs that may be correlated."""
-    return math.sqrt(max(float(shares @ design.correlations @ shares), 0.0))
-
-
-def disagreement(output: str, linear: Linear, sampled: Sampled, accuracy: float) -> str:
+def disagreement(output: str, linear: Linear, sampled: Spread, accuracy: float) -> str:
     """What to say where they differ by more than a share of the spread and by more than chance; empty elsewhere."""
     said, unit, few = [], OUTCOMES[output].unit, accuracy * abs(sampled.mean)
     pairs = (("mean", linear.mean, sampled.mean, sampled.mean_error, _MEAN),

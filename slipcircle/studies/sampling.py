@@ -18,8 +18,8 @@ MOST_LATIN = 2**24
 _LOWEST, _HIGHEST = 2.0**-54, 1.0 - 2.0**-53  # 0 and 1 have no quantile
 
 
-def _generator(seed: int, *stream: int) -> np.random.Generator:
-    return np.random.default_rng(np.random.SeedSequence(seed, spawn_key=stream))
+def _seeded(seed: int, stream: tuple[int, ...]) -> np.random.SeedSequence:
+    return np.random.SeedSequence(seed, spawn_key=stream)
 
 
 def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
@@ -27,7 +27,7 @@ def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dime
 
     The counter of Philox is set to the place: it gives four numbers a step.
     """
-    generator = np.random.Philox(np.random.SeedSequence(seed, spawn_key=stream)).advance(start * dimensions // 4)
+    generator = np.random.Philox(_seeded(seed, stream)).advance(start * dimensions // 4)
     points = np.random.Generator(generator).random((count, dimensions)).T
     return np.maximum(points, _LOWEST)
 
@@ -35,13 +35,13 @@ def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dime
 @lru_cache(4)
 def latin(seed: int, count: int, dimensions: int) -> Floats:
     """A Latin hypercube, (dimensions, count): each coordinate has one point in each of ``count`` equal strata."""
-    points = statistics().qmc.LatinHypercube(dimensions, rng=_generator(seed, 3)).random(count)
+    points = statistics().qmc.LatinHypercube(dimensions, rng=_seeded(seed, (3,))).random(count)
     return np.clip(np.ascontiguousarray(points.T), _LOWEST, _HIGHEST)
 
 
 def sobol(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
     """Points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
-    sequence = statistics().qmc.Sobol(dimensions, rng=_generator(seed, *stream))
+    sequence = statistics().qmc.Sobol(dimensions, rng=_seeded(seed, stream))
     with warnings.catch_warnings(action="ignore", category=UserWarning):  # that some counts are not balanced
         points = (sequence.fast_forward(start) if start else sequence).random(count)
     return np.clip(np.ascontiguousarray(points.T), _LOWEST, _HIGHEST)

@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.base.checks import EPS
-from slipcircle.motion.motion import Motion
 from slipcircle.motion.states import ANSWERED, Status
 from slipcircle.scene.numbers import Number
 from slipcircle.scene.scene import Scene
 from slipcircle.studies.motions import motions
 
 Floats = NDArray[np.float64]
-Curve = Callable[[Floats], tuple[Floats, NDArray[Any]]]  # of values an outcome, and of what kind each motion is
+Kinds = NDArray[Any]
+Curve = Callable[[Floats], tuple[Floats, Kinds]]  # of values an outcome, and of what kind each motion is
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
 PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 FINE = 1e-13  # accuracy of motions in a search
@@ -29,23 +29,68 @@ STEPS = 80  # of a fit
 SMALL = 1e-6  # step of differences, of a range
 
 
-class Sampled(NamedTuple):
-    """Outcomes at values of numbers, NaN where a motion does not count; and of what kind each is."""
+class Space:
+    """What is looked for and where: fields of a scene over their ranges, and what was observed.
 
-    outcomes: Mapping[str, Floats]
-    kind: NDArray[np.int64]
+    As shares from 0 to 1 of the ranges, of the logarithm where one is wide.
+    """
 
+    def __init__(self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats],
+                 observed: Mapping[str, tuple[float, float | None]]) -> None:  # fmt: skip
+        self.scene, self.fields, self.ranges, self.observed = scene, fields, ranges, observed
+        self.weighed = all(sigma is not None for _, sigma in observed.values())  # all standard errors, or none
+        self.seen, self.sizes = np.array([(seen, sigma or abs(seen)) for seen, sigma in observed.values()]).T
+        self.low, self.high = (np.array([r[k] for r in ranges])[:, None] for k in (0, -1))
+        self.wide = (self.low > 0.0) & (self.high > 1e3 * self.low)
 
-def sampled(scene: Scene, fields: Sequence[Number], values: Floats) -> Sampled:
-    """Motions at values (fields, count) in the fields' units: those that move, and rest or end before long."""
-    until = PATIENCE * float(scene.arc.time_scale)
-    followed = scene if scene.end_time is not None else replace(scene, end_time=until, uncertain={})
-    motion = motions(followed, {f.name: f.to_si(v) for f, v in zip(fields, values, strict=True)}, FINE)
-    counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
-    if scene.end_time is None:
-        counts &= motion.status != Status.MOVING
-    kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
-    return Sampled({n: np.where(counts, y, np.nan) for n, y in motion.outcomes.items()}, kind)
+    @property
+    def free(self) -> int:
+        """Degrees of freedom."""
+        return len(self.observed) - len(self.fields)
+
+    def sampled(self, values: Floats) -> tuple[Floats, Kinds]:
+        """What would be observed at values (fields, count) in the fields' units, and of what kind the motions are.
+
+        NaN where they do not count: those do that move, and rest or end before long.
+        """
+        scene = self.scene
+        until = PATIENCE * float(scene.arc.time_scale)
+        followed = scene if scene.end_time is not None else replace(scene, end_time=until, uncertain={})
+        motion = motions(followed, {f.name: f.to_si(v) for f, v in zip(self.fields, values, strict=True)}, FINE)
+        counts = np.isin(motion.status, ANSWERED) & motion.moves & (motion.turnings <= MOST_SWINGS)
+        if scene.end_time is None:
+            counts &= motion.status != Status.MOVING
+        kind = np.where(counts, 10 * motion.turnings + motion.status, -1)
+        return np.where(counts, np.stack([motion.outcomes[n] for n in self.observed]), np.nan), kind
+
+    def at(self, shares: Floats) -> Floats:
+        """Values of shares, (fields, count)."""
+        ratio = np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), 1.0)
+        return np.asarray(np.where(self.wide, self.low * ratio**shares, self.low + (self.high - self.low) * shares))
+
+    def shares(self, values: Floats) -> Floats:
+        """The other way round."""
+        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), math.e))
+        logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
+        return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
+
+    def residuals(self, shares: Floats) -> Floats:
+        """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
+        found, _ = self.sampled(self.at(shares))
+        return (found - self.seen[:, None]) / self.sizes[:, None]
+
+    def changes(self, shares: Floats) -> tuple[Floats, Floats]:
+        """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
+        k, count = shares.shape
+        moved = np.repeat(shares[:, None, :], 1 + 2 * k, axis=1)
+        for f in range(k):
+            moved[f, 1 + 2 * f] = np.minimum(shares[f] + SMALL, 1.0)
+            moved[f, 2 + 2 * f] = np.maximum(shares[f] - SMALL, 0.0)
+        r = self.residuals(moved.reshape(k, -1)).reshape(-1, 1 + 2 * k, count)
+        known = ~np.isnan(r).any(axis=0)
+        r, moved = np.where(known, r, r[:, :1]), np.where(known, moved, shares[:, None])
+        width = np.stack([moved[f, 1 + 2 * f] - moved[f, 2 + 2 * f] for f in range(k)])
+        return r[:, 0], (r[:, 1::2] - r[:, 2::2]) / np.maximum(width, 1e-300)
 
 
 # --- one number, one observation -------------------------------------------------------------------------------------
@@ -68,20 +113,15 @@ def roots(sample: Curve, values: Floats, wanted: float) -> list[float]:
             break
         rows = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, PARTS + 1)
         rows[:, -1] = right
-    best: list[tuple[float, float]] = []
-    if found:
-        ends = np.unique(found)
-        miss = np.abs(sample(ends)[0] - wanted)
-        for value, off in zip(ends.tolist(), miss.tolist(), strict=True):
-            if off <= MET * abs(wanted):
-                if best and abs(value - best[-1][0]) <= MET * abs(value):
-                    best[-1] = min(best[-1], (value, off), key=lambda pair: pair[1])
-                else:
-                    best.append((value, off))
-    return [value for value, _ in best]
+    ends = np.unique(found)
+    miss = np.abs(sample(ends)[0] - wanted) if found else ends
+    ends, miss = ends[miss <= MET * abs(wanted)], miss[miss <= MET * abs(wanted)]
+    apart = np.flatnonzero(np.diff(ends) > MET * np.abs(ends[1:])) + 1
+    both = zip(np.split(ends, apart), np.split(miss, apart), strict=True)
+    return [float(near[np.argmin(off)]) for near, off in both if near.size]
 
 
-def _worth_a_look(x: Floats, miss: Floats, kind: NDArray[Any], wanted: float) -> tuple[Floats, Floats]:
+def _worth_a_look(x: Floats, miss: Floats, kind: Kinds, wanted: float) -> tuple[Floats, Floats]:
     """Both ends of the stretches within rows that may hold a root."""
     a, b, left, right = miss[:, :-1], miss[:, 1:], x[:, :-1], x[:, 1:]
     share = (right - left) / np.maximum(np.maximum(np.abs(left), np.abs(right)), 1e-300)
@@ -95,59 +135,18 @@ def _worth_a_look(x: Floats, miss: Floats, kind: NDArray[Any], wanted: float) ->
     return (np.concatenate([left[passes], x[:, :-2][turns]]), np.concatenate([right[passes], x[:, 2:][turns]]))
 
 
-def extreme(sample: Curve, values: Floats, sign: float) -> tuple[float, float]:
-    """The greatest (sign 1) or least (sign -1) outcome that is found, and where."""
+def extreme(sample: Curve, values: Floats, sign: float) -> float:
+    """Where the greatest (sign 1) or least (sign -1) outcome is found."""
     best = (-math.inf, math.nan)
     for _ in range(ROUNDS):
         y = np.nan_to_num(sign * sample(values)[0], nan=-math.inf)
         k = int(np.argmax(y))
         best = max(best, (float(y[k]), float(values[k])))
         values = np.linspace(values[max(k - 1, 0)], values[min(k + 1, len(values) - 1)], 2 * PARTS + 1)
-    return sign * best[0], best[1]
+    return best[1]
 
 
 # --- least squares ---------------------------------------------------------------------------------------------------
-
-
-class Space:
-    """Fields over their ranges as shares from 0 to 1, of the logarithm where a range is wide; and their residuals."""
-
-    def __init__(self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats],
-                 observed: Mapping[str, tuple[float, float | None]]) -> None:  # fmt: skip
-        self.scene, self.fields, self.observed = scene, fields, observed
-        self.low, self.high = (np.array([r[k] for r in ranges])[:, None] for k in (0, -1))
-        self.wide = (self.low > 0.0) & (self.high > 1e3 * self.low)
-
-    def at(self, shares: Floats) -> Floats:
-        """Values of shares, (fields, count)."""
-        ratio = np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), 1.0)
-        return np.asarray(np.where(self.wide, self.low * ratio**shares, self.low + (self.high - self.low) * shares))
-
-    def shares(self, values: Floats) -> Floats:
-        """The other way round."""
-        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), math.e))
-        logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
-        return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
-
-    def residuals(self, shares: Floats) -> Floats:
-        """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
-        found = sampled(self.scene, self.fields, self.at(shares)).outcomes
-        return np.stack([(found[n] - seen) / (sigma or abs(seen)) for n, (seen, sigma) in self.observed.items()])
-
-    def changes(self, shares: Floats) -> tuple[Floats, Floats]:
-        """Residuals, and their derivatives by the shares, (observations, fields, count): to the side that is known."""
-        k, count = shares.shape
-        moved = np.repeat(shares[:, None, :], 1 + 2 * k, axis=1)
-        for f in range(k):
-            moved[f, 1 + 2 * f] = np.minimum(shares[f] + SMALL, 1.0)
-            moved[f, 2 + 2 * f] = np.maximum(shares[f] - SMALL, 0.0)
-        r = self.residuals(moved.reshape(k, -1)).reshape(-1, 1 + 2 * k, count)
-        slopes = []
-        for f in range(k):
-            high, low = (np.where(np.isnan(r[:, j]), r[:, 0], r[:, j]) for j in (1 + 2 * f, 2 + 2 * f))
-            ends = [np.where(np.isnan(r[0, j]), shares[f], moved[f, j]) for j in (1 + 2 * f, 2 + 2 * f)]
-            slopes.append((high - low) / np.maximum(ends[0] - ends[1], 1e-300))
-        return r[:, 0], np.stack(slopes, axis=1)
 
 
 class Fit(NamedTuple):
@@ -171,7 +170,7 @@ def fits(space: Space, shares: Floats) -> list[Fit]:
         return []
     s, r, slopes, settled = _descended(space, shares[:, chosen])
     found: list[Fit] = []
-    told = 1.0 if all(sigma for _, sigma in space.observed.values()) else 1e-3  # apart, in standard errors or shares
+    told = 1.0 if space.weighed else 1e-3  # apart, in standard errors or shares
     for k in np.argsort(np.sum(r**2, axis=0)):
         fit = Fit(s[:, k], float(np.sum(r[:, k] ** 2)), bool(settled[k]))
         off = [s[:, k] - other.shares for other in found]
@@ -203,8 +202,3 @@ def _descended(space: Space, s: Floats) -> tuple[Floats, Floats, Floats, NDArray
     push = -np.einsum("ofn,on->fn", slopes, r) / np.where(length > 0.0, length, 1.0)
     still = (np.abs(push) < 1e-3) | ((s <= 0.0) & (push < 0.0)) | ((s >= 1.0) & (push > 0.0))
     return s, r, slopes, np.all(still, axis=0) | (np.linalg.norm(r, axis=0) < 1e-7)
-
-
-def outcomes_of(motion: Motion, names: Sequence[str]) -> Floats:
-    """Outcomes of a single motion."""
-    return np.array([float(motion.outcomes[n]) for n in names])

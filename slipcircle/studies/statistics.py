@@ -74,17 +74,26 @@ def pooled(a: Floats, b: Floats) -> Floats:
     return np.array([n, a[1] + q * step, second, third, fourth])
 
 
-def spread(moments: Floats) -> tuple[float, float, float, float]:
-    """Mean and its standard error, standard deviation and its own, from the moments of independent samples.
+class Spread(NamedTuple):
+    """Mean and standard deviation of samples, each with its standard error."""
+
+    mean: float
+    mean_error: float
+    std: float
+    std_error: float
+
+
+def spread(moments: Floats) -> Spread:
+    """Of independent samples, from their `moments`.
 
     The variance of a sample's variance is that of the squares over n; a root halves relative errors.
     """
     n, mean, second, _, fourth = moments.tolist()
     if n < 2:
-        return mean if n else math.nan, math.nan, math.nan, math.nan
+        return Spread(mean if n else math.nan, math.nan, math.nan, math.nan)
     std = math.sqrt(second / (n - 1))
     rest = max(fourth / n - (second / n) ** 2, 0.0) / n
-    return mean, std / math.sqrt(n), std, math.sqrt(rest) / (2 * std) if std else 0.0
+    return Spread(mean, std / math.sqrt(n), std, math.sqrt(rest) / (2 * std) if std else 0.0)
 
 
 def width(confidence: float, replicates: int = 1) -> float:
@@ -132,9 +141,8 @@ def indices(sums: Floats, confidence: float) -> Indices:
         whole, others = _indices(np.sum(sums, axis=0)), _indices(np.sum(sums, axis=0) - sums)
         # What leaving each out makes of it behaves like a mean of as many pseudo-values (Tukey 1958).
         half = student(batches * whole - (batches - 1) * others, confidence)
-    first, total = ([Estimate(float(v), float(v - h), float(v + h)) for v, h in zip(*rows, strict=True)]
-                    for rows in zip(whole, half, strict=True))  # fmt: skip
-    return Indices(first, total)
+    rows = zip(whole, half, strict=True)
+    return Indices(*([Estimate(float(v), float(v - h), float(v + h)) for v, h in zip(*r, strict=True)] for r in rows))
 
 
 def _indices(sums: Floats) -> Floats:

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from typing import Any, NamedTuple
 
@@ -18,11 +17,12 @@ from slipcircle.scene.scene import Scene
 from slipcircle.studies import written
 from slipcircle.studies.design import Design, Result
 from slipcircle.studies.motions import motions
-from slipcircle.studies.propagation import Linear, Sampled, disagreement, propagated
+from slipcircle.studies.propagation import Linear, disagreement, propagated
 from slipcircle.studies.statistics import (
     BINS,
     Estimate,
     Indices,
+    Spread,
     edges,
     histogram_quantile,
     indices,
@@ -55,7 +55,6 @@ class Convergence(NamedTuple):
     upper: Estimate
 
 
-@dataclass(repr=False)
 class Study:
     """What a study found; intervals hold with the confidence at each place, not everywhere at once.
 
@@ -75,14 +74,47 @@ class Study:
         Inputs by key, in the key's unit, outputs and status, where they were kept.
     """
 
-    design: Design
-    seed: int
-    size: int
-    confidence: float
-    counts: NDArray[np.int64] = field(init=False)
-    sensitivity: Mapping[str, Indices] = field(init=False)
-    convergence: list[Convergence] = field(init=False, default_factory=list)
-    samples: Mapping[str, NDArray[Any]] = field(init=False, default_factory=dict)
+    def __init__(self, design: Design, confidence: float, results: Iterable[Result]) -> None:
+        self.design, self.seed, self.size, self.confidence = design, design.seed, design.size, confidence
+        self.counts = np.zeros(len(Status), np.int64)
+        self.sensitivity: Mapping[str, Indices] = {}
+        self.convergence: list[Convergence] = []
+        self.samples: Mapping[str, NDArray[Any]] = {}
+        replicates = design.replicates
+        self._answered = np.zeros(replicates, np.int64)
+        self._moving = np.zeros(replicates, np.int64)
+        self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
+        self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
+        self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
+        kept, sums = dict[str, list[NDArray[Any]]](), list[Floats]()
+        for index, result in enumerate(results):
+            if "sums" in result:
+                sums.append(result["sums"])
+                continue
+            self._add(index % replicates, result)
+            for name, values in result.items():
+                if name.startswith("sample."):
+                    kept.setdefault(name.removeprefix("sample."), []).append(values)
+            turns, rest = divmod(index + 1, replicates)
+            last = index + 1 == design.sample_blocks
+            if design.method != "grid" and not rest and (turns & (turns - 1) == 0 or last):
+                median, upper = (self.quantile("reach", p) for p in (0.5, 0.95))
+                self.convergence.append(Convergence(self.n, self.moving, median, upper))
+        self.samples = {name: np.concatenate(values) for name, values in kept.items()}
+        if sums:
+            names = ("moves", *OUTCOMES)
+            self.sensitivity = {n: indices(np.stack(sums)[:, k], confidence) for k, n in enumerate(names)}
+
+    def _add(self, replicate: int, result: Result) -> None:
+        """Add a block up."""
+        self.counts += result["status"]
+        self._answered[replicate] += result["duration.counts"].sum()
+        self._moving[replicate] += result["moving"][0]
+        for name in OUTCOMES:
+            self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
+            self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
+            ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
+            self._ends[name] = min(ends[0], low), max(ends[1], high)
 
     @property
     def scene(self) -> Scene:
@@ -92,17 +124,21 @@ class Study:
     # -- what people take from it
 
     def __repr__(self) -> str:
-        counted = ", ".join(f"{int(c)} {words(s.name)}" for s, c in zip(Status, self.counts, strict=True) if c)
-        name, of = self.scene.name, [" ".join(row) for row in self._summary()]
-        return f"<Study {name}: {'; '.join([f'{self.design.n} scenes, {self.design.method}', counted, *of])}>"
+        of = [f"{self.design.n} scenes, {self.design.method}", ", ".join(f"{n} {name}" for name, n in self._counted())]
+        return f"<Study {self.scene.name}: {'; '.join([*of, *(' '.join(row) for row in self._summary())])}>"
 
     def _repr_html_(self) -> str:
-        counted = [[words(s.name), str(int(c))] for s, c in zip(Status, self.counts, strict=True) if c]
-        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*counted, *self._summary()]))
+        return Raw(tag("b", f"{self.scene.name}: {self.design.method}") + table([*self._counted(), *self._summary()]))
+
+    def _counted(self) -> list[list[str]]:
+        return [[words(s.name), str(int(n))] for s, n in zip(Status, self.counts, strict=True) if n]
 
     def _summary(self) -> list[list[str]]:
-        ends = {n: [shown(self.quantile(n, p).value) for p in (0.05, 0.5, 0.95)] for n in OUTCOMES}
-        return [[words(n), f"{mid} ({low} to {high}) {OUTCOMES[n].unit}"] for n, (low, mid, high) in ends.items()]
+        rows = []
+        for name, of in OUTCOMES.items():
+            low, middle, high = (shown(self.quantile(name, p).value) for p in (0.05, 0.5, 0.95))
+            rows.append([words(name), f"{middle} ({low} to {high}) {of.unit}"])
+        return rows
 
     def __len__(self) -> int:
         return self.design.n
@@ -112,10 +148,8 @@ class Study:
 
     def __getitem__(self, index: int) -> Motion:
         """The motion of one sample, solved again; a ValueError says why where it is no scene."""
-        keys = {n: self._kept[number.key][[index]] for n, number in self.design.inputs.items()}
-        return motions(self.scene, {n: self.design.inputs[n].to_si(x) for n, x in keys.items()}, self.design.accuracy)[
-            0
-        ]
+        given = {n: u.to_si(self._kept[u.key][[index]]) for n, u in self.design.inputs.items()}
+        return motions(self.scene, given, self.design.accuracy)[0]
 
     @property
     def _kept(self) -> Mapping[str, NDArray[Any]]:
@@ -150,16 +184,6 @@ class Study:
             return frame.set_index(keys).to_xarray()
         return frame.rename_axis("sample").to_xarray().set_coords(keys)
 
-    def __post_init__(self) -> None:
-        replicates = self.design.replicates
-        self.counts = np.zeros(len(Status), np.int64)
-        self.sensitivity = {}
-        self._answered = np.zeros(replicates, np.int64)
-        self._moving = np.zeros(replicates, np.int64)
-        self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
-        self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
-        self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
-
     @property
     def n(self) -> int:
         """Samples with an answer: the others are no scenes, or failed, and are left out of what follows."""
@@ -168,47 +192,42 @@ class Study:
     @property
     def moving(self) -> Estimate:
         """Probability that the mass moves."""
-        curve = self._probability(self._moving[:, None])
-        return Estimate(*(float(x[0]) for x in curve))
+        return Estimate(*(float(x[0]) for x in self._probability(self._moving[:, None])))
 
     def quantile(self, output: str, p: float) -> Estimate:
         """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it."""
-        counts, ends = self._histograms[output], self._ends[output]
         if not self.n:
             return Estimate(math.nan, math.nan, math.nan)
-        if output in self.samples:
-            values = self._ordered(output)
-            value = float(values[max(0, math.ceil(p * self.n) - 1)])
-        else:
-            value = float(histogram_quantile(counts.sum(axis=0), p, ends))
+        counts, ends = self._histograms[output], self._ends[output]
+        values = self._ordered(output) if output in self.samples else None
+
+        def at(share: float) -> float:
+            if not 0.0 <= share <= 1.0:
+                return math.nan
+            if values is not None:
+                return float(values[max(0, math.ceil(share * self.n) - 1)])
+            return float(histogram_quantile(counts.sum(axis=0), share, ends))
+
         if self.design.replicates > 1:
             each = np.array([histogram_quantile(c, p, ends) for c in counts if c.any()])
             half = float(student(each, self.confidence))
-            return Estimate(value, max(0.0, value - half), value + half)
+            return Estimate(at(p), max(0.0, at(p) - half), at(p) + half)
         low, high = ranks(p, self.n, self.confidence)
-
-        def at(rank: int) -> float:
-            if not 1 <= rank <= self.n:
-                return math.nan
-            if output in self.samples:
-                return float(values[rank - 1])
-            return float(histogram_quantile(counts.sum(axis=0), rank / self.n, ends))
-
-        return Estimate(value, at(low), at(high))
+        return Estimate(at(p), at((low - 0.5) / self.n), at((high - 0.5) / self.n))
 
     def mean(self, output: str) -> Estimate:
         """Mean of an output; what does not move counts as 0."""
-        mean, error, _, _ = self._sampled(output)
-        return self._interval(mean, error)
+        found = self._sampled(output)
+        return self._interval(found.mean, found.mean_error)
 
     def std(self, output: str) -> Estimate:
         """Standard deviation of an output; what does not move counts as 0."""
-        _, _, std, error = self._sampled(output)
-        return self._interval(std, error)
+        found = self._sampled(output)
+        return self._interval(found.std, found.std_error)
 
-    def _sampled(self, output: str) -> Sampled:
+    def _sampled(self, output: str) -> Spread:
         each = self._moments[output]
-        found = Sampled(*spread(reduce(pooled, each)))
+        found = spread(reduce(pooled, each))
         filled = each[each[:, 0] > 1]
         if self.design.replicates == 1 or len(filled) < 2:
             return found
@@ -232,8 +251,6 @@ class Study:
 
     @cached_property
     def _linear(self) -> tuple[Mapping[str, Linear], str]:
-        if self.design.method == "grid":
-            return {}, "values on a grid have no distribution"
         try:
             return propagated(self.design), ""
         except ValueError as error:
@@ -271,44 +288,9 @@ class Study:
             filled = self._answered > 0
             half = student(hits[filled] / self._answered[filled, None], self.confidence)
             sure = (total == 0) | (total == n)  # the replicates agree, and cannot tell how surely
-            low, high = (
-                np.where(sure, low, np.maximum(value - half, 0)),
-                np.where(sure, high, np.minimum(value + half, 1)),
-            )
+            low = np.where(sure, low, np.maximum(value - half, 0))
+            high = np.where(sure, high, np.minimum(value + half, 1))
         return value, low, high
-
-    # -- merging
-
-    def _merge(self, results: Iterable[Result]) -> None:
-        """Add blocks up, in their order."""
-        design, samples = self.design, self.design.sample_blocks(self.size)
-        kept: dict[str, list[NDArray[Any]]] = {}
-        sums = []
-        for index, result in enumerate(results):
-            if index >= samples:
-                sums.append(result["sums"])
-                continue
-            replicate = index % design.replicates
-            self.counts += result["status"]
-            self._answered[replicate] += result["duration.counts"].sum()
-            self._moving[replicate] += result["moving"][0]
-            for name in OUTCOMES:
-                self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
-                self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
-                ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
-                self._ends[name] = min(ends[0], low), max(ends[1], high)
-            for name, values in result.items():
-                if name.startswith("sample."):
-                    kept.setdefault(name.removeprefix("sample."), []).append(values)
-            turns, rest = divmod(index + 1, design.replicates)
-            if design.method != "grid" and not rest and (turns & (turns - 1) == 0 or index + 1 == samples):
-                upper = self.quantile("reach", 0.95)
-                self.convergence.append(Convergence(self.n, self.moving, self.quantile("reach", 0.5), upper))
-        self.samples = {name: np.concatenate(values) for name, values in kept.items()}
-        if sums:
-            every = np.stack(sums)
-            names = ("moves", *OUTCOMES)
-            self.sensitivity = {n: indices(every[:, k], self.confidence) for k, n in enumerate(names)}
 
     # -- what to know
 

@@ -861,7 +861,7 @@ static int never_rests(const Hand *h, unsigned k)
     const V *const c = h->c;
     const Roles *const role = h->w->role;
     const double p0 = c[role->p0][k], most = hypot(p0, c[role->ps0][k]);
-    return c[FIRST_ONLY][k] == 1.0 || (!changes(h, k) && c[role->normal0][k] + (most - p0) <= 0.01 * most);
+    return c[FIRST_ONLY][k] == 1.0 || (!changes(h, k) && c[role->normal0][k] + (most - p0) <= CARRIED * most);
 }
 
 /* What presses now, where order 0 of the series is there. */
