@@ -1,9 +1,13 @@
 """The package `generated`: written reproducibly and atomically, and called like NumPy's own functions."""
 
 import hashlib
+import json
 import os
+import random
 import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from inspect import signature
@@ -16,6 +20,7 @@ import pytest
 import generated
 from derive.__main__ import main
 from derive.generate import write
+from derive.judge.verify import report
 from generated import kernels, motion
 
 Function = Callable[..., Any]
@@ -58,6 +63,25 @@ def copy(tmp_path: Path) -> Path:
     """The package elsewhere."""
     write.write(texts(), tmp_path / "generated")
     return tmp_path / "generated"
+
+
+def test_generated_is_up_to_date() -> None:
+    """It is what is derived now, by an interpreter that orders its sets anew, and so under every hash seed.
+
+    So is what `derive verify` says.
+    """
+    code = """
+import json
+from derive.__main__ import derive_all
+from derive.judge.verify import report
+print(json.dumps([derive_all(), report("json")]))
+"""
+    seed = str(random.SystemRandom().randrange(1, 2**32))
+    done = subprocess.run([sys.executable, "-c", code], env=os.environ | {"PYTHONHASHSEED": seed}, cwd=write.ROOT,
+                          text=True, capture_output=True, check=True)  # fmt: skip
+    wanted, judged = json.loads(done.stdout)
+    check_up_to_date(FOLDER, wanted)
+    assert judged == report("json")
 
 
 def test_headers() -> None:
