@@ -44,8 +44,6 @@ HANG_S = 90  # of one test; the slowest takes a tenth of it
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 
 
-# --- answers ---------------------------------------------------------------------------------------------------------
-
 COMMANDS = """run vaiont vaiont-softening wet-slope | run vaiont --json | run vaiont-shaken --json
 run wet-slope --json
 run newmark-pulse --csv {}/a.csv | run wet-slope vaiont-heated --csv {}/b.csv | run lifted.toml --json | run lifted.toml

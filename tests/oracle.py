@@ -130,48 +130,19 @@ def moments(arc: Mapping[str, float]) -> dict[str, arb]:
     }
 
 
-class Coefficients(NamedTuple):
-    """Of the equation of motion, from the definitions: to 50 digits, as mpmath numbers."""
-
-    inertia: mpf
-    pressing: mpf  # C_r
-    turning: mpf  # C_theta
-    factor: mpf
-    polar: mpf
-    dip: mpf
-    time_scale: mpf
-    radius: mpf
-    gravity: mpf
-    half: mpf
-
-    @property
-    def radial(self) -> mpf:
-        """J_r."""
-        return self.pressing * mpmath.cos(self.dip)
-
-    @property
-    def limit(self) -> mpf:
-        """Dry limit friction, without cohesion."""
-        return self.turning / self.pressing * mpmath.tan(self.dip)
+def plain(arc: Any) -> dict[str, float]:
+    """The fields of an `Arc`."""
+    fields = ("radius", "theta_1", "theta_2", "unit_weight", "gravity")
+    return {name: float(np.asarray(getattr(arc, name))) for name in fields}
 
 
-@cache
-def coefficients(arc: Any) -> Coefficients:
-    """Of what has a radius, two angles and a gravity."""
-    first, second = Fraction(float(np.asarray(arc.theta_1))), Fraction(float(np.asarray(arc.theta_2)))
-    half, middle = (second - first) / 2, (first + second) / 2
-    with mpmath.workdps(50):
-
-        def moment(name: str) -> mpf:
-            return mpf(kernel(name, half).str(50, radius=False))
-
-        radius, gravity = mpf(float(np.asarray(arc.radius))), mpf(float(np.asarray(arc.gravity)))
-        dip = abs(3 * mpmath.pi / 2 - mpf(middle.numerator) / middle.denominator)  # positive is down-slope
-        alpha = min(mpf(half.numerator) / half.denominator, mpmath.pi / 2)
-        return Coefficients(
-            moment("moment_of_inertia"), moment("radial_weight_amplitude"), moment("weight_moment_amplitude"),
-            moment(RESISTANCE.name), moment("polar_moment"), dip, mpmath.sqrt(radius / gravity), radius, gravity, alpha,
-        )  # fmt: skip
+def numbers(arc: Any) -> dict[str, mpf]:
+    """`moments` of an `Arc` as mpmath's numbers of 50 digits, with its radius and its unit of time."""
+    given = plain(arc)
+    with ctx.workprec(BITS), mpmath.workdps(50):
+        found = {k: mpf(v.mid().str(50, radius=False)) for k, v in moments(given).items()}
+        radius, gravity = mpf(given["radius"]), mpf(given["gravity"])
+        return found | {"radius": radius, "scale": mpmath.sqrt(radius / gravity)}
 
 
 # --- the motion ----------------------------------------------------------------------------------------------------

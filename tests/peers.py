@@ -1,19 +1,18 @@
-"""How fast other compilers of formulas run the paper's printed forms: ``python tests/peers.py [--json]``, not a test.
+"""How fast other compilers of formulas run the paper's printed forms: ``python tests/peers.py [FUNCTION ...]``.
 
 SymPy's lambdify and ufuncify, Numba, numexpr and JAX, all on one core, beside this package's best tier, in one run.
 Those that are not installed are named: pip install sympy numba numexpr jax setuptools.
 """
 
-import argparse
-import json
 import os
 import statistics
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from importlib.metadata import version
+from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 # Before NumPy and JAX are loaded: one thread for all.
 os.environ |= {"OMP_NUM_THREADS": "1", "NUMEXPR_NUM_THREADS": "1", "JAX_PLATFORMS": "cpu", "JAX_ENABLE_X64": "1",
@@ -90,7 +89,18 @@ def jax(expression: sp.Expr) -> Callable[[Floats, Floats], object]:
 PEERS: Mapping[str, Maker] = {f.__name__: f for f in (lambdify, ufuncify, numba, numexpr, jax)}
 
 
-def measure(names: list[str]) -> Iterator[dict[str, Any]]:
+class Row(NamedTuple):
+    """Medians; of the fastest turns how many times ours."""
+
+    function: str
+    way: str
+    size: int
+    ns: float
+    times_ours: float
+    fastest: float
+
+
+def measure(names: list[str]) -> Iterator[Row]:
     """Time every peer on every function; what is missing or fails is said on stderr."""
     for name in names:
         ways: dict[str, Callable[[Floats, Floats], object]] = {
@@ -110,50 +120,18 @@ def measure(names: list[str]) -> Iterator[dict[str, Any]]:
             x = np.random.default_rng(0).uniform(0.0, np.pi / 2, size)
             samples = interleaved([partial(way, x, np.empty_like(x)) for way in ways.values()])
             for way, seconds in zip(ways, samples, strict=True):
-                ours = samples[0]
-                yield {
-                    "function": name, "way": way, "elements": size,
-                    "ns_median": statistics.median(seconds) / size * 1e9, "ns_fastest": min(seconds) / size * 1e9,
-                    "times_ours_median": statistics.median(seconds) / statistics.median(ours),
-                    "times_ours_fastest": min(seconds) / min(ours),
-                }  # fmt: skip
+                times = statistics.median(seconds) / statistics.median(samples[0]), min(seconds) / min(samples[0])
+                yield Row(name, way, size, statistics.median(seconds) / size * 1e9, *times)
 
 
 def main() -> None:
     """Print the comparison."""
-    parser = argparse.ArgumentParser(description=str(__doc__).partition("\n")[0])
-    parser.add_argument("functions", nargs="*", metavar="NAME", help=f"of {', '.join(PRINTED)}; by default all")
-    parser.add_argument("--json", action="store_true")
-    options = parser.parse_args()
-    libraries = ", ".join(f"{p} {version(p)}" for p in ("sympy", "numba", "numexpr", "jax") if _there(p))
-    rows = list(measure(options.functions or list(PRINTED)))
-    if options.json:
-        print(json.dumps({"machine": f"{machine()}, {libraries}", "rows": rows}, indent=2))
-        return
-    for name in dict.fromkeys(row["function"] for row in rows):
-        print(f"\n{name:26}" + "".join(f"{f'N = {size}':>34}" for size in SIZES))
-        print(" " * 26 + f"{'ns':>10} {'fastest':>9} {'times ours':>13}" * len(SIZES))
-        for way in dict.fromkeys(row["way"] for row in rows if row["function"] == name):
-            cells = [row for row in rows if (row["function"], row["way"]) == (name, way)]
-            print(f"  {way:24}" + "".join(
-                f"{c['ns_median']:10.3f} {c['ns_fastest']:9.3f} {c['times_ours_median']:13.2f}" for c in cells
-            ))  # fmt: skip
-        for size in SIZES:
-            peers = [r for r in rows if (r["function"], r["elements"]) == (name, size) and r["way"] in PEERS]
-            if peers:
-                best = min(peers, key=lambda r: float(r["ns_median"]))
-                print(f"  the fastest peer at N = {size}: {best['way']}, {best['times_ours_median']:.2f} times ours "
-                      f"({best['times_ours_fastest']:.2f} by the fastest turns)")  # fmt: skip
-    print(f"\nmedians and fastest of several turns, on one core\n{machine()}, {libraries}")
-
-
-def _there(package: str) -> bool:
-    try:
-        version(package)
-    except ImportError:
-        print(f"{package} is missing", file=sys.stderr)
-        return False
-    return True
+    names = sys.argv[1:] or list(PRINTED)
+    print(f"{'function':<26}{'way':<12}{'N':>9}{'ns':>10}{'times ours':>12}{'fastest':>9}")
+    for row in measure(names):
+        print(f"{row.function:<26}{row.way:<12}{row.size:>9}{row.ns:>10.3f}{row.times_ours:>12.2f}{row.fastest:>9.2f}")
+    libraries = [f"{p} {version(p)}" for p in ("sympy", "numba", "numexpr", "jax") if find_spec(p)]
+    print("medians of several turns, and the fastest ones, on one core", machine(), *libraries, sep=", ")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """Functions of slip, speed or time that are smooth between breaks, in ball arithmetic: laws, records, pulses."""
 
+from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -18,7 +19,7 @@ class Pieces(NamedTuple):
 
     def at(self, x: arb) -> int:
         """The piece that begins at a place or holds there."""
-        return sum(bool(b <= x) for b in self.breaks)
+        return bisect_right(self.breaks, x)
 
     def on(self, x: arb) -> arb_series:
         """Around a place."""

@@ -5,7 +5,7 @@ there is a fault.
 """
 
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -90,27 +90,12 @@ def every_float32(kernel: str, first: int = 0, last: int = LAST_SINGLE, block: i
     return found
 
 
-def float32_table(names: Iterable[str]) -> Iterator[tuple[str, list[str]]]:
-    """Lines of the table, each with its faults."""
-    yield (
-        f"{'kernel':<31} {'form':<5} {'level':<8} {'seen':>9} {'proved':>9} {'at':<22} {'falls':>8}",
-        [],
-    )
-    for single in (single for kernel in names for single in every_float32(kernel)):
-        r = single.run.record
-        yield (
-            (
-                f"{r['kernel']:<31} {r['form']:<5} {single.run.level:<8} {single.worst:>9.6f} {r['bound']:>9.6g} "
-                f"{single.alpha.hex():<22} {single.falls if len(r['definition']) == 1 else '':>8}"
-            ),
-            single.faults,
-        )
-
-
 if __name__ == "__main__":
-    faults = []
-    for line, found in float32_table(sys.argv[1:] or KERNELS):
-        print(line, flush=True)
-        faults += found
+    faults: list[str] = []
+    for single in (single for kernel in sys.argv[1:] or KERNELS for single in every_float32(kernel)):
+        r = single.run.record
+        print(f"{r['kernel']}, {r['form']}, {single.run.level}: {single.worst:.6f} at {single.alpha.hex()}, "
+              f"{r['bound']:.6g} is proved; falls {single.falls} times", flush=True)  # fmt: skip
+        faults += single.faults
     print(*faults, f"all {LAST_SINGLE + 1} inputs of float32, {len(faults)} faults", sep="\n")
     sys.exit(bool(faults))

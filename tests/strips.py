@@ -5,21 +5,15 @@ they hang over. Coordinates are floats, taken as the exact numbers that they are
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
 from itertools import pairwise
 
-from flint import acb, arb, ctx, fmpq
+from flint import acb, arb, ctx
+from oracle import exact
 
 from slipcircle.scene.circles import MEASURES
 
 BITS = 220
 Point = tuple[float, float]
-
-
-def exact(value: float | Fraction) -> arb:
-    """The double as a ball of radius zero."""
-    ratio = Fraction(value)
-    return arb(fmpq(ratio.numerator, ratio.denominator))
 
 
 def inside(p: tuple[arb, arb], q: tuple[arb, arb], radius: arb) -> tuple[arb, arb] | None:

@@ -6,6 +6,7 @@ line of the package. That series of another length agree says how good they are.
 """
 
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
@@ -20,9 +21,6 @@ number = oracle.exact
 
 class Unfit(Exception):
     """The scene turns over or never ends."""
-
-
-# --- a scene in numbers ----------------------------------------------------------------------------------------------
 
 
 class Problem:
@@ -106,9 +104,6 @@ class Problem:
         return fall * (self.fall * side), (press - along * ratio) * self.press - water * self.level
 
 
-# --- series ----------------------------------------------------------------------------------------------------------
-
-
 def value(series: arb_series, h: arb) -> arb:
     found = arb(0)
     for k in range(series.length() - 1, -1, -1):
@@ -145,9 +140,6 @@ def zero(series: arb_series, h: arb, passed: bool = False) -> arb | None:
         if abs(step) <= abs(at) * arb(2) ** (8 - ctx.prec):
             break
     return at
-
-
-# --- the motion ------------------------------------------------------------------------------------------------------
 
 
 class Step(NamedTuple):
@@ -245,7 +237,8 @@ class Solution:
         while True:
             if len(self.steps) > self.most[0] or (p.turns and abs(p.lean - phi - side * x) > arb.pi() / 2):
                 raise Unfit
-            limit = next((k for k in p.kinks if k > time * (1 + arb(2) ** -70) + arb(2) ** -90), None)
+            later = bisect_right(p.kinks, time * (1 + arb(2) ** -70) + arb(2) ** -90)
+            limit = p.kinks[later] if later < len(p.kinks) else None
             if p.end is not None and (limit is None or limit > p.end):
                 limit = p.end
             if lifted is None:
@@ -254,7 +247,8 @@ class Solution:
                 lifted = bool(press + p.polar * omega**2 - p.level * excess < 0)
             self.lifts += [time] if lifted and not self.carried else []
             self.carried = lifted
-            y, normal = self._series(time, phi, slip, (x, omega, excess), side, piece, band, lifted)
+            reach = None if limit is None else limit - time
+            y, normal = self._series(time, phi, slip, (x, omega, excess), side, piece, band, lifted, reach)
             h = self._length(y)
             if limit is not None and time + h >= limit:
                 h = limit - time
@@ -291,8 +285,11 @@ class Solution:
                 lifted = None if p.shaken else lifted  # what presses may jump
 
     def _series(self, time: arb, phi: arb, slip: arb, start: tuple[arb, arb, arb], side: int, piece: int, band: int,
-                lifted: bool) -> tuple[tuple[arb_series, ...], arb_series]:  # fmt: skip
-        """Of x, omega and the excess pressure, one more coefficient in each round; and of what presses."""
+                lifted: bool, reach: arb | None) -> tuple[tuple[arb_series, ...], arb_series]:  # fmt: skip
+        """Of x, omega and the excess pressure, one more coefficient in each round; and of what presses.
+
+        Those that do not count within reach, where that is short, are left out.
+        """
         p, known, normal = self.p, [[s.mid()] for s in start], arb_series([0])
         for n in range(1, self.terms):
             ctx.cap = n
@@ -306,8 +303,15 @@ class Solution:
                 heat = friction * omega * (p.kappa / p.level) if p.heats else heat
             for k, slope in zip(known, (omega, rate, heat), strict=True):
                 k.append((slope[n - 1] / n).mid())
+            if n > 9 and reach is not None and reach < 0.01 and not any(self._counts(k, reach) for k in known[:2]):
+                break
         ctx.cap = self.terms
         return tuple(arb_series(k) for k in known), normal
+
+    def _counts(self, known: list[arb], reach: arb) -> bool:
+        """Whether one of the last three coefficients does, beside the first ones."""
+        sizes = [abs(c) * reach**k for k, c in enumerate(known)]
+        return bool(max(sizes[-3:]) > max(sizes[:5]) * arb(10) ** -self.digits)
 
     def _length(self, y: tuple[arb_series, ...]) -> arb:
         """Where the last terms are below the tolerance, relative to the largest of the first that count."""

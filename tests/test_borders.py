@@ -21,8 +21,6 @@ def motion(given: golden.Data) -> Motion:
     return found
 
 
-# --- what does nothing -----------------------------------------------------------------------------------------------
-
 FLAT = {"time": [0.0, 1.0, 2.5], "horizontal": [0.0, 0.0, 0.0]}
 NOTHING: dict[str, Any] = {
     "a record of zeros": {"shaking": FLAT},
@@ -70,9 +68,6 @@ def test_a_law_that_does_not_change_is_constant_friction() -> None:
             assert not golden.differences(law["law"], motion(golden.scene(law, golden.TURNING, velocity)), kept)
 
 
-# --- peaks cut short -------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(("velocity", "bump"), [(0.0, 0.36), (2.0, 0.6), (-2.0, 0.36)])
 def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) -> None:
     """It is the first until the second is faster, the end where speed still grows, each to the estimate."""
@@ -95,29 +90,6 @@ def test_a_peak_cut_between_two_greatest_speeds(velocity: float, bump: float) ->
         if found.peak.time == found.duration:
             assert found.peak == found.end
             assert abs(found.peak.acceleration) > 1e-3
-
-
-def test_peaks_of_two_pulses() -> None:
-    """Of a record: the second push is the stronger, and an end time cuts it off."""
-    time = [0.0, 0.1, 0.8, 0.9, 1.6, 1.7, 2.4, 2.5]
-    record = {"time": time, "horizontal": [0.0, 0.3, 0.3, 0.0, 0.0, 0.5, 0.5, 0.0]}
-    for effects in ({}, golden.TURNING):
-        given = golden.scene(0.3, effects | {"shaking": record}, 0.0, 9.0)
-        peaks = {}
-        for end in (0.7, 1.0, 1.65, 1.9, 2.2, 9.0):
-            found = motion(given | {"end_time": end})
-            dense = np.abs(found.at(np.linspace(0.0, end, 4001)).velocity)
-            assert float(found.peak.velocity) >= dense.max() * (1.0 - 1e-12)
-            assert float(found.peak.velocity) <= dense.max() * (1.0 + 1e-5)
-            peaks[end] = float(found.peak.time)
-        assert peaks[0.7] == 0.7
-        assert 0.8 < peaks[1.0] < 0.9
-        assert peaks[1.65] == peaks[1.0]
-        assert peaks[2.2] == 2.2
-        assert 2.4 < peaks[9.0] < 2.5
-
-
-# --- restarts --------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mirror", [False, True])
@@ -147,14 +119,9 @@ def test_a_restart_within_rounding_is_no_certainty(effects: dict[str, Any], mirr
     assert motion(turned).limit_friction == pytest.approx(stays, rel=1e-12)
 
 
-# --- workers ---------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("engine", "pool"), [("threads", "ThreadPoolExecutor"), ("processes", "ProcessPoolExecutor")])
-def test_as_many_workers_as_asked_for(engine: str, pool: str, monkeypatch: pytest.MonkeyPatch,
-                                      capsys: pytest.CaptureFixture[str]) -> None:  # fmt: skip
+def test_as_many_workers_as_asked_for(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """And one for each processor where nothing is said; the answer does not depend on it."""
-    seen, kind = [], getattr(concurrent.futures, pool)
+    seen, kind = [], concurrent.futures.ThreadPoolExecutor
     begin = kind.__init__
 
     def started(self: Any, max_workers: int | None = None, *more: Any, **rest: Any) -> None:
@@ -167,9 +134,10 @@ def test_as_many_workers_as_asked_for(engine: str, pool: str, monkeypatch: pytes
     assert main(argv) == 0
     serial = json.loads(capsys.readouterr().out)
     assert not seen
-    for count in (2, None) if engine == "threads" else (2,):
-        assert main([*argv, "--engine", engine, *([] if count is None else ["--workers", str(count)])]) == 0
+    argv += ["--engine", "threads"]
+    for count, more in ((2, ["--workers", "2"]), (os.cpu_count(), [])):
+        assert main([*argv, *more]) == 0
         assert json.loads(capsys.readouterr().out) == serial
-        assert seen.pop() == (count or os.cpu_count())
-    assert main([*argv, "--engine", engine, "--workers", "0"]) == 1
+        assert seen.pop() == count
+    assert main([*argv, "--workers", "0"]) == 1
     assert "--workers 0: must be 1 at least" in capsys.readouterr().err

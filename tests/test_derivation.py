@@ -1,32 +1,25 @@
 """The derivation: closed forms against quadrature of the raw definitions at 40 digits, and every link proved."""
 
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
 import mpmath
+import oracle
 import pytest
 import sympy as sp
 from mpmath import mpf
 
-from derive.algebra import dynamics
-from derive.algebra.integrate import PSI, closed_forms, compare, derive, quadrature
+from derive.algebra import dynamics, integrate, rules
+from derive.algebra.integrate import PSI, Derivation, closed_forms, compare, derive
 from derive.algebra.remainders import unfold
+from derive.check.proof import ProofError
 from derive.declare.quantities import CHORD, MOMENTS, QUOTIENTS, Moment
-from derive.declare.symbols import a, alpha, b, omega_0, r, t, theta, theta_1
+from derive.declare.symbols import a, alpha, b, omega_0, r, theta, theta_1
 from derive.generate import functions
 
 each_moment = pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
 DIGITS = 40
-
-
-@each_moment
-@pytest.mark.parametrize("half", ["0.001", "0.8", "pi/2 - 0.001"])
-def test_closed_form_equals_quadrature(moment: Moment, half: str) -> None:
-    """In r and theta, over the chord (2.6) as it stands, at 40 digits; the arc starts at an odd angle."""
-    with mpmath.workdps(DIGITS + 30):
-        start = mpf("3.4")
-        angle = mpf(half) if half[0] != "p" else mpmath.pi / 2 - mpf("0.001")
-        form = derive(moment).closed.subs(PSI, 3 * sp.pi / 2 - theta_1 - alpha)
-        value = sp.lambdify((theta_1, alpha), form, "mpmath")(start, angle)
-        raw = quadrature(moment.weight, start, angle, DIGITS)
-        assert abs(raw / value - 1) < mpf(10) ** (1 - DIGITS)
 
 
 @each_moment
@@ -57,9 +50,6 @@ def test_stable_quotient_equals_the_ratio_of_closed_forms(quotient: object, half
         assert abs(ours / sp.lambdify(alpha, ratio, "mpmath")(mpf(half)) - 1) < mpf(10) ** -DIGITS
 
 
-# --- the motion ----------------------------------------------------------------------------------------------------
-
-
 def test_balance_is_proved() -> None:
     steps = dynamics.balance()
     assert {"2.20", "3.8", "3.11", "3.16", "3.17", "3.18", "3.21"} <= set(steps)
@@ -73,23 +63,49 @@ def test_every_piece_of_every_motion_formula_is_proved() -> None:
     assert any("arrest" in c for c in claims)
 
 
-@pytest.mark.parametrize("point", [(0.7, 0.4, 0.2), (0.7, -0.4, 0.2), (-0.7, 0.4, 0.9), (-0.7, -0.4, -0.3)], ids=str)
-def test_solution_satisfies_the_equation_of_motion(point: tuple[float, ...]) -> None:
-    """Differentiated numerically in time, at 30 digits, for every pair of signs."""
-    ways = dynamics.solution()
-    symbols = (a, b, omega_0, t)
-    root = {x: sp.sqrt(a * b) for x in ways["y"].free_symbols - set(symbols)}
-    with mpmath.workdps(60):
-        drive, brake, start = map(mpf, point)
-        omega, phi, rate = (
-            sp.lambdify(symbols, ways[x].subs(root), "mpmath")
-            for x in ("angular_velocity", "rotation", "angular_acceleration")
-        )
-        for time in (mpf("0.3"), mpf("0.9")):
-            now = omega(drive, brake, start, time)
-            slope = mpmath.diff(lambda x: omega(drive, brake, start, x), time)
-            assert abs(slope - (drive - brake * now**2)) < mpf(10) ** -28
-            assert abs(slope - rate(drive, brake, start, time)) < mpf(10) ** -28
-            assert abs(mpmath.diff(lambda x: phi(drive, brake, start, x), time) - now) < mpf(10) ** -28
-        assert abs(omega(drive, brake, start, mpf(0)) - start) < mpf(10) ** -50
-        assert abs(phi(drive, brake, start, mpf(0))) < mpf(10) ** -50
+@pytest.mark.parametrize("name", oracle.BASE)
+def test_a_wrong_stable_form_is_not_proved(name: str) -> None:
+    closed = integrate.closed_forms()[name]
+    right = rules.stable(closed).form
+    rules.prove_equal(right, closed, name)
+    for wrong in (-right, right.subs(alpha, 2 * alpha), right + alpha**2 / 10**6, right * sp.cos(alpha)):
+        with pytest.raises(ProofError, match=name):
+            rules.prove_equal(wrong, closed, name)
+
+
+def test_a_wrong_antiderivative_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
+    right: Callable[..., Any] = sp.integrate
+    monkeypatch.setattr(sp, "integrate", lambda e, x: right(e, x) + x)
+    with pytest.raises(ProofError, match="antiderivative"):
+        integrate.derive.__wrapped__(MOMENTS[0])
+
+
+@pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
+def test_a_wrong_closed_form_is_found_by_quadrature(moment: Moment) -> None:
+    right = integrate.derive(moment)
+    turned = {sp.Integer(1): sp.cos(PSI), sp.cos(PSI): sp.sin(PSI), sp.sin(PSI): sp.cos(PSI)}[right.direction]
+    amplitude = right.amplitude
+    wrongs: tuple[Derivation, ...] = (
+        replace(right, amplitude=-amplitude),
+        replace(right, amplitude=amplitude.subs(alpha, 2 * alpha)),  # as the paper's tables evaluate (2.24) and (3.15)
+        replace(right, amplitude=amplitude * (1 + sp.Rational(1, 10**18))),
+        replace(right, direction=turned),
+        replace(right, moment=replace(moment, weight=moment.weight / r)),  # as its Appendix II integrates (3.13)
+    )
+    for wrong in wrongs:
+        with pytest.raises(ProofError, match=moment.name):
+            integrate.compare(wrong, 20)
+
+
+@pytest.mark.parametrize("name", [f.name for f in dynamics.FORMS])
+def test_a_wrong_motion_formula_is_not_proved(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sign of a or of omega_0 in the result, and a factor."""
+    (form,) = (f for f in dynamics.FORMS if f.name == name)
+    swaps = [form.result.subs(x, -x) for x in (a, omega_0)] + [2 * form.result]
+    for wrong in (replace(form, result=x) for x in swaps):
+        if wrong == form:
+            continue  # even in it
+        monkeypatch.setattr(dynamics, "FORMS", tuple(wrong if f.name == name else f for f in dynamics.FORMS))
+        with pytest.raises(ProofError):
+            dynamics.prove_forms()
+        monkeypatch.undo()

@@ -1,19 +1,24 @@
 """How to add a law, an effect and a moment, as `derive` says it: followed to the letter in a copy, and used there.
 
-Three weights are declared there too (`python tests/all_weights.py`: all 15)."""
+Three weights drawn at random are declared there too (`python tests/all_weights.py`: all 15)."""
 
 import json
+import math
 import random
 import re
-from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import all_weights
+import golden
 import mpmath
 import numpy as np
+import pytest
+import taylor
 from all_weights import run
-from scipy.integrate import dblquad, solve_ivp
+from flint import arb_series
+from pieces import Pieces
 
 Seen = dict[str, dict[str, tuple[float, float]]]
 # ``At the end of ``LAWS`` in ``derive/declare/effects.py``::``, and what stands indented below.
@@ -45,45 +50,18 @@ def extended(root: Path) -> Seen:
     return all_weights.follow(root, drawn, "--trials", "14")
 
 
-def raw(weight: Callable[[float, float], float], alpha: float) -> float:
-    """A double integral of the definitions over the mass, u from the bisector."""
-    return float(dblquad(weight, -alpha, alpha, lambda u: np.cos(alpha) / np.cos(u), lambda u: 1.0, epsrel=1e-12)[0])
+class Extended(taylor.Problem):
+    """Suction is water that pulls; the new law is the old one with a square."""
+
+    def __init__(self, scene: Any, power: int) -> None:
+        super().__init__(scene)
+        peak, residual, length = (taylor.number(SOFTENING[x]) for x in ("peak", "residual", "length"))
+        if power:
+            self.slip = Pieces((), (lambda s: arb_series([peak - residual]) / (s * (self.radius / length) + 1) ** power
+                                    + residual,))  # fmt: skip
 
 
-def reference(mu: Callable[[float], float], centripetal: bool) -> tuple[float, float]:
-    """Peak velocity and run-out by the equation of motion (3.11) with suction, from raw integrals, turning."""
-    first, second = np.deg2rad(SLOPE["theta_1_deg"]), np.deg2rad(SLOPE["theta_2_deg"])
-    alpha, dip, radius = (second - first) / 2, 1.5 * np.pi - (first + second) / 2, SLOPE["radius_m"]
-    inertia, polar = raw(lambda r, u: r**3, alpha), raw(lambda r, u: r**2, alpha)
-    radial, weight = raw(lambda r, u: r * np.cos(u), alpha), raw(lambda r, u: r**2 * np.cos(u), alpha)
-    stress = SUCTION / (SLOPE["unit_weight_kN_m3"] * 1e3 * radius * (1 - np.cos(alpha)))  # over (2.13)
-    level = 2 * alpha * (1 - np.cos(alpha))
-
-    def rate(t: float, y: Any) -> list[float]:
-        presses = radial * np.cos(dip - y[0]) + level * stress + centripetal * polar * y[1] ** 2
-        return [y[1], (weight * np.sin(dip - y[0]) - mu(radius * y[0]) * presses) / inertia]
-
-    def stands(t: float, y: Any) -> float:
-        return float(y[1])
-
-    def fastest(t: float, y: Any) -> float:
-        return rate(t, y)[1]
-
-    stands.terminal, stands.direction = True, -1  # type: ignore[attr-defined]
-    found = solve_ivp(rate, (0, 100), [0.0, 0.0], "DOP853", events=[stands, fastest], rtol=1e-12, atol=1e-13)
-    peak = max(y[1] for y in found.y_events[1]) * np.sqrt(9.81 * radius)
-    return peak, found.y_events[0][-1][0] * radius
-
-
-def inverse_square(slip: float) -> float:
-    return SOFTENING["residual"] + (SOFTENING["peak"] - SOFTENING["residual"]) / (1 + slip / SOFTENING["length"]) ** 2
-
-
-def exponential(slip: float) -> float:
-    return SOFTENING["residual"] + (SOFTENING["peak"] - SOFTENING["residual"]) * np.exp(-slip / SOFTENING["length"])
-
-
-def check_scene(root: Path, law: str, mu: Callable[[float], float], centripetal: bool) -> None:
+def check_scene(root: Path, law: str, power: int, centripetal: bool) -> None:
     """It uses the new law and the new effect."""
     lines = ["[arc]", *(f"{k} = {v}" for k, v in SLOPE.items()), "[friction]", f'law = "{law}"']
     lines += [*(f"{k}{'_m' * (k == 'length')} = {v}" for k, v in SOFTENING.items()), "[rotation]"]
@@ -94,8 +72,13 @@ def check_scene(root: Path, law: str, mu: Callable[[float], float], centripetal:
     assert {law, "suction"} <= set(planned["fragments"])
     assert planned["effects"][-1] == "suction"
     (motion,) = json.loads(run(root, "-m", "slipcircle", "run", "new.toml", "--json"))
-    found = motion["peak"]["velocity"], motion["run_out"]
-    assert np.allclose(found, reference(mu, centripetal), rtol=1e-8)
+    effects = {"rotation": {}, "pore_pressure": {"pressure": -SUCTION}} | ({"centripetal": {}} if centripetal else {})
+    radius, *ends = (SLOPE[k] for k in ("radius_m", "theta_1_deg", "theta_2_deg"))
+    first, second = map(math.radians, ends)
+    given = golden.scene(SOFTENING | {"law": "exponential"}, effects, radius=radius, theta_1=first, theta_2=second)
+    exact = taylor.solve(given, digits=16, problem=partial(Extended, power=power))
+    for found, name in ((motion["peak"]["velocity"], "peak_velocity"), (motion["run_out"], "run_out")):
+        assert found == pytest.approx(float(exact[name]), rel=1e-11)
 
 
 def check_schema(root: Path) -> None:
@@ -158,8 +141,8 @@ def check_moment(root: Path) -> None:
 def test_what_is_added_is_everywhere(tmp_path: Path) -> None:
     """In one test, as the copy takes its time."""
     found = extended(tmp_path)
-    check_scene(tmp_path, "inverse_square", inverse_square, True)
-    check_scene(tmp_path, "exponential", exponential, False)
+    check_scene(tmp_path, "inverse_square", 2, True)
+    check_scene(tmp_path, "exponential", 0, False)
     check_schema(tmp_path)
     check_moment(tmp_path)
     check_weights(tmp_path, found)

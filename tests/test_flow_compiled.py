@@ -32,6 +32,7 @@ SHAKEN = {"horizontal": _record(0.08), "vertical": _record(0.2)}
 SCENES: dict[str, tuple[dict[str, Any], Any, float]] = {
     "constant": (TURNING, MU, math.inf),
     "softening": (TURNING, {"law": "exponential", "peak": MU, "residual": 0.7 * MU, "length": 20.0}, math.inf),
+    "hyperbolic": (TURNING, {"law": "hyperbolic", "peak": MU, "residual": 0.7 * MU, "length": 20.0}, math.inf),
     "kinks": (TURNING, {"law": "tabulated", "slip": [0.0, 10.0, 30.0], "coefficient": [0.3, 0.2, 0.15]}, math.inf),
     "rates": (TURNING, {"law": "rate_tabulated", "speed": [1e-3, 0.1, 1.0], "coefficient": [0.2, 0.18, 0.15]}, 300.0),
     "water": (TURNING | {"pore_pressure": {"pressure": Series(np.array([0.0, 30, 60]), np.array([0.0, 2e6, 1e5]))}},

@@ -12,7 +12,6 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from inspect import signature
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ import pytest
 import generated
 from derive.__main__ import main
 from derive.generate import write
+from derive.judge.verify import report
 from generated import kernels, motion
 
 Function = Callable[..., Any]
@@ -58,17 +58,6 @@ def check_up_to_date(folder: Path, wanted: dict[str, str]) -> None:
     assert not diff, f"{diff}generated/ is stale: run `{write.MEND}`"
 
 
-def check_digests(texts: dict[str, str]) -> None:
-    """Every source names its writer, and the digest of the text below its header is that text's."""
-    for name, text in texts.items():
-        if name.endswith((".py", ".c")):
-            first, second, rest = text.split("\n", 2)
-            assert "`python -m derive`" in first, f"{name} does not name its writer"
-            assert "do not edit" in first
-            digest = hashlib.sha256(rest.encode()).hexdigest()
-            assert second.rstrip('"').endswith(digest), f"{name} was edited by hand: its digest is not its text's"
-
-
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
     """The package elsewhere."""
@@ -77,16 +66,33 @@ def copy(tmp_path: Path) -> Path:
 
 
 def test_generated_is_up_to_date() -> None:
-    """It is what is derived now, by an interpreter that orders its sets anew, and so under every hash seed."""
-    code = "import json; from derive.__main__ import derive_all; print(json.dumps(derive_all()))"
+    """It is what is derived now, by an interpreter that orders its sets anew, and so under every hash seed.
+
+    So is what `derive verify` says.
+    """
+    code = """
+import json
+from derive.__main__ import derive_all
+from derive.judge.verify import report
+print(json.dumps([derive_all(), report("json")]))
+"""
     seed = str(random.SystemRandom().randrange(1, 2**32))
     done = subprocess.run([sys.executable, "-c", code], env=os.environ | {"PYTHONHASHSEED": seed}, cwd=write.ROOT,
                           text=True, capture_output=True, check=True)  # fmt: skip
-    check_up_to_date(FOLDER, json.loads(done.stdout))
+    wanted, judged = json.loads(done.stdout)
+    check_up_to_date(FOLDER, wanted)
+    assert judged == report("json")
 
 
 def test_headers() -> None:
-    check_digests(write.present(FOLDER))
+    """Every source names its writer, and the digest of the text below its header is that text's."""
+    for name, text in texts().items():
+        if name.endswith((".py", ".c")):
+            first, second, rest = text.split("\n", 2)
+            assert "`python -m derive`" in first, f"{name} does not name its writer"
+            assert "do not edit" in first
+            digest = hashlib.sha256(rest.encode()).hexdigest()
+            assert second.rstrip('"').endswith(digest), f"{name} was edited by hand: its digest is not its text's"
 
 
 def bytes_of(folder: Path) -> dict[str, bytes]:
@@ -185,8 +191,10 @@ def test_docstring(name: str) -> None:
     assert max(map(len, text.splitlines())) <= 120
 
 
-def check_scalars(function: Function) -> None:
+@each_function
+def test_scalars(name: str) -> None:
     """Scalars in, scalar out, of the arguments' type; integers and lists are accepted."""
+    function = FUNCTIONS[name]
     args = inside(function)
     value = function(*args)
     assert type(value) is np.float64
@@ -198,11 +206,6 @@ def check_scalars(function: Function) -> None:
     assert type(function(*map(int, whole))) is np.float64
     np.testing.assert_array_equal(function(*([x] for x in whole)), [function(*map(float, whole))])
     np.testing.assert_array_equal(function(*(np.array([x, x]) for x in whole)), [function(*map(float, whole))] * 2)
-
-
-@each_function
-def test_scalars(name: str) -> None:
-    check_scalars(FUNCTIONS[name])
 
 
 @each_function
@@ -278,10 +281,9 @@ def test_types_that_are_refused(name: str) -> None:
                 function(*[*args[:i], bad, *args[i + 1 :]])
 
 
-def outside(module: ModuleType, name: str) -> Iterator[tuple[float, ...]]:
+def outside(name: str) -> Iterator[tuple[float, ...]]:
     """Arguments outside the domain of one function."""
-    args = inside(getattr(module, name))
-    of = names(getattr(module, name))
+    args, of = inside(FUNCTIONS[name]), names(FUNCTIONS[name])
     for i, x in enumerate(of):
         bad = [np.nan, np.inf, -np.inf]
         if x == "alpha":
@@ -295,11 +297,12 @@ def outside(module: ModuleType, name: str) -> Iterator[tuple[float, ...]]:
         yield from ((*args[:i], v, *args[i + 1 :]) for v in bad)
 
 
-def check_domain(module: ModuleType, name: str) -> None:
+@each_function
+def test_domain(name: str) -> None:
     """Outside the domain NaN and the `invalid` flag, scalar or array, float32 too; the lanes inside are untouched."""
-    function = getattr(module, name)
+    function = FUNCTIONS[name]
     args = inside(function)
-    for bad in outside(module, name):
+    for bad in outside(name):
         with np.errstate(all="raise", invalid="ignore"):
             value = function(*bad)
         assert np.isnan(value), f"{name}{bad} is {value}"
@@ -313,12 +316,6 @@ def check_domain(module: ModuleType, name: str) -> None:
                 small = function(*map(np.float32, bad))
             assert small.dtype == np.float32
             assert np.isnan(small) or "alpha" in names(function) or "theta_2" in names(function)
-
-
-@each_function
-def test_domain(name: str) -> None:
-    module, _, function = name.partition(".")
-    check_domain({"kernels": kernels, "motion": motion}[module], function)
 
 
 def test_promised_imports() -> None:

@@ -1,13 +1,10 @@
 """How the moments of an arc grow with its half angle: proved, and in many digits."""
 
 import math
-from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import mpmath
 import numpy as np
-import pytest
 from mpmath import mpf
 
 from derive.algebra import integrate
@@ -28,7 +25,7 @@ def central(function: Any, x: float) -> Any:
     return (function(mpf(x) + step) - function(mpf(x) - step)) / (2 * step)
 
 
-def check(module: ModuleType) -> None:
+def test_arc_growth() -> None:
     """Against the closed forms, differentiated in many digits, from thin arcs to half discs."""
 
     def quotients(alpha: Any) -> list[Any]:
@@ -45,26 +42,9 @@ def check(module: ModuleType) -> None:
             alpha = (
                 10 ** rng.uniform(-8.0, 0.19) if rng.random() < 0.6 else math.pi / 2 - 10 ** rng.uniform(-12.0, -1.0)
             )
-            found = module.arc_growth(alpha)
+            found = growth.arc_growth(alpha)
             for k in range(5):
                 exact = central(lambda v, k=k: quotients(v)[k], alpha) * (alpha if k == 4 else 1)
                 # C_r/Theta* is greatest at 1.34, where its slope is zero.
                 assert abs(found[k] - exact) <= 64 * ULP * max(abs(exact), 0.01 * min(alpha, 1.0)), (k, alpha)
-    assert np.all(np.isfinite([module.arc_growth(x) for x in (0.0, 1e-200, math.pi / 2, math.pi / 2 * (1 + ULP))]))
-
-
-def test_arc_growth() -> None:
-    check(growth)
-
-
-@pytest.mark.parametrize(
-    ("digits", "wrong"),
-    [("(0.016666666666666666,", "(0.0166666667,"), ("(0.4, 0.5714285714285714,", "(0.4, 0.5714285714,")],
-)
-def test_a_planted_bug_turns_the_check_red(digits: str, wrong: str) -> None:
-    text = Path(str(growth.__file__)).read_text("utf-8")
-    assert digits in text
-    bugged = ModuleType("bugged")
-    exec(text.replace(digits, wrong), bugged.__dict__)
-    with pytest.raises(AssertionError):
-        check(bugged)
+    assert np.all(np.isfinite([growth.arc_growth(x) for x in (0.0, 1e-200, math.pi / 2, math.pi / 2 * (1 + ULP))]))

@@ -154,11 +154,12 @@ CASES: dict[str, Hard] = {
 @cache
 def terminal(end: float) -> tuple[mpf, mpf, mpf]:
     """Run-out, duration and greatest speed of the frozen slope with friction 0.2: d(omega)/dt = a - b omega^2."""
-    c = oracle.coefficients(Arc(**SLOPE))
-    a, b = (c.turning * mpmath.sin(c.dip) - mpf(0.2) * c.radial) / c.inertia, mpf(0.2) * c.polar / c.inertia
-    k, t = mpmath.sqrt(a * b), mpf(end) / c.time_scale
+    m = oracle.numbers(Arc(**SLOPE))
+    a = m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])
+    b, speed = mpf(0.2) * m["polar"], m["radius"] / m["scale"]
+    k, t = mpmath.sqrt(a * b), mpf(end) / m["scale"]
     turned = (k * t + mpmath.log1p(mpmath.exp(-2 * k * t)) - mpmath.log(2)) / b
-    return turned * c.radius, mpf(end), mpmath.sqrt(a / b) * mpmath.tanh(k * t) * c.radius / c.time_scale
+    return turned * m["radius"], mpf(end), mpmath.sqrt(a / b) * mpmath.tanh(k * t) * speed
 
 
 def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
@@ -167,10 +168,10 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
     if name in ("thirty years, frozen", "thirty years, hyperbolic, terminal"):
         return False, terminal(1e9)
     if name == "floats":  # a pendulum, whose greatest speed is at its lowest point
-        c = oracle.coefficients(Arc(**SLOPE))
-        swing = 2 * mpmath.sqrt(c.inertia / c.turning) * mpmath.ellipk(mpmath.sin(c.dip / 2) ** 2) * c.time_scale
-        speed = 2 * mpmath.sqrt(c.turning / c.inertia) * mpmath.sin(c.dip / 2) * c.radius / c.time_scale
-        return False, (2 * c.dip * c.radius, swing, speed)
+        m = oracle.numbers(Arc(**SLOPE))
+        half, rate = m["dip"] / 2, mpmath.sqrt(m["fall"]) / m["scale"]
+        swing = 2 * mpmath.ellipk(mpmath.sin(half) ** 2) / rate
+        return False, (4 * half * m["radius"], swing, 2 * rate * mpmath.sin(half) * m["radius"])
     with ctx.workprec(400):
         p = taylor.Problem(case.data)
         if isinstance(case.friction, Ulps):  # the printed limit decides: the dip that has it exactly

@@ -67,20 +67,6 @@ def errors(
     return sorted(found, reverse=True)
 
 
-def check_accuracy(kernel: Kernel, name: str, step: int = 1) -> None:
-    """At most 16 ulp, everywhere on the domain, without a warning."""
-    error, at = errors(kernel, name, angles()[::step])[0]
-    assert error <= BOUND, f"{name}({at!r}) is wrong by {error:.1f} ulp"
-
-
-def check_landmarks(kernel: Kernel, name: str) -> None:
-    """At alpha = 0 the limit (moments vanish exactly); from pi/2 up to pi/2 (1 + 4 eps), the limit at pi/2."""
-    start = {"dynamic_coefficient": 2 / 3}.get(name, 1.0) if name in oracle.QUOTIENTS else 0.0
-    assert abs(kernel(0.0) - start) <= 2**-53, f"{name}(0) = {kernel(0.0)!r}"
-    for x in neighbours(HALF_PI, 4)[4:]:
-        assert kernel(x) == kernel(HALF_PI), f"{name}({x!r})"
-
-
 @cache
 def arcs() -> tuple[tuple[float, float], ...]:
     """Ends (theta_1, theta_2): thin, level, turned by any angle, given in degrees, half discs, or starting at pi."""
@@ -114,19 +100,9 @@ def weight_errors(function: Kernel, amplitude: Kernel, name: str) -> list[tuple[
     return sorted(found, reverse=True)
 
 
-def check_weight(function: Kernel, amplitude: Kernel, name: str) -> None:
-    """The amplitude kernel's error plus 2 ulp of the amplitude, for every arc; no warning."""
-    for error, of_amplitude, arc in weight_errors(function, amplitude, name):
-        assert error <= BOUND + 2, f"{name}{arc} is wrong by {error:.3g} ulp of the amplitude"
-        assert error <= of_amplitude + 2, f"{name}{arc}: {error:.2f} ulp, the amplitude kernel {of_amplitude:.2f}"
-
-
 def amplitude(name: str) -> Kernel:
     """The amplitude kernel of a weight, as NumPy computes it, for NumPy computes the weight."""
     return _compiled.kernel(oracle.WHOLE[name], kernels.TEXTS[oracle.WHOLE[name]], "numpy")
-
-
-# --- the oracle itself ---------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("moment", MOMENTS, ids=lambda m: m.name)
@@ -144,20 +120,19 @@ def test_the_oracle_agrees_with_quadrature_over_the_uncentred_chord(moment: Any,
         assert abs(mpmath.mpf(reference.str(45, radius=False)) / value - 1) < mpmath.mpf(10) ** -35
 
 
-# --- the kernels of alpha ------------------------------------------------------------------------------------------
-
-
 @each_kernel
 def test_accuracy(name: str) -> None:
-    check_accuracy(getattr(kernels, name), name)
-
-
-# --- the weights of (theta_1, theta_2) -----------------------------------------------------------------------------
+    """At most 16 ulp, everywhere on the domain, without a warning."""
+    error, at = errors(getattr(kernels, name), name, angles())[0]
+    assert error <= BOUND, f"{name}({at!r}) is wrong by {error:.1f} ulp"
 
 
 @each_weight
 def test_weights(name: str) -> None:
-    check_weight(getattr(kernels, name), amplitude(name), name)
+    """The amplitude kernel's error plus 2 ulp of the amplitude, for every arc; no warning."""
+    for error, of_amplitude, arc in weight_errors(getattr(kernels, name), amplitude(name), name):
+        assert error <= BOUND + 2, f"{name}{arc} is wrong by {error:.3g} ulp of the amplitude"
+        assert error <= of_amplitude + 2, f"{name}{arc}: {error:.2f} ulp, the amplitude kernel {of_amplitude:.2f}"
 
 
 def test_mirrored_arcs_mirror_exactly() -> None:

@@ -3,11 +3,8 @@
 from dataclasses import asdict
 from typing import Any
 
-import mpmath
 import numpy as np
 import pytest
-from mpmath import mpf
-from oracle import coefficients
 
 from slipcircle import Arc, Scene, load, solve
 
@@ -17,9 +14,6 @@ BOTH = pytest.mark.parametrize("effects", [(), ("centripetal",)], ids=["without 
 
 def limit_friction(arc: Arc) -> float:
     return float(abs(arc.dimensionless.limit_friction))
-
-
-# --- rest is an answer ---------------------------------------------------------------------------------------------
 
 
 @BOTH
@@ -38,27 +32,6 @@ def test_a_slide_that_never_rests_needs_an_end(effects: tuple[str, ...]) -> None
     for mu, velocity in ((0.1, 0.0), (0.0, 0.0), (0.0, -3.0), (limit_friction(VAIONT), 5.0)):
         with pytest.raises(ValueError, match=r"^end_time: .*never rests.* give end_time in s$"):
             solve(Scene(VAIONT, mu, effects, velocity))
-
-
-# --- balances ------------------------------------------------------------------------------------------------------
-
-
-def test_energy_in_joules() -> None:
-    """Half the mass moment of inertia times omega squared, and the weight's moment times the rotation."""
-    arc = Arc(400.0, 3.9, 5.2, 21e3, width=250.0)
-    motion = solve(Scene(arc, 0.1, ("centripetal",), 4.0, 25.0))
-    spin = motion.end.angular_velocity
-    assert motion.energy.kinetic_start == pytest.approx(arc.moment_of_inertia * (4.0 / 400.0) ** 2 / 2, rel=1e-14)
-    assert motion.energy.kinetic_end == pytest.approx(arc.moment_of_inertia * spin**2 / 2, rel=1e-14)
-    assert motion.energy.work == pytest.approx(arc.weight_moment * motion.end.rotation, rel=1e-14)
-    # The resisting moment of constant friction mu J_r alone, where the centripetal term is left out.
-    plain = solve(Scene(arc, 0.1, (), 4.0, 25.0))
-    c = coefficients(arc)
-    moment = 0.1 * float(c.radial) * 250.0 * 21e3 * 400.0**3
-    assert plain.energy.dissipation == pytest.approx(moment * plain.end.rotation, rel=1e-13)
-
-
-# --- times ---------------------------------------------------------------------------------------------------------
 
 
 def test_times_of_any_shape() -> None:
@@ -119,9 +92,6 @@ def test_scenes_that_cannot_be_solved(scene: Scene, said: str) -> None:
         solve(scene)
 
 
-# --- the paper's slide ---------------------------------------------------------------------------------------------
-
-
 def test_vaiont_as_printed_is_the_papers_motion() -> None:
     """(4.4) and (4.5) with c1 = 165 m/s and c2 = 0.00317 1/s, each known to half a unit of its last place."""
     motion = solve(load("vaiont-as-printed"))
@@ -133,10 +103,3 @@ def test_vaiont_as_printed_is_the_papers_motion() -> None:
         )
         assert v_low < state.velocity < v_high
         assert s_low < state.displacement < s_high
-    # The table's coefficients in (3.16): Theta* = 0.4376, J_r = 0.0870, J_theta = 0.0387, lambda = 0.1523, A = 0.468.
-    with mpmath.workdps(30):
-        mu = mpf(float(np.tan(np.deg2rad(10.0))))
-        a, b = (mpf("0.0387") - mu * mpf("0.0870")) / mpf("0.4376"), mu * mpf("0.1523") * mpf("0.468") / mpf("0.4376")
-        rate = mpmath.sqrt(mpf("9.81") / mpf("1492.6"))
-        velocity = mpf("1492.6") * rate * mpmath.sqrt(a / b) * mpmath.tanh(mpmath.sqrt(a * b) * rate * 30)
-        assert abs(mpf(float(motion.end.velocity)) / velocity - 1) < 1e-14

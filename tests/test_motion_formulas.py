@@ -86,7 +86,7 @@ def cases(name: str) -> tuple[tuple[float, ...], ...]:
     found: list[tuple[float, ...]] = []
     if name in RIDE:
         found += hard_rides()
-        found += [(*x, t) for x in product(SIGNED[::2], SIGNED[1::2], SIGNED[::3]) for t in (0.0, 1e-8, 1.0, 1e8)][::7]
+        found += [(*x, t) for x in product(SIGNED[::2], SIGNED[1::2], SIGNED[::3]) for t in (0.0, 1e-8, 1.0, 1e8)][::14]
     elif "arrest" in name:
         one = [(-1e-30,), (-1e-8,), (-1.0,), (-1e30,)]
         rest = [SIZES] * (len(arguments(name)) - 1)
@@ -100,9 +100,9 @@ def cases(name: str) -> tuple[tuple[float, ...], ...]:
     return tuple(found)
 
 
-def errors(formula: Formula, name: str, step: int = 1) -> list[tuple[float, tuple[float, ...]]]:
+def errors(formula: Formula, name: str) -> list[tuple[float, tuple[float, ...]]]:
     """Error in ulp over (1 + condition number) and arguments, worst first; no warning while the solution lasts."""
-    lasting = [x for x in cases(name)[::step] if oracle.motion(name, *x) is not None]
+    lasting = [x for x in cases(name) if oracle.motion(name, *x) is not None]
     with np.errstate(all="raise"):
         values = formula(*np.array(lasting).T)
     return sorted(
@@ -114,26 +114,6 @@ def errors(formula: Formula, name: str, step: int = 1) -> list[tuple[float, tupl
         reverse=True,
     )
 
-
-def check_accuracy(formula: Formula, name: str, step: int = 1) -> None:
-    """At most 8 ulp times (1 + condition number), without a warning."""
-    error, at = errors(formula, name, step)[0]
-    assert error <= BOUND, f"{name}{at} is wrong by {error:.3g} ulp times (1 + condition number)"
-
-
-def check_ended(formula: Formula, name: str) -> None:
-    """NaN and the `invalid` flag after the solution has run to infinity; never a plausible number."""
-    ended = [x for x in cases(name) if oracle.motion(name, *x) is None]
-    assert len(ended) > 100
-    with np.errstate(all="raise", invalid="ignore"):
-        values = formula(*np.array(ended).T)
-    for value, x in zip(values, ended, strict=True):
-        assert np.isnan(value), f"{name}{x} is {value}, after the solution has ended"
-    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match="invalid"):
-        formula(*ended[0])
-
-
-# --- the oracle itself ---------------------------------------------------------------------------------------------
 
 RIDES = [(0.7, 0.4, 0.2, 1), (0.7, -0.4, 0.2, 1.1), (-0.7, 0.4, 0.9, 1.3), (-0.7, -0.4, -0.1, 1.2), (0.9, 2.0, -0.5, 2)]
 
@@ -166,48 +146,26 @@ def test_the_oracle_agrees_with_quadrature_at_the_arrest(braked: tuple[float, ..
             assert abs(reference.value / value - 1) < mpf(10) ** -22, name
 
 
-# --- the formulas --------------------------------------------------------------------------------------------------
-
-
 def test_every_formula_has_a_reference() -> None:
     assert set(motion.__all__) == set(oracle.MOTION)
 
 
 @each_formula
 def test_accuracy(name: str) -> None:
-    check_accuracy(getattr(motion, name), name)
+    """At most 8 ulp times (1 + condition number), without a warning."""
+    error, at = errors(getattr(motion, name), name)[0]
+    assert error <= BOUND, f"{name}{at} is wrong by {error:.3g} ulp times (1 + condition number)"
 
 
 @pytest.mark.parametrize("name", RIDE)
 def test_the_solution_ends(name: str) -> None:
-    check_ended(getattr(motion, name), name)
-
-
-def test_terminal_velocity() -> None:
-    """Reached from below to the last bits, kept exactly, and without overflow of cosh at any time."""
-    times = np.array([1e2, 1e3, 1e8, 1e100, 1e300])
-    for start in (0.0, 2.0):
-        omega = motion.frozen_angular_velocity(4.0, 1.0, start, times)
-        np.testing.assert_array_max_ulp(omega, np.full(5, 2.0), 2)
-    assert np.all(motion.frozen_angular_acceleration(4.0, 1.0, 2.0, np.linspace(0, 50, 101)) == 0)
-    phi = motion.frozen_rotation(4.0, 1.0, 0.0, times)
-    np.testing.assert_allclose(phi, 2 * times - np.log(2), rtol=4e-16)
-
-
-def test_without_centripetal_stress_the_drive_alone_is_integrated() -> None:
-    """b = 0: omega_0 + a t and its integral, at most two rounding errors apart."""
-    a, w, t = (np.array(x).ravel() for x in np.meshgrid([-2.0, 0.0, 0.3], [0.0, 0.7, 5.0], [0.0, 1e-9, 0.2, 3.0, 1e5]))
-    plain = {"angular_velocity": w + a * t, "rotation": t * (w + a * t / 2), "angular_acceleration": a + 0.0 * t}
-    for name, value in plain.items():
-        size = np.abs(w * (t if name == "rotation" else 1)) + np.abs(a * (t**2 if name == "rotation" else t)) + 1e-300
-        full = getattr(motion, f"frozen_{name}")(a, 0.0, w, t)
-        assert np.all(np.abs(full - value) <= 4.5e-16 * size), name
-
-
-def test_it_stands_still_at_the_arrest() -> None:
-    """At the arrest's time the velocity is zero and the rotation the arrest's, within the time's own rounding."""
-    for a, b, w in [(-0.3, 0.8, 0.5), (-1.0, 0.0, 2.0), (-1e-6, 1e6, 1.0), (-5.0, 1e-12, 1e-3)]:
-        time = motion.frozen_arrest_time(a, b, w)
-        assert abs(motion.frozen_angular_velocity(a, b, w, time)) <= 8e-16 * (w + abs(a) * time)
-        turn = motion.frozen_rotation(a, b, w, time)
-        np.testing.assert_allclose(turn, motion.frozen_arrest_rotation(a, b, w), rtol=1e-14)
+    """NaN and the `invalid` flag after the solution has run to infinity; never a plausible number."""
+    formula = getattr(motion, name)
+    ended = [x for x in cases(name) if oracle.motion(name, *x) is None]
+    assert len(ended) > 100
+    with np.errstate(all="raise", invalid="ignore"):
+        values = formula(*np.array(ended).T)
+    for value, x in zip(values, ended, strict=True):
+        assert np.isnan(value), f"{name}{x} is {value}, after the solution has ended"
+    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match="invalid"):
+        formula(*ended[0])

@@ -62,7 +62,7 @@ def test_cohesion_alone_stops_it_where_energy_says() -> None:
     section, cohesion = body(), 8e3
     motion = solve(Scene(section, 0.0, {"rotation": {}, "cohesion": {"cohesion": cohesion}}))
     radius, (x, y) = RADIUS, (np.array(section.centroid) - CENTRE)
-    weight, arc = section.area * 20e3, 2 * math.asin(section.chord / 2 / radius) * radius
+    weight, arc = section.mass_per_metre * 9.81, 2 * math.asin(section.chord / 2 / radius) * radius
 
     def left(phi: float) -> float:  # it slides to the left
         turned = -x * math.sin(phi) + y * math.cos(phi)

@@ -10,7 +10,6 @@ import oracle
 import pytest
 import seen
 import seen32
-from flint import arb, ctx
 from seen import BASES, DEFINITIONS, KERNELS, Inputs, Numbers, Reference, Run, Seen
 from seen32 import LAST_SINGLE
 
@@ -32,7 +31,7 @@ each_level = pytest.mark.parametrize("level", _compiled.LEVELS)
 
 @cache
 def given() -> Inputs:
-    return seen.inputs().every(100)
+    return seen.inputs(10_000)
 
 
 @cache
@@ -42,7 +41,7 @@ def reference() -> Reference:
 
 def some(run: Run) -> Seen:
     """What the inputs show."""
-    return seen.measure(run, reference(), given().even)
+    return seen.measure(run, reference(), given().even, climbs=3)
 
 
 def find(kernel: str, tier: str = "best", form: str = "plain") -> Run:
@@ -50,14 +49,11 @@ def find(kernel: str, tier: str = "best", form: str = "plain") -> Run:
     return next(r for r in seen.runs(kernel) if (r.record["tier"], r.record["form"]) == (tier, form))
 
 
-# --- seen <= proved --------------------------------------------------------------------------------------------------
-
-
 @each_kernel
 def test_no_more_is_seen_than_is_proved_and_nothing_leans(kernel: str) -> None:
     """In every tier and form at every level; no NaN and no warning inside the domain; witnesses are seen."""
     for run in seen.runs(kernel):
-        found = seen.measure(run, reference(), given().even)
+        found = some(run)
         assert not found.faults, "\n".join(found.faults)
         if "witness" in run.record:
             assert certificates.round_up(found.worst["bound"][0]) >= run.record["witness"]["error"]
@@ -66,41 +62,6 @@ def test_no_more_is_seen_than_is_proved_and_nothing_leans(kernel: str) -> None:
 def test_every_certificate_is_run() -> None:
     ran = {(r.record["tier"], r.record["form"], k) for k in KERNELS for r in seen.runs(k)}
     assert ran == {(v.tier, v.form, v.kernel) for v in variants()}
-
-
-def test_the_inputs_reach_everywhere() -> None:
-    """Every binade down to the least number, both ends, both sides of every seam; a part is float32's own."""
-    whole = seen.inputs().alpha
-    alpha = np.sort(whole[whole <= TOP])
-    assert whole.size == 1_000_000
-    assert whole.max() == np.float32(TOP)
-    assert alpha[-1] == TOP
-    binades = set(np.frexp(alpha)[1].tolist())
-    assert len(binades) > 1000
-    assert {*range(-39, 2), *range(-359, -318)} <= binades  # near 0, and where results underflow
-    assert set(range(-51, 1)) <= set(np.frexp(TOP - alpha[alpha < TOP])[1].tolist())
-    for seam in seen.seams():
-        k = int(np.searchsorted(alpha, seam))
-        assert seam - alpha[k - 1] < 1e-9, seam
-        assert alpha[min(k + 1, alpha.size - 1)] - seam < 1e-9, seam
-    assert np.mean(alpha.astype(np.float32) == alpha) > 0.2
-
-
-# --- the reference ---------------------------------------------------------------------------------------------------
-
-
-@each_kernel
-def test_the_reference_is_the_integral_of_the_definition(kernel: str) -> None:
-    """By quadrature, to 100 bits; near 0, where series serve, and for float32's pi/2, which lies above pi/2."""
-    rng = np.random.default_rng(8)
-    alpha = [1e-140, 1e-107, 2.0**-320, 1e-8, np.nextafter(2.0**-7, 0), 2.0**-7, 1.0, TOP, float(np.float32(TOP))]
-    at = seen.reference(np.array([*alpha, *rng.uniform(0, TOP, 10), *(TOP - 10 ** rng.uniform(-15, 0, 5))]), [kernel])
-    high, low = at.values[kernel]
-    for i, x in enumerate(at.alpha.tolist()):
-        with ctx.workprec(oracle.BITS):
-            scale = 0 if kernel not in BASES else int(at.scale[i])
-            exact_one = oracle.kernel(kernel, x) * arb(2) ** -scale
-            assert abs((arb(high[i]) + arb(low[i])) / exact_one - 1) < arb(2) ** -100, x
 
 
 @pytest.mark.parametrize("tier", ["best", "float32"])
@@ -155,32 +116,6 @@ def test_a_lean_within_the_bound_is_seen(kernel: str) -> None:
     assert "the mean error is" in fault
 
 
-def test_a_single_nan_and_a_warning_are_seen() -> None:
-    run = find("polar_moment")
-    assert not some(run).faults
-    at = reference().alpha[5000]
-    assert "inf seen" in some(replace(run, call=lambda x: np.where(x == at, np.nan, run.call(x)))).faults[0]
-    with pytest.raises(FloatingPointError):
-        some(replace(run, call=lambda x: run.call(x) + 0 * np.sqrt(x - at)))
-
-
-def test_a_wrong_float32_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One of a million, some units too large."""
-    first, at = LAST_SINGLE - 2**20, float(np.uint32(LAST_SINGLE - 999).view(np.float32))
-    run = find("polar_moment", "float32")
-
-    def wrong(alpha: Numbers) -> Numbers:
-        values = run.call(alpha)
-        return np.where(alpha == at, values + np.float32(4e-7), values)
-
-    monkeypatch.setattr(seen32, "float32_runs", lambda kernel: [run, replace(run, call=wrong)])
-    right, found = seen32.every_float32("polar_moment", first)
-    assert not right.faults
-    assert found.alpha == at
-    assert found.worst > 0.505
-    assert [" ulp at " in f or "falls" in f for f in found.faults] == [True, True]
-
-
 # --- landmarks -------------------------------------------------------------------------------------------------------
 
 
@@ -216,15 +151,16 @@ def test_the_limit_at_a_right_angle(kernel: str, level: str) -> None:
 @each_level
 @each_base
 def test_monotone_across_the_seam(kernel: str, level: str) -> None:
-    """Never down from one double to the next where pieces meet; fused none anywhere near; and up over larger steps."""
+    """Never down from one double to the next where pieces meet; fused nowhere; and up over larger steps."""
     function, seam = at_level(kernel, level), SEAMS[kernel]
     below, above = function(np.array([np.nextafter(seam, 0), min(seam, TOP)]))
     assert below <= above
     steps = seam + np.arange(-500, 501) * 2.0**-48
     assert np.all(np.diff(function(steps[steps <= TOP])) > 0)
     if _compiled.LEVELS[level][0] == "fused":
-        next_ones = (np.float64(seam).view(np.int64) + np.arange(-5000, 5001)).view(np.float64)
-        assert np.all(np.diff(function(next_ones[next_ones <= TOP])) >= 0)
+        for middle in (seam, 0.5, 1.4, 1.5707, TOP):  # at the end C_r is flat
+            next_ones = (np.float64(middle).view(np.int64) + np.arange(-5000, 5001)).view(np.float64)
+            assert np.all(np.diff(function(next_ones[next_ones <= TOP])) >= 0), middle
 
 
 @each_base
@@ -233,11 +169,3 @@ def test_monotone_in_float32_and_within_its_bound_up_to_the_end(kernel: str) -> 
     for found in seen32.every_float32(kernel, LAST_SINGLE - 2**20):
         assert not found.faults
         assert found.falls == 0
-
-
-@each_level
-def test_weight_moment_is_odd_in_the_dip(level: str) -> None:
-    """J_theta(-psi) = -J_theta(psi) exactly; that motions mirror is `test_physics`'."""
-    psi = np.random.default_rng(10).uniform(0, np.pi / 2, 1000)
-    moment = at_level("weight_moment_amplitude", level)(psi[::-1].copy())
-    np.testing.assert_array_equal(moment * np.sin(-psi), -(moment * np.sin(psi)))

@@ -1,10 +1,7 @@
 """The judge of the paper: complete, reaching every known verdict, and moved by the claim and nothing else."""
 
 import json
-import os
 import re
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -74,11 +71,6 @@ def judged() -> dict[str, Row]:
     return {row.id: row for row in rows()}
 
 
-def altered(name: str, printed: str | None = None, expression: str | None = None) -> Row:
-    claim = BY_ID[name]
-    return judge(replace(claim, printed=printed or claim.printed, expression=expression or claim.expression))
-
-
 def moved(name: str, **changes: Any) -> tuple[str, str]:
     """Verdict and cause of a changed claim."""
     row = judge(replace(BY_ID[name], **changes))
@@ -112,75 +104,71 @@ def test_what_fails_and_why(judged: dict[str, Row], name: str) -> None:
     assert re.search(cause, judged[name].cause)
 
 
-@pytest.mark.parametrize(
-    "name",
-    ["2-1 R", "2-1 gamma", "2-1 theta_10", "2-1 theta_20", "2-1 I_p", "2-1 sigma_ref", "2-1 sigma_n0", "4-1 J_r",
-     "4-1 lambda", "4-1 sigma*_n0"],
-)  # fmt: skip
-def test_entries_that_hold(judged: dict[str, Row], name: str) -> None:
-    assert judged[f"Table {name}"].verdict == "holds to the printed digits"
-
-
 # --- mutability ------------------------------------------------------------------------------------------
 
-
-@pytest.mark.parametrize(
-    ("name", "digits"),
-    [("Table 4-1 Theta*", "0.0877"), ("Table 4-1 Theta*", "0.08769"), ("Table 4-1 J_theta", "0.0365"),
-     ("Table 2-1 A", "0.6086"), ("Table 4-1 A", "0.609"), ("(4.1)", "0.42"), ("Table 4-1 phi_C,eq", "22.7"),
-     ("(4.2) c0", "0.0922"), ("(4.2) c2", "0.0172"), ("(4.4) c1", "138")],
-)  # fmt: skip
-def test_the_right_number_holds(name: str, digits: str) -> None:
-    assert altered(name, digits).verdict == "holds to the printed digits"
-
-
-@pytest.mark.parametrize(
-    ("name", "digits"),
-    [("Table 4-1 lambda", "0.1525"), ("Table 4-1 lambda", "0.1522"), ("Table 2-1 I_p", "0.310"),
-     ("Table 2-1 I_p", "0.3080"), ("Table 2-1 sigma_ref", "4.225"), ("Table 4-1 J_r", "0.0872")],
-)  # fmt: skip
-def test_a_number_off_by_a_unit_is_wrong(name: str, digits: str) -> None:
-    row = altered(name, digits)
-    assert (row.verdict, row.cause) == ("wrong", "cause not found")
+PRINTED, UNKNOWN, EXPLAINED = "holds to the printed digits", "cause not found", "(?!cause not found)."
+DIGITS = [  # what is printed instead; verdict and cause
+    *((name, digits, PRINTED, "") for name, digits in (
+        ("Table 4-1 Theta*", "0.0877"), ("Table 4-1 Theta*", "0.08769"), ("Table 4-1 J_theta", "0.0365"),
+        ("Table 2-1 A", "0.6086"), ("Table 4-1 A", "0.609"), ("(4.1)", "0.42"), ("Table 4-1 phi_C,eq", "22.7"),
+        ("(4.2) c0", "0.0922"), ("(4.2) c2", "0.0172"), ("(4.4) c1", "138"))),
+    ("Table 2-1 sigma_ref", "4.223", PRINTED, "cut off, not rounded"), ("Table 2-1 sigma_ref", "4.224", PRINTED, "$"),
+    ("Table 4-1 lambda", "0.1524", PRINTED, "$"), ("Table 4-1 J_r", "0.08704", PRINTED, "cut off, not rounded"),
+    *((name, digits, "wrong", UNKNOWN) for name, digits in (
+        ("Table 4-1 lambda", "0.1525"), ("Table 4-1 lambda", "0.1522"), ("Table 2-1 I_p", "0.310"),
+        ("Table 2-1 I_p", "0.309"), ("Table 2-1 I_p", "0.3080"), ("Table 2-1 sigma_ref", "4.225"),
+        ("Table 2-1 sigma_n0", "2.414"), ("Table 4-1 J_r", "0.0872"),
+        *((c.id, str(float(c.printed) * 1.5)) for c in CLAIMS if c.kind == "number"))),
+    # Causes are held to the same digits.
+    ("Table 4-1 Theta*", "0.4375", "wrong", EXPLAINED), ("Table 4-1 Theta*", "0.4374", "wrong", UNKNOWN),
+    ("(4.2) c2", "0.00318", "wrong", UNKNOWN), ("Sect. 4 g", "9.9", "wrong", ""),
+]  # fmt: skip
 
 
-@pytest.mark.parametrize("claim", [c for c in CLAIMS if c.kind == "number"], ids=lambda c: c.id)
-def test_every_number_can_be_wrong(claim: Claim) -> None:
-    row = judge(replace(claim, printed=str(float(claim.printed) * 1.5)))
-    assert (row.verdict, row.cause) == ("wrong", "cause not found")
+@pytest.mark.parametrize(("name", "digits", "verdict", "cause"), DIGITS)
+def test_other_digits_move_the_verdict(name: str, digits: str, verdict: str, cause: str) -> None:
+    found = moved(name, printed=digits)
+    assert found[0] == verdict
+    assert re.match(cause, found[1])
 
 
-@pytest.mark.parametrize(
-    ("name", "form"),
-    [("(1.2)", "theta_1 + Integral(omega_of(u), (u, 0, t))"), ("(2.23)", "body_star(-r*sin(theta))"),
-     ("(4.4)", "c1*tanh(c2*t); c1*c2*t; O(t**3)"),
-     ("(4.5)", "c1/c2*log(cosh(c2*t)); c1/c2*(c2*t)**2/2; O(t**4)"),
-     ("(3.15)", "alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24"),
-     ("(2.19)", "(2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3")],
-)  # fmt: skip
-def test_the_right_form_holds(name: str, form: str) -> None:
-    assert altered(name, "mended", form).verdict == "holds"
+FORMS = [
+    ("(1.2)", "theta_1 + Integral(omega_of(u), (u, 0, t))", "holds"), ("(2.23)", "body_star(-r*sin(theta))", "holds"),
+    ("(4.4)", "c1*tanh(c2*t); c1*c2*t; O(t**3)", "holds"),
+    ("(4.5)", "c1/c2*log(cosh(c2*t)); c1/c2*(c2*t)**2/2; O(t**4)", "holds"),
+    ("(4.5)", "c1/c2*log(cosh(c2*t)); c1/c2*(c2*t)**2/2; O(t**6)", "wrong"),
+    ("(3.15)", "alpha/2 - sin(2*alpha)/6 - sin(4*alpha)/24", "holds"),
+    ("(2.19)", "(2*alpha - sin(alpha)*cos(alpha) - cos(alpha)**3*atanh(sin(alpha)))/3", "holds"),
+    # Appendices against what they integrate; the brackets of the second are missing all the same.
+    ("Appendix II", "-r*cos(theta)", "misprint"), ("Appendix I", "-r**2*sin(theta)", "wrong"),
+    # Ranges.
+    ("Fig. 3-2", "-1/2; 1/2", "holds"), ("Fig. 2-3", "-1/100; 1/100", "wrong"), ("Fig. 2-2", "1/2; 10", "wrong"),
+    ("Sect. 4 large", "10; oo", "wrong"), ("Sect. 3 only", "0; 1/2", "holds"),
+    # Postulates.
+    ("(1.14)", "tau_n", "holds"), ("(2.9)", "sigma(theta); Integral(sigma(u), (u, 0, 2*alpha))/(2*alpha)", "holds"),
+    ("(2.25)", "J_r/lam + A*omega_star**2", "holds"), ("(2.26)", "J_r/lam + A*omega_star**2", "holds"),
+    ("(3.11)", "J_theta - lam*(J_r/lam + A*omega_star**2)*mu", "holds"),
+    ("(3.17)", "(J_theta - J_r*mu)/Theta", "holds"), ("(3.17)", "(J_theta0 - J_r*mu)/Theta", "assumption"),
+    ("(3.6)", "sigma_ref*(J_r0/lam + A*omega_star**2)", "assumption"), ("(2.20)", "J_r/lam", "assumption"),
+    ("(2.22)", "J_r0/(2*alpha*(1 - cos(alpha)))", "assumption"), ("Sect. 4 reduction", "mu_of(t)", "holds"),
+    ("(3.8)", "R**4*Theta*g/R*rate_star; g*R**3*J_theta0 - R**2*g/gamma*2*alpha*mu*sigma_mean", "assumption"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "expression", "verdict"), FORMS)
+def test_another_form_moves_the_verdict(name: str, expression: str, verdict: str) -> None:
+    assert moved(name, expression=expression)[0] == verdict
 
 
 @pytest.mark.parametrize(
     ("name", "old", "new"),
-    [("(1.8)", "-r", "r"), ("(1.11)", "-g*sin", "g*sin"), ("(2.3)", "ell*r", "ell*r**2"),
-     ("(2.6)", "alpha)/", "2*alpha)/"),
-     ("(2.12)", "1 - ", "1 + "), ("(2.19)", "- log", "+ log"), ("(2.20)", "omega_star**2", "omega_star"),
-     ("(2.26)", "A*", "2*A*"), ("(3.2)", "r**3", "r**2"), ("(3.8)", "2*alpha", "alpha"), ("(3.9)", "R/g", "g/R"),
-     ("(3.11)", "*mu", "/mu"), ("(3.13)", "r**2", "r"), ("(3.14)", "2*alpha*f", "alpha*f"),
-     ("(3.15)", "1 + 2", "1 - 2"),
-     ("(3.17)", "- J_r", "+ J_r"), ("(3.18)", "lam*", ""), ("(3.20)", "a/b", "b/a"),
-     ("(3.21)", "J_theta0/J_r0", "J_r0/J_theta0"),
-     ("(1.10)", "rho*dV", "rho**2*dV"), ("(2.13)", "g*f", "g*f**2"), ("(3.1)", "r**3", "r**2"),
-     ("(2.22)", "2*alpha", "alpha"), ("(2.27)", "J_r0", "J_theta0"), ("(3.5)", "2*alpha", "alpha"),
-     ("(4.2)", "c2*t", "t"), ("(4.3)", "c0/c2", "c0"), ("(4.4)", "t**2", "t**4"), ("(4.5)", "c1*", "c1**2*"),
-     ("(4.5)", "t**4", "t**6")],
+    [("(2.3)", "ell*r", "ell*r**2"), ("(2.12)", "1 - ", "1 + "), ("(2.20)", "omega_star**2", "omega_star"),
+     ("(2.26)", "A*", "2*A*"), ("(3.11)", "*mu", "/mu"), ("(3.15)", "1 + 2", "1 - 2"), ("(3.20)", "a/b", "b/a"),
+     ("(2.13)", "g*f", "g*f**2"), ("(4.3)", "c0/c2", "c0"), ("(4.4)", "t**2", "t**4"), ("(4.5)", "c1*", "c1**2*")],
 )  # fmt: skip
 def test_a_wrong_form_is_wrong(name: str, old: str, new: str) -> None:
     assert old in BY_ID[name].expression
-    row = altered(name, "spoilt", BY_ID[name].expression.replace(old, new, 1))
-    assert (row.verdict, row.cause) == ("wrong", "cause not found")
+    assert moved(name, expression=BY_ID[name].expression.replace(old, new, 1)) == ("wrong", UNKNOWN)
 
 
 @pytest.mark.parametrize("change", ["1 + {}", "-({})", "({})**2"], ids=["term", "sign", "exponent"])
@@ -196,11 +184,6 @@ def test_every_form_can_be_wrong(claim: Claim, change: str) -> None:
         assert (row.verdict, row.cause) == ("wrong", "cause not found")
 
 
-def test_appendix_against_what_it_integrates() -> None:
-    assert altered("Appendix II", expression="-r*cos(theta)").verdict == "misprint"  # its brackets are still missing
-    assert altered("Appendix I", expression="-r**2*sin(theta)").verdict == "wrong"
-
-
 @pytest.mark.parametrize(("name", "expression"), [("Appendix I", "-r*sin(theta)"), ("Appendix II", "-r*cos(theta)")])
 def test_mended_appendix_holds(name: str, expression: str) -> None:
     subject = BY_ID[name].subject
@@ -211,33 +194,11 @@ def test_mended_appendix_holds(name: str, expression: str) -> None:
     assert judge(replace(BY_ID[name], expression=expression, subject=spoilt)).verdict == "wrong"
 
 
-def test_ranges_move() -> None:
-    assert altered("Fig. 3-2", expression="-1/2; 1/2").verdict == "holds"
-    assert altered("Fig. 2-3", expression="-1/100; 1/100").verdict == "wrong"
-    assert altered("Fig. 2-2", expression="1/2; 10").verdict == "wrong"
-    assert altered("Sect. 4 large", expression="10; oo").verdict == "wrong"
-    assert altered("Sect. 3 only", expression="0; 1/2").verdict == "holds"
-
-
 def test_a_claim_without_anything_to_check_does_not_hold() -> None:
     assert judge(Claim("x", "x", "x")).verdict == "not machine-checkable"
 
 
 # --- postulates ------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("name", "expression", "verdict"),
-    [("(1.14)", "tau_n", "holds"), ("(2.9)", "sigma(theta); Integral(sigma(u), (u, 0, 2*alpha))/(2*alpha)", "holds"),
-     ("(2.25)", "J_r/lam + A*omega_star**2", "holds"), ("(2.26)", "J_r/lam + A*omega_star**2", "holds"),
-     ("(3.11)", "J_theta - lam*(J_r/lam + A*omega_star**2)*mu", "holds"),
-     ("(3.17)", "(J_theta - J_r*mu)/Theta", "holds"), ("(3.17)", "(J_theta0 - J_r*mu)/Theta", "assumption"),
-     ("(3.6)", "sigma_ref*(J_r0/lam + A*omega_star**2)", "assumption"), ("(2.20)", "J_r/lam", "assumption"),
-     ("(2.22)", "J_r0/(2*alpha*(1 - cos(alpha)))", "assumption"), ("Sect. 4 reduction", "mu_of(t)", "holds"),
-     ("(3.8)", "R**4*Theta*g/R*rate_star; g*R**3*J_theta0 - R**2*g/gamma*2*alpha*mu*sigma_mean", "assumption")],
-)  # fmt: skip
-def test_a_changed_postulate_moves_the_verdict(name: str, expression: str, verdict: str) -> None:
-    assert altered(name, expression=expression).verdict == verdict
 
 
 def test_one_postulate_has_one_verdict_wherever_it_is_used(judged: dict[str, Row]) -> None:
@@ -290,68 +251,32 @@ def test_vector_balance_by_adding_up_forces() -> None:
 # --- definitions, domains, digits ------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", DEFINITIONS)
-def test_a_definition_is_checked_for_dimension(name: str) -> None:
-    assert BY_ID[name].dimension
-    if not BY_ID[name].expression.startswith("0"):
-        assert moved(name, dimension="M*T") == ("wrong", "cause not found")
+SOLVED = {"expression": "sqrt(a/b)*tanh(sqrt(a*b)*t)"}  # (3.20), mended
+CHANGES: list[tuple[str, dict[str, Any], str]] = [
+    # A definition is checked for its dimension, and what was named before is none.
+    *((name, {"dimension": "M*T"}, "wrong") for name in DEFINITIONS if not BY_ID[name].expression.startswith("0")),
+    *((name, {"kind": "definition"}, "holds") for name in ("(2.21)", "(2.8)", "(2.18)")),
+    ("(2.11)", {"printed": "omega = R (1 - cos(alpha)/cos(theta - theta_1 - alpha))"}, "holds"),
+    # Domains.
+    *((name, {"domain": (domain,)}, verdict) for name, domain, verdict in (
+        ("(2.19)", ("alpha", 0, sp.pi), "wrong"), ("(3.15)", ("alpha", 0, sp.pi), "wrong"),
+        ("(2.19)", ("alpha", 0, sp.pi / 4), "holds"), ("(1.13)", ("omega", -sp.oo, sp.oo), "wrong"),
+        ("(3.4)", ("omega", -sp.oo, 0), "wrong"), ("(3.19)", ("omega_0", -sp.oo, sp.oo), "wrong"),
+        ("(1.13)", ("omega", 1, 2), "definition"))),
+    ("(3.20)", SOLVED, "assumption"),  # that a and b are constant
+    ("(3.20)", SOLVED | {"domain": (("a", -sp.oo, 0), ("b", -sp.oo, 0))}, "wrong"),  # friction above the limit
+]  # fmt: skip
 
 
-@pytest.mark.parametrize("name", ["(2.21)", "(2.8)", "(2.18)"])
-def test_what_was_named_before_is_no_definition(name: str) -> None:
-    assert moved(name, kind="definition")[0] == "holds"
-
-
-def test_a_definition_names() -> None:
-    assert moved("(2.11)", printed="omega = R (1 - cos(alpha)/cos(theta - theta_1 - alpha))")[0] == "holds"
-
-
-@pytest.mark.parametrize(
-    ("name", "domain", "verdict"),
-    [("(2.19)", ("alpha", 0, sp.pi), "wrong"), ("(3.15)", ("alpha", 0, sp.pi), "wrong"),
-     ("(2.19)", ("alpha", 0, sp.pi / 4), "holds"), ("(1.13)", ("omega", -sp.oo, sp.oo), "wrong"),
-     ("(3.4)", ("omega", -sp.oo, 0), "wrong"), ("(3.19)", ("omega_0", -sp.oo, sp.oo), "wrong"),
-     ("(1.13)", ("omega", 1, 2), "definition")],
-)  # fmt: skip
-def test_a_changed_domain_moves_the_verdict(name: str, domain: tuple[str, Any, Any], verdict: str) -> None:
-    assert moved(name, domain=(domain,))[0] == verdict
-
-
-def test_the_solution_asks_for_friction_below_the_limit() -> None:
-    mended = {"expression": "sqrt(a/b)*tanh(sqrt(a*b)*t)"}
-    assert moved("(3.20)", **mended)[0] == "assumption"  # that a and b are constant
-    braked = (("a", -sp.oo, 0), ("b", -sp.oo, 0))
-    assert moved("(3.20)", **mended, domain=braked)[0] == "wrong"
-
-
-@pytest.mark.parametrize(
-    ("name", "digits", "cause"),
-    [("Table 2-1 sigma_ref", "4.223", "cut off, not rounded"), ("Table 2-1 sigma_ref", "4.224", ""),
-     ("Table 4-1 lambda", "0.1524", ""), ("Table 4-1 J_r", "0.08704", "cut off, not rounded")],
-)  # fmt: skip
-def test_digits_are_rounded_or_cut_off(name: str, digits: str, cause: str) -> None:
-    assert moved(name, printed=digits) == ("holds to the printed digits", cause)
-
-
-@pytest.mark.parametrize(("name", "digits"), [("Table 2-1 sigma_n0", "2.414"), ("Table 2-1 I_p", "0.309")])
-def test_digits_that_are_neither_are_wrong(name: str, digits: str) -> None:
-    assert moved(name, printed=digits) == ("wrong", "cause not found")
-
-
-@pytest.mark.parametrize(
-    ("name", "digits", "explained"),
-    [("Table 4-1 Theta*", "0.4375", True), ("Table 4-1 Theta*", "0.4374", False), ("(4.2) c2", "0.00318", False)],
-)
-def test_causes_are_held_to_the_same_digits(name: str, digits: str, explained: bool) -> None:
-    verdict, cause = moved(name, printed=digits)
-    assert verdict == "wrong"
-    assert (cause != "cause not found") == explained
+@pytest.mark.parametrize(("name", "changes", "verdict"), CHANGES)
+def test_a_change_moves_the_verdict(name: str, changes: dict[str, Any], verdict: str) -> None:
+    assert BY_ID[name].dimension or "dimension" not in changes
+    assert moved(name, **changes)[0] == verdict
 
 
 def test_gravity_is_implied_though_not_stated(judged: dict[str, Row]) -> None:
     low, high = map(float, re.findall(r"\d+\.\d+", judged["Sect. 4 g"].computed))
     assert 9.79 < low < 9.81 < high < 9.83
-    assert altered("Sect. 4 g", "9.9").verdict == "wrong"
 
 
 def test_what_is_taken_for_granted_is_data(judged: dict[str, Row]) -> None:
@@ -366,22 +291,9 @@ def test_what_is_taken_for_granted_is_data(judged: dict[str, Row]) -> None:
 # --- reports ---------------------------------------------------------------------------------------------
 
 
-def command(*options: str, seed: str = "0") -> str:
-    done = subprocess.run(
-        [sys.executable, "-m", "derive", "verify", *options],
-        cwd=ROOT,
-        env=os.environ | {"PYTHONHASHSEED": seed},
-        capture_output=True,
-        check=True,
-        text=True,
-    )
-    return done.stdout
-
-
-def test_json_is_valid_and_the_same_under_any_hash_seed() -> None:
-    told = command("--json", seed="1")
-    assert told == report("json") + "\n"  # here the seed is another one
-    found = json.loads(told)
+def test_json_is_valid() -> None:
+    """`test_generated` holds that it is the same under any hash seed."""
+    found = json.loads(report("json"))
     assert len(found) == len(CLAIMS)
     for entry, claim in zip(found, CLAIMS, strict=True):
         assert tuple(entry) == KEYS == ("id", "claim", "printed", "computed", "verdict", "cause", "assumes")

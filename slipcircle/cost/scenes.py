@@ -1,7 +1,7 @@
 """What solving scenes costs: this package beside DOP853 and heyoka, each judged by answers to 24 digits.
 
 One equation of motion, (3.11) with (2.20), written out once by hand over any arithmetic, serves every other way: over
-floats SciPy's, over heyoka's expressions heyoka's, over balls the tests', from which the answers come.
+floats SciPy's, over heyoka's expressions heyoka's. The answers are the tests' Taylor series in ball arithmetic.
 """
 
 import json
