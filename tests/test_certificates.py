@@ -123,7 +123,8 @@ def errors(operations: list[list[Any]], alpha: list[float]) -> Iterator[arb]:
     """What rounding each operation costs, exactly."""
     ops = (Op(kind, tuple(args), float.fromhex(x) if kind == "const" else x) for kind, args, x in operations)
     program = Program("random", ("alpha",), tuple(ops), (len(operations) - 1,))
-    for x, value in zip(alpha, exact.run(program, np.array(alpha)).tolist(), strict=True):
+    values = np.broadcast_to(exact.run(program, np.array(alpha)), len(alpha))  # it may be a constant
+    for x, value in zip(alpha, values.tolist(), strict=True):
         (ideal,) = walk(
             program, {"alpha": arb(x)}, lambda op, x: arb(op.value) if op.kind == "const" else REAL[op.kind](*x)
         )

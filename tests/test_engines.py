@@ -1,5 +1,6 @@
 """Engines: the same bits from every one, a worker killed in the middle, runs that continue, files that are whole."""
 
+import itertools
 import json
 import os
 import re
@@ -11,6 +12,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,7 +21,7 @@ import pytest
 from slipcircle import Scene, ensemble, load, solve
 from slipcircle.base.files import write
 from slipcircle.base.series import Series
-from slipcircle.studies import written
+from slipcircle.studies import engines, written
 from slipcircle.studies.conduct import grid
 from slipcircle.studies.design import Design, Result
 from slipcircle.studies.engines import Progress, engine, forecast, stored
@@ -89,6 +91,13 @@ class Stream:
     def flush(self) -> None: ...
 
 
+@pytest.fixture
+def told_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A clock by which each look is a second after the last, so that progress is told from the first block on."""
+    seconds = itertools.count()
+    monkeypatch.setattr(engines, "time", SimpleNamespace(monotonic=lambda: float(next(seconds))))
+
+
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[Any]:
     """Of Dask, real, on loopback."""
@@ -110,6 +119,7 @@ def test_ctrl_c_ends_every_engine(name: str, request: pytest.FixtureRequest, tmp
     process = subprocess.Popen(
         [sys.executable, "-m", "slipcircle", *LINE.split(), name, *more, "--resume", str(tmp_path)], cwd=ROOT,
         start_new_session=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # where the tests run in the background
     )  # fmt: skip
     try:
         while not list(tmp_path.glob("block-*")) and process.poll() is None:
@@ -124,7 +134,7 @@ def test_ctrl_c_ends_every_engine(name: str, request: pytest.FixtureRequest, tmp
     assert "Traceback" not in err
 
 
-def test_a_dask_worker_killed_in_the_middle(cluster: Any) -> None:
+def test_a_dask_worker_killed_in_the_middle(cluster: Any, told_at_once: None) -> None:
     """Its scheduler gives the lost blocks to others."""
     serial = ensemble(SCENE, 20_000, 7, size=256, sensitivity=0)
 
@@ -167,7 +177,7 @@ def test_a_run_continues(tmp_path: Path) -> None:
     assert sorted(tmp_path.glob("block-*.npz")) == files
 
 
-def test_an_interrupt_keeps_what_is_finished(tmp_path: Path) -> None:
+def test_an_interrupt_keeps_what_is_finished(tmp_path: Path, told_at_once: None) -> None:
     def interrupt(_: str) -> None:
         raise KeyboardInterrupt
 

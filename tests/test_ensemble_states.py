@@ -160,6 +160,23 @@ def test_shapes() -> None:
     assert solve(replace(printed, friction=np.array([0.1, 0.3]))).run_out == pytest.approx(singles, rel=1e-14)
 
 
+def test_what_became_of_each_lane() -> None:
+    """Every status, and NaN where there is no answer."""
+    vaiont: Scene = load("vaiont")
+    limit = solve(load("vaiont")).limit_friction
+    mu = np.array([0.3, 0.9, 0.1, limit * (1 - 1e-14), 0.2, np.nan, 0.0])
+    velocity = np.array([0.0, 0.0, 0.0, 0.0, 1e6, 0.0, 0.0])
+    found = solve(replace(vaiont, friction=0.3 + 0 * velocity, initial_velocity=0 * velocity))
+    assert found.count() == {"RESTS": 7}
+    with pytest.raises(ValueError, match="friction"):
+        replace(vaiont, friction=mu)
+    good = np.where(np.isnan(mu), 0.3, mu)
+    found = solve(replace(vaiont, friction=good, initial_velocity=velocity))
+    assert found.count() == {"RESTS": 3, "STAYS": 1, "MOVING": 1, "TURNED": 1, "UPRIGHT": 1}
+    assert np.isnan(found.duration[4])
+    assert np.all(np.isfinite(np.delete(found.duration, 4)))
+
+
 def test_the_accuracy_asked_for() -> None:
     """Times are off by less than it, also of swings through the half circle."""
     middle = 1.5 * np.pi - np.radians(np.linspace(5, 80, 20))
@@ -199,3 +216,31 @@ def test_references_together() -> None:
             assert found.peak.velocity[k] == pytest.approx(float(wanted["peak_velocity"]), rel=bound)
             seen += bound < 1e-11
     assert seen > 160
+
+
+def test_extreme_lanes_among_ordinary_ones() -> None:
+    """Softening within micrometres or never, at the limit and beyond, at great speed: each its own, none in the way."""
+    vaiont: Scene = load("vaiont")
+    limit = float(solve(vaiont).limit_friction)
+    rows = np.array([(0.4, 0.18, 1.0, 0.0), (0.4, 0.18, 1e-6, 0.0), (0.4, 0.18, 1e9, 0.0), (0.4, 0.4, 1.0, 0.0),
+                     (limit, 0.18, 1.0, 0.0), (limit * (1 - 1e-9), 0.18, 1.0, 0.0), (0.6, 0.18, 1.0, 0.0),
+                     (0.6, 0.18, 1.0, 1e-3), (0.6, 0.18, 1.0, 20.0), (0.1, 0.4, 30.0, 0.0), (0.4, 0.05, 0.1, -5.0),
+                     (0.4, 0.18, 1.0, 120.0), (0.4, 0.18, 1.0, 1e4)])  # fmt: skip
+    for law in ("exponential", "linear", "hyperbolic"):
+        names = ("peak", "residual", "length")
+        found = solve(replace(vaiont, friction={"law": law} | dict(zip(names, rows.T[:3], strict=True)),
+                              initial_velocity=rows.T[3]))  # fmt: skip
+        for k, (*friction, velocity) in enumerate(rows.tolist()):
+            scene = replace(vaiont, friction={"law": law} | dict(zip(names, friction, strict=True)),
+                            initial_velocity=velocity)  # fmt: skip
+            try:
+                alone = solve(scene)
+            except ValueError:
+                assert np.isnan(found.duration[k])
+                continue
+            error = 4e-13 + 4 * alone.error_estimate + 2 * float(found.error_estimate[k])
+            assert (found.moves[k], found.arrested[k]) == (alone.moves, alone.arrested)
+            assert found.run_out[k] == pytest.approx(alone.run_out, rel=error)
+            assert found.duration[k] == pytest.approx(alone.duration, rel=error)
+        assert set(found.count()) >= {"RESTS", "STAYS", "UPRIGHT"}
+        assert 1e-10 < found.error_estimate[5] < 1e-5, "next to the limit rounding of the drive counts"

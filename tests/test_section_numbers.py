@@ -1,17 +1,23 @@
 """The numbers of a section: lanes of circles, grounds and levels, derivatives, studies and back-analyses by them."""
 
+import json
 from dataclasses import replace
 from itertools import product
 from typing import Any
 
 import numpy as np
 import pytest
+import section_references
+import taylor
+from flint import arb, ctx
 from test_section_motion import GROUND
-from test_section_water import LEVEL
+from test_section_water import GAMMA, LEVEL
 
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
+from slipcircle.__main__ import main
 from slipcircle.motion.states import Status
 from slipcircle.scene.numbers import fields_with, numbers_in
+from slipcircle.scene.transport import growth, telling
 from slipcircle.studies.conduct import grid
 from slipcircle.studies.engines import engine
 from slipcircle.studies.motions import motions
@@ -101,18 +107,35 @@ def test_lanes_of_a_study_that_are_none_stop_no_other() -> None:
     assert wet_ones == [Status.RESTS, Status.INVALID]
 
 
-def test_processes_give_the_same_bits() -> None:
-    drawn = {"circle.radius_m": {"distribution": "normal", "mean": 164.0, "std": 0.5},
-             "water.level_m.3.y": {"distribution": "uniform", "low": 66.0, "high": 72.0},
-             "ground.points_m.5.y": {"distribution": "normal", "mean": 83.0, "std": 0.2}}  # fmt: skip
+# --- the same bits everywhere ----------------------------------------------------------------------------------------
 
-    def bits(pool: Any) -> list[bytes]:
-        found = ensemble(replace(VALLEY, uncertain=drawn), 48, 3, pool, sensitivity=8, size=16)
-        on_grid = grid(VALLEY, {"circle.centre_m.x": [212.9, 213.1], "ground.points_m.4.x": [131.0, 130.5]}, pool)
-        return [v.tobytes() for study in (found, on_grid) for v in study.samples.values()]
+DRAWN = {"circle.radius_m": {"distribution": "normal", "mean": 164.0, "std": 0.5},
+         "water.level_m.3.y": {"distribution": "uniform", "low": 66.0, "high": 72.0},
+         "ground.points_m.5.y": {"distribution": "normal", "mean": 83.0, "std": 0.2}}  # fmt: skip
 
-    with engine("processes", 2) as pool:
-        assert bits(pool) == bits(None)
+
+def bits(executor: Any) -> list[bytes]:
+    found = ensemble(replace(VALLEY, uncertain=DRAWN), 96, 3, executor, sensitivity=8, size=16)
+    on_grid = grid(VALLEY, {"circle.centre_m.x": [212.9, 213.1], "ground.points_m.4.x": [131.0, 130.5]}, executor)
+    return [v.tobytes() for study in (found, on_grid) for v in study.samples.values()]
+
+
+@pytest.fixture(scope="module")
+def serial() -> list[bytes]:
+    return bits(None)
+
+
+@pytest.mark.parametrize("name", ["threads", "processes", "dask"])
+def test_every_engine_gives_the_same_bits(name: str, serial: list[bytes]) -> None:
+    if name == "dask":
+        distributed = pytest.importorskip("distributed")
+        with distributed.LocalCluster(
+            n_workers=1, threads_per_worker=2, processes=False, dashboard_address=":0"
+        ) as cluster, distributed.Client(cluster) as client:  # fmt: skip
+            assert bits(client.get_executor()) == serial
+        return
+    with engine(name, 2) as pool:
+        assert bits(pool) == serial
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------
@@ -120,6 +143,41 @@ def test_processes_give_the_same_bits() -> None:
 
 def moved(section: Section, name: str, to: float) -> Section:
     return replace(section, **fields_with(section, {name: to}))
+
+
+def outputs(given: Any, name: str, to: float) -> list[arb]:
+    """Peak velocity, run-out and duration at 30 digits with one number of the section changed."""
+    changed = json.loads(json.dumps(given))
+    field, *at = name.split(".")
+    if not at:
+        changed["arc"][field] = to
+    elif field == "centre":
+        changed["arc"][field]["xy".index(at[0])] = to
+    else:
+        changed["arc"][field][int(at[0])]["xy".index(at[1])] = to
+    found = taylor.Solution(section_references.Section(changed), 40, 34)
+    return [abs(found.peak()[1]) * found.p.unit, found.run_out * found.p.radius, found.duration * found.p.scale]
+
+
+@pytest.mark.parametrize("index", [0, 1, 2, 4])
+def test_derivatives_against_thirty_digits(index: int) -> None:
+    """Differences of series solutions in ball arithmetic of random scenes: softening, a level, pushed up, shaken."""
+    given = section_references.row(index)["scene"]
+    motion = solve(section_references.scene(given))
+    found, own = motion.sensitivity(), numbers_in(motion.plan.scene.arc)
+    sign = np.array([np.sign(motion.peak.velocity), 1.0, 1.0])
+    size = np.abs(found.values).max(axis=1)
+    for field in ("radius", "centre", "ground", "level"):
+        names = [n for n in found.parameters if n.startswith(field)]
+        if not names:
+            continue
+        name = max(names, key=lambda n: abs(found.derivative("run_out", n)))
+        ends = [float(own[name]) + way * float(own["radius"]) * 2.0**-34 for way in (-1, 1)]
+        with ctx.workprec(200):
+            low, high = (outputs(given, name, value) for value in ends)
+            slopes = [float((b - a) / (arb(ends[1]) - arb(ends[0]))) for a, b in zip(low, high, strict=True)]
+        error = np.abs(found.values[:, list(found.parameters).index(name)] - sign * slopes)
+        assert np.all(error <= (1e-12 + 128 * motion.error_estimate) * np.maximum(np.abs(slopes), 0.01 * size)), name
 
 
 SCENES = {
@@ -164,16 +222,43 @@ def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
             assert found.derivative(output, name) == pytest.approx(slope, rel=1e-7, abs=1e-8 * np.abs(row).max())
 
 
-def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
-    _, out, err = asked("sensitivity real-slope")
-    assert all(key in out for key in ("ground.points_m.2.y", "circle.radius_m"))
-    assert "arc.unit_weight_kN_m3" not in out
-    assert "through a vertex" in err
-    (record,) = records("sensitivity real-slope")
+@pytest.mark.parametrize("which", SCENES)
+def test_integrals_change_as_their_differences(which: str) -> None:
+    section: Any = SCENES[which].arc
+    names = [n for n in telling(section) if n not in ("unit_weight", "gravity", "width")]
+    found, own, turns = growth(section, names), numbers_in(section), np.array([0.0, 0.1, 0.3, -0.2])
+    if which == "a scarp":  # moved to one side it overhangs
+        names = [n for n in names if n not in ("ground.2.x", "ground.3.x")]
+        found = growth(section, names)
+    step = 1e-3 * section.radius / 28.4
+    pressure = found.pressure(np.repeat(turns[:, None], len(names), axis=1))
+    for k, name in enumerate(names):
+        ends = [moved(section, name, float(own[name]) + step * j) for j in (1, -1, 2, -2)]
+
+        def slope(of: Any, ends: Any = ends) -> Any:
+            a, b, c, d = (np.asarray(of(s)) for s in ends)
+            return (8 * (a - b) - (c - d)) / (12 * step)
+
+        for moment in ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y"):
+            assert slope(lambda s, m=moment: s._moments[m][0]) == pytest.approx(found.moments[moment][k], abs=1e-10)
+        cover = slope(lambda s: s.mean_cover / s.radius * 2 * s.half_angle)
+        assert cover == pytest.approx(found.moments["cover"][k], abs=1e-9)
+        assert slope(lambda s: np.ravel(s._angles)) == pytest.approx(found.ends[:, k], abs=1e-9)
+        assert slope(lambda s: s.mean_pressure(turns)) == pytest.approx(pressure[:, k], abs=1e-9 * GAMMA)
+
+
+def test_sensitivity_of_a_scene_that_ships(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["sensitivity", "real-slope"]) == 0
+    shown = capsys.readouterr()
+    assert "ground.points_m.2.y" in shown.out
+    assert "circle.radius_m" in shown.out
+    assert "through a vertex" in shown.err
+    assert main(["sensitivity", "real-slope", "--json"]) == 0
+    (record,) = json.loads(capsys.readouterr().out)
     assert record["keys"]["ground.2.y"] == "ground.points_m.2.y"
+    assert "arc.unit_weight_kN_m3" not in shown.out
     scene = load("real-slope")
-    radius: Any = scene.arc.radius
-    inwards = [solve(replace(scene, arc=moved(scene.arc, "radius", radius - by))) for by in (0.0, 1e-5)]  # type: ignore[arg-type]
+    inwards = [solve(replace(scene, arc=moved(scene.arc, "radius", scene.arc.radius - by))) for by in (0.0, 1e-5)]  # type: ignore[arg-type,operator]
     slope = (inwards[0].run_out - inwards[1].run_out) / 1e-5
     assert inwards[0].sensitivity().derivative("run_out", "radius") == pytest.approx(slope, rel=1e-4)
 
@@ -181,13 +266,21 @@ def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
 # --- by key ----------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("key", "bounds"), [("circle.radius_m", "=150:170"), ("ground.points_m.4.y", "=86:90"),
-                                             ("water.level_m.3.y", ""), ("circle.centre_m.x", "")])  # fmt: skip
-def test_a_coordinate_is_found_from_the_run_out(key: str, bounds: str, records: Any) -> None:
-    (record,) = records(f"backanalyse valley-side --run-out-m=20.5 --field {key}{bounds}")
+@pytest.mark.parametrize(
+    ("field", "key"),
+    [("circle.radius_m=150:170", "circle.radius_m"), ("ground.points_m.4.y=86:90", "ground.points_m.4.y"),
+     ("water.level_m.3.y", "water.level_m.3.y"), ("circle.centre_m.x", "circle.centre_m.x")],
+)  # fmt: skip
+def test_a_coordinate_is_found_from_the_run_out(field: str, key: str, tmp_path: Any, capsys: Any) -> None:
+    picture = tmp_path / "found.png"
+    wanted = 20.5
+    assert main(["backanalyse", "valley-side", f"--run-out-m={wanted}", "--field", field, "--json", "--plot",
+                 str(picture)]) == 0  # fmt: skip
+    (record,) = json.loads(capsys.readouterr().out)
+    assert picture.read_bytes().startswith(b"\x89PNG")
     for solution in record["solutions"]:
         there = grid(VALLEY, {key: [solution["values"][key]]})
-        assert there.samples["run_out"][0] == pytest.approx(20.5, rel=1e-9)
+        assert there.samples["run_out"][0] == pytest.approx(wanted, rel=1e-9)
 
 
 def test_what_is_no_number_of_a_section_is_told() -> None:
