@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from slipcircle.scene.stability import Slope
     from slipcircle.scene.weights import Dimensionless
     from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
-    from slipcircle.studies.conduct import ensemble, grid
+    from slipcircle.studies.ensemble import ensemble, grid
     from slipcircle.studies.study import Study
 
 __version__ = VERSION
@@ -45,8 +45,8 @@ _PLACES = {
     "Dimensionless": "scene.weights", "Energy": "motion.states", "Motion": "motion.motion", "Plan": "motion.plan",
     "Scene": "scene.scene", "Section": "scene.section", "Slope": "scene.stability", "State": "motion.states",
     "Status": "motion.states", "Study": "studies.study", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "critical": "scene.search", "ensemble": "studies.conduct",
-    "grid": "studies.conduct", "load": "files.scenefile", "plan": "motion.plan", "solve": "motion.solver",
+    "backanalyse": "studies.backanalysis", "critical": "scene.search", "ensemble": "studies.ensemble",
+    "grid": "studies.ensemble", "load": "files.scenefile", "plan": "motion.plan", "solve": "motion.solver",
 }  # fmt: skip
 __all__ = [
     "Arc", "BackAnalysis", "Critical", "Dimensionless", "Energy", "Motion", "Plan", "Scene", "Section", "Slope",

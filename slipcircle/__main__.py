@@ -22,14 +22,14 @@ from typing import Any, TypeVar
 import slipcircle
 from slipcircle import Motion, Scene, load, plan, solve
 from slipcircle.base import files
-from slipcircle.files.scenefile import find, searched, shipped
+from slipcircle.files.scenefile import critical_of_file, find, shipped
 from slipcircle.motion.quantities import OUTCOMES, plain, record, shown
 from slipcircle.outputs import tables
 from slipcircle.outputs.options import times
 from slipcircle.outputs.tables import Answer, Part, say
 from slipcircle.outputs.trace import csv
 from slipcircle.scene.stability import METHODS
-from slipcircle.scene.varied import other_way
+from slipcircle.scene.variation import other_way
 
 T = TypeVar("T")
 SILENT = 5.0  # s, at most
@@ -279,7 +279,7 @@ def _plan(options: argparse.Namespace) -> Answer:
 def _search(options: argparse.Namespace) -> Answer:
     if options.plot and len(options.scenes) > 1:
         raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
-    names, notes, found = zip(*(searched(name, options.method, say) for name in options.scenes), strict=True)
+    names, notes, found = zip(*(critical_of_file(name, options.method, say) for name in options.scenes), strict=True)
     _draw(options.plot, "search", found[0])
     for name, circle in zip(names, found, strict=True):
         if circle.warning:

@@ -21,10 +21,10 @@ import pytest
 from slipcircle import Scene, ensemble, load, solve
 from slipcircle.base.files import write
 from slipcircle.base.series import Series
-from slipcircle.studies import engines, written
-from slipcircle.studies.conduct import grid
+from slipcircle.studies import engines, export
 from slipcircle.studies.design import Design, Result
 from slipcircle.studies.engines import Progress, engine, forecast, stored
+from slipcircle.studies.ensemble import grid
 from slipcircle.studies.study import Study
 
 ROOT = Path(__file__).parents[1]
@@ -36,7 +36,7 @@ MANY: dict[str, Any] = {"n": 1500, "rng": 7, "size": 128, "sensitivity": 160}
 
 def same(one: Study, two: Study) -> None:
     """All arrays, bit for bit."""
-    a, b = written.arrays(one), written.arrays(two)
+    a, b = export.arrays(one), export.arrays(two)
     assert a.keys() == b.keys()
     for name in a:
         np.testing.assert_array_equal(a[name].view(np.uint8), b[name].view(np.uint8), err_msg=name)

@@ -18,8 +18,8 @@ from slipcircle.files.scenefile import load as read
 from slipcircle.files.scenekeys import schema
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.states import Status
-from slipcircle.studies import written
-from slipcircle.studies.conduct import grid
+from slipcircle.studies import export
+from slipcircle.studies.ensemble import grid
 from slipcircle.studies.sampling import monte_carlo
 from slipcircle.studies.statistics import BIN_ERROR, moments, spread
 from slipcircle.studies.study import Study
@@ -229,7 +229,7 @@ def test_where_nothing_is_propagated() -> None:
     assert dict(found.linear) == {}
     assert "no finite mean" in found.no_linear
     assert found.mean("run_out").low < found.mean("run_out").high
-    assert json.dumps(written.record(found), allow_nan=False)
+    assert json.dumps(export.record(found), allow_nan=False)
     assert ensemble(replace(VAIONT, uncertain={"arc.unit_weight_kN_m3": stats.norm(20, 1)}), 500, 1).warnings == []
 
 
@@ -307,8 +307,8 @@ def test_what_is_no_scene_is_counted_and_left_out() -> None:
     nothing = ensemble(replace(VAIONT, uncertain={"friction.angle_deg": stats.norm(-50, 1)}), 10, 1)
     assert nothing.n == 0
     assert math.isnan(nothing.moving.value)
-    assert json.dumps(written.record(nothing), allow_nan=False)
-    assert written.rows(nothing)
+    assert json.dumps(export.record(nothing), allow_nan=False)
+    assert export.rows(nothing)
 
 
 def test_indices_of_a_scene(file: Path) -> None:
@@ -347,19 +347,19 @@ def test_sweep(file: Path, tmp_path: Path, asked: Any, said: Any, records: Any) 
     _, out, err = asked(line, "--json --csv", table, "--npz", arrays)
     assert re.search(r"of \d+ scenes, .* a second", err)
     found: Study = ensemble(read(file), 3000, 4, sensitivity=64)
-    assert json.loads(out) == [json.loads(json.dumps(written.record(found)))]
+    assert json.loads(out) == [json.loads(json.dumps(export.record(found)))]
     held = np.load(arrays)
     np.testing.assert_array_equal(held["sample_run_out"], found.samples["run_out"])
     shares, values = held["run_out_quantiles"].T[:2]
     np.testing.assert_array_equal(values, [found.quantile("run_out", p).value for p in shares])
     lines = table.read_text("utf-8").splitlines()
     assert lines[0] == "table,output,input,at,value,low,high"
-    assert len(lines) == 1 + len(written.rows(found))
+    assert len(lines) == 1 + len(export.rows(found))
     out = " ".join(said(line).split())
     assert f"{found.quantile('run_out', 0.5).value:.4g} [" in out
     assert "Which unknown matters" in out
     (record,) = records("sweep vaiont --uncertain friction.angle_deg=normal:14:1 --samples 100 --seed 4")
-    assert record["moving"] == json.loads(json.dumps(written.record(ensemble(ONE, 100, 4))))["moving"]
+    assert record["moving"] == json.loads(json.dumps(export.record(ensemble(ONE, 100, 4))))["moving"]
     assert "solved at the median of arc.radius_m, arc.theta_2_deg" in asked("run", file)[2]
 
 

@@ -12,7 +12,7 @@ from generated.effects import EFFECTS
 from slipcircle import Scene, load, plan, solve
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import CLOSED_IN_TIME, FLOW
-from slipcircle.scene.varied import other_way
+from slipcircle.scene.variation import other_way
 from slipcircle.studies.ladder import ladder
 
 ARC = load("vaiont").arc

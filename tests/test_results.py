@@ -15,8 +15,8 @@ import generated
 import slipcircle
 from slipcircle import Arc, Motion, Scene, Status, Study, ensemble, kernels, load, solve
 from slipcircle.base.kinds import Array
-from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, known, shown
-from slipcircle.studies.conduct import grid
+from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, shown, to_error
+from slipcircle.studies.ensemble import grid
 
 VAIONT = load("vaiont")
 MANY_OF: Scene = VAIONT  # which may hold arrays
@@ -95,9 +95,9 @@ def test_a_table_has_no_more_digits_than_the_error_leaves_and_no_fewer_than_want
     assert [shown(27.9721, n) for n in (1, 2, 3)] == ["30", "28", "28"]
     assert [shown(x) for x in (0.43284, 12345.6, 1e-7, 0.0, -0.0, 1020.35, 1.5e9, math.inf)] == [
         "0.4328", "12350", "1e-07", "0", "0", "1020", "1.5e+09", "infinite"]  # fmt: skip
-    assert [known(-0.001, 0.3), known(-1e-9, 0.3), known(12.3456, 0.012), known(1234.5, 96.0)] == [
+    assert [to_error(-0.001, 0.3), to_error(-1e-9, 0.3), to_error(12.3456, 0.012), to_error(1234.5, 96.0)] == [
         "0.00", "0.00", "12.346", "1234"]  # fmt: skip
-    assert [known(5.6123e-10, 3.1e-11), known(-1e-13, 1e-10), known(5.0, 0.0)] == ["5.61e-10", "0", "5"]
+    assert [to_error(5.6123e-10, 3.1e-11), to_error(-1e-13, 1e-10), to_error(5.0, 0.0)] == ["5.61e-10", "0", "5"]
 
 
 # --- lanes -----------------------------------------------------------------------------------------------------------

@@ -18,8 +18,8 @@ from slipcircle.__main__ import main
 from slipcircle.motion.states import Status
 from slipcircle.scene.numbers import fields_with, numbers_in
 from slipcircle.scene.transport import growth, telling
-from slipcircle.studies.conduct import grid
 from slipcircle.studies.engines import engine
+from slipcircle.studies.ensemble import grid
 from slipcircle.studies.motions import motions
 
 TURNING: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}

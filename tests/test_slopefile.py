@@ -12,7 +12,7 @@ import pytest
 from conftest import columns
 
 import slipcircle
-from slipcircle.files.scenefile import searched
+from slipcircle.files.scenefile import critical_of_file
 from slipcircle.outputs.guide import guide
 from slipcircle.scene.search import Critical
 
@@ -46,7 +46,7 @@ def write(tmp_path: Path) -> Write:
 
 
 def found_in(path: str) -> Critical:
-    return searched(path, None, lambda line: None)[2]
+    return critical_of_file(path, None, lambda line: None)[2]
 
 
 def test_from_a_file_to_circle_and_picture(write: Write, tmp_path: Path, asked: Any, said: Any, records: Any) -> None:
@@ -164,7 +164,7 @@ def test_what_a_file_says(write: Write) -> None:
         "[circle]\nthrough_m = [[-14, 10], [0, 0]]\ndepth_m = 3\n[search]\nk_h = 0.1\n"
         "entry_m = [-30, -10]\ndepth_m = 1\n[rotation]\n"
     )  # fmt: skip
-    name, _, found = searched(path, None, print)
+    name, _, found = critical_of_file(path, None, print)
     assert name == "cut"
     assert np.asarray(found.slope.ground)[1] == pytest.approx([-10.0, 10.0])
     assert (found.slope.cohesion, found.slope.friction, found.slope.unit_weight) == (0.0, 0.5, 19e3)

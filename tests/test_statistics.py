@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from slipcircle.base.distributions import DISTRIBUTIONS, made
+from slipcircle.base.distributions import DISTRIBUTIONS, distribution_of
 from slipcircle.studies.sampling import latin, monte_carlo, sobol
 from slipcircle.studies.statistics import (
     BIN_ERROR,
@@ -40,7 +40,7 @@ SCIPY: list[tuple[str, dict[str, float], Any]] = [
 @pytest.mark.parametrize(("name", "given", "wanted"), SCIPY, ids=lambda x: x if isinstance(x, str) else "")
 def test_quantiles_are_scipys(name: str, given: dict[str, float], wanted: Any) -> None:
     p = np.concatenate([[1e-12, 1e-6], np.linspace(0.001, 0.999, 97), [1 - 1e-6]])
-    found = made({"distribution": name} | given)
+    found = distribution_of({"distribution": name} | given)
     np.testing.assert_allclose(found.ppf(p), wanted.ppf(p), rtol=1e-9)
     assert found.stats("mv") == pytest.approx(wanted.stats("mv"), rel=1e-9, abs=1e-12)
     assert {n for n, _, _ in SCIPY} == set(DISTRIBUTIONS)

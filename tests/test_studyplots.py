@@ -16,7 +16,7 @@ from test_report import rows, tree
 from slipcircle import Study, backanalyse, ensemble, load, solve
 from slipcircle.outputs import plots, studyplots
 from slipcircle.outputs.studyreport import study_report
-from slipcircle.studies.conduct import grid
+from slipcircle.studies.ensemble import grid
 
 ANGLE = {"friction.angle_deg": {"distribution": "normal", "mean": 24, "std": 2}}
 WATER = {"pore_pressure.ratio": {"distribution": "triangular", "low": 0, "mode": 0.3, "high": 0.5}}

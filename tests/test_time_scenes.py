@@ -7,6 +7,7 @@ from typing import Any
 import golden
 import mpmath
 import numpy as np
+import oracle
 import pytest
 import taylor
 import test_accuracy
@@ -196,8 +197,7 @@ def test_heat_that_leaves_little_strength() -> None:
     effects = TURNING | {"thermal_pressurisation": HEAT | {"pressurisation": 3300.0},
                          "viscosity": {"viscosity": 3e3, "thickness": 0.5}}  # fmt: skip
     motion = solve(Scene(ARC, 0.3, effects))
-    arc = {n: float(getattr(ARC, n)) for n in ("radius", "theta_1", "theta_2", "unit_weight", "gravity")}
-    given = {"arc": arc, "friction": 0.3, "effects": effects, "initial_velocity": 0.0, "end_time": None}
+    given = {"arc": oracle.plain(ARC), "friction": 0.3, "effects": effects, "initial_velocity": 0.0, "end_time": None}
     known = taylor.solve(given, (0.5,), 20)
     assert (motion.arrested, len(motion.phases)) == (known["arrested"], known["phases"]) == (True, 6)
     for value, name in ((motion.run_out, "run_out"), (motion.duration, "duration")):

@@ -82,7 +82,7 @@ def raise_all(what: str, found: list[str]) -> None:
         raise ValueError(f"{what}: " + "; ".join(found))
 
 
-def first(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
+def complaint(faults: Iterable[Fault], shape: tuple[int, ...]) -> list[str]:
     """What to say of the first lane with a mistake."""
     for bad, said in faults:
         if np.any(bad):

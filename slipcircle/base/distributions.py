@@ -60,7 +60,7 @@ DISTRIBUTIONS: Mapping[str, Distribution] = {
 }  # fmt: skip
 
 
-def made(given: Mapping[str, Any]) -> Any:
+def distribution_of(given: Mapping[str, Any]) -> Any:
     """SciPy's frozen distribution of a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
     numbers = {k: float(v) for k, v in given.items() if k != "distribution"}
     return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
@@ -82,7 +82,7 @@ def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float])
             found.append(f"{k} = {v!r}: must be a finite number")
     if found or (found := [rule for rule, holds in kind.rules.items() if not holds(rest)]):
         return found
-    distribution = made(given)
+    distribution = distribution_of(given)
     low, high = map(float, distribution.support())
     # The ends of a normal distribution have no meaning: samples out of bounds are counted instead.
     least = min(limits[0], 0.0) if limits[0] < 1.0 else limits[0]

@@ -10,7 +10,7 @@ import numpy as np
 
 from slipcircle.base import files
 from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, TIMES, Row
-from slipcircle.motion.quantities import plain, shown, spent
+from slipcircle.motion.quantities import plain, shown, time_text
 
 WIDTH = 100  # of tables and text, columns
 NOTES = (
@@ -41,7 +41,7 @@ def verdict(rows: Sequence[Row]) -> str:
     by = {r.way: r for r in rows}
     broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
     lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
-    lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {spent(r.price)})" for r in front) + ".")
+    lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {time_text(r.price)})" for r in front) + ".")
     if few := sorted({r.elements for r in rows if r.ns_1e4 and r.ns_1e6 is None and r.elements < SIZES[1]}):
         counts = " or ".join(map(str, few))
         lines.append(f"~: {counts} scenes were measured, as these ways solve scenes one by one.")
@@ -97,7 +97,7 @@ def table(rows: Sequence[Row]) -> tuple[list[str], list[list[str]]]:
     found = []
     for row in rows:
         times = [getattr(row, key) for key in TIMES]
-        cells = ["" if time is None else spent(time) for time in times]
+        cells = ["" if time is None else time_text(time) for time in times]
         last = max(k for k, time in enumerate(times) if time is not None)
         cells[last] = "~" * (row.elements < SIZES[last]) + cells[last]
         ulp = "" if row.ulp is None else shown(row.ulp, 3) if row.ulp < 1e3 else short(row.ulp, 1)

@@ -19,8 +19,8 @@ from slipcircle.cost.reference import Answers, Floats
 from slipcircle.cost.ways import Subject, Way
 from slipcircle.files.scenefile import load
 from slipcircle.flow import compiled, walk
-from slipcircle.flow.solve import walked
-from slipcircle.motion.motion import Motion, told
+from slipcircle.flow.lanes import walked
+from slipcircle.motion.motion import Motion, kept
 from slipcircle.motion.plan import plan
 from slipcircle.motion.solver import lanes_of, solve
 from slipcircle.scene.arc import Arc
@@ -151,7 +151,7 @@ def ours(case: Case, accuracy: float, walker: Any, mu: Any) -> Floats:
         motion = solve(scene, accuracy)
     else:
         lanes = lanes_of(chosen := plan(scene, accuracy))
-        motion = Motion(chosen, lanes, told(walked(lanes.bound, lanes.closed, walker=walker), not scene.shape), [])
+        motion = Motion(chosen, lanes, kept(walked(lanes.bound, lanes.closed, walker=walker), not scene.shape), [])
     return np.array([motion.outcomes[n] for n in ("run_out", "peak_velocity", "duration")]).reshape(3, -1)
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from generated.effects import EFFECTS, LAWS
-from slipcircle.base.distributions import distribution_mistakes, made
+from slipcircle.base.distributions import distribution_mistakes, distribution_of
 from slipcircle.files import slopefile
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
@@ -69,10 +69,12 @@ def find(name: str | PathLike[str]) -> Any:
     raise ValueError(f"{said}; known are {', '.join(names)}" + "".join(f"; did you mean {n}?" for n in near))
 
 
-def searched(name: str | PathLike[str], method: str | None, told: Callable[[str], None]) -> tuple[str, str, Critical]:
+def critical_of_file(
+    name: str | PathLike[str], method: str | None, tell: Callable[[str], None]
+) -> tuple[str, str, Critical]:
     """Name, note and critical circle of the slope in a file, by default as it says, or by Bishop's method.
 
-    Where it gives a circle, the factors of this one. What is told is a line of progress.
+    Where it gives a circle, the factors of this one. ``tell`` takes lines of progress.
     """
     source, file = find(name), str(name)
     document = _document(source, file)
@@ -82,12 +84,12 @@ def searched(name: str | PathLike[str], method: str | None, told: Callable[[str]
     if method and isinstance(circle, dict) and "critical" in circle:
         circle["critical"] = method
     stem = Path(file).stem
-    parts, _ = _parts(document, file, lambda line: told(f"{document.get('name', stem)}: {line}"))
+    parts, _ = _parts(document, file, lambda line: tell(f"{document.get('name', stem)}: {line}"))
     if parts["stability"] is None:
         raise ValueError(f"{file}: circle: has no factors of safety: the soil has no strength, or a pore pressure from "
                          "a record")  # fmt: skip
     if parts["uncertain"]:
-        told(f"{parts['name']}: at the median of {', '.join(parts['uncertain'])}")
+        tell(f"{parts['name']}: at the median of {', '.join(parts['uncertain'])}")
     return parts["name"], parts.get("note", ""), parts["stability"]
 
 
@@ -104,7 +106,7 @@ def _document(source: Any, file: str) -> dict[str, Any]:
 
 
 def _parts(
-    document: dict[str, Any], file: str, told: Callable[[str], None] = lambda _: None
+    document: dict[str, Any], file: str, tell: Callable[[str], None] = lambda _: None
 ) -> tuple[dict[str, Any], dict[str, Table]]:
     """What a scene is made of, and the tables of its file; every mistake listed."""
     friction: Any = document.get("friction")
@@ -139,7 +141,7 @@ def _parts(
         if on_slope:
             try:
                 of_slope = {name: given.get(name, {}) for name in SLOPING}
-                arc, stability = slopefile.section(of_slope, soil(friction, effects), told)
+                arc, stability = slopefile.section(of_slope, soil(friction, effects), tell)
             except ValueError as error:
                 found = str(error).splitlines()
     if found:
@@ -187,7 +189,7 @@ def _said(document: Mapping[str, Any], tables: Mapping[str, Table]) -> _Said:
                 odd[full] = [f"{full}: {m}" for m in found]
                 return say(full)
             out.uncertain[full] = value
-            value = float(made(value).median())
+            value = float(distribution_of(value).median())
         found = [f"{full}{place} = {_shown(given)}: must be {key.allowed}{_asked(key, given, table)}"
                  for place, given in key.wrong(value)]  # fmt: skip
         if key.kind == "series" and isinstance(value, list) and "time_s" not in held:

@@ -14,12 +14,12 @@ _OF_SECTION = ("gravity", "width")
 
 
 def section(
-    given: Mapping[str, dict[str, Any]], soil: Mapping[str, float], told: Callable[[str], None]
+    given: Mapping[str, dict[str, Any]], soil: Mapping[str, float], tell: Callable[[str], None]
 ) -> tuple[Section, Critical | None]:
     """The section of the circle that is given, or of the critical one; and its stability, where the soil has any.
 
     Takes arguments by table, in SI units, and strength and pore pressure at the start, empty where nothing is known of
-    them; a ValueError lists every mistake by its key. What is told is a line of progress.
+    them; a ValueError lists every mistake by its key. ``tell`` takes lines of progress.
     """
     try:
         circle, limits = dict(given["circle"]), dict(given["search"])
@@ -29,7 +29,7 @@ def section(
             if not soil:
                 raise ValueError("critical: circle.critical: needs friction or cohesion, and a pore pressure that is "
                                  "no record")  # fmt: skip
-            found = critical(Slope(**shared, k_h=k_h, **soil), circle["critical"], **limits, told=told)
+            found = critical(Slope(**shared, k_h=k_h, **soil), circle["critical"], **limits, tell=tell)
             circle = {n: getattr(found, n) for n in ("centre", "radius", "between")}
             return Section(**shared, **circle, **own), found
         if len(circle.get("through", "12")) != 2:

@@ -15,7 +15,7 @@ from slipcircle.base.checks import choose, plain
 from slipcircle.base.series import Pulse, Series
 from slipcircle.flow import tables
 from slipcircle.flow.program import Program, join
-from slipcircle.records.given import factor as factor_of
+from slipcircle.records.forcing import factor as factor_of
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_parts
 from slipcircle.scene.section import Section

@@ -73,7 +73,7 @@ class _Implicit(Walker):
     def step(self) -> None:
         c, p = self.c, self.program
         limit = float(min(self._break()[0], c[its.END_TIME, 0]))
-        self.course = [(p.tables[k], k, self._local(p.tables[k], self.tables[k])[0, 0],
+        self.given_in_time = [(p.tables[k], k, self._local(p.tables[k], self.tables[k])[0, 0],
                         c[p.tables[k].cells + its.INC, 0]) for k in self.timed]  # fmt: skip
         self.cells = [cell for cell, _, _ in p.states]
         self.rates = [rate for _, _, rate in p.states]
@@ -141,7 +141,7 @@ class _Implicit(Walker):
         """Cells of this lane at some times in some states, (states, times)."""
         c = np.repeat(self.c, times.size, axis=1)
         c[its.TIME], c[self.cells] = times, states
-        for slot, k, first, before in self.course:
+        for slot, k, first, before in self.given_in_time:
             now = Columns(self.program, (), c, None, self.which)._local(slot, self._tables(times.size)[k])
             c[slot.cells + its.INC] = before + now[0] - first
         return c

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from generated import cells as its
 from slipcircle.base.checks import EPS, choose
 from slipcircle.flow.bind import STEP, Bound
+from slipcircle.flow.lanes import Lanes, walked
 from slipcircle.flow.program import Program, Samples
-from slipcircle.flow.solve import Lanes, walked
 
 Floats = NDArray[np.float64]
 

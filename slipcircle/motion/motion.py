@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from generated import cells as its
 from slipcircle.base.checks import INFINITY, choose, mistakes, raise_all
 from slipcircle.base.kinds import Numbers
+from slipcircle.flow.lanes import Lanes
 from slipcircle.flow.program import Log
-from slipcircle.flow.solve import Lanes
 from slipcircle.motion.accuracy import estimate
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.results import Results
@@ -30,16 +30,16 @@ Floats = NDArray[np.float64]
 STATUSES = tuple(Status)
 RESTS, STAYS, TURNED, INVALID = map(int, (Status.RESTS, Status.STAYS, Status.TURNED, Status.INVALID))
 # The cells of which a motion is told.
-TOLD = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
+KEPT = (its.TIME, its.STATUS, its.PHASES, its.END_TIME, its.PEAK_TIME, its.PEAK_ROTATION, its.PEAK_OMEGA,
         its.PEAK_RATE, its.REACH_TIME, its.REACH_ROTATION, its.END_ROTATION, its.END_OMEGA, its.END_RATE,
         its.CLOSE, its.REST_SINCE, its.TURNS)  # fmt: skip
 ENERGIES = 21  # times at which the energy balance is looked at
 
 
-def told(cells: Floats, single: bool) -> dict[int, Any]:
+def kept(cells: Floats, single: bool) -> dict[int, Any]:
     """Of the cells of lanes those of which a motion is told, arrays or, of a single one, numbers."""
-    rows = cells.take(TOLD, axis=0)
-    return dict(zip(TOLD, rows[:, 0].tolist() if single else rows, strict=True))
+    rows = cells.take(KEPT, axis=0)
+    return dict(zip(KEPT, rows[:, 0].tolist() if single else rows, strict=True))
 
 
 def _static(name: str) -> Any:

@@ -189,7 +189,7 @@ def shown(value: float, digits: int = DIGITS) -> str:
     return f"{float(f'{value:.{digits - 1}e}') + 0.0:.{max(digits, 6)}g}"
 
 
-def known(value: float, error: float) -> str:
+def to_error(value: float, error: float) -> str:
     """A number that is known up to an error: to two digits of that, or as `shown` where there is none."""
     if not error > 0.0:
         return shown(value)
@@ -200,7 +200,7 @@ def known(value: float, error: float) -> str:
     return shown(value, digits) if digits > 0 else "0"
 
 
-def spent(nanoseconds: float) -> str:
+def time_text(nanoseconds: float) -> str:
     """A measured time, to three digits."""
     per, unit = next(((p, u) for p, u in ((1e6, "ms"), (1e3, "us")) if nanoseconds >= p), (1.0, "ns"))
     return f"{shown(nanoseconds / per, 3)} {unit}"

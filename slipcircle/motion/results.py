@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from slipcircle.base.markup import Raw, table, tag
-from slipcircle.flow.solve import Lanes
+from slipcircle.flow.lanes import Lanes
 from slipcircle.motion.plan import Plan
 from slipcircle.motion.quantities import HISTORY, OUTCOMES, results, shown, words
 from slipcircle.motion.states import Status
 from slipcircle.scene.section import Section
-from slipcircle.scene.varied import scene_with
+from slipcircle.scene.variation import scene_with
 
 
 def library(name: str) -> Any:

@@ -16,7 +16,7 @@ from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
 from slipcircle.flow.bind import turns, under_water
-from slipcircle.flow.solve import Lanes
+from slipcircle.flow.lanes import Lanes
 from slipcircle.flow.tables import Data, of_law
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_parts

@@ -15,15 +15,15 @@ from numpy.typing import NDArray
 from generated import cells as its
 from generated.effects import EFFECTS, LAWS
 from slipcircle.flow.bind import Bound
+from slipcircle.flow.lanes import Lanes, walked
 from slipcircle.flow.polynomials import shifted, slopes, value
 from slipcircle.flow.program import Log, Program, Table
-from slipcircle.flow.solve import Lanes, walked
 from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 from slipcircle.motion.derivatives import Sensitivity
 from slipcircle.motion.seeds import Seeds
 from slipcircle.scene.friction import law_parts
-from slipcircle.scene.numbers import named
+from slipcircle.scene.numbers import by_name
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
 from slipcircle.scene.transport import telling, through_vertex
@@ -43,7 +43,7 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    keys = named(scene)
+    keys = by_name(scene)
     parameters = {n: keys[n].si for n in _parameters(scene)}
     values = np.zeros((len(OUTPUTS), len(parameters)))
     if any(outputs.values()):
@@ -161,7 +161,7 @@ class _Walk(Walker):
         at, c = slot.cells, self.c
         scale, factor = c[at + its.SCALE, 0], c[at + its.SCALED_BY, 0]
         if slot.kind == "time":
-            _, dots = self._course(slot, data, 1)
+            _, dots = self._time_terms(slot, data, 1)
             self.put(at + its.VALUE, dots[0] + self._local(slot, data, 1)[1:, 0].sum() * self.event_dot)
             return
         piece = int(c[at + its.PIECE, 0])
@@ -190,7 +190,7 @@ class _Walk(Walker):
                 dots = dots + factor * unit * np.array([o[j] if j < len(o) else 0.0 for o in own])
             self.put(at + its.VALUE if j == 0 else at + its.Q1 + j - 1, dots)
 
-    def _course(self, slot: Table, data: Data, order: int) -> tuple[Floats, Floats]:
+    def _time_terms(self, slot: Table, data: Data, order: int) -> tuple[Floats, Floats]:
         """Taylor coefficients about now of a function of time, and their derivatives at fixed time, (terms, ...)."""
         scale_growth, factor_growth, _ = self.seeds.tables[slot.name]
         terms = np.zeros(order + 2)
@@ -204,7 +204,7 @@ class _Walk(Walker):
         super()._ramps(r)
         for k in self.timed:
             slot = self.program.tables[k]
-            _, dots = self._course(slot, self.tables[k], r.shape[1] - 1)
+            _, dots = self._time_terms(slot, self.tables[k], r.shape[1] - 1)
             dots[0] -= self.dot(slot.cells + its.VALUE)
             if slot.register in self.tangent.registers:
                 r[self.tangent.registers[slot.register]] = dots

@@ -9,12 +9,12 @@ import numpy as np
 from generated.cells import MOST_TURNS
 from generated.effects import EFFECTS
 from slipcircle.base.kinds import Numbers
-from slipcircle.flow.solve import BLOCK, Lanes
-from slipcircle.motion.motion import TOLD, Motion, told
+from slipcircle.flow.lanes import BLOCK, Lanes
+from slipcircle.motion.motion import KEPT, Motion, kept
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.motion.states import Status
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import arc_with
+from slipcircle.scene.variation import arc_with
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
@@ -59,11 +59,11 @@ def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
     lanes, single = lanes_of(chosen, invalid), not chosen.scene.shape
     log: list[Any] = []
     if lanes.count <= BLOCK:
-        return Motion(chosen, lanes, told(lanes.solve(log if single else None), single), log)
-    found = np.empty((len(TOLD), lanes.count))
+        return Motion(chosen, lanes, kept(lanes.solve(log if single else None), single), log)
+    found = np.empty((len(KEPT), lanes.count))
     for which, part in lanes.parts():
-        found[:, which] = part.solve()[list(TOLD)]
-    return Motion(chosen, lanes, dict(zip(TOLD, found, strict=True)), log)
+        found[:, which] = part.solve()[list(KEPT)]
+    return Motion(chosen, lanes, dict(zip(KEPT, found, strict=True)), log)
 
 
 def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:

@@ -29,7 +29,7 @@ from slipcircle.outputs.plotstyle import (
 )
 from slipcircle.outputs.sectionplot import animate, section
 from slipcircle.outputs.trace import Floats, drawn
-from slipcircle.records.given import in_time
+from slipcircle.records.forcing import in_time
 from slipcircle.studies.ladder import Rung
 
 __all__ = ["HISTORIES", "animate", "history", "ladder", "overview", "phase_plane", "section", "shaking"]

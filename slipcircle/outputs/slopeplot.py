@@ -13,7 +13,7 @@ _CELLS = 32  # of the map, across
 _ON_ARC = 200  # points of an outline
 
 
-def searched(found: Critical, figure: Any) -> Any:
+def critical_circle(found: Critical, figure: Any) -> Any:
     """The section with the circle, and the least factor that any circle about each centre has, on an empty figure."""
     from matplotlib.patches import Polygon
 

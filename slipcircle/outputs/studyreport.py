@@ -8,12 +8,12 @@ import numpy as np
 
 from slipcircle.base.markup import Raw, tag
 from slipcircle.motion.plan import Plan, plan
-from slipcircle.motion.quantities import OUTCOMES, known, shown, words
+from slipcircle.motion.quantities import OUTCOMES, shown, to_error, words
 from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
 from slipcircle.outputs.report import chapter, data, figure, given, number, page, path
 from slipcircle.outputs.tables import Part
-from slipcircle.studies import written
+from slipcircle.studies import export
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def parts(found: "Study") -> Iterator[Part]:
     yield Part([], [["probability of moving", found.moving]], "Whether it moves", percent)
     yield Part(
         ["exceeded with probability", *heads],
-        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in written.QUANTILES],
+        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in export.QUANTILES],
         "How far and how fast",
         "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
     )  # fmt: skip
@@ -65,7 +65,7 @@ def study_report(found: "Study", file: bytes | None = None, command: str = "") -
     name, planned = found.scene.name or "scene", plan(found.scene, found.design.accuracy)
     if command and "--seed" not in command:
         command += f" --seed {found.seed}"
-    told = chapter(planned, found.warnings, _told(found, planned, file), written.record(found), "", file)
+    told = chapter(planned, found.warnings, _told(found, planned, file), export.record(found), "", file)
     return page(f"Uncertain slide: {name}", told, [(name, file)], command)
 
 
@@ -98,7 +98,7 @@ def interval(e: Estimate) -> str:
     """A value and its interval, to two digits of the interval's width."""
     if np.isnan(e.value):
         return "-"
-    value, *ends = ("?" if np.isnan(x) else known(x, e.high - e.low) for x in e)
+    value, *ends = ("?" if np.isnan(x) else to_error(x, e.high - e.low) for x in e)
     return f"{value} [{', '.join(ends)}]"
 
 

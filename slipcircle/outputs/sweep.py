@@ -19,10 +19,10 @@ from slipcircle.outputs import pictures, studyplots
 from slipcircle.outputs.studyreport import interval, parts, study_report
 from slipcircle.outputs.tables import Answer, Part
 from slipcircle.scene.scene import Scene
-from slipcircle.studies import written
-from slipcircle.studies.conduct import ensemble, grid
+from slipcircle.studies import export
 from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine
+from slipcircle.studies.ensemble import ensemble, grid
 from slipcircle.studies.statistics import Estimate
 from slipcircle.studies.study import Study
 
@@ -80,7 +80,7 @@ def run(options: argparse.Namespace) -> Answer:
         files.write(options.csv, files.table(head, rows))
     if options.npz:
         with files.replacing(options.npz) as file:
-            np.savez(file, **cast(dict[str, Any], written.arrays(found)))
+            np.savez(file, **cast(dict[str, Any], export.arrays(found)))
     return Answer(record, parts, [f"{scene.name}: {warning}" for warning in found.warnings])
 
 
@@ -117,7 +117,7 @@ def _of_grid(found: Study) -> _Told:
 def _of_samples(found: Study) -> _Told:
     """Every estimate of a study with its interval."""
     head = ("table", "output", "input", "at", "value", "low", "high")
-    rows = ([None if x != x else x for x in row] for row in written.rows(found))
+    rows = ([None if x != x else x for x in row] for row in export.rows(found))
 
     def told() -> Iterator[Part | str]:
         yield f"{found.scene.name}: {found.design.n} samples, {found.design.method}, seed {found.seed}\n"
@@ -125,4 +125,4 @@ def _of_samples(found: Study) -> _Told:
             cells = [[interval(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows]
             yield part._replace(rows=cells)
 
-    return head, rows, lambda: [written.record(found)], told()
+    return head, rows, lambda: [export.record(found)], told()

@@ -13,7 +13,7 @@ from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import JOURNEY, OUTCOMES, results, shown, spent, words
+from slipcircle.motion.quantities import JOURNEY, OUTCOMES, results, shown, time_text, words
 from slipcircle.scene.search import Critical
 from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
@@ -136,7 +136,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
     """A ladder as a table; how far each rung differs from the fullest."""
     told = [q for q in OUTCOMES.values() if q.name in Rung.__dataclass_fields__]
     rows = [
-        [f"+ {r.added}" if r.added else "none", spent(1e9 * r.seconds), f"{r.cost}",
+        [f"+ {r.added}" if r.added else "none", time_text(1e9 * r.seconds), f"{r.cost}",
          *(f"{shown(getattr(r, q.name))} {q.unit}" for q in told),
          "no" if not r.arrested else "yes" if r.peak_velocity else "stays",
          f"{100 * r.difference:.3g} %"]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from slipcircle.base import files
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import HISTORY
-from slipcircle.records.given import in_time
+from slipcircle.records.forcing import in_time
 
 Floats = NDArray[np.float64]
 

@@ -11,7 +11,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from generated import kernels
-from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes, two_sum
+from slipcircle.base.checks import (
+    EPS,
+    INFINITY,
+    Bounds,
+    Fault,
+    complaint,
+    mistakes,
+    raise_all,
+    shape_mistakes,
+    two_sum,
+)
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
@@ -97,7 +107,7 @@ class Arc(Mass, Generic[Numbers]):
         if not found:
             found = shape_mistakes(values)
         if not found:
-            found = first(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
+            found = complaint(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
         given: Any = self.given
         if not isinstance(given, Mapping | None):
             found.append(f"given = {given!r}: must be a mapping of coefficients, or None")

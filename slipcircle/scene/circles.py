@@ -17,31 +17,31 @@ Floats = NDArray[np.float64]
 _GAUSS = [((1.0 + x) / 2, w / 2) for x, w in zip(*np.polynomial.legendre.leggauss(slopes.NODES), strict=True)]
 MEASURES = ("area", "polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y")
 _BLOCK = 1 << 14  # edges at a time: their arrays stay in the cache
-Two = tuple[Any, Any]  # a number as the sum of two doubles (Dekker 1971), about 32 digits
+DoubleDouble = tuple[Any, Any]  # a number as the sum of two doubles (Dekker 1971), about 32 digits
 
 
-def _halves(a: Any) -> Two:
+def _halves(a: Any) -> DoubleDouble:
     high = 134217729.0 * a
     high = high - (high - a)
     return high, a - high
 
 
-def _product(a: Any, b: Any) -> Two:
+def _product(a: Any, b: Any) -> DoubleDouble:
     value, (a1, a2), (b1, b2) = a * b, _halves(a), _halves(b)
     return value, ((a1 * b1 - value) + a1 * b2 + a2 * b1) + a2 * b2
 
 
-def _plus(a: Two, b: Two) -> Two:
+def _plus(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
     high, low = two_sum(a[0], b[0])
     return two_sum(high, low + (a[1] + b[1]))
 
 
-def _times(a: Two, b: Two) -> Two:
+def _times(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
     high, low = _product(a[0], b[0])
     return two_sum(high, low + (a[0] * b[1] + a[1] * b[0]))
 
 
-def _clearance(x: Two, y: Two, radius: Any) -> Two:
+def _clearance(x: DoubleDouble, y: DoubleDouble, radius: Any) -> DoubleDouble:
     """R^2 - x^2 - y^2, which is small for points near the circle."""
     squares = _plus(_times(x, x), _times(y, y))
     return _plus(_product(radius, radius), (-squares[0], -squares[1]))

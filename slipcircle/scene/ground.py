@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from slipcircle.base.checks import INFINITY, Bounds, Fault, first, mistakes, raise_all, shape_mistakes
+from slipcircle.base.checks import INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes
 
 FAR = 1e9  # m; coordinates are smaller
 Floats = NDArray[np.float64]
@@ -39,7 +39,7 @@ def line_mistakes(name: str, given: Any, many: bool) -> list[str]:
     axes, shape = range(2, 16 if many else 3), points.shape
     if points.dtype.kind not in "iuf" or points.ndim not in axes or shape[-1] != 2 or shape[-2] < 2:
         return [f"{name}: must be a list of at least two points [x, y] in m, from left to right"]
-    return first(line_faults(name, points.reshape(-1, *shape[-2:]).astype(np.float64)), shape[:-2])
+    return complaint(line_faults(name, points.reshape(-1, *shape[-2:]).astype(np.float64)), shape[:-2])
 
 
 def _upper(lines: Floats, x: Floats) -> Floats:

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS
-from slipcircle.base.distributions import distribution_mistakes, made
+from slipcircle.base.distributions import distribution_mistakes, distribution_of
 from slipcircle.scene.friction import law_names
 from slipcircle.scene.ground import FAR
 from slipcircle.scene.keys import Number as Number
@@ -87,7 +87,7 @@ def fields_with(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
-def keyed(scene: Any) -> dict[str, Number]:
+def by_key(scene: Any) -> dict[str, Number]:
     """The numbers that a scene with its friction and arc may have, by their keys."""
     arc, (law, *rate) = scene.arc, law_names(scene.friction)
     known = numbers(tables_of("constant" if law == "callable" else law, *rate))
@@ -107,14 +107,14 @@ def keyed(scene: Any) -> dict[str, Number]:
     return found
 
 
-def named(scene: Any) -> dict[str, Number]:
+def by_name(scene: Any) -> dict[str, Number]:
     """The same by their names: of two keys, as friction has, the first."""
-    return {n.name: n for n in reversed(keyed(scene).values())}
+    return {n.name: n for n in reversed(by_key(scene).values())}
 
 
 def number_in(scene: Any, path: str) -> Number:
     """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
-    known = keyed(scene)
+    known = by_key(scene)
     only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
     path = only[0] if len(only) == 1 else path  # of an effect with one number
     if path in known:
@@ -147,7 +147,7 @@ class Uncertain:
     @cached_property
     def distribution(self) -> Any:
         """SciPy's."""
-        return made(self.given) if isinstance(self.given, Mapping) else self.given
+        return distribution_of(self.given) if isinstance(self.given, Mapping) else self.given
 
     def drawn(self, p: Any) -> Any:
         """Quantiles, in the number's unit."""
@@ -172,7 +172,7 @@ class Uncertain:
         return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
 
 
-def declared(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
+def uncertain_numbers(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
     """Uncertain numbers by their names in `Scene.numbers`, and a sentence for each mistake."""
     found: dict[str, Uncertain] = {}
     said = []

@@ -15,10 +15,10 @@ from generated.effects import EFFECTS, LAWS, Parameter
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, parameter_mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.base.series import Pulse, Series
-from slipcircle.records.given import factor, resolved
+from slipcircle.records.forcing import factor, resolved
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_mistakes
-from slipcircle.scene.numbers import declared, numbers_in
+from slipcircle.scene.numbers import numbers_in, uncertain_numbers
 from slipcircle.scene.section import Section
 
 if TYPE_CHECKING:
@@ -149,7 +149,7 @@ class Scene(Generic[Numbers]):
         if not isinstance(uncertain, Mapping):
             found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
         elif self.uncertain and not found:
-            drawn, found = declared(self)
+            drawn, found = uncertain_numbers(self)
             object.__setattr__(self, "uncertain", drawn)
         raise_all(f"Scene {self.name}".rstrip(), found)
 

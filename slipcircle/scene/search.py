@@ -90,7 +90,7 @@ class Critical:
 
 def critical(
     slope: Slope, method: str = "bishop", *, entry: Range | None = None, exit: Range | None = None,
-    depth: float = 0.0, told: Callable[[str], None] = lambda _: None,
+    depth: float = 0.0, tell: Callable[[str], None] = lambda _: None,
 ) -> Critical:  # fmt: skip
     """The circle of the least factor of safety.
 
@@ -103,7 +103,7 @@ def critical(
         Least and greatest x of the upper and the lower end, m; both may be equal.
     depth : float
         Least thickness of the mass, along the radius, m: keeps skins out.
-    told : callable, optional
+    tell : callable, optional
         Takes a line of progress.
 
     Raises
@@ -121,7 +121,7 @@ def critical(
     """
     raise_all("critical", _mistakes(slope, method, {"entry": entry, "exit": exit}, depth))
     search = Search(slope, method, entry, exit, depth)
-    at, step = search.coarse(told)
+    at, step = search.coarse(tell)
     for share in (1.0, 0.2):  # begun again from where they stopped, where a bent valley has held them up
         at, step = search.refined(at, share * step)
     found = search.result(at[:1])
@@ -131,7 +131,7 @@ def critical(
             f"critical: friction = 0 without a base: the critical circle runs infinitely deep, where the "
             f"factor tends to {deep:.4g}; give the base of the soil, or where the circle comes out (exit)"
         )
-    told(f"least factor {least:.6g} by {method}")
+    tell(f"least factor {least:.6g} by {method}")
     return found
 
 
@@ -280,7 +280,7 @@ class Search:
             given.append(np.linspace(first, last, _LEAST + 1))
         return np.unique(np.concatenate(given))
 
-    def coarse(self, told: Callable[[str], None]) -> tuple[Floats, Floats]:
+    def coarse(self, tell: Callable[[str], None]) -> tuple[Floats, Floats]:
         """The best circles of the coarse family that are no neighbours of a better one, and their steps."""
         places = self.places()
         number = np.indices((len(places), len(places), len(_SHARES))).reshape(3, -1)
@@ -296,7 +296,7 @@ class Search:
         while len(chosen) < _VALLEYS and order.size:
             chosen.append(best := order[0])
             order = order[np.any(np.abs(q[order] - q[best]) > _APART * wide[best], axis=1)]
-        told(f"{len(values)} circles; following {len(chosen)}, from {values[chosen[0]]:.4g}")
+        tell(f"{len(values)} circles; following {len(chosen)}, from {values[chosen[0]]:.4g}")
         return q[chosen], wide[chosen]
 
     def refined(self, at: Floats, step: Floats) -> tuple[Floats, Floats]:

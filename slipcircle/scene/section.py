@@ -11,7 +11,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from slipcircle.base.checks import Fault, first, raise_all
+from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
 from slipcircle.scene.faults import faults, unmoved
@@ -92,7 +92,7 @@ class Section(Mass):
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        raise_all("Section", section_mistakes(vars(self), self.quantities) or first(faults(self), self.shape))
+        raise_all("Section", section_mistakes(vars(self), self.quantities) or complaint(faults(self), self.shape))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
@@ -262,7 +262,7 @@ class Section(Mass):
     @cached_property
     def no_motion(self) -> str | None:
         """Why the method gives no motion, if it does not."""
-        return next(iter(first(unmoved(self), self.shape)), None)
+        return next(iter(complaint(unmoved(self), self.shape)), None)
 
     @cached_property
     def moments(self) -> dict[str, Any]:

@@ -16,12 +16,12 @@ from slipcircle.motion.motion import Motion
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
 from slipcircle.scene.scene import Scene, checked
-from slipcircle.scene.varied import scene_with
-from slipcircle.studies import search
-from slipcircle.studies.asked import Bounds, Observed, observations, searched
+from slipcircle.scene.variation import scene_with
+from slipcircle.studies import inversion
+from slipcircle.studies.inversion import Space
 from slipcircle.studies.motions import derivatives
+from slipcircle.studies.problem import Bounds, Observed, observations, search_space
 from slipcircle.studies.sampling import sobol
-from slipcircle.studies.search import Space
 
 Floats = NDArray[np.float64]
 ROOT = "all roots in the range"
@@ -203,7 +203,7 @@ def backanalyse(
     observed = observations({"reach": reach, "run_out": run_out, "peak_velocity": peak_velocity, "duration": duration})
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
-    space = searched(scene, field, bounds, observed)
+    space = search_space(scene, field, bounds, observed)
     return _met(space) if len(space.fields) == len(observed) == 1 else _fitted(space)
 
 
@@ -211,17 +211,17 @@ def _met(space: Space) -> BackAnalysis:
     """All values of the one field with the one observation."""
     (field,), (values,), (name,), (wanted,) = space.fields, space.ranges, space.observed, space.seen
 
-    def sample(at: Floats) -> tuple[Floats, search.Kinds]:
+    def sample(at: Floats) -> tuple[Floats, inversion.Kinds]:
         outcomes, kinds = space.sampled(at[None, :])
         return outcomes[0], kinds
 
-    solutions = [_solution(space, [v]) for v in search.roots(sample, values, wanted)]
+    solutions = [_solution(space, [v]) for v in inversion.roots(sample, values, wanted)]
     if solutions:
         solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
         return _told(space, solutions, ROOT)
     if not np.any(np.isfinite(sample(values)[0])):
         raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    places = [search.extreme(sample, values, sign) for sign in (-1.0, 1.0)]
+    places = [inversion.extreme(sample, values, sign) for sign in (-1.0, 1.0)]
     there = [scene_with(space.scene, {field.name: field.to_si(at)}) for at in places]
     least, most = ((float(solve(scene).outcomes[name]), at) for scene, at in zip(there, places, strict=True))
     unit = OUTCOMES[name].unit
@@ -242,7 +242,7 @@ def _fitted(space: Space) -> BackAnalysis:
     names, count = ", ".join(f.key for f in space.fields), len(space.fields)
     points = zip(sobol(0, (5,), 0, _STARTS * count, count), space.ranges, strict=True)
     tried = np.stack([np.interp(p, np.linspace(0.0, 1.0, len(r)), r) for p, r in points])
-    fits = search.fits(space, space.shares(tried))
+    fits = inversion.fits(space, space.shares(tried))
     if not fits:
         raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
     solutions, untold = [], list[ValueError]()

@@ -187,7 +187,7 @@ def computed(
     progress: Callable[[int, int], None] | None = None,
 ) -> Iterator[Result]:  # fmt: skip
     """Results of all blocks of a design, in their order; `Progress` hears of each that is finished."""
-    blocks, ahead, following = design.blocks, _AHEAD if executor else 1, 0
+    blocks, ahead, begun = design.blocks, _AHEAD if executor else 1, 0
     finished: dict[int, Result] = {}
     running: dict[Future[Result], int] = {}
 
@@ -202,7 +202,7 @@ def computed(
     try:
         for index in range(blocks):
             until = min(index + ahead, blocks)
-            for k in range(following, until):
+            for k in range(begun, until):
                 kept = folder.load(k) if folder else None
                 if kept is not None:
                     done(k, kept, fresh=False)
@@ -210,7 +210,7 @@ def computed(
                     running[executor.submit(run_block, design, k)] = k
                 else:
                     done(k, run_block(design, k))
-            following = until
+            begun = until
             while index not in finished:
                 for future in _first(running):
                     done(running.pop(future), future.result())

@@ -12,7 +12,7 @@ from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import motion_of
 from slipcircle.scene.numbers import lengths
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import scenes_with
+from slipcircle.scene.variation import scenes_with
 
 Floats = NDArray[np.float64]
 _STEPS, _FINE = (1e-3, 1e-5, 1e-7), 1e-14  # of derivatives, relative, until one is small enough; their motions

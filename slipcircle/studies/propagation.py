@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from slipcircle.motion.quantities import OUTCOMES, words
-from slipcircle.scene.varied import scene_with
+from slipcircle.scene.variation import scene_with
 from slipcircle.studies.design import Design
 from slipcircle.studies.motions import derivatives
 from slipcircle.studies.statistics import Spread

@@ -14,7 +14,7 @@ from slipcircle.motion.quantities import OUTCOMES, shown, words
 from slipcircle.motion.results import library
 from slipcircle.motion.states import ANSWERED, Status
 from slipcircle.scene.scene import Scene
-from slipcircle.studies import written
+from slipcircle.studies import export
 from slipcircle.studies.design import Design, Result
 from slipcircle.studies.motions import motions
 from slipcircle.studies.propagation import Linear, disagreement, propagated
@@ -37,7 +37,7 @@ from slipcircle.studies.statistics import (
 Floats = NDArray[np.float64]
 
 
-class Curve(NamedTuple):
+class Exceedance(NamedTuple):
     """Probabilities that values are exceeded, with their intervals."""
 
     at: Floats
@@ -159,7 +159,7 @@ class Study:
 
     def to_dict(self) -> dict[str, Any]:
         """What JSON holds of it: statistics, curves, indices; SI units but for inputs, None for what cannot be said."""
-        return written.record(self)
+        return export.record(self)
 
     def to_pandas(self) -> Any:
         """The samples as a pandas.DataFrame: inputs by key, outcomes in SI units, the name of the status, the reason.
@@ -256,16 +256,16 @@ class Study:
         except ValueError as error:
             return {}, str(error)
 
-    def exceedance(self, output: str, points: int = 101) -> Curve:
+    def exceedance(self, output: str, points: int = 101) -> Exceedance:
         """Probability that an output is at least so large, at edges of bins, where it has no bin error."""
         high = self._ends[output][1]
         if not self.n:
-            return Curve(*np.empty((4, 0)))
+            return Exceedance(*np.empty((4, 0)))
         wanted = np.linspace(0.0, high, points)
         places = np.unique(np.searchsorted(edges(), wanted, side="right") - 1)
         places = places[places > 0]  # at the first edge the probability is 1
         above = np.cumsum(self._histograms[output][:, ::-1], axis=1)[:, ::-1][:, places]
-        return Curve(edges()[places], *self._probability(above))
+        return Exceedance(edges()[places], *self._probability(above))
 
     def bins(self, output: str) -> Floats:
         """The histogram of an output: from, to and how many, in rows; only bins that hold any."""

@@ -20,7 +20,7 @@ from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.scene.numbers import Number, Uncertain, number_in, numbers_in
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.section import Section
-from slipcircle.scene.varied import absent, along_means, value_in
+from slipcircle.scene.variation import absent, along_means, value_in
 from slipcircle.studies.design import METHODS, REPLICATES, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN

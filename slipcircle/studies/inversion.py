@@ -16,7 +16,7 @@ from slipcircle.studies.motions import motions
 
 Floats = NDArray[np.float64]
 Kinds = NDArray[Any]
-Curve = Callable[[Floats], tuple[Floats, Kinds]]  # of values an outcome, and of what kind each motion is
+Sampler = Callable[[Floats], tuple[Floats, Kinds]]  # of values an outcome, and of what kind each motion is
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
 PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 FINE = 1e-13  # accuracy of motions in a search
@@ -96,7 +96,7 @@ class Space:
 # --- one number, one observation -------------------------------------------------------------------------------------
 
 
-def roots(sample: Curve, values: Floats, wanted: float) -> list[float]:
+def roots(sample: Sampler, values: Floats, wanted: float) -> list[float]:
     """All values at which an outcome is as wanted: every stretch that may hold one is divided, all of them at once.
 
     That is where the outcome passes it, where the motion changes its kind near it, and where the outcome turns back
@@ -135,7 +135,7 @@ def _worth_a_look(x: Floats, miss: Floats, kind: Kinds, wanted: float) -> tuple[
     return (np.concatenate([left[passes], x[:, :-2][turns]]), np.concatenate([right[passes], x[:, 2:][turns]]))
 
 
-def extreme(sample: Curve, values: Floats, sign: float) -> float:
+def extreme(sample: Sampler, values: Floats, sign: float) -> float:
     """Where the greatest (sign 1) or least (sign -1) outcome is found."""
     best = (-math.inf, math.nan)
     for _ in range(ROUNDS):

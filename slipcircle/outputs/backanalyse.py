@@ -6,7 +6,7 @@ from typing import Any
 
 from slipcircle.files.scenefile import load
 from slipcircle.motion import quantities
-from slipcircle.motion.quantities import OUTCOMES, digits_left, known, shown
+from slipcircle.motion.quantities import OUTCOMES, digits_left, shown, to_error
 from slipcircle.outputs import options as read
 from slipcircle.outputs import pictures
 from slipcircle.outputs.tables import Answer, Part, beside
@@ -59,7 +59,7 @@ def _column(found: BackAnalysis, s: Solution) -> dict[str, str]:
     cells, errors = {}, s.standard_errors or {}
     for name, value in s.values.items():
         error = errors.get(name, 0.0)
-        said = f"{known(value, error)} +- {known(error, error)}" if error > 0.0 else ""
+        said = f"{to_error(value, error)} +- {to_error(error, error)}" if error > 0.0 else ""
         cells[name] = said or shown(value, digits_left(s.error_estimate))
     if s.correlation is not None:
         for (i, one), (j, other) in combinations(enumerate(s.values), 2):

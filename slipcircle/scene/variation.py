@@ -8,7 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.scene.arc import Arc
-from slipcircle.scene.numbers import DIP, Number, fields_with, keyed, listed, named, number_in, numbers_in
+from slipcircle.scene.numbers import (
+    DIP,
+    Number,
+    by_key,
+    by_name,
+    fields_with,
+    listed,
+    number_in,
+    numbers_in,
+)
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
@@ -17,7 +26,7 @@ from slipcircle.scene.stability import soil
 
 def absent(scene: Scene, path: str) -> str:
     """What to say of a number that a scene has no value of."""
-    keys = named(scene)
+    keys = by_name(scene)
     return f"{path}: the scene has no value of it to vary; it has {listed([keys[n].key for n in scene.numbers])}"
 
 
@@ -128,7 +137,7 @@ def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tupl
 
 def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
     """Where values are out of their bounds, as `Arc`, `Section` and `Scene` would refuse them one by one."""
-    known = {n.name: n.plain for n in keyed(scene).values() if not n.tangent}
+    known = {n.name: n.plain for n in by_key(scene).values() if not n.tangent}
     bad = np.zeros(np.broadcast_shapes(*(np.shape(v) for v in values.values())), dtype=bool)
     for name, value in values.items():
         bad |= ~known[name].holds(value)

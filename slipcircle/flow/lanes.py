@@ -16,7 +16,7 @@ from slipcircle.flow.columns import Columns
 from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
-from slipcircle.scene.varied import arc_with
+from slipcircle.scene.variation import arc_with
 
 Floats = NDArray[np.float64]
 # Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.

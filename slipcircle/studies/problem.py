@@ -14,8 +14,8 @@ from slipcircle.motion.solver import lanes_of
 from slipcircle.scene.friction import law_depends
 from slipcircle.scene.numbers import DIP, Number, lengths, number_in
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.varied import scenes_with, value_in
-from slipcircle.studies.search import MOST_SWINGS, Space
+from slipcircle.scene.variation import scenes_with, value_in
+from slipcircle.studies.inversion import MOST_SWINGS, Space
 
 Floats = NDArray[np.float64]
 Observed = float | tuple[float, float]
@@ -47,7 +47,7 @@ def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float,
     return found
 
 
-def searched(scene: Scene, field: Any, bounds: Any, observed: Observations) -> Space:
+def search_space(scene: Scene, field: Any, bounds: Any, observed: Observations) -> Space:
     """The fields over their ranges, in their units."""
     paths = [field] if isinstance(field, str) else list(field) if isinstance(field, Sequence) else []
     if not paths or not isinstance(bounds, tuple | Mapping | None):
