@@ -10,7 +10,7 @@ from typing import Any
 
 from slipcircle.base import files
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs import plots, slopeplot, studyplots
+from slipcircle.outputs import plots, sectionplot, studyplots
 from slipcircle.outputs.plotstyle import missing, work
 
 _Picture = tuple[str, str, Callable[[Any], Any], tuple[float, float]]  # name, caption, what draws it, inches
@@ -109,7 +109,7 @@ _DRAWN: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[floa
     "study": (studyplots.overview, studyplots.size),
     "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.outputs) * (1.6 + 0.3 * len(x.parameters)))),
     "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
-    "search": (slopeplot.critical_circle, lambda _: (9.0, 6.0)),
+    "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
     "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
 }
 
