@@ -220,7 +220,7 @@ def _run(options: argparse.Namespace) -> Answer:
     if options.csv:
         made[options.csv] = csv(motions, options.times)
     for path in options.plot:
-        made[path] = _late("pictures").overview(motions, path)
+        made[path] = _late("pictures").picture("motions", motions, path)
     if options.report:
         made[options.report] = _late("report").report(motions, sources, options.line).encode()
     for path, content in made.items():

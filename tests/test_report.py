@@ -241,7 +241,7 @@ def test_several_scenes_share_the_files(tmp_path: Path, said: Any) -> None:
 
 def test_a_picture_of_several_scenes_holds_them_all() -> None:
     still = solve(Scene(load("vaiont").arc, 0.9, ["rotation"]))  # which is quickly drawn
-    one, two = (pictures.overview([still] * n, "png") for n in (1, 2))
+    one, two = (pictures.picture("motions", [still] * n, "png") for n in (1, 2))
     size = [(int.from_bytes(p[16:20]), int.from_bytes(p[20:24])) for p in (one, two)]
     assert size == [(1680, 1200), (1680, 2400)]
 
@@ -292,7 +292,7 @@ def test_nothing_is_written_where_one_file_fails(tmp_path: Path, refused: Any, m
     def fails(*_: Any) -> bytes:
         raise ValueError("cannot be drawn")
 
-    monkeypatch.setattr(pictures, "overview", fails)
+    monkeypatch.setattr(pictures, "picture", fails)
     assert "cannot be drawn" in refused("run vaiont --csv", tmp_path / "m.csv", "--plot", tmp_path / "m.png")
     assert not list(tmp_path.iterdir())
 
@@ -300,7 +300,7 @@ def test_nothing_is_written_where_one_file_fails(tmp_path: Path, refused: Any, m
 def test_no_user_setting_changes_a_picture() -> None:
     from matplotlib import rc_context
 
-    plain = pictures.of(motion("vaiont"))[0][2]("svg")
+    plain = pictures.picture("section", motion("vaiont"), "svg")
     with rc_context({"font.size": 22, "lines.linewidth": 9, "text.color": "red", "svg.fonttype": "none"}):
-        assert pictures.of(motion("vaiont"))[0][2]("svg") == plain
+        assert pictures.picture("section", motion("vaiont"), "svg") == plain
     assert not re.search(rb"<dc:date>", plain)

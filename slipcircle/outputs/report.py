@@ -7,7 +7,7 @@ import base64
 import hashlib
 import json
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -86,9 +86,9 @@ def chapter(
         yield Raw(f"<details><summary>{escaped(summary)}</summary>{tag('pre', text)}</details>")
 
 
-def figure(name: str, caption: str, draw: Callable[[str], bytes]) -> Raw:
-    """A picture in the page: its name for those who do not see it, its caption, and what makes bytes of a kind."""
-    image = base64.b64encode(draw("svg")).decode()
+def figure(name: str, caption: str, drawing: bytes) -> Raw:
+    """A picture in the page, an SVG: its name for those who do not see it, and its caption."""
+    image = base64.b64encode(drawing).decode()
     return Raw(
         f'<figure><img alt="{escaped(name)}" src="data:image/svg+xml;base64,{image}" />'
         f"<figcaption>{escaped(caption)}</figcaption></figure>"
@@ -157,8 +157,23 @@ def _told(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part([], [*([q.label, _value(q, motion)] for q in results(motion)), *stability.items()], "Key results",
                "" if motion.arrested else rests)  # fmt: skip
     yield tag("h3", "Pictures")
-    for name, caption, draw in pictures.of(motion):
-        yield figure(f"{name} of {plan.scene.name}", caption, draw)
+    captions = {
+        "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
+    }
+    if motion.moves:
+        captions["histories"] = (
+            "The motion over time. Where the mobilised friction is below the friction needed to stand still the mass "
+            "tends to speed up, elsewhere to slow down."
+        )
+        captions["phase plane"] = (
+            f"Speed against displacement, and the energy: what is dissipated and what is kinetic make up the {work(motion)}."
+        )
+    if "shaking" in plan.effects:
+        captions["shaking"] = (
+            "What shakes the scene, over gravity; at the start it would move as soon as k_h passes k_y."
+        )
+    for what, caption in captions.items():
+        yield figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
     yield from given(plan, file)
     error = motion.error_estimate
     yield Part([], [

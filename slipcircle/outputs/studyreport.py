@@ -1,7 +1,6 @@
 """A report on uncertain scenes for a reviewer, like that on motions: one HTML file, which says how to repeat it."""
 
 from collections.abc import Iterable, Iterator
-from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -76,7 +75,7 @@ def _told(found: "Study", planned: Plan, file: bytes | None) -> Iterable[Part | 
             yield tag("h3", "Pictures")
             caption = "The probability that greatest displacement and peak velocity are at least so large"
             caption += "; below, which unknown matters." if found.sensitivity else "."
-            yield figure(f"Exceedance of {found.scene.name}", caption, partial(pictures.picture, "study", found))
+            yield figure(f"Exceedance of {found.scene.name}", caption, pictures.picture("study", found, "svg"))
         yield part._replace(rows=[[_shown(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows])
     yield from given(planned, file)
     drawn = [(u.key, {k: v for k, v in u.record.items() if k != "key"}) for u in study.drawn.values()]
