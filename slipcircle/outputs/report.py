@@ -161,13 +161,12 @@ def _told(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
     }
     if motion.moves:
-        captions["histories"] = (
-            "The motion over time. Where the mobilised friction is below the friction needed to stand still the mass "
-            "tends to speed up, elsewhere to slow down."
-        )
-        captions["phase plane"] = (
-            f"Speed against displacement, and the energy: what is dissipated and what is kinetic make up the {work(motion)}."
-        )
+        captions |= {
+            "histories": "The motion over time. Where the mobilised friction is below the friction needed to stand "
+            "still the mass tends to speed up, elsewhere to slow down.",
+            "phase plane": "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
+            f"up the {work(motion)}.",
+        }
     if "shaking" in plan.effects:
         captions["shaking"] = (
             "What shakes the scene, over gravity; at the start it would move as soon as k_h passes k_y."
