@@ -313,7 +313,7 @@ def test_the_answers_are_made_again() -> None:
 def test_the_reference_of_the_closed_form_is_the_papers() -> None:
     """(4.3), (4.5) corrected, at 40 digits."""
     mu, known = next(iter(answers()["closed form"].items()))
-    scene: Any = scenes.CASES["closed form"].scene(float(mu))
+    scene: Any = scenes.scene("closed form", float(mu))
     m = oracle.numbers(scene.arc)
     with mpmath.workdps(40):
         a = m["fall"] * mpmath.sin(m["dip"]) - mpf(float(mu)) * m["press"] * mpmath.cos(m["dip"])

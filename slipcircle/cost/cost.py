@@ -17,7 +17,7 @@ from typing import Any, TextIO
 import numpy as np
 
 from slipcircle.cost import scenes, sections
-from slipcircle.cost.reference import Answers, Floats, Reference
+from slipcircle.cost.reference import Floats, Reference
 from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way
 
 SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that does not
@@ -131,7 +131,7 @@ def measured(subject: Subject, progress: TextIO | None = None) -> list[Row]:
     ]
 
 
-def _seen(row: Row, way: Way, exact: Reference | Answers) -> Row:
+def _seen(row: Row, way: Way, exact: Reference) -> Row:
     """The row with the worst errors of its way."""
     ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
     at, points = int(np.argmax(relative)), exact.points.T

@@ -1,12 +1,10 @@
-"""The inputs at which every way to compute a kernel is judged, and the exact values there, from the closed forms.
+"""Exact values, by which every way is judged; of kernels from their closed forms, at inputs that all ways share.
 
-One set for all ways, so that their errors can be compared: uniform in value, uniform in bit patterns, dense at both
-ends of [0, pi/2].
+Those are uniform in value, uniform in bit patterns, and dense at both ends of [0, pi/2].
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from decimal import Decimal
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -20,7 +18,7 @@ Floats = NDArray[np.float64]
 
 POINTS = 10_000
 HALF_PI = (float(np.pi / 2), 6.123233995736766e-17)  # pi/2 as a sum of two doubles: what alpha lacks at that end
-DIGITS = 50  # that exact values have at least
+DIGITS = 50  # that exact values of kernels have at least
 _SHARES = {"value": 0.4, "bits": 0.2, "near 0": 0.2, "near pi/2": 0.2}
 _ZERO_BELOW = 2.0**-360  # every moment is alpha**3 or smaller there, and rounds to 0
 _LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.nextafter(np.pi / 2, 0.0), np.pi / 2)
@@ -53,46 +51,38 @@ class Reference:
     """Exact values in the format that a result is judged in: value = nearest + rest * unit, all of them arrays."""
 
     points: Floats  # one row per argument
-    values: Sequence[Any]  # balls
+    values: NDArray[Any]  # balls or decimals: one a point, or a row of them for each of several results
     nearest: Floats
     unit: Floats
     rest: Floats
-    smallest: float  # the format's smallest normal number; relative errors below it are relative to it
+    size: Floats  # what relative errors are relative to
 
-    def errors(self, results: NDArray[Any]) -> tuple[Floats, Floats]:
-        """Signed errors in ulp and relative errors; a result that is not a number is infinitely wrong.
+    def errors(self, results: NDArray[Any]) -> tuple[Floats | None, Floats]:
+        """Signed errors in ulp, and relative errors; of several results the worst relative one alone.
 
         Those in ulp are (result - nearest)/unit - rest: fractional, against the unrounded value, also among denormal
-        numbers.
+        numbers. What is not finite is infinitely wrong, but of several results NaN is one that a way does not give.
         """
         with np.errstate(all="ignore"):
             ulp = np.asarray((results - self.nearest) / self.unit - self.rest, dtype=np.float64)
-            relative = np.abs(ulp) * (self.unit / np.maximum(np.abs(self.nearest), self.smallest))
+            relative = np.abs(ulp) * (self.unit / self.size)
+        if self.nearest.ndim > 1:
+            return None, np.nanmax(relative, axis=0)
         bad = ~np.isfinite(np.asarray(results, dtype=np.float64))
         return np.where(bad, np.inf, ulp), np.where(bad, np.inf, relative)
 
 
-class Answers:
-    """Exact values of several results at each point, kept as decimals; judged by their worst relative error."""
+def reference(points: Floats, values: Sequence[Any], kind: str = "float64", size: Floats | None = None) -> Reference:
+    """Exact values, all of one type with its own arithmetic, made ready for the comparison in a format.
 
-    def __init__(self, points: Floats, texts: Sequence[Sequence[str]], size: Callable[[Floats], Floats] = abs) -> None:
-        self.points = points
-        self.nearest = np.array(texts, dtype=np.float64)
-        self.rest = np.array([[float(Decimal(v) - Decimal(float(v))) for v in row] for row in texts])
-        self.size = size(self.nearest)  # what errors are relative to
-
-    def errors(self, results: Floats) -> tuple[None, Floats]:
-        """Relative errors of the results that are given, the others being NaN."""
-        return None, np.nanmax(np.abs((results - self.nearest) - self.rest) / self.size, axis=0)
-
-
-def reference(points: Floats, values: Sequence[Any], kind: str = "float64") -> Reference:
-    """Exact values, all of one type with its own arithmetic, made ready for the comparison in a format."""
-    nearest = np.array([float(v) for v in values])
+    Errors are relative to the values, at least to the smallest normal number, where no other size is given.
+    """
+    exact = np.array(values, dtype=object)
+    nearest = exact.astype(np.float64)
     unit = np.spacing(np.abs(nearest).astype(kind)).astype(np.float64)
-    triples = zip(values, nearest.tolist(), unit.tolist(), strict=True)
-    rest = [float((v - type(v)(n)) / type(v)(u)) for v, n, u in triples]
-    return Reference(points, values, nearest, unit, np.array(rest), float(np.finfo(kind).smallest_normal))
+    rest = np.frompyfunc(lambda v, n, u: float((v - type(v)(n)) / type(v)(u)), 3, 1)(exact, nearest, unit)
+    least = np.maximum(np.abs(nearest), np.finfo(kind).smallest_normal) if size is None else size
+    return Reference(points, exact, nearest, unit, rest.astype(np.float64), least)
 
 
 @cache
@@ -109,7 +99,7 @@ def kernel(name: str, kind: str = "float64") -> Reference:
 
 @cache
 def _balls(kind: str) -> dict[float, dict[str, Any]]:
-    """All base quantities at every point; they share sine, cosine and logarithm."""
+    """Every base quantity at every point, by its declared closed form; they share sine, cosine and logarithm."""
     from flint import arb, ctx
 
     found = {}
@@ -118,17 +108,14 @@ def _balls(kind: str) -> dict[float, dict[str, Any]]:
         thin = max(0, -int(np.frexp(alpha)[1])) if alpha else 0
         with ctx.workprec(int(3.33 * DIGITS) + 150 + 3 * thin):
             # float32's nearest number to pi/2 lies above it, and the domain ends there.
-            values = moments(arb(alpha) if arb(alpha) < arb.pi() / 2 else arb.pi() / 2)
+            half = arb(alpha) if arb(alpha) < arb.pi() / 2 else arb.pi() / 2
+            sin, cos = half.sin(), half.cos()
+            # artanh(sin x) = 2 artanh(tan(x/2))
+            log = arb(0) if cos.contains(0) else 2 * (sin / (1 + cos)).atanh()
+            balls = SimpleNamespace(sin=arb.sin, cos=arb.cos, atanh=lambda sine, log=log: log)
+            values = {name: form(balls, half) for name, form in CLOSED.items()}
             wide = [n for n, v in values.items() if alpha and v.rel_accuracy_bits() < 3.33 * DIGITS]
             if wide:
                 raise ArithmeticError(f"{wide[0]}({alpha!r}) has fewer than {DIGITS} digits")
         found[alpha] = values
     return found
-
-
-def moments(half: Any) -> dict[str, Any]:
-    """Every base quantity of a ball alpha, by its declared closed form; they share sine, cosine and logarithm."""
-    s, c = half.sin(), half.cos()
-    log = 0 * half if c.contains(0) else 2 * (s / (1 + c)).atanh()  # artanh(sin x) = 2 artanh(tan(x/2))
-    balls = SimpleNamespace(sin=lambda x: x.sin(), cos=lambda x: x.cos(), atanh=lambda sine: log)
-    return {name: form(balls, half) for name, form in CLOSED.items()}

@@ -6,13 +6,14 @@ of polygons, and is judged by these alone.
 
 import json
 from collections.abc import Callable
+from decimal import Decimal
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from slipcircle.cost.reference import Answers, Floats
+from slipcircle.cost.reference import Floats, reference
 from slipcircle.cost.ways import Subject, Way
 from slipcircle.scene import circles
 from slipcircle.scene.circles import MEASURES
@@ -114,5 +115,6 @@ def subject() -> Subject:
         *(Way(f"Gauss, {n} x {n} points", partial(blocks, partial(gauss, n))) for n in _GAUSS),
         *(Way(f"shapely, {4 * n} chords", partial(blocks, partial(polygons, n)), needs="shapely") for n in _SEGMENTS),
     ]
-    exact = Answers(drawn(COUNT), json.loads(ANSWERS.read_text("utf-8")), sizes)
+    known = [[*map(Decimal, row)] for row in json.loads(ANSWERS.read_text("utf-8"))]
+    exact = reference(drawn(COUNT), known, size=sizes(np.array(known, dtype=np.float64)))
     return Subject(NAME, found, lambda kind: exact, drawn, patience=PATIENCE, weighed=True)

@@ -11,7 +11,7 @@ import numpy as np
 from generated import _compiled, kernels, printed, stable, tiers
 from generated.definitions import CLOSED, INTEGRANDS, QUOTIENTS
 from slipcircle.cost import reference
-from slipcircle.cost.reference import Answers, Floats, Reference
+from slipcircle.cost.reference import Floats, Reference
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 FLOOR = "np.copyto (floor)"
@@ -38,7 +38,7 @@ class Subject:
 
     name: str
     ways: list[Way]
-    reference: Callable[[str], Reference | Answers]  # what they are judged by, in a format
+    reference: Callable[[str], Reference]  # what they are judged by, in a format
     bulk: Callable[[int], Floats]  # so many arguments to time them with, one row per argument
     sizes: tuple[int, ...] = (0, 1, 2)  # which of `cost.SIZES` count
     patience: float = 1.0  # a pass may take so many times as long as others
