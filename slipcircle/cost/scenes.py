@@ -65,7 +65,7 @@ _shipped = cache(load)
 def scene(name: str, mu: Any) -> Scene:
     """A scene of `CASES` with a friction coefficient, or with many."""
     (law, effects), whole = CASES[name], _shipped("vaiont-frozen" if name == "closed form" else "vaiont")
-    return replace(whole, friction=law | {"peak": mu} if law else mu, effects={**whole.called, **effects})
+    return replace(whole, friction={**law, "peak": mu} if law else mu, effects={**whole.called, **effects})
 
 
 _one = cache(scene)

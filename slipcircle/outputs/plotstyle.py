@@ -53,14 +53,6 @@ def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
     return pyplot.subplots(figsize=size, layout="constrained")[1]
 
 
-def sheet(figure: Any, size: tuple[float, float]) -> Any:
-    """The figure that is given, or a new and empty one."""
-    if figure is None:
-        figure = axis(None, size).figure
-        figure.clear()
-    return figure
-
-
 def missing() -> ImportError:
     """What to say without matplotlib."""
     return ImportError("pictures need matplotlib: pip install 'slipcircle[plot]'")

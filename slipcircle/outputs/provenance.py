@@ -24,7 +24,7 @@ class Input(NamedTuple):
 
 
 def inputs(scene: Scene, file: str | None = None) -> list[Input]:
-    """The inputs of a scene: as the text of its file has them, with its comments; without that its numbers, in SI units.
+    """The inputs of a scene: as its file has them, with its comments; without a file its numbers, in SI units.
 
     What is uncertain says so.
     """

@@ -21,8 +21,9 @@ from slipcircle.outputs import pictures
 from slipcircle.outputs.info import facts
 from slipcircle.outputs.plotstyle import ending, work
 from slipcircle.outputs.provenance import inputs
-from slipcircle.outputs.tables import Part, stability_column
+from slipcircle.outputs.tables import Part, interval, stability_column
 from slipcircle.scene.friction import law_names
+from slipcircle.studies.statistics import Estimate
 
 ASSUMED = (
     "The mass is rigid and turns about the centre of its slip circle, which goes on beyond the toe.",
@@ -77,7 +78,7 @@ def chapter(
             yield part
             continue
         yield from [tag("h3", part.title)] if part.title else []
-        yield table(part.rows, part.head)
+        yield table([[_estimate(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows], part.head)
         yield from [tag("p", part.note)] if part.note else []
     texts = {f"All numbers, as JSON{unit}": json.dumps(plain(found), indent=2, allow_nan=False)}
     if file is not None:
@@ -108,6 +109,11 @@ def number(value: float) -> str:
 def data(value: float, text: str) -> Raw:
     """A number in full in the attribute, and as it is seen in the text."""
     return Raw(f'<data value="{value!r}">{text}</data>' if math.isfinite(value) else text)
+
+
+def _estimate(e: Estimate) -> Raw:
+    value, _, ends = interval(e).partition(" ")
+    return Raw(f"{data(float(e.value), value)} {ends}".rstrip())
 
 
 def given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:

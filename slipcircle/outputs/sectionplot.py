@@ -15,7 +15,7 @@ _ARROWS = (-0.6, -0.2, 0.2, 0.6)  # where on the arc reactions are drawn, over a
 _SMALL = 0.12  # chord over view: below, the mass is a mark, without forces
 _SEEN, _WIDE = 0.02, 0.1  # displacements over the chord: which is drawn as it is, and what a smaller one is drawn as
 _MARGIN = 0.16  # of the view
-_CELLS = 32  # of the map of factors, across
+_CELLS = 20  # of the map of factors, across
 _ON_ARC = 200  # points of an outline
 
 
@@ -25,15 +25,20 @@ class Mass(NamedTuple):
     ground: Floats  # of an arc its chord
     centre: Floats
     radius: float
-    ends: Floats  # polar angles of the arc's ends, increasing
+    ends: Any  # polar angles of both ends of its arc, increasing
 
     def on_circle(self, angles: Any) -> Floats:
         """Points of the circle at polar angles."""
         return self.centre + self.radius * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
 
+    @property
+    def arc(self) -> Floats:
+        """Points along its arc, left to right."""
+        return self.on_circle(np.linspace(self.ends[0], self.ends[1], _ON_ARC))
+
     def outline(self, turn: float = 0.0) -> Floats:
         """Points along the arc, left to right, and back along the ground; turned counterclockwise."""
-        arc = self.on_circle(np.linspace(*self.ends, _ON_ARC))
+        arc = self.arc
         x, within = self.ground[:, 0], np.hypot(*(self.ground - self.centre).T) < (1 - 1e-9) * self.radius
         inner = self.ground[(x >= arc[0, 0]) & (x <= arc[-1, 0]) & within]
         cos, sin = math.cos(turn), math.sin(turn)
@@ -72,7 +77,8 @@ def section(motion: Motion, ax: Any = None) -> Any:
     small = float(np.hypot(*(chord[1] - chord[0]))) < _SMALL * size
     for (role, _, words), outline in zip(places, outlines, strict=True):
         if small:
-            mark(ax, *outline.mean(axis=0), role, words)
+            x, y = outline.mean(axis=0)
+            mark(ax, x, y, role, words)
         else:
             ax.add_patch(Polygon(outline, closed=True, label=words, zorder=2, **AREAS[role]))
     turn = max(turns, key=abs)
@@ -130,7 +136,7 @@ def _factors(found: Critical | None) -> str:
 
 def _scenery(ax: Any, mass: Mass, soil: Any, words: str, low: Any, high: Any) -> None:
     """Circle and centre, and the chord of an arc or a ground with soil, water and firm layer, between two corners."""
-    ax.plot(*mass.on_circle(np.linspace(*mass.ends, _ON_ARC)).T, zorder=4, label="slip circle", **LINES["main"])
+    ax.plot(*mass.arc.T, zorder=4, label="slip circle", **LINES["main"])
     ground = "ground"
     if isinstance(soil, Arc):
         depth, chord = number(float(soil.depth)), number(2 * mass.radius * math.sin(float(soil.half_angle)))
@@ -244,25 +250,13 @@ def critical_circle(found: Critical, figure: Any) -> Any:
     ax.add_patch(Polygon(outline, closed=True, label="mass", zorder=2, **AREAS["start"]))
     _scenery(ax, mass, found.slope, f"centre; $R$ = {number(mass.radius)} m{_factors(found)}", low, high)
     finish(ax, "$x$ (m)", "$y$ (m)")
-    _map(ax, found)
+    # The least factor of the circles about the centres in each cell, up to half more than the least of all.
+    least = float(np.nanmin(found.values, initial=np.inf))
+    shown = found.values <= 1.5 * least
+    if np.count_nonzero(shown) > 10:
+        (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+        cells = ax.hexbin(*found.centres[shown].T, found.values[shown], gridsize=_CELLS, reduce_C_function=np.min,
+                          extent=(left, right, bottom, top), vmin=least, cmap="viridis_r", lw=0.1, zorder=0)  # fmt: skip
+        words = f"least factor of safety of circles about a centre ({found.method})"
+        ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")
     return figure
-
-
-def _map(ax: Any, found: Critical) -> None:
-    """The least factor of the circles about each centre and its neighbours, up to half more than the least of all."""
-    low, high = (np.array(pair) for pair in zip(ax.get_xlim(), ax.get_ylim(), strict=True))
-    size = (high[0] - low[0]) / _CELLS
-    shape = np.ceil((high - low) / size).astype(int) + 3  # one cell more on every side, and one for what is outside
-    cells = np.clip(np.floor((found.centres - low) / size).astype(int) + 1, 0, shape)
-    least = np.full(shape + 1, np.inf)
-    np.fmin.at(least, tuple(cells.T), found.values)
-    least = np.lib.stride_tricks.sliding_window_view(least[1:-1, 1:-1], (3, 3)).min(axis=(2, 3))
-    if np.count_nonzero(np.isfinite(least)) < 10:
-        return
-    x, y = (start + (np.arange(n) + 1.5) * size for start, n in zip(low, least.shape, strict=True))
-    levels = float(np.nanmin(found.values)) * np.linspace(1.0, 1.5, 11)
-    picture = ax.contourf(
-        x, y, np.minimum(least, 9 * levels[-1]).T, levels=levels, cmap="viridis_r", alpha=0.75, zorder=0
-    )
-    words = f"least factor of safety of circles about a centre ({found.method})"
-    ax.figure.colorbar(picture, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")

@@ -3,52 +3,47 @@
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from slipcircle.base.markup import Raw, tag
 from slipcircle.motion.plan import Plan, plan
-from slipcircle.motion.quantities import OUTCOMES, shown, to_error, words
+from slipcircle.motion.quantities import OUTCOMES, shown, words
 from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
-from slipcircle.outputs.report import chapter, data, figure, given, number, page, path
+from slipcircle.outputs.report import chapter, figure, given, number, page, path
 from slipcircle.outputs.tables import Part
 from slipcircle.studies import export
-from slipcircle.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.studies.statistics import BIN_ERROR
 
 if TYPE_CHECKING:
     from slipcircle.studies.study import Study
 
-PICTURED = 2  # parts before the picture
-
 
 def parts(found: "Study") -> Iterator[Part]:
     """What is said of a study of samples, on the screen and in its report, in this order."""
-    study, heads = found.design, [q.heading for q in OUTCOMES.values()]
-    percent = (
-        f"{found.n} samples; in brackets the interval of {100 * found.confidence:g} % confidence from their number"
-    )
-    yield Part([], [["probability of moving", found.moving]], "Whether it moves", percent)
+    heads = [q.heading for q in OUTCOMES.values()]
+    yield Part([], [["probability of moving", found.moving]], "Whether it moves", f"{found.n} samples; in brackets the "
+               f"interval of {100 * found.confidence:g} % confidence from their number")  # fmt: skip
     yield Part(
         ["exceeded with probability", *heads],
         [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in export.QUANTILES],
         "How far and how fast",
         "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
     )  # fmt: skip
-    rows: list[list[str | Estimate]] = [["mean", *map(found.mean, OUTCOMES)], ["std", *map(found.std, OUTCOMES)]]
-    for k, what in enumerate(["linear mean", "linear std"] if found.linear else []):
-        rows.insert(2 * k + 1, [what, *(shown(found.linear[n][k]) for n in OUTCOMES)])
+    rows = []
+    for k, (what, estimated) in enumerate((("mean", found.mean), ("std", found.std))):
+        rows.append([what, *map(estimated, OUTCOMES)])
+        if found.linear:
+            rows.append([f"linear {what}", *(shown(found.linear[n][k]) for n in OUTCOMES)])
     linear = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
     yield Part(["", *heads], rows, "Mean and standard deviation", linear)
     if found.sensitivity:
-        keys = [u.key for u in study.inputs.values()]
-        shares: list[list[str | Estimate]] = [
-            [words(output), key, first, total]
-            for output, of in found.sensitivity.items()
-            for key, first, total in zip(keys, *of, strict=True)
+        shares = [
+            [words(output), of.key, first, total]
+            for output, both in found.sensitivity.items()
+            for of, first, total in zip(found.design.inputs.values(), *both, strict=True)
         ]
         yield Part(["output", "input", "first-order index", "total index"], shares, "Which unknown matters",
                    "shares of the variance: what each explains on its own, and with all that it does together with "
-                   f"others; from {study.base} base points")  # fmt: skip
+                   f"others; from {found.design.base} base points")  # fmt: skip
     yield Part(["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
                [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence], "Convergence")  # fmt: skip
 
@@ -70,13 +65,11 @@ def study_report(found: "Study", file: bytes | None = None, command: str = "") -
 
 def _told(found: "Study", planned: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     study = found.design
-    for k, part in enumerate(parts(found)):
-        if k == PICTURED:
-            yield tag("h3", "Pictures")
-            caption = "The probability that greatest displacement and peak velocity are at least so large"
-            caption += "; below, which unknown matters." if found.sensitivity else "."
-            yield figure(f"Exceedance of {found.scene.name}", caption, pictures.picture("study", found, "svg"))
-        yield part._replace(rows=[[_shown(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows])
+    yield from parts(found)
+    yield tag("h3", "Pictures")
+    caption = "The probability that greatest displacement and peak velocity are at least so large"
+    caption += "; below, which unknown matters." if found.sensitivity else "."
+    yield figure(f"Exceedance of {found.scene.name}", caption, pictures.picture("study", found, "svg"))
     yield from given(planned, file)
     drawn = [(u.key, {k: v for k, v in u.record.items() if k != "key"}) for u in study.drawn.values()]
     yield Part(["input", "distribution, independent of the others"],
@@ -91,17 +84,3 @@ def _told(found: "Study", planned: Plan, file: bytes | None) -> Iterable[Part | 
         ["relative error asked for, of each solution", number(study.accuracy)],
         ["relative error of quantiles from bins", "none: samples were kept" if found.samples else number(BIN_ERROR)],
     ], "Method and accuracy")  # fmt: skip
-
-
-def interval(e: Estimate) -> str:
-    """A value and its interval, to two digits of the interval's width."""
-    if np.isnan(e.value):
-        return "-"
-    value, *ends = ("?" if np.isnan(x) else to_error(x, e.high - e.low) for x in e)
-    return f"{value} [{', '.join(ends)}]"
-
-
-def _shown(e: Estimate) -> Raw:
-    """The same, with the value in full in the attribute."""
-    value, _, ends = interval(e).partition(" ")
-    return Raw(f"{data(float(e.value), value)} {ends}" if ends else value)
