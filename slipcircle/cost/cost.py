@@ -29,7 +29,7 @@ _PASS, _LONG = 0.1, 1.0  # seconds that a pass may take, as a rule; above which 
 FRONTIER, LOST = "frontier", "beaten: "
 SUBJECTS: dict[str, Sequence[Callable[[], Subject]]] = {
     **{name: [made] for name, made in FUNCTIONS.items()},
-    sections.NAME: [sections.subject],
+    "sections": [sections.subject],
     **{name: [partial(scenes.subject, name, many) for many in (False, True)] for name in scenes.CASES},
 }
 NAMES = [*SUBJECTS]

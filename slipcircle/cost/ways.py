@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
+from itertools import product
 from types import SimpleNamespace
 from typing import Any
 
@@ -51,22 +52,21 @@ def variants(name: str) -> list[Way]:
     Of the levels that this processor can run, the fastest with fused operations and the fastest without count.
     """
     levels = {form: level for level, (form, _) in reversed(_compiled.LEVELS.items())}
+    words = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
     found, texts = [], kernels.TEXTS[name]
-    for tier in texts:
-        for form, words in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")):
-            loops = _compiled.LEVELS[levels[form]][1] if form in levels else {}
-            if form != "numpy" and name not in loops.get("best" if tier == "float32" else tier, {}):
-                continue
-            bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
-            bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
-            call = _compiled.kernel(name, texts, levels[form])
-            # A cheaper tier is asked for by its own bound: the cheapest that meets it is itself.
-            cheaper = tier in ("1e-10", "1e-6")
-            if cheaper and bound is None:
-                continue
-            way = partial(call, where=True, accuracy=bound if cheaper else None)
-            kind = "float32" if tier == "float32" else "float64"
-            found.append(Way(f"{tier}, {words}", way, way, kind, bound, ulp, ours=True))
+    for tier, form in product(texts, words):
+        loops = _compiled.LEVELS[levels[form]][1] if form in levels else {}
+        bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
+        bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
+        cheaper = tier in ("1e-10", "1e-6")
+        compiled = form == "numpy" or name in loops.get("best" if tier == "float32" else tier, {})
+        if not compiled or (cheaper and bound is None):
+            continue
+        # A cheaper tier is asked for by its own bound: the cheapest that meets it is itself.
+        accuracy = bound if cheaper else None
+        way = partial(_compiled.kernel(name, texts, levels[form]), where=True, accuracy=accuracy)
+        kind = "float32" if tier == "float32" else "float64"
+        found.append(Way(f"{tier}, {words[form]}", way, way, kind, bound, ulp, ours=True))
     return found
 
 

@@ -254,9 +254,9 @@ def critical_circle(found: Critical, figure: Any) -> Any:
     least = float(np.nanmin(found.values, initial=np.inf))
     shown = found.values <= 1.5 * least
     if np.count_nonzero(shown) > 10:
-        (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
+        view = (*ax.get_xlim(), *ax.get_ylim())
         cells = ax.hexbin(*found.centres[shown].T, found.values[shown], gridsize=_CELLS, reduce_C_function=np.min,
-                          extent=(left, right, bottom, top), vmin=least, cmap="viridis_r", lw=0.1, zorder=0)  # fmt: skip
+                          extent=view, vmin=least, cmap="viridis_r", lw=0.1, zorder=0)  # fmt: skip
         words = f"least factor of safety of circles about a centre ({found.method})"
         ax.figure.colorbar(cells, ax=ax, location="bottom", shrink=0.8, aspect=40, label=words, format="%.2f")
     return figure

@@ -16,7 +16,7 @@ from slipcircle.motion.quantities import OUTCOMES, shown, words
 from slipcircle.motion.states import Status
 from slipcircle.outputs import options as read
 from slipcircle.outputs import pictures, studyplots
-from slipcircle.outputs.studyreport import parts, study_report
+from slipcircle.outputs.report import parts, study_report
 from slipcircle.outputs.tables import Answer, Part
 from slipcircle.scene.scene import Scene
 from slipcircle.studies import export
