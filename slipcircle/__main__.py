@@ -314,7 +314,7 @@ def _cost(options: argparse.Namespace) -> Answer:
     from slipcircle.cost import cost, costplot, costtext
     from slipcircle.outputs.info import machine
 
-    found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
+    found = cost.measure(options.functions or cost.NAMES, partial(print, file=sys.stderr, flush=True))
     if options.csv:
         files.write(options.csv, costtext.table_csv(found))
     for path in options.plot:

@@ -12,7 +12,7 @@ from functools import partial
 from importlib.util import find_spec
 from statistics import median
 from timeit import timeit
-from typing import Any, NamedTuple, TextIO
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -73,23 +73,8 @@ class Row:
         return float(self.ns_1e4 or self.ns_1 or "nan")
 
 
-def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
-    """Measure every way to compute the named functions.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Keys of `SUBJECTS`, or a group of them.
-    progress : text file, optional
-        Where to say what is being measured.
-
-    Raises
-    ------
-    ValueError
-        For an unknown function.
-    ImportError
-        Without python-flint, which gives the reference.
-    """
+def measure(names: Sequence[str], tell: Callable[[str], object] = lambda said: None) -> list[Row]:
+    """Measure every way to compute the named functions, keys of `SUBJECTS` or a group of them; tell which it is at."""
     names = [name for given in names for name in GROUPS.get(given, [given])]
     if unknown := [n for n in names if n not in NAMES]:
         raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join([*GROUPS, *NAMES])}")
@@ -97,19 +82,17 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
         raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
     found = []
     for name in names:
-        if progress:
-            print(f"measuring {name}", file=progress, flush=True)
+        tell(f"measuring {name}")
         for made in SUBJECTS[name]:
-            found += judged(measured(made(), progress))
+            found += judged(measured(made(), tell))
     return found
 
 
-def measured(subject: Subject, progress: TextIO | None = None) -> list[Row]:
+def measured(subject: Subject, tell: Callable[[str], object] = lambda said: None) -> list[Row]:
     """Errors and times of all ways that are installed."""
     missing = [n for n in dict.fromkeys(way.needs for way in subject.ways) if n and find_spec(n) is None]
     for name in missing:
-        if progress:
-            print(f"{subject.name}: {name} is missing, and left out", file=progress)
+        tell(f"{subject.name}: {name} is missing, and left out")
     ways = [way for way in subject.ways if way.needs not in missing]
     found: list[dict[str, Any]] = [{} for _ in ways]
     for k in subject.sizes:

@@ -51,9 +51,6 @@ def verdict(rows: Sequence[Row]) -> str:
     broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
     lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
     lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {time_text(r.price)})" for r in front) + ".")
-    if few := sorted({r.elements for r in rows if r.ns_1e4 and r.ns_1e6 is None and r.elements < SIZES[1]}):
-        counts = " or ".join(map(str, few))
-        lines.append(f"~: {counts} scenes were measured, as these ways solve scenes one by one.")
     if ours and others:
         beaten = [(r, by[r.verdict.removeprefix(LOST)]) for r in ours if r.verdict.startswith(LOST)]
         lost = [f"{r.way} to {winner.way} ({shown(r.price / winner.price, 2)} times slower)" for r, winner in beaten]

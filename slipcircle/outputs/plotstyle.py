@@ -37,13 +37,7 @@ HALO = 2.5  # points of white around a text that stands on lines
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
-    """The axis that is given, or that of a new figure.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    """
+    """The axis that is given, or that of a new figure."""
     if ax is not None:
         return ax
     try:

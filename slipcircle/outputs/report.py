@@ -137,13 +137,7 @@ def _given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
 
 
 def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:
-    """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    """
+    """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it."""
     files = files or [None] * len(motions)
     names = [m.plan.scene.name or f"scene {k + 1}" for k, m in enumerate(motions)]
     parts = []
@@ -245,13 +239,7 @@ def parts(found: Study) -> Iterator[Part]:
 
 
 def study_report(found: Study, file: bytes | None = None, command: str = "") -> str:
-    """A report on an ensemble of samples as HTML, as `report` is one; the command gets the seed where it has none.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    """
+    """A report on an ensemble of samples as HTML, as `report` is one; the command gets the seed where it has none."""
     name, planned = found.scene.name or "scene", plan(found.scene, found.design.accuracy)
     if command and "--seed" not in command:
         command += f" --seed {found.seed}"
