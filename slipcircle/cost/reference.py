@@ -18,7 +18,6 @@ Floats = NDArray[np.float64]
 
 POINTS = 10_000
 HALF_PI = (float(np.pi / 2), 6.123233995736766e-17)  # pi/2 as a sum of two doubles: what alpha lacks at that end
-_SHARES = {"value": 0.4, "bits": 0.2, "near 0": 0.2, "near pi/2": 0.2}
 _ZERO_BELOW = 2.0**-360  # every moment is alpha**3 or smaller there, and rounds to 0
 _LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.nextafter(np.pi / 2, 0.0), np.pi / 2)
 
@@ -27,18 +26,18 @@ _LANDMARKS = (0.0, 5e-324, 2.0**-1022, 2.0**-26, np.pi / 8, np.pi / 4, 1.1, np.n
 def inputs(kind: str = "float64") -> NDArray[Any]:
     """The set in a format, sorted, drawn with a fixed seed."""
     rng, narrow = np.random.default_rng(2017), kind == "float32"
-    size = {name: round(share * POINTS) for name, share in _SHARES.items()}
+    fifth = POINTS // 5
 
-    def patterns(low: float, count: int) -> NDArray[Any]:
+    def patterns(low: float) -> NDArray[Any]:
         whole = "int32" if narrow else "int64"
         ends = [int(np.array(x, kind).view(whole)) for x in (low, np.pi / 2)]
-        return rng.integers(ends[0], ends[1], count, dtype=np.int64, endpoint=True).astype(whole).view(kind)
+        return rng.integers(ends[0], ends[1], fifth, dtype=np.int64, endpoint=True).astype(whole).view(kind)
 
-    near = 10.0 ** rng.uniform(-16.5, -0.5, size["near pi/2"])  # distances; the format rounds many to the same number
+    near = 10.0 ** rng.uniform(-16.5, -0.5, fifth)  # distances; the format rounds many to the same number
     found = [
-        rng.uniform(0.0, np.pi / 2, size["value"]).astype(kind),
-        patterns(2.0**-140 if narrow else _ZERO_BELOW, size["bits"]),
-        patterns(1e-16, size["near 0"]),
+        rng.uniform(0.0, np.pi / 2, 2 * fifth).astype(kind),
+        patterns(2.0**-140 if narrow else _ZERO_BELOW),
+        patterns(1e-16),
         (np.pi / 2 - near).astype(kind),
         np.array(_LANDMARKS).astype(kind),
     ]

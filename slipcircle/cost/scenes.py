@@ -203,7 +203,7 @@ def _compiled(name: str, tolerance: float, lanes: int) -> tuple[Equation, Any]:
 
 def frictions(count: int) -> Floats:
     """Friction coefficients of an ensemble, or that of one scene."""
-    return np.tan(np.radians(np.linspace(ANGLES[0], ANGLES[-1], count) if count > 1 else np.array(ANGLES[1:2])))
+    return np.tan(np.radians(np.linspace(ANGLES[0], ANGLES[-1], count) if count > 1 else ANGLES[1:2]))
 
 
 def subject(name: str, many: bool) -> Subject:

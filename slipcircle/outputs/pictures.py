@@ -76,7 +76,7 @@ _PICTURES: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[f
     "motions": (_stacked, lambda x: (14.0, sum(plots.size(m)[1] for m in x))),
     "slide": (lambda x, figure: plots.animate(x[0], figure, _FRAMES), lambda _: (7.0, 5.5)),
     "section": (lambda x, figure: plots.section(x, figure.add_subplot()), lambda _: (8.0, 6.0)),
-    "histories": (lambda x, figure: plots.histories(x, figure.add_gridspec(2, 2), figure, 2, 2), lambda _: (11.0, 6.5)),
+    "histories": (lambda x, figure: plots.histories(x, figure.subplots(2, 2).T.ravel()), lambda _: (11.0, 6.5)),
     "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),
     "shaking": (lambda x, figure: plots.shaking(x, figure.add_subplot()), lambda _: (8.0, 3.0)),
     "study": (studyplots.overview, studyplots.size),

@@ -86,12 +86,11 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     return ax
 
 
-def histories(motion: Motion, grid: Any, figure: Any, rows: int, columns: int) -> None:
+def histories(motion: Motion, axes: Iterable[Any]) -> None:
     """All of `OVERVIEW`, of which the first says what the marks are, and the lowest that time runs to the right."""
-    for k, what in enumerate(OVERVIEW):
-        row, column = k % rows, k // rows
-        ax = history(motion, what, figure.add_subplot(grid[row, column]), brief=k > 0)
-        if row < rows - 1 and motion.moves:
+    for k, (what, ax) in enumerate(zip(OVERVIEW, axes, strict=True)):
+        history(motion, what, ax, brief=k > 0)
+        if motion.moves and not ax.get_subplotspec().is_last_row():
             ax.set_xlabel("")
             ax.tick_params(labelbottom=False)
 
@@ -198,16 +197,16 @@ def overview(motion: Motion, figure: Any) -> Any:
     shaken = "shaking" in motion.plan.effects
     if motion.moves:
         left, right = figure.add_gridspec(1, 2, width_ratios=(1.15, 1.0))
-        left, right = left.subgridspec(2, 1), right.subgridspec(len(OVERVIEW) + shaken, 1)
+        top, bottom = left.subgridspec(2, 1).subplots()
+        axes = right.subgridspec(len(OVERVIEW) + shaken, 1).subplots()
+        phase_plane(motion, bottom)
+        histories(motion, axes[: len(OVERVIEW)])
     else:
         name = ": ".join(filter(None, (name, "does not move")))
-        left = right = figure.add_gridspec(1 + shaken, 1, height_ratios=(3, 1)[: 1 + shaken])
-    section(motion, figure.add_subplot(left[0]))
-    if motion.moves:
-        phase_plane(motion, figure.add_subplot(left[1]))
-        histories(motion, right, figure, len(OVERVIEW), 1)
+        top, *axes = figure.subplots(1 + shaken, 1, height_ratios=(3, 1)[: 1 + shaken], squeeze=False)[:, 0]
+    section(motion, top)
     if shaken:
-        shaking(motion, figure.add_subplot(right[-1]))
+        shaking(motion, axes[-1])
     figure.suptitle(name, parse_math=False, fontweight="bold")
     return figure
 

@@ -20,9 +20,9 @@ from slipcircle.motion.quantities import OUTCOMES, RESULTS, Quantity, plain, rec
 from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
 from slipcircle.outputs.info import facts
-from slipcircle.outputs.plotstyle import ending, work
+from slipcircle.outputs.plotstyle import work
 from slipcircle.outputs.provenance import inputs
-from slipcircle.outputs.tables import Part, interval, stability_column
+from slipcircle.outputs.tables import Part, interval, motion_column
 from slipcircle.scene.friction import law_names
 from slipcircle.studies import export
 from slipcircle.studies.statistics import BIN_ERROR, Estimate
@@ -155,10 +155,9 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in plan.scene.uncertain.values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
-    stability = stability_column(plan.scene.stability) if plan.scene.stability else {}
-    rests = f"It does not come to rest: what is said of the end is said of the {ending(motion)}."
-    yield Part([], [*([q.label, _value(q, motion)] for q in results(motion)), *stability.items()], "Key results",
-               "" if motion.arrested else rests)  # fmt: skip
+    known, told = {q.label: q for q in results(motion)}, motion_column(motion, verbose=True)
+    rows = [[label, _value(known[label], motion, text) if label in known else text] for label, text in told.items()]
+    yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
     captions = {
         "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
@@ -179,7 +178,6 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     yield from _given(plan, file)
     error = motion.error_estimate
     yield Part([], [
-        ["method", plan.method],
         ["program of", ", ".join(plan.fragments)],
         ["relative error asked for", _number(plan.accuracy)],
         ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
@@ -189,17 +187,16 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
               "dissipation": "dissipation, integrated beside the motion", "kinetic_end": "kinetic energy at the end",
               "residual": "residual: start + work - dissipation - end"}  # fmt: skip
     *energies, residual = (abs(float(getattr(motion.energy, name))) for name in labels)
-    yield Part(
-        [], [[label, _value(Quantity(name, "J", label, name), motion.energy)] for name, label in labels.items()],
-        "Energy check", f"The residual is {_number(residual / (max(energies) or 1.0))} of the largest of them.",
-    )  # fmt: skip
+    rows = [[label, _value(Quantity(name, "J", label, name), motion.energy)] for name, label in labels.items()]
+    share = _number(residual / (max(energies) or 1.0))
+    yield Part([], rows, "Energy check", f"The residual is {share} of the largest of them.")
 
 
-def _value(quantity: Quantity, found: Any) -> Raw:
-    """A number of the result: in full in the attribute, with six digits in the text."""
+def _value(quantity: Quantity, found: Any, told: str = "") -> str:
+    """A number of the result: in full in the attribute, with six digits in the text; else what is told of it."""
     value = quantity.read(found)
     if isinstance(value, bool) or np.ndim(value):
-        return Raw(quantity.text(found))
+        return told or quantity.text(found)
     seen, unit = quantity.seen(value)
     return _data(float(value), f"{_number(seen)} {unit}".rstrip())
 
