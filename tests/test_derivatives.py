@@ -59,6 +59,16 @@ def build(scene: dict[str, Any]) -> Scene:
     return Scene(arc=Arc(**scene["arc"]), **rest)
 
 
+def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
+    """Also far beyond R/256, where its first table ends."""
+    scene, law = load("vaiont"), {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": 3.0}
+    free = solve(replace(scene, friction=lambda slip: 0.17 + 0.2 * np.exp(-slip / 3.0))).sensitivity()
+    named = solve(replace(scene, friction=law)).sensitivity()
+    for output in free.outputs:
+        for name in free.parameters:
+            assert free.derivative(output, name) == pytest.approx(named.derivative(output, name), rel=1e-10, abs=1e-12)
+
+
 def check_motion(scene: dict[str, Any]) -> None:
     """All derivatives, relative to themselves, or to a tenth of the output per relative change."""
     motion = solve(build(scene))

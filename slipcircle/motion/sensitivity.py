@@ -109,10 +109,8 @@ def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log
     walks, log, handed = list[_Walk](), list[Any](), [np.inf]
 
     def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
-        if not walks:
-            walks.append(_Walk(program, data, cells, seeds))
-        one = walks[0]
-        one.tables, one.stiff_step = data, stiff_step
+        one = _Walk(program, data, cells, seeds)
+        walks[:], one.stiff_step = [one], stiff_step
         with np.errstate(all="ignore"):
             while one.c[its.STATUS, 0] <= its.RESTING:
                 one.round()
