@@ -61,7 +61,8 @@ def build(scene: dict[str, Any]) -> Scene:
 
 def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
     """Also far beyond R/256, where its first table ends."""
-    scene, law = load("vaiont"), {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": 3.0}
+    scene: Scene[Any] = load("vaiont")
+    law = {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": 3.0}
     free = solve(replace(scene, friction=lambda slip: 0.17 + 0.2 * np.exp(-slip / 3.0))).sensitivity()
     named = solve(replace(scene, friction=law)).sensitivity()
     for output in free.outputs:
