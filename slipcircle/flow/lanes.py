@@ -43,7 +43,13 @@ def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, l
         needs = cells[its.STATUS] == its.NEED
         if not np.any(needs):
             return cells
-        bound.lengthen(cells[:, needs])
+        if needs.size > 1:  # one of them finds out how far the function is asked for
+            first = np.flatnonzero(needs)[:1]
+            one = bound._replace(cells=bound.cells[:, first], tables=[t.lanes(first) for t in bound.tables])
+            walked(one, closed)
+            bound.tables[:] = [one.tables[k] if k in bound.functions else t for k, t in enumerate(bound.tables)]
+        else:
+            bound.lengthen(cells)
         cells = None
         if log is not None:
             log.clear()
