@@ -80,7 +80,7 @@ _PICTURES: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[f
     "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),
     "shaking": (lambda x, figure: plots.shaking(x, figure.add_subplot()), lambda _: (8.0, 3.0)),
     "study": (studyplots.overview, studyplots.size),
-    "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.outputs) * (1.6 + 0.3 * len(x.parameters)))),
+    "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
     "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
     "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
     "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
