@@ -55,7 +55,7 @@ class Reference:
     rest: Floats
     size: Floats  # what relative errors are relative to
 
-    def errors(self, results: NDArray[Any]) -> tuple[Floats | None, Floats]:
+    def errors(self, results: NDArray[Any]) -> tuple[Any, Floats]:
         """Signed errors in ulp, and relative errors; of several results the worst relative one alone.
 
         Those in ulp are (result - nearest)/unit - rest: fractional, against the unrounded value, also among denormal
