@@ -66,8 +66,6 @@ class Appendix:
 APPENDIX_I, APPENDIX_II = APPENDICES = (Appendix("I", PRINTED_I), Appendix("II", PRINTED_II))
 
 
-# --- reading ---------------------------------------------------------------------------------------------
-
 # What is printed, and what it must read: sin(theta_2) divides all six terms, and arctanh is of the quotient; the
 # division by cos(alpha), written out, is of the whole bracket that opens the print.
 MENDING = ((r"arctanh\(N\)?/s2\)?", "arctanh((N)/s2)"), (r"(?<!\))(?=/\(-c1 ca c2)", ")"))
@@ -132,8 +130,6 @@ def unreadable(appendix: Appendix, repair: Repair) -> bool:
         return True
     return False
 
-
-# --- cancelling ------------------------------------------------------------------------------------------
 
 _A1, _A2 = sp.symbols("A_1 A_2", real=True)  # the two arctanh of the print
 _ENDS = {theta_1: theta_m - alpha, theta_2: theta_m + alpha}

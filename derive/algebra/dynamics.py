@@ -97,17 +97,6 @@ class MotionForm:
     equation: str
     summary: str
 
-    @property
-    def limits(self) -> dict[sp.Symbol, str]:
-        """Of its inputs; none is infinite."""
-        return {t: ">= 0"} if t in self.inputs else {a: "< 0", b: ">= 0", omega_0: ">= 0"}
-
-    @property
-    def inside(self) -> str:
-        """The same in Python."""
-        finite = {x: f"np.isfinite({x})" for x in self.inputs}
-        return " & ".join(f"(({x} {self.limits[x]}.0) & {y})" if x in self.limits else y for x, y in finite.items())
-
 
 _X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)
 _P, _M, _Y = sp.symbols("P M y", real=True)

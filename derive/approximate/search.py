@@ -15,25 +15,11 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from derive.approximate import certificates
+from derive.approximate import certificates, shapes
 from derive.approximate.minimax import minimax
 from derive.approximate.minimax import value as at
 from derive.approximate.programs import Variant, variant
-from derive.approximate.shapes import (
-    HALF_PI,
-    Far,
-    Kernel,
-    Pieces,
-    Shape,
-    cheap_fit,
-    end,
-    far_fit,
-    kernels,
-    limit,
-    near_samples,
-    powers,
-    records,
-)
+from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, records
 from derive.check import certify
 from derive.check.proof import ProofError
 from derive.check.records import TIERS
@@ -94,7 +80,7 @@ def baseline(closed: sp.Expr, seam: float) -> Far:
         lines = {math.floor((end_value - slope * HALF_PI) * 2**52) / 2**52}
         lines |= {k / 128 for k in range(math.floor(min(left) * 128), math.ceil(max(left) * 128) + 1)}
         for line, bend in product(sorted(lines), [0.0] if about.odd else [k / 8 for k in range(25)]):
-            power, _ = powers(closed, Far(slope, line, bend, 1.0, 0))
+            power, _ = shapes.powers(closed, Far(slope, line, bend, 1.0, 0))
             constant, worst = end_value - slope * HALF_PI - line, 0.0
             for x, f in values[:-1]:
                 b, rest = HALF_PI - x, f - (slope * x + line)
@@ -119,11 +105,11 @@ def started(kernel: Kernel, seam: float) -> Best:
             until = seam
             for degree in range(3, 13):
                 far = replace(baseline(closed, seam), degree=degree)
-                fit = far_fit(closed, far, seam)
+                fit = shapes.far_fit(closed, far, seam)
                 lost = math.ulp(fit.constant) / float(at(closed, arb(seam)))  # as the constant is rounded
                 if fit.error < NEGLIGIBLE + lost:
                     break
-        samples = ((n, near_samples(closed, until, n, limit(closed))) for n in range(7, 40))
+        samples = ((n, shapes.near_samples(closed, until, n, shapes.limit(closed))) for n in range(7, 40))
         found.append(Pieces(until, next(n for n, x in samples if minimax(x, n - 1)[2] < NEGLIGIBLE), KEPT, far))
     return tuple(found)
 
@@ -209,7 +195,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
     tried += [(above, total - above) for total in range(6, 25) for above in ((total + 1) // 2, total // 2)]
     for above, below in sorted(set(tried), key=lambda x: (x[0] + x[1] + (DIVISION if x[1] else 0), -x[1])):
         try:
-            if cheap_fit(closed, above, below)[2] > target:
+            if shapes.cheap_fit(closed, above, below)[2] > target:
                 continue
         except ZeroDivisionError:  # the levelled system has no solution
             continue
@@ -229,7 +215,7 @@ def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
 
 def complete(anew: bool, trials: int) -> str:
     """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
-    wanted = {k.definition: k for k in kernels() if anew or k.definition not in records()}
+    wanted = {k.definition: k for k in shapes.kernels() if anew or k.definition not in records()}
     if wanted:
         with ProcessPoolExecutor(2) as pool:
             records().update(zip(wanted, pool.map(partial(search, trials=trials), wanted.values()), strict=True))

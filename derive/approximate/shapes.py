@@ -18,17 +18,7 @@ import sympy as sp
 from flint import arb, ctx, fmpq, fmpq_series
 
 from derive.algebra.integrate import closed_forms
-from derive.approximate.minimax import (
-    GUARD,
-    Function,
-    Samples,
-    evaluate,
-    horner,
-    minimax,
-    nearest,
-    rounded,
-    sample,
-)
+from derive.approximate.minimax import GUARD, Function, Samples, evaluate, horner, minimax, nearest, rounded, sample
 from derive.approximate.minimax import value as at
 from derive.check import truth
 from derive.check.proof import ProofError

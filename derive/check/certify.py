@@ -23,17 +23,7 @@ from flint import arb, arb_series
 
 from derive.check import rounding, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest, rejected
-from derive.check.rounding import (
-    DOWN,
-    ROUNDING_BITS,
-    TINY,
-    UP,
-    VALUE,
-    Tape,
-    Unbounded,
-    Undecided,
-    specialise,
-)
+from derive.check.rounding import DOWN, ROUNDING_BITS, TINY, UP, VALUE, Tape, Unbounded, specialise
 from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
 
 SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
@@ -60,7 +50,7 @@ def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, floa
         a, b = todo.pop()
         try:
             tape = specialise(record, a, b)
-        except (Undecided, Unbounded):
+        except Unbounded:
             if a == b:
                 raise
             middle = min(a + (b - a) / 2, math.nextafter(b, -9.0))
@@ -316,5 +306,5 @@ def prove(record: Record) -> float:
         return max(proved)
     except Unbounded as fault:
         raise rejected("bound", record, f"none, {fault}", record["bound"]) from fault
-    except (ArithmeticError, LookupError, TypeError, Undecided, ValueError) as fault:
+    except (ArithmeticError, LookupError, TypeError, ValueError) as fault:
         raise rejected("program", record, f"{type(fault).__name__}: {fault}", "operations with a meaning") from fault

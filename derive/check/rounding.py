@@ -22,12 +22,8 @@ TINY = 2.0**-1074
 PRODUCTS = ("mul", "div", "fma", "error", "log")  # what may underflow; sums are exact there
 
 
-class Undecided(Exception):
-    """A comparison, or the exponent of a number, differs within the box."""
-
-
 class Unbounded(Exception):
-    """No finite bound on this box."""
+    """No finite bound on this box, or a comparison or an exponent differs within it."""
 
 
 class Node(NamedTuple):
@@ -187,7 +183,7 @@ class _Specialise:
         """Whether one node is below another on the whole range, or nowhere."""
         (low, high), (other_low, other_high) = self.range(i), self.range(j)
         if low < other_high and not high < other_low:
-            raise Undecided("less")
+            raise Unbounded("a comparison is undecided")
         return high < other_low
 
     def range(self, i: int) -> tuple[Fraction, Fraction]:
@@ -201,12 +197,10 @@ class _Specialise:
     def exponent(self, i: int) -> int:
         """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
         low, high = self.range(i)
-        if low < Fraction(1, 2**1022):
-            raise Undecided("exponent")
-        k = math.frexp(float(low))[1]
+        k = math.frexp(float(low))[1] if low >= Fraction(1, 2**1022) else 0
         k -= low * Fraction(2) ** -k < Fraction(3, 4)
         if not Fraction(3, 4) <= low * Fraction(2) ** -k <= high * Fraction(2) ** -k < Fraction(3, 2):
-            raise Undecided("exponent")
+            raise Unbounded("an exponent is undecided")
         return k
 
     def put(self, node: Node) -> int:

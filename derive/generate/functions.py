@@ -182,12 +182,15 @@ def motion() -> list[Function]:
     found = []
     for form in dynamics.FORMS:
         names = tuple(x.name for x in form.inputs)
-        domain = ", ".join(f"{x} {limit}" for x, limit in form.limits.items())
         ride = "t" in names
+        limits = {"t": ">= 0"} if ride else {"a": "< 0", "b": ">= 0", "omega_0": ">= 0"}
+        domain = ", ".join(f"{x} {limit}" for x, limit in limits.items())
+        finite = {x: f"np.isfinite({x})" for x in names}
+        inside = " & ".join(f"(({x} {limits[x]}.0) & {y})" if x in limits else y for x, y in finite.items())
         found.append(Function(
             program(form.name, names, form.result, let=form.let), form.summary, form.formula,
             f"eq. ({form.equation}) of {PAPER}", tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
-            "Dimensionless.", domain + (", until the solution runs to infinity" if ride else ""), form.inside,
+            "Dimensionless.", domain + (", until the solution runs to infinity" if ride else ""), inside,
             (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0), dynamics.ACCURACY,
         ))  # fmt: skip
     return found

@@ -2,9 +2,7 @@
 
 import difflib
 import hashlib
-import os
 import re
-import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -165,15 +163,9 @@ def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
             (folder / name).unlink()
             continue
         (folder / name).parent.mkdir(exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(wanted[name])
-            os.chmod(temporary, 0o644)
-            os.replace(temporary, folder / name)
-        except BaseException:
-            Path(temporary).unlink(missing_ok=True)
-            raise
+        temporary = folder / f".{Path(name).name}.tmp"  # what a killed run has left goes with the unwanted
+        temporary.write_text(wanted[name], encoding="utf-8", newline="\n")
+        temporary.replace(folder / name)
     return changed
 
 

@@ -17,6 +17,7 @@ import numpy as np
 import sympy as sp
 
 from derive.algebra.integrate import PSI, closed_forms, derive
+from derive.algebra.prove import trig_normal
 from derive.code import exact as rounded
 from derive.code.operations import OPERATIONS
 from derive.code.program import Program, program
@@ -52,14 +53,6 @@ class Result(NamedTuple):
     our_ulp: float
 
 
-def _terms(closed: sp.Expr) -> sp.Expr:
-    """A closed form as the sum of its terms in alpha, artanh(sin alpha), and sin(alpha) times powers of cos(alpha)."""
-    s, c, h = sp.symbols("s c h", real=True)
-    form = sp.expand_trig(closed).subs(sp.atanh(sp.sin(alpha)), h).subs({sp.sin(alpha): s, sp.cos(alpha): c})
-    form = sp.expand(sp.rem(sp.expand(form), s**2 + c**2 - 1, s))
-    return form.subs({h: sp.atanh(sp.sin(alpha)), s: sp.sin(alpha), c: sp.cos(alpha)})
-
-
 def _motion() -> dict[str, tuple[str, sp.Expr]]:
     """Textbook forms of the motion by name, and where they come from."""
     k = sp.sqrt(a * b)
@@ -77,23 +70,24 @@ def _motion() -> dict[str, tuple[str, sp.Expr]]:
 @cache
 def forms() -> dict[str, Form]:
     """The naive form of every function: as the paper prints it, or integrated term by term."""
-    printed, closed = {p.name: (words, p) for p, words in functions.printed()}, closed_forms()
-    terms = {name: _terms(form) for name, form in closed.items()}
-    found = {x: Form("its integral, term by term", program(x, ("alpha",), terms[x]), closed[x]) for x in closed}
-    found |= {name: Form(*printed[name], form) for name, form in closed.items() if name in printed}
+    printed = {p.name: (words, p) for p, words in functions.printed()}
+    terms = {name: trig_normal(form) for name, form in closed_forms().items()}
+    found: dict[str, Form] = {}
+    for name, form in terms.items():
+        found[name] = Form(*printed.get(name, ("its integral, term by term", program(name, ("alpha",), form))), form)
     for name, top, bottom in ((q.name, q.numerator, q.denominator) for q in QUOTIENTS):
-        own = f"{found[top].words} over {found[bottom].words}", program(name, ("alpha",), terms[top] / terms[bottom])
-        found[name] = Form(*printed.get(name, own), closed[top] / closed[bottom])
+        form = terms[top] / terms[bottom]
+        own = f"{found[top].words} over {found[bottom].words}", program(name, ("alpha",), form)
+        found[name] = Form(*printed.get(name, own), form)
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
-    turned: dict[str, tuple[str, sp.Expr, sp.Expr]] = {}
+    turned: dict[str, tuple[str, sp.Expr]] = {}
     for d in (derive(m) for m in MOMENTS if m.amplitude):
         kernel, way = d.moment.kernel[0], d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
-        turned[d.moment.name] = (found[kernel].words, way * terms[kernel], way * closed[kernel])
-    (_, *moment), (_, *weight) = turned["weight_moment"], turned["radial_weight"]
-    turned["limit_friction"] = ("(3.13) over Appendix I", *(x / y for x, y in zip(moment, weight, strict=True)))
-    for name, (words, naive, exact) in turned.items():
-        plain = program(name, ("theta_1", "theta_2"), naive, let=ends)
-        found[name] = Form(f"{words}, angles rounded", plain, exact.subs(ends))
+        turned[d.moment.name] = found[kernel].words, way * terms[kernel]
+    turned["limit_friction"] = "(3.13) over Appendix I", turned["weight_moment"][1] / turned["radial_weight"][1]
+    for name, (words, form) in turned.items():
+        plain = program(name, ("theta_1", "theta_2"), form, let=ends)
+        found[name] = Form(f"{words}, angles rounded", plain, form.subs(ends))
     for name, (words, form) in _motion().items():
         inputs = ("a", "b", "omega_0", "t")[: 3 if "arrest" in name else 4]
         found[f"frozen_{name}"] = Form(words, program(name, inputs, form), form)
@@ -174,11 +168,11 @@ CASES = (
 )  # fmt: skip
 
 
-def measured(cases: tuple[HardCase, ...] = CASES) -> list[Result]:
+def measured() -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
     programs = [f.program for f in (*functions.kernels(), *functions.motion())]
     ours = {p.name: partial(rounded.run, p) for p in programs} | {"drive": partial(drive, balance().scalar)}
-    return [_measure(case, ours[case.function], forms()[case.function]) for case in cases]
+    return [_measure(case, ours[case.function], forms()[case.function]) for case in CASES]
 
 
 def _measure(case: HardCase, function: Callable[..., Any], form: Form) -> Result:

@@ -24,9 +24,6 @@ LEVER = RESISTANCE.form  # lambda (3.14)
 DEPTH = sp.simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 
-# --- kinematics and forces -------------------------------------------------------------------------------
-
-
 def basis(x: sp.Expr, y: sp.Expr) -> Pair:
     """Components along e_r and e_theta of a Cartesian vector."""
     c, s = sp.cos(theta), sp.sin(theta)
@@ -64,9 +61,6 @@ def along_bisector(force: Pair) -> sp.Expr:
 def end(start: sp.Symbol) -> sp.Expr:
     """Polar angle of an end (1.2), with an integration variable of its own."""
     return start + sp.Integral(omega_of(r), (r, 0, t))
-
-
-# --- geometry and integrals ------------------------------------------------------------------------------
 
 
 AREA = sp.simplify(sp.Matrix([r * sp.cos(theta), r * sp.sin(theta)]).jacobian([r, theta]).det())  # over dr dtheta
@@ -107,9 +101,6 @@ def scaled(f: sp.Expr) -> sp.Expr:
     return body_star(f.subs(r, R * r) * R)
 
 
-# --- balances --------------------------------------------------------------------------------------------
-
-
 @cache
 def radial() -> sp.Expr:
     """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
@@ -133,9 +124,6 @@ def lever() -> sp.Expr:
     return sp.simplify(resistance / mu * rho * g * DEPTH)
 
 
-# --- motion ----------------------------------------------------------------------------------------------
-
-
 @cache
 def motion(name: str) -> sp.Expr:
     """The derived motion from rest, under constant a and b."""
@@ -157,9 +145,6 @@ def series(motion: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     terms = sp.Add.make_args(sp.series(motion, t, 0, 6).removeO())
     first, second = sorted(terms, key=lambda x: sp.degree(x, t))[:2]
     return motion, first, sp.O(t ** sp.degree(second, t))
-
-
-# --- notation --------------------------------------------------------------------------------------------
 
 
 @cache

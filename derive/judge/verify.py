@@ -51,9 +51,6 @@ class Row(NamedTuple):
 KEYS = Row._fields
 
 
-# --- proof -----------------------------------------------------------------------------------------------
-
-
 # How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
 _LOG, _ARTANH = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))), sp.atanh(sp.sin(alpha))
 
@@ -131,8 +128,6 @@ def _derived(claim: Claim) -> tuple[sp.Expr, ...]:
     found = claim.definition()
     return tuple(found) if isinstance(found, (tuple, list)) else (found,)
 
-
-# --- judging ---------------------------------------------------------------------------------------------
 
 Judgement = tuple[str, str, str]  # computed, verdict, cause
 UNEXPLAINED = ("wrong", "cause not found")
@@ -246,9 +241,6 @@ def _brackets(appendix: Appendix) -> str:
     if not places or (not lost and vanishes(parse(appendix, places) - parse(appendix))):
         return ""
     return f"{sum(x.brackets for x in places)} brackets missing at {len(places)} places, {lost} of them unreadable"
-
-
-# --- words -----------------------------------------------------------------------------------------------
 
 
 def _digits(value: Any) -> str:
