@@ -57,13 +57,15 @@ ca s2)
 
 @dataclass(frozen=True)
 class Appendix:
-    """A printed expression."""
+    """A printed expression, on one line."""
 
     name: str
     printed: str = field(repr=False)
 
 
-APPENDIX_I, APPENDIX_II = APPENDICES = (Appendix("I", PRINTED_I), Appendix("II", PRINTED_II))
+APPENDIX_I, APPENDIX_II = APPENDICES = tuple(
+    Appendix(name, " ".join(text.split())) for name, text in (("I", PRINTED_I), ("II", PRINTED_II))
+)
 
 
 # What is printed, and what it must read: sin(theta_2) divides all six terms, and arctanh is of the quotient; the
@@ -80,19 +82,15 @@ class Repair(NamedTuple):
     brackets: int
 
 
-def _line(appendix: Appendix) -> str:
-    return " ".join(appendix.printed.split())
-
-
 def repairs(appendix: Appendix) -> tuple[Repair, ...]:
     """Every place where the print is not what it must read, in its order."""
-    found = ((x, mended) for pattern, mended in MENDING for x in re.finditer(pattern, _line(appendix)))
+    found = ((x, mended) for pattern, mended in MENDING for x in re.finditer(pattern, appendix.printed))
     return tuple(sorted(Repair(*x.span(), y, len(y) - len(x.group())) for x, y in found if x.group() != y))
 
 
 def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
-    """The print on one line, mended everywhere but at the places that are to be left."""
-    text = _line(appendix)
+    """The print, mended everywhere but at the places that are to be left."""
+    text = appendix.printed
     for repair in reversed(repairs(appendix)):
         if repair not in leave:
             text = text[: repair.start] + repair.mended + text[repair.end :]

@@ -94,10 +94,8 @@ def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
     return {name: form.form for name, form in forms.items()} | ratios
 
 
-def stable_programs(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
-    """Their programs."""
-    words = "the stable form"
-    return [(program(name, ("alpha",), form, let=_CLIP), words) for name, form in stable_forms(closed).items()]
+def stable_programs(closed: Mapping[str, sp.Expr]) -> list[Program]:
+    return [program(name, ("alpha",), form, let=_CLIP) for name, form in stable_forms(closed).items()]
 
 
 _ARC = (

@@ -22,19 +22,16 @@ from derive.generate import emit_c, functions, slopes
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
 MEND = "python -m derive"
-KERNELS = "Moments, weights and quotients of the arc, from their definitions."
-MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
-GROWTH = "How the moments of an arc grow with its half angle."
-LAWS = "The friction laws that have a formula."
-STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
-PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
 def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
     c_source = emit_c.source(variants(), functions.comments(kernels, proved))
-    c_walk = walk_source()
+    c_walk = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
+    for mark, lines in (cells.c() | series.c()).items():
+        c_walk = c_walk.replace(f"@{mark}@\n", lines)
+    growth, laws = map(emit.described, (functions.growth(closed), functions.laws()))
     texts = {
         "_compiled.py": (emit.TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "cells.py": cells.python(),
@@ -42,16 +39,21 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_evaluate.py": (emit.TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "effects.py": functions.effects_module(),
         "flow.py": flow.module(),
-        "growth.py": emit.plain_module(GROWTH, emit.described(functions.growth(closed))),
-        "kernels.py": emit.module(KERNELS, kernels),
-        "laws.py": emit.plain_module(LAWS, emit.described(functions.laws())),
-        "motion.py": emit.module(MOTION, motion),
+        "growth.py": emit.plain_module("How the moments of an arc grow with its half angle.", growth),
+        "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
+        "laws.py": emit.plain_module("The friction laws that have a formula.", laws),
+        "motion.py": emit.module(
+            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.", motion),
         "_flow.c": c_walk,
         "_kernels.c": c_source,
-        "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
+        "printed.py": emit.raw_module(
+            "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
+            [(p, f"{source}, as printed") for p, source in functions.printed()]),
         "series.py": series.numpy_text(digest_of(c_walk)),
         "slopes.py": slopes.module(),
-        "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
+        "stable.py": emit.raw_module(
+            "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
+            [(p, "the stable form") for p in functions.stable_programs(closed)]),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
@@ -59,20 +61,6 @@ def files(proved: list[Record]) -> dict[str, str]:
     texts |= certificates.files(proved)
     texts = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
-
-
-def walk_source() -> str:
-    """The compiled walk, with the operations that it knows."""
-    text = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
-    made = {
-        "ROLES": cells.c_roles(),
-        "CODES": cells.c() + series.c_enums(),
-        "SERIES": series.c_series(),
-        "CELL_OPERATIONS": series.c_cells(),
-    }
-    for mark, lines in made.items():
-        text = text.replace(f"@{mark}@\n", lines)
-    return text
 
 
 def header(name: str, text: str) -> str:

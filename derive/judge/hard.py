@@ -71,7 +71,8 @@ def _motion() -> dict[str, tuple[str, sp.Expr]]:
 def forms() -> dict[str, Form]:
     """The naive form of every function: as the paper prints it, or integrated term by term."""
     printed = {p.name: (words, p) for p, words in functions.printed()}
-    terms = {name: trig_normal(form) for name, form in closed_forms().items()}
+    c = sp.cos(alpha)  # beside which squares of the sine are written in it
+    terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
     found: dict[str, Form] = {}
     for name, form in terms.items():
         found[name] = Form(*printed.get(name, ("its integral, term by term", program(name, ("alpha",), form))), form)
