@@ -8,7 +8,7 @@ from mpmath import mpf
 
 from derive.algebra import rules
 from derive.algebra.integrate import derive
-from derive.algebra.remainders import HalfTan, Log1p, Remainder, taylor, unfold
+from derive.algebra.remainders import HalfTan, Remainder, log1p, taylor, unfold
 from derive.check.proof import ProofError
 from derive.code import exact as rounded
 from derive.code.program import program
@@ -75,7 +75,7 @@ def test_a_wrong_head_is_not_proved(monkeypatch: pytest.MonkeyPatch) -> None:
 
 REMAINDERS = [
     Remainder(sp.sin, 1, t), Remainder(sp.sin, 3, t), Remainder(sp.sin, 3, t, 1), Remainder(sp.cosh, 2, t, 1),
-    Remainder(sp.atanh, 3, t), Remainder(sp.atanh, 3, t, 1), Remainder(Log1p, 1, t), Remainder(sp.atan, 1, t),
+    Remainder(sp.atanh, 3, t), Remainder(sp.atanh, 3, t, 1), Remainder(log1p, 1, t), Remainder(sp.atan, 1, t),
 ]  # fmt: skip
 
 

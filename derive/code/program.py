@@ -16,12 +16,12 @@ import numpy as np
 import sympy as sp
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
+from derive.algebra.remainders import Horner, Primitive, RoundingError, Select, expm1, log1p
 from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
-    sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign",
+    sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign", log1p: "log1p", expm1: "expm1",
 }  # fmt: skip
 
 
@@ -133,7 +133,7 @@ class _Lowering(Builder):
         if isinstance(e, RoundingError):
             return self.value(two_sum(*map(self.add, e.args))[1])
         if isinstance(e, Primitive):
-            return self.put(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
+            return self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
         if isinstance(e, sp.Add):

@@ -68,7 +68,7 @@ def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[
     known: dict[sp.Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
     found = {f for e in o.start for f in e.atoms(sp.Function)}
     start = []
-    for i, f in enumerate(sorted(found, key=lambda f: (len(f.atoms(sp.Function)), str(f)))):
+    for i, f in enumerate(sorted(found, key=lambda f: (len(f.atoms(sp.Function)), -len(f.func.__name__), str(f)))):
         start.append(f"{let}f{i} = {call.format(type(f).__name__.lower(), _text(f.args[0], known))}{end}")
         known[f] = f"f{i}"
     start += [f"{x}[0] = {_text(e, known) if e else zero}{end}" for x, e in zip(o.results, o.start, strict=True)]
