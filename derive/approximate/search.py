@@ -5,7 +5,7 @@ must round badly is left out by an estimate; of the rest the checker says which 
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import cache, partial
@@ -26,7 +26,7 @@ from derive.check.records import TIERS
 from derive.code import exact
 from derive.declare.symbols import alpha
 
-SEAMS = tuple(k / 100 for k in range(64, 124, 4))
+SEAMS = [k / 100 for k in range(64, 124, 4)]
 SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
 NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirtieth of an ulp at most
 HALVINGS = 100
@@ -148,23 +148,21 @@ def refined(kernel: Kernel, trials: int) -> Best | None:
     closed, *others = kernel.closed
     judged: dict[Best, float] = {}
 
-    def judge(shape: Best) -> None:
-        if shape not in judged and len(judged) < trials:
-            judged[shape] = price(kernel, shape)
-
-    def ranked() -> list[Best]:
+    def ranked(tried: Iterable[Best]) -> list[Best]:
+        for shape in tried:
+            if shape not in judged and len(judged) < trials:
+                judged[shape] = price(kernel, shape)
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
     seams = [seam for seam in SEAMS if others or rises(closed, seam)] or SEAMS
-    for seam in seams[-9:] if any(end(form).serves for form in kernel.closed) else SEAMS[:1]:
-        judge(started(kernel, seam))
+    seams = seams[-9:] if any(end(form).serves for form in kernel.closed) else SEAMS[:1]
+    found = ranked(started(kernel, seam) for seam in seams)
     done: set[Best] = set()
-    while left := [shape for shape in ranked()[:2] if shape not in done]:
+    while left := [shape for shape in found[:2] if shape not in done]:
         done.add(left[0])
-        for shape in neighbours(kernel, left[0]):
-            judge(shape)
+        found = ranked(neighbours(kernel, left[0]))
     spare = None
-    for shape in ranked()[:6]:
+    for shape in found[:6]:
         if made := kept(kernel, "best", shape):
             if others or not any(falls(v, shape[0].seam) for v in made):
                 return shape

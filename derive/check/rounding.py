@@ -92,11 +92,14 @@ def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
     values: list[arb] = []
     noise: list[float] = []
     for node in tape:
-        exact = x if node.kind == "x" else _operate(node, values, noise)
-        bound = _rounding(node, exact, values)
-        values.append(exact + arb(0, bound) if bound else exact)
-        noise.append(bound)
+        _append(node, x if node.kind == "x" else _operate(node, values, noise), values, noise)
     return values, noise
+
+
+def _append(node: Node, exact: arb, values: list[arb], noise: list[float]) -> None:
+    bound = _rounding(node, exact, values)
+    values.append(exact + arb(0, bound) if bound else exact)
+    noise.append(bound)
 
 
 def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
@@ -208,15 +211,14 @@ class _Specialise:
         line, grid, exact = self._shape(node)
         marked = node._replace(rounds=not exact and node.kind not in ("x", "const", "neg"))
         if line is not None and not marked.rounds:
-            value, bound = ball(number(min(line)), number(max(line))), 0.0
+            self.values.append(ball(number(min(line)), number(max(line))))
+            self.noise.append(0.0)
         else:
-            line, value = None, _operate(marked, self.values, self.noise)
-            bound = _rounding(marked, value, self.values)
+            line = None
+            _append(marked, _operate(marked, self.values, self.noise), self.values, self.noise)
         self.tape.append(marked)
         self.affine.append(line)
         self.grid.append(max(grid, -1074))
-        self.values.append(value + arb(0, bound) if bound else value)
-        self.noise.append(bound)
         return len(self.tape) - 1
 
     def _shape(self, node: Node) -> tuple[Line | None, int, bool]:

@@ -8,8 +8,8 @@ import sympy as sp
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
 from derive.flow.lowering import Fragment
-from derive.flow.operations import OPERATIONS
-from derive.flow.tangents import of_cells, of_series
+from derive.flow.operations import OPERATIONS, SCALARS
+from derive.flow.tangents import of_cell, of_series
 
 _HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
@@ -32,17 +32,17 @@ Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 
 def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
-    own = {o.name: (*map(str, (*o.results, *o.arguments, *o.numbers)),) for o in OPERATIONS.values()}
-    of_cell = {name: repr((("d", "a", "b", "e"), template)) for name, template in of_cells().items()}
-    of_register = {name: repr((own[name], template)) for name, template in of_series().items()}
+    cells = {name: repr((("d", "a", "b", "e"), of_cell(means))) for name, (means, _, _) in SCALARS.items()}
+    registers = {name: repr(((*map(str, (*o.results, *o.arguments, *o.numbers)),), of_series(o)))
+                 for name, o in OPERATIONS.items()}  # fmt: skip
     parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
     kinked = {law.name: _pieces(law) for law in laws if law.kinks}
     blocks = (
         ("numbers that every scene gives", "INPUTS", {x: repr(y) for x, y in INPUTS.items()}),
         ("laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
          "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]", kinked),
-        ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", of_cell),
-        ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", of_register),
+        ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", cells),
+        ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", registers),
         ("parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
     )  # fmt: skip
     text = [_HEAD.format(fragment=inspect.getsource(Fragment))]

@@ -8,17 +8,14 @@ import sympy as sp
 
 from derive.algebra.remainders import Select
 from derive.flow.lowering import Lowering, cell, series
-from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
+from derive.flow.operations import POWER, Operation
 
 Template = tuple[tuple[object, ...], ...]
 
 
-def of_cells() -> dict[str, Template]:
-    """For each operation on cells the operations that make its tangent."""
-    return {name: _of_cell(means) for name, (means, _, _) in SCALARS.items()}
+def of_cell(means: sp.Expr) -> Template:
+    """The operations that make the tangent of what an operation on cells means."""
 
-
-def _of_cell(means: sp.Expr) -> Template:
     def tangent(e: sp.Expr) -> sp.Expr:
         if isinstance(e, Select):  # of the branch that is taken
             return Select(*e.args[:2], tangent(e.args[2]), tangent(e.args[3]))
@@ -37,12 +34,8 @@ _KNOWN = {
 _HELPERS = {_l: ("log", "l", "z"), _h: ("rec", "h", "*.h_less_1", "z")}
 
 
-def of_series() -> dict[str, Template]:
-    """For each operation on series the operations that make the tangents of its results."""
-    return {name: _of_series(o) for name, o in OPERATIONS.items()}
-
-
-def _of_series(o: Operation) -> Template:
+def of_series(o: Operation) -> Template:
+    """The operations that make the tangents of the results of one on series."""
     if o.name == "tim":  # linear in its argument
         return (("tim", "q'", "a'"),)
     symbols = {x: cell(str(x)) for x in (*o.results, *o.arguments)}

@@ -257,12 +257,9 @@ def _parameter(p: Parameter) -> str:
     convert = sp.pycode(p.dimensionless, fully_qualified_modules=False)
     for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
         convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
-    words = f"{p.name!r}, {p.unit!r}, {_bound(p.lower)}, {_bound(p.upper)}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
+    bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
+    words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
     return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
-
-
-def _bound(value: float) -> str:
-    return {float("inf"): "INFINITY", float("-inf"): "-INFINITY"}.get(value, repr(value))
 
 
 _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""

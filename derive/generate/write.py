@@ -11,7 +11,7 @@ import sympy as sp
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import variants
-from derive.check.records import Record, read
+from derive.check.records import Record
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
@@ -76,20 +76,12 @@ def digest_of(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
-# Ulps are the measure of these tiers: of a number in [1, 2), the relative error of one.
-ULP = {"best": 2.0**-52, "float32": 2.0**-23}
-
-
-def proofs() -> list[Record]:
-    """The record of every variant: one that is there holds as long as its operations do (`prove` proves it again)."""
-    return certificates.records(variants(), read())
-
-
 def tiers_module(records: Iterable[Record], digest: str) -> str:
     """What the run time must know of the proofs, and of which C source they speak."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
+    ulps = {"best": 2.0**-52, "float32": 2.0**-23}  # where they are the measure: the relative error of one in [1, 2)
     for record in records:
-        bound, ulp = record["bound"], ULP.get(record["tier"])
+        bound, ulp = record["bound"], ulps.get(record["tier"])
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []

@@ -7,7 +7,7 @@ tests run through the same list with quadrature of the definitions instead.
 import json
 import math
 import textwrap
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache, partial
 from itertools import groupby
 from typing import Any, Literal, NamedTuple
@@ -46,7 +46,9 @@ class Form(NamedTuple):
 class Result(NamedTuple):
     """A hard case, measured: relative errors, and ours also in ulp. No number where a form gives none."""
 
-    case: HardCase
+    function: str
+    arguments: tuple[float, ...]
+    why: str
     naive: str
     naive_error: float
     our_error: float
@@ -173,42 +175,37 @@ def measured() -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
     programs = [f.program for f in (*functions.kernels(), *functions.motion())]
     ours = {p.name: partial(rounded.run, p) for p in programs} | {"drive": partial(drive, balance().scalar)}
-    return [_measure(case, ours[case.function], forms()[case.function]) for case in CASES]
-
-
-def _measure(case: HardCase, function: Callable[..., Any], form: Form) -> Result:
-    arrays = [np.array(x) for x in case.arguments]
-    with np.errstate(all="ignore"):
-        naive, ours = float(rounded.run(form.program, *arrays)), float(function(*arrays))
-    with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
-        of: Callable[..., mpmath.mpf] = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
-        exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
-        unit, error = float(np.spacing(abs(float(exact)))), abs(ours - exact)
-        wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
-        return Result(case, form.words, wrong, float(error / abs(exact)), float(error / unit))
+    found = []
+    for case in CASES:
+        form, arrays = forms()[case.function], [np.array(x) for x in case.arguments]
+        with np.errstate(all="ignore"):
+            naive, own = float(rounded.run(form.program, *arrays)), float(ours[case.function](*arrays))
+        with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
+            of = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
+            exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
+            unit, error = float(np.spacing(abs(float(exact)))), abs(own - exact)
+            wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+            found.append(Result(*case, form.words, wrong, float(error / abs(exact)), float(error / unit)))
+    return found
 
 
 def report(form: Literal["text", "json"]) -> str:
     """The hard cases, each with the error of the printed form beside ours."""
     results = measured()
     if form == "json":
-        rows = [x.case._asdict() | x._asdict() | {"naive_error": _number(x.naive_error)} for x in results]
-        return json.dumps([{name: value for name, value in row.items() if name != "case"} for row in rows], indent=2)
+        # JSON has no inf and no NaN.
+        words = {x: x.naive_error if math.isfinite(x.naive_error) else _short(x.naive_error) for x in results}
+        return json.dumps([x._asdict() | {"naive_error": words[x]} for x in results], indent=2)
     lines = ["Relative error of the printed form, and of ours (also in units of the last place).", "",
              f"{'printed':>9} {'ours':>8} {'ulp':>6}   input"]  # fmt: skip
-    for name, group in groupby(results, key=lambda x: x.case.function):
+    for name, group in groupby(results, key=lambda x: x.function):
         lines += ["", name]
         for x in group:
-            given = ", ".join(map(repr, x.case.arguments))
+            given = ", ".join(map(repr, x.arguments))
             lines += [f"{_short(x.naive_error):>9} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({given})"]
-            lines += textwrap.wrap(f"{x.case.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
+            lines += textwrap.wrap(f"{x.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
     return "\n".join(lines)
 
 
 def _short(error: float) -> str:
     return f"{error:.0e}".replace("nan", "NaN")
-
-
-def _number(error: float) -> float | str:
-    """JSON has no inf and no NaN."""
-    return error if math.isfinite(error) else _short(error)
