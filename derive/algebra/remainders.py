@@ -30,6 +30,10 @@ class Horner(sp.Function):
         return Horner(x, *[k * c for k, c in enumerate(coefficients)][1:]) * sp.diff(x, s)
 
 
+class Exp(sp.Function):
+    """exp, which SymPy does not turn into a power."""
+
+
 class RoundingError(sp.Function):
     """What the rounded sum x + y lost (TwoSum): exactly x + y - fl(x + y), and zero in exact arithmetic."""
 

@@ -16,12 +16,13 @@ import numpy as np
 import sympy as sp
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from derive.algebra.remainders import Horner, Primitive, RoundingError, Select, expm1, log1p
+from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select, expm1, log1p
 from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
     sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign", log1p: "log1p", expm1: "expm1",
+    Exp: "exp",
 }  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from derive.algebra.remainders import Select
+from derive.algebra.remainders import Exp, Select
 from derive.code.program import program
 from derive.flow.operations import OPERATIONS, Q, first
 
@@ -110,8 +110,7 @@ class Lowering:
         if isinstance(e, sp.Pow) and not e.exp.free_symbols & self.moving.keys() and relative:
             if e.exp == -1:
                 return 1 / b, self.apply("rec", relative, 1 / b)
-            root = b == 1 or (2 * e.exp).is_Integer  # else exp, which SymPy would turn into a power
-            power = b**e.exp if root else sp.exp(e.exp * sp.log(b), evaluate=False)
+            power = b**e.exp if b == 1 or (2 * e.exp).is_Integer else Exp(e.exp * sp.log(b))
             return power, self.apply("pow", relative, power, e.exp)
         raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
 

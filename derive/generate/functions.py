@@ -94,8 +94,9 @@ def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
     return {name: form.form for name, form in forms.items()} | ratios
 
 
-def stable_programs(closed: Mapping[str, sp.Expr]) -> list[Program]:
-    return [program(name, ("alpha",), form, let=_CLIP) for name, form in stable_forms(closed).items()]
+def stable_programs(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+    forms = stable_forms(closed).items()
+    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms]
 
 
 _ARC = (

@@ -53,7 +53,7 @@ def files(proved: list[Record]) -> dict[str, str]:
         "slopes.py": slopes.module(),
         "stable.py": emit.raw_module(
             "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
-            [(p, "the stable form") for p in functions.stable_programs(closed)]),
+            functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
