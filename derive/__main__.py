@@ -100,7 +100,7 @@ def main(argv: list[str] | None = None) -> int:
         say(f"python -m derive needs {' and '.join(missing)}: pip install 'slipcircle[derive]'")
         return 2
     if options.command == "prove":
-        from derive.check.table import prove_all
+        from derive.check.certify import prove_all
 
         return 0 if prove_all() else 1
     if options.command in ("verify", "hard"):

@@ -98,13 +98,7 @@ def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
 
 
 def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> sp.Expr:
-    """Read the mended print as an expression in theta_1, theta_2 and alpha.
-
-    Raises
-    ------
-    ValueError
-        If a bracket has no partner, or a character is not of the notation.
-    """
+    """Read the mended print as an expression in theta_1, theta_2 and alpha; ValueError where it cannot be read."""
     text = mended_text(appendix, leave)
     if unknown := set(re.sub(r"arctanh|[a-zA-Z][12a]|[MN]", "", text)) - set("0123456789 +-/^(){}"):
         raise ValueError(f"Appendix {appendix.name}: unknown notation {unknown}")

@@ -23,7 +23,6 @@ from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, 
 from derive.check import certify
 from derive.check.proof import ProofError
 from derive.check.records import TIERS
-from derive.code import exact
 from derive.declare.symbols import alpha
 
 SEAMS = [k / 100 for k in range(64, 124, 4)]
@@ -118,7 +117,7 @@ def falls(variant: Variant, seam: float) -> bool:
     """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
     near = 1000 if variant.form == "fused" else 1
     alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
-    return bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
+    return bool(np.any(np.diff(variant.program.run(alpha[alpha <= HALF_PI])) < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:

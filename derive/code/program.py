@@ -49,6 +49,19 @@ class Program:
         """How many operations of each kind it takes; inputs and constants are free."""
         return Counter(op.kind for op in self.ops if op.kind not in ("input", "const"))
 
+    def run(self, *args: Any) -> Any:
+        """The only output at each of many inputs, each operation rounded once to float64.
+
+        It is the same on any machine, but for NumPy's calls of a library, such as its logarithm.
+        """
+
+        def make(op: Op, operands: list[Any]) -> Any:
+            return np.float64(op.value) if op.kind == "const" else OPERATIONS[op.kind].meaning(*operands)
+
+        with np.errstate(under="ignore"):
+            (result,) = walk(self, dict(zip(self.inputs, map(np.float64, args), strict=True)), make)
+        return result
+
 
 T = TypeVar("T")
 

@@ -18,7 +18,6 @@ import sympy as sp
 
 from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.prove import trig_normal
-from derive.code import exact as rounded
 from derive.code.operations import OPERATIONS
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
@@ -174,12 +173,12 @@ CASES = (
 def measured() -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
     programs = [f.program for f in (*functions.kernels(), *functions.motion())]
-    ours = {p.name: partial(rounded.run, p) for p in programs} | {"drive": partial(drive, balance().scalar)}
+    ours = {p.name: p.run for p in programs} | {"drive": partial(drive, balance().scalar)}
     found = []
     for case in CASES:
         form, arrays = forms()[case.function], [np.array(x) for x in case.arguments]
         with np.errstate(all="ignore"):
-            naive, own = float(rounded.run(form.program, *arrays)), float(ours[case.function](*arrays))
+            naive, own = float(form.program.run(*arrays)), float(ours[case.function](*arrays))
         with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
             of = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
             exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
