@@ -141,7 +141,6 @@ class Step(NamedTuple):
 
     @property
     def operations(self) -> int:
-        """Of the expression."""
         return int(sp.count_ops(self.expression))
 
 

@@ -9,7 +9,8 @@ form, and how it is computed (`lower`), so that a `Program` can be made of it.
 from functools import cache
 
 import sympy as sp
-from sympy.codegen.cfunctions import expm1, log1p
+from sympy.codegen.cfunctions import expm1 as expm1
+from sympy.codegen.cfunctions import log1p as log1p
 from sympy.polys.ring_series import rs_series
 
 EPS = sp.Rational(1, 2**53)

@@ -72,7 +72,6 @@ def header(name: str, text: str) -> str:
 
 
 def digest_of(text: str) -> str:
-    """Its sha256."""
     return hashlib.sha256(text.encode()).hexdigest()
 
 

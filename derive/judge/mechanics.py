@@ -131,7 +131,7 @@ def motion(name: str) -> sp.Expr:
 
 
 @cache
-def way() -> dict[str, sp.Expr]:
+def dimensional() -> dict[str, sp.Expr]:
     """The same in dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
     clock = sp.sqrt(g / R)
     at = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
@@ -156,7 +156,7 @@ def names() -> dict[str, Any]:
     return {x.name: x for x in shared} | functions | {
         "lam": LEVER, "A": polar / LEVER, "gamma": rho * g, "f": DEPTH, "sigma_ref": rho * g * DEPTH, "chord": CHORD,
         "J_r": j_r, "J_theta": j_theta, "J_r0": j_r.subs(turn, 0), "J_theta0": j_theta.subs(turn, 0),
-        "phi": way()["phi"],
+        "phi": dimensional()["phi"],
     }  # fmt: skip
 
 
