@@ -317,10 +317,9 @@ def test_the_reference_of_the_closed_form_is_the_papers() -> None:
     m = oracle.numbers(scene.arc)
     with mpmath.workdps(40):
         a = m["fall"] * mpmath.sin(m["dip"]) - mpf(float(mu)) * m["press"] * mpmath.cos(m["dip"])
-        b, t = mpf(float(mu)) * m["polar"], scene.end_time / m["scale"]
-        root = mpmath.sqrt(a * b)
-        exact = (m["radius"] * mpmath.log(mpmath.cosh(root * t)) / b,
-                 m["radius"] * mpmath.sqrt(a / b) * mpmath.tanh(root * t) / m["scale"], scene.end_time)  # fmt: skip
+        start = a, mpf(float(mu)) * m["polar"], mpf(0), scene.end_time / m["scale"]
+        turned, omega = oracle.rotation(*start), oracle.angular_velocity(*start)
+        exact = m["radius"] * turned, m["radius"] * omega / m["scale"], scene.end_time
         for value, text in zip(exact, known, strict=True):
             assert abs(value / mpf(text) - 1) < 1e-22
 

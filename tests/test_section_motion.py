@@ -11,7 +11,6 @@ from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, Section, load, solve
 from slipcircle.__main__ import main
-from slipcircle.base.series import Pulse
 from slipcircle.scene.stability import Slope, factors
 
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
@@ -21,11 +20,6 @@ WHOLE: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}, 
 
 def body(**more: Any) -> Section:
     return Section(GROUND, CENTRE, RADIUS, 20e3, between=(29.0, 60.0), **more)
-
-
-def mirrored(section: Section) -> Section:
-    ground, centre = np.array(section.ground)[::-1] * [-1.0, 1.0], np.array(section.centre) * [-1.0, 1.0]
-    return Section(ground, centre, section.radius, section.unit_weight, between=(-60.0, -29.0))
 
 
 def outcomes(motion: Motion) -> list[float]:
@@ -44,17 +38,6 @@ def test_one_chord_moves_as_its_arc(effects: Any, velocity: float) -> None:
     told["end_time"] = None if effects else 5.0
     expected = outcomes(solve(Scene(Arc(radius, first, second, 19e3), **told)))
     assert outcomes(solve(Scene(section, **told))) == pytest.approx(expected, rel=1e-11)
-
-
-def test_either_facing_moves_alike() -> None:
-    law = {"law": "exponential", "peak": 0.35, "residual": 0.15, "length": 0.5}
-    effects = WHOLE | {"shaking": {"horizontal": Pulse("sine", 0.1, 0.0, 2.0)}}
-    left, right = (solve(Scene(s, law, effects, initial_velocity=0.5)) for s in (body(), mirrored(body())))
-    assert (left.plan.scene.arc.facing, right.plan.scene.arc.facing) == (-1, 1)
-    assert left.run_out > 1.0
-    assert outcomes(right) == pytest.approx(outcomes(left), rel=1e-11)
-    assert right.journey.run_out == pytest.approx(left.journey.run_out, rel=1e-11)
-    assert right.journey.toe_x == pytest.approx(-left.journey.toe_x, rel=1e-11)
 
 
 def test_cohesion_alone_stops_it_where_energy_says() -> None:

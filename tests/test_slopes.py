@@ -9,10 +9,6 @@ import pytest
 from flint import arb
 from strips import integrals
 
-from derive.algebra import slopes
-from derive.code import emit
-from derive.generate import slopes as text
-from derive.generate import write
 from generated import kernels
 from slipcircle.scene import circles
 from slipcircle.scene.arc import Arc
@@ -111,11 +107,6 @@ def test_moments_of_thin_masses(depth: float, bend: float) -> None:
     assert found.depth == pytest.approx(radius * depth * (1.0 + 0.4 * bend), rel=0.5)
 
 
-def test_without_compensation_thin_masses_lose_their_digits(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(circles, "_clearance", lambda x, y, r: (r * r - x[0] * x[0] - y[0] * y[0], 0.0 * x[0] * r))
-    assert worst(*thin(1e-8, 0.4)) > 1e3 * BOUND
-
-
 @pytest.mark.parametrize("alpha", [1e-4, 0.03, 0.2, 0.26, 0.7, 1.2, 1.5])
 @pytest.mark.parametrize("dip", [-0.3, 0.0, 0.25, 0.8])
 def test_one_chord_gives_the_arc(alpha: float, dip: float) -> None:
@@ -202,14 +193,6 @@ def test_invariances() -> None:
             for name in MEASURES:
                 size = math.hypot(*(base[k] for k in LENGTHS.get(name, (name,))))
                 assert abs(other[name] - base[name]) < BOUND * size
-
-
-def test_shifting() -> None:
-    ground, centre, radius = [(-48.0, 8.5), (-10.0, 8.0), (4.0, 1.25), (50.0, 1.0)], (2.0, 18.0), 20.0
-    base = Section(ground, centre, radius, 2e4)
-    moved = Section(np.array(ground) + [4096.0, -512.0], np.array(centre) + [4096.0, -512.0], radius, 2e4)
-    assert moved.weights == base.weights
-    assert moved.entry == pytest.approx(base.entry + [4096.0, -512.0], rel=1e-15)
 
 
 def test_a_thousand_edges_of_a_smooth_curve() -> None:
@@ -334,14 +317,6 @@ def test_mean_cover_is_the_mean_height_of_the_ground() -> None:
     x, y = cx + r * np.sin(beta), cy - r * np.cos(beta)
     ground = np.array(HARD["scarp"][0])
     assert found.mean_cover == pytest.approx((np.interp(x, *ground.T) - y).mean(), rel=1e-5)
-
-
-# --- derivation -----------------------------------------------------------------------------------------------------
-
-
-def test_derivation_proves_its_claims_and_is_what_is_generated() -> None:
-    assert len(slopes.prove()) >= 12
-    assert (write.FOLDER / "slopes.py").read_text("utf-8").endswith(emit.wrapped(text.module()))
 
 
 def test_the_form_is_chosen_where_both_agree() -> None:

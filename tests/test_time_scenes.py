@@ -70,24 +70,6 @@ def test_a_viscous_pendulum() -> None:
     assert not motion.arrested
 
 
-# --- limits ----------------------------------------------------------------------------------------------------------
-
-
-def test_constant_shaking_tilts_gravity() -> None:
-    """k_h and k_v that never change: an arc of another dip under another gravity."""
-    k_h, k_v = 0.15, 0.2
-    for_ever = {"pulse": "rectangular", "amplitude": k_h, "vertical_amplitude": k_v, "duration": 1e6}
-    shaken = solve(Scene(ARC, 0.3, TURNING | {"shaking": for_ever, "drag": {"xi": 500.0}}))
-    tilt, g = math.atan2(k_h, 1 - k_v), math.hypot(k_h, 1 - k_v)
-    # Drag is over unit weight, which the new gravity changes.
-    arc = replace(ARC, theta_1=float(ARC.theta_1) - tilt, theta_2=float(ARC.theta_2) - tilt,
-                  gravity=float(ARC.gravity) * g)  # fmt: skip
-    tilted = solve(Scene(arc, 0.3, TURNING | {"drag": {"xi": 500.0 * g}}))
-    assert shaken.run_out == pytest.approx(tilted.run_out, rel=1e-9)
-    assert shaken.duration == pytest.approx(tilted.duration, rel=1e-9)
-    assert shaken.peak.velocity == pytest.approx(tilted.peak.velocity, rel=1e-9)
-
-
 # --- starts, stops and restarts --------------------------------------------------------------------------------------
 
 
@@ -136,19 +118,6 @@ def test_water_that_rises_later_starts_it_later() -> None:
     limit = float(ARC.dimensionless.limit_friction)
     assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-7)  # slower than rounding
     assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
-
-
-def test_water_by_a_ratio_that_does_not_change_is_the_closed_form_and_what_rises_starts_it() -> None:
-    """It yields where mu (1 - r_u) = mu_eq, wherever it lies."""
-    plain = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": 0.3}}))
-    series = solve(
-        Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": Series(np.array([0, 1]), np.array([0.3, 0.3]))}})
-    )
-    assert series.run_out == pytest.approx(plain.run_out, rel=1e-9)
-    assert series.duration == pytest.approx(plain.duration, rel=1e-9)
-    late = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"time": [0, 40], "ratio": [0, 0.4]}}))
-    limit = float(ARC.dimensionless.limit_friction)
-    assert golden.changes(late)[0][0] == pytest.approx(100 * (1 - limit / 0.5), rel=1e-7)
 
 
 # --- hard cases ------------------------------------------------------------------------------------------------------
