@@ -15,7 +15,6 @@ from mpmath import mpf
 from slipcircle import Arc
 from slipcircle.scene.arc import GIVEN
 
-THIRD = 1 / mpf(3)
 VAIONT = {"radius": 1492.6, "theta_1": np.deg2rad(215.2), "theta_2": np.deg2rad(276.9), "unit_weight": 20e3}
 TABLE_4_1 = dict(zip(GIVEN, (0.4376, 0.0870, 0.0387, 0.1523, 0.468), strict=True))
 
@@ -172,21 +171,6 @@ def test_arrays_broadcast() -> None:
 
 
 # --- limits --------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("dip", [0.7, -0.3, 1e-3])
-def test_a_thin_arc_slides_like_a_block_on_a_plane(dip: float) -> None:
-    """2 alpha = 1e-6: limit friction tan(psi) as for a plane, and A the limit of (2.24), taken from its integrals."""
-    middle = 1.5 * np.pi - dip
-    arc = Arc(1000.0, middle - 5e-7, middle + 5e-7, 2e4)
-    with mpmath.workdps(60):
-        psi = abs(3 * mpmath.pi / 2 - mpmath.fsum(ends(arc)) / 2)
-        assert abs(mpf(float(arc.dimensionless.limit_friction)) / mpmath.tan(psi) - 1) < 1e-12  # O(alpha**2)
-        alpha = mpf(10) ** -12
-        polar = mpmath.quad(lambda u: (1 - (mpmath.cos(alpha) / mpmath.cos(u)) ** 3) / 3, [-alpha, 0, alpha])
-        planar = polar / (2 * alpha * (1 - mpmath.cos(alpha)))
-        assert abs(planar - 2 * THIRD) < mpf(10) ** -12
-        assert abs(mpf(float(arc.dimensionless.dynamic_coefficient)) - planar) < 1e-12
 
 
 def test_half_discs_given_in_degrees() -> None:

@@ -19,7 +19,6 @@ from flint import arb, ctx
 
 import slipcircle
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.__main__ import main
 from slipcircle.motion.derivatives import Sensitivity
 
 # --- whole motions -------------------------------------------------------------------------------------------------
@@ -215,11 +214,10 @@ KEYS = {"friction.angle_deg": 24.0, "arc.theta_2_deg": 280.0, "arc.radius_m": 40
         "pore_pressure.ratio": 0.35, "cohesion.cohesion_kPa": 3.0}  # fmt: skip
 
 
-def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, said: Any) -> None:
     """Per degree and per kPa: against differences of motions whose files differ in that key."""
     text = (Path(str(slipcircle.__file__)).parent / "scenes" / "wet-slope.toml").read_text("utf-8")
-    assert main(["sensitivity", "wet-slope"]) == 0
-    cells = {line.split()[0]: line.split() for line in capsys.readouterr().out.splitlines() if "." in line}
+    cells = {line.split()[0]: line.split() for line in said("sensitivity wet-slope").splitlines() if "." in line}
     for path, value in KEYS.items():
         key, step = path.rpartition(".")[2], 1e-4 * value
         ends = []
@@ -236,17 +234,15 @@ def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, capsys: pytest.Capt
             assert float(found[3 + 2 * k].strip("()")) == pytest.approx(elasticity, rel=0.06)
 
 
-def test_the_command_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sensitivity", "vaiont", "--json"]) == 0
-    (record,) = json.loads(capsys.readouterr().out)
+def test_the_command_for_machines(said: Any, records: Any) -> None:
+    (record,) = records("sensitivity vaiont")
     found = solve(load("vaiont")).sensitivity()
     assert record["parameters"]["theta_1"] == "rad"
     column = list(record["parameters"]).index
     row = list(record["outputs"]).index("run_out")
     assert record["values"][row][column("theta_1")] == found.derivative("run_out", "theta_1")
     assert record["elasticities"][row][column("radius")] == pytest.approx(1.0, abs=1e-12)
-    assert main(["sensitivity", "vaiont-softening"]) == 0
-    assert "friction.length_m" in capsys.readouterr().out
+    assert "friction.length_m" in said("sensitivity vaiont-softening")
 
 
 def test_a_creep_is_differentiated_by_implicit_steps() -> None:

@@ -328,7 +328,6 @@ def root(f: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
 BRAKES = {  # of what drag; how near, where not just within the estimate
     "strong": (scene(230.0, 280.0, 0.2, effects=TURNING | {"drag": {"xi": 1e-2}}), 1.0),
     "as strong as no soil has": (scene(243.0, 244.0, tan(12.0), effects=TURNING | {"drag": {"xi": 1e-3}}), 1.0),
-    "stronger by far": (scene(243.0, 243.2, tan(5.0), effects=TURNING | {"drag": {"xi": 1e-11}}), 1.0),
     # The speed is held from the first micrometres on, and forgets nothing else.
     "steep": (Hard("", arc(80.0, 0.3), 0.3, TURNING | {"drag": {"xi": 1e-4}}).data, 1e-12),
     # E is rounded drive over brake, its slope nothing but rounding.

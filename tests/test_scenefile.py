@@ -19,7 +19,6 @@ from slipcircle.outputs.guide import guide
 from slipcircle.scene.keys import tables_of
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
-ROOT = Path(__file__).parents[1]
 FOLDER = Path(slipcircle.__file__).parent / "scenes"
 ARC = "[arc]\nradius_m = 1492.6\ntheta_1_deg = 215.2\ntheta_2_deg = 276.9\nunit_weight_kN_m3 = 20\n"
 FRICTION = "[friction]\nangle_deg = 10\n"

@@ -1,6 +1,5 @@
 """Motions of real sections: an arc's where the ground is its chord, energy, factors of safety, from file to picture."""
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -10,7 +9,6 @@ import pytest
 from scipy.optimize import brentq
 
 from slipcircle import Arc, Motion, Scene, Section, load, solve
-from slipcircle.__main__ import main
 from slipcircle.scene.stability import Slope, factors
 
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
@@ -86,18 +84,15 @@ def test_an_ensemble_of_frictions_on_one_section() -> None:
     assert many.journey.run_out[1] == pytest.approx(one.journey.run_out, rel=1e-9)
 
 
-def test_from_a_file_to_the_slide(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_from_a_file_to_the_slide(tmp_path: Path, said: Any, records: Any) -> None:
     picture, report, film = (tmp_path / f"slide.{kind}" for kind in ("png", "html", "gif"))
-    assert main(["run", "real-slope", "--plot", str(picture), "--report", str(report), "--json"]) == 0
-    (record,) = json.loads(capsys.readouterr().out)
-    assert main(["search", "real-slope", "--json"]) == 0
-    (circle,) = json.loads(capsys.readouterr().out)
+    (record,) = records("run real-slope --plot", picture, "--report", report)
+    (circle,) = records("search real-slope")
     assert record["factor_of_safety"] == pytest.approx(circle["factor_of_safety"]["paper"], rel=1e-9)
     assert record["toe_x"] == pytest.approx(circle["exit"][0] - record["toe_run_out"], rel=1e-9)
     assert picture.read_bytes().startswith(b"\x89PNG")
     assert "real-slope" in report.read_text("utf-8")
-    assert main(["run", "real-slope", "--plot", str(film)]) == 0
-    assert "x of the toe at the end" in capsys.readouterr().out
+    assert "x of the toe at the end" in said("run real-slope --plot", film)
     assert film.read_bytes().startswith(b"GIF")
 
 

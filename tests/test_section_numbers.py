@@ -14,7 +14,6 @@ from test_section_motion import GROUND
 from test_section_water import LEVEL
 
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
-from slipcircle.__main__ import main
 from slipcircle.motion.states import Status
 from slipcircle.scene.numbers import fields_with, numbers_in
 from slipcircle.studies.engines import engine
@@ -223,16 +222,15 @@ def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
             assert found.derivative(output, name) == pytest.approx(slope, rel=1e-7, abs=1e-8 * np.abs(row).max())
 
 
-def test_sensitivity_of_a_scene_that_ships(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sensitivity", "real-slope"]) == 0
-    shown = capsys.readouterr()
-    assert "ground.points_m.2.y" in shown.out
-    assert "circle.radius_m" in shown.out
-    assert "through a vertex" in shown.err
-    assert main(["sensitivity", "real-slope", "--json"]) == 0
-    (record,) = json.loads(capsys.readouterr().out)
+def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
+    status, out, err = asked("sensitivity real-slope")
+    assert status == 0
+    assert "ground.points_m.2.y" in out
+    assert "circle.radius_m" in out
+    assert "through a vertex" in err
+    (record,) = records("sensitivity real-slope")
     assert record["keys"]["ground.2.y"] == "ground.points_m.2.y"
-    assert "arc.unit_weight_kN_m3" not in shown.out
+    assert "arc.unit_weight_kN_m3" not in out
     scene = load("real-slope")
     inwards = [solve(replace(scene, arc=moved(scene.arc, "radius", scene.arc.radius - by))) for by in (0.0, 1e-5)]  # type: ignore[arg-type,operator]
     slope = (inwards[0].run_out - inwards[1].run_out) / 1e-5
@@ -247,12 +245,10 @@ def test_sensitivity_of_a_scene_that_ships(capsys: pytest.CaptureFixture[str]) -
     [("circle.radius_m=150:170", "circle.radius_m"), ("ground.points_m.4.y=86:90", "ground.points_m.4.y"),
      ("water.level_m.3.y", "water.level_m.3.y"), ("circle.centre_m.x", "circle.centre_m.x")],
 )  # fmt: skip
-def test_a_coordinate_is_found_from_the_run_out(field: str, key: str, tmp_path: Any, capsys: Any) -> None:
+def test_a_coordinate_is_found_from_the_run_out(field: str, key: str, tmp_path: Any, records: Any) -> None:
     picture = tmp_path / "found.png"
     wanted = 20.5
-    assert main(["backanalyse", "valley-side", f"--run-out-m={wanted}", "--field", field, "--json", "--plot",
-                 str(picture)]) == 0  # fmt: skip
-    (record,) = json.loads(capsys.readouterr().out)
+    (record,) = records(f"backanalyse valley-side --run-out-m={wanted} --field {field} --plot", picture)
     assert picture.read_bytes().startswith(b"\x89PNG")
     for solution in record["solutions"]:
         there = grid(VALLEY, {key: [solution["values"][key]]})
