@@ -61,9 +61,6 @@ def test_exponent_and_significand_are_exact() -> None:
     assert operations.significand(x).max() < 1.5
 
 
-# --- the search ----------------------------------------------------------------------------------------------------
-
-
 FACTOR = next(kernel for kernel in kernels() if kernel.name == "resistance_factor")  # which takes least
 
 

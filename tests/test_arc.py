@@ -37,9 +37,6 @@ def random_arcs(count: int, seed: int) -> list[Arc]:
     return [Arc(700.0, float(m - h), float(m + h), 21e3) for m, h in zip(middle, half, strict=True)]
 
 
-# --- the paper's tables --------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("quantity", "printed", "place"),
     [
@@ -168,9 +165,6 @@ def test_arrays_broadcast() -> None:
             lane = Arc(float(radius[i, 0]), float(theta_1[j]), 5.0, unit_weight[i][0])
             np.testing.assert_allclose(values[i, j], getattr(lane, name), rtol=4e-16)
     assert arc.dimensionless.limit_friction.shape == (3,)
-
-
-# --- limits --------------------------------------------------------------------------------------------------------
 
 
 def test_half_discs_given_in_degrees() -> None:

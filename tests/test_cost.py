@@ -310,20 +310,6 @@ def test_the_answers_are_made_again() -> None:
         assert lanes == pytest.approx(scenes.frictions(len(scenes.ANGLES)).tolist(), rel=1e-15)
 
 
-def test_the_reference_of_the_closed_form_is_the_papers() -> None:
-    """(4.3), (4.5) corrected, at 40 digits."""
-    mu, known = next(iter(answers()["closed form"].items()))
-    scene: Any = scenes.CASES["closed form"].scene(float(mu))
-    m = oracle.numbers(scene.arc)
-    with mpmath.workdps(40):
-        a = m["fall"] * mpmath.sin(m["dip"]) - mpf(float(mu)) * m["press"] * mpmath.cos(m["dip"])
-        start = a, mpf(float(mu)) * m["polar"], mpf(0), scene.end_time / m["scale"]
-        turned, omega = oracle.rotation(*start), oracle.angular_velocity(*start)
-        exact = m["radius"] * turned, m["radius"] * omega / m["scale"], scene.end_time
-        for value, text in zip(exact, known, strict=True):
-            assert abs(value / mpf(text) - 1) < 1e-22
-
-
 @pytest.mark.parametrize(
     ("name", "many"),
     [("closed form", True), ("constant friction", False), ("constant friction", True), ("heat", False)],

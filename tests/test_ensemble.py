@@ -168,9 +168,6 @@ def test_pairs_are_correlated() -> None:
             ensemble(drawn, 16, 1, correlation=wrong)
 
 
-# --- points ----------------------------------------------------------------------------------------------------------
-
-
 def test_points_do_not_depend_on_the_blocks() -> None:
     whole = monte_carlo(3, (0,), 0, 1000, 3)
     np.testing.assert_array_equal(monte_carlo(3, (0,), 400, 600, 3), whole[:, 400:])

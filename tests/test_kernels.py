@@ -157,8 +157,6 @@ def test_limit_friction() -> None:
     assert error <= BOUND, f"limit_friction{at} is wrong by {error:.1f} ulp"
 
 
-# --- how the moments of an arc grow with its half angle ------------------------------------------------------------
-
 ULP = 2.0**-52
 
 

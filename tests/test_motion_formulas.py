@@ -174,8 +174,6 @@ def test_the_solution_ends(name: str) -> None:
         formula(*ended[0])
 
 
-# --- laws ----------------------------------------------------------------------------------------------------------
-
 EPS = 2.0**-52
 COEFFICIENTS: dict[str, Callable[[mpf, mpf, mpf, mpf], mpf]] = {
     "exponential": lambda s, peak, rest, length: rest + (peak - rest) * mpmath.exp(-s / length),

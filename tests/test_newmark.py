@@ -5,7 +5,6 @@ the yield N = k_y: so what is published for the block tests the rotational solve
 """
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import golden
@@ -59,47 +58,6 @@ def check_rectangular(amplitude: float) -> None:
 @pytest.mark.parametrize("amplitude", [0.113, 0.2, 0.3, 1.5])
 def test_rectangular_pulse(amplitude: float) -> None:
     check_rectangular(amplitude)
-
-
-def block(shape: Callable[[Any], Any], first: Any, edges: list[Any], n: Any) -> tuple[Any, Any, Any]:
-    """A block that yields at n, from its start, pushed by A(t), over g: displacement, velocity, time of the stop."""
-
-    def speed(t: Any) -> Any:
-        inner = [first, *(e for e in edges if first < e < t), t]
-        return mp.quad(shape, inner) - n * (t - first)
-
-    below = next(e for e in [*edges, *(edges[-1] * 2**k for k in range(1, 20))] if e > first and speed(e) <= 0)
-    above = max([e for e in edges if first < e < below], default=(first + below) / 2)
-    stop = mp.findroot(speed, (above, below), solver="anderson", tol=1e-30)
-    inner = [first, *(e for e in edges if first < e < stop), stop]
-    moved = mp.quad(lambda t: (stop - t) * (shape(t) - n), inner)
-    return moved, speed, stop
-
-
-@pytest.mark.parametrize("amplitude", [0.12, 0.3, 2.0])
-@pytest.mark.parametrize("name", ["half-sine", "triangular", "sine"])
-def test_smooth_pulses_against_the_block_in_closed_form(name: str, amplitude: float) -> None:
-    """The block starts where A(t) = N; its velocity and displacement are integrals of A(t) - N until it stands."""
-    gamma, n = factor()
-    d, waves = 0.8, 1.0
-    motion = shaken(Pulse(name, amplitude, 0.0, d))
-    with mp.workdps(30):
-        a, low, length = mp.mpf(amplitude), mp.mpf(n), mp.mpf(d)
-        rate = mp.pi / length * (2 * waves if name == "sine" else 1)
-        if name == "triangular":
-            shape: Callable[[Any], Any] = lambda t: a * (1 - abs(2 * t / length - 1)) if t < length else mp.mpf(0)  # noqa: E731
-            first, top = low / a * length / 2, length - low / a * length / 2
-        else:
-            shape = lambda t: a * mp.sin(rate * t) if t < length else mp.mpf(0)  # noqa: E731
-            first, top = mp.asin(low / a) / rate, (mp.pi - mp.asin(low / a)) / rate
-        moved, speed, stop = block(shape, first, [length / 4, length / 2, length * 3 / 4, length], low)
-        assert abs(motion.run_out / (gamma * GRAVITY * moved) - 1) < 2e-13
-        assert abs(float(motion.peak.velocity) / (gamma * GRAVITY * speed(top)) - 1) < 1e-13
-        assert abs(float(motion.peak.time) / top - 1) < 1e-13
-        assert abs(motion.duration / stop - 1) < 1e-13
-        for part in (0.2, 0.5, 0.9):
-            t = first + part * (stop - first)
-            assert abs(motion.at(float(t)).velocity / (gamma * GRAVITY * speed(t)) - 1) < 1e-11
 
 
 def test_newmark_pulse_is_what_its_comment_says() -> None:
@@ -179,31 +137,6 @@ def test_earthquake_against_an_exact_double_integral() -> None:
     assert motion.duration == pytest.approx(float(stop), rel=1e-13)
     assert sum(before == 0 for _, before, _ in golden.changes(motion)) > 8
 
-
-def by_trapezoids(record: Series, gamma: float, n: float, parts: int) -> float:
-    """Run-out by the trapezoidal rule: the speed is the integral of the drive less its lowest value so far."""
-    count = (len(record.time) - 1) * parts
-    t = np.linspace(record.time[0], record.time[-1], count + 1)
-    drive = gamma * GRAVITY * (record(t) - n)
-    speed = np.append(0.0, np.cumsum((drive[1:] + drive[:-1]) / 2 * np.diff(t)))
-    speed -= np.minimum.accumulate(speed)
-    return float(np.sum((speed[1:] + speed[:-1]) / 2 * np.diff(t)))
-
-
-def test_time_steps_converge_to_it_with_second_order() -> None:
-    still = earthquake()
-    record = series(still.time, still.values * np.clip((14.0 - still.time) / 2.0, 0.0, 1.0))  # at rest at its end
-    gamma, n = factor()
-    truth = shaken(record).run_out
-    parts = 2 ** np.arange(9)
-    errors = [abs(by_trapezoids(record, gamma, n, int(p)) - truth) / truth for p in parts]
-    order = -np.polyfit(np.log(parts), np.log(errors), 1)[0]
-    assert errors[0] > 1e-4
-    assert errors[-1] < 1e-7
-    assert order == pytest.approx(2.0, abs=0.25)
-
-
-# --- one way and both ways -----------------------------------------------------------------------------------------
 
 LEVEL = Arc(60.0, math.radians(235.0), math.radians(305.0), 19e3)
 

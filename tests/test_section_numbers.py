@@ -237,9 +237,6 @@ def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
     assert inwards[0].sensitivity().derivative("run_out", "radius") == pytest.approx(slope, rel=1e-4)
 
 
-# --- by key ----------------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("field", "key"),
     [("circle.radius_m=150:170", "circle.radius_m"), ("ground.points_m.4.y=86:90", "ground.points_m.4.y"),

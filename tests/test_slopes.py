@@ -234,27 +234,14 @@ def test_lanes_are_single_sections() -> None:
     assert many.shape == (6,)
     for k in range(6):
         one = Section(grounds[k], centres[k], radii[k], 2e4)
-        for name in (
-            "area",
-            "centroid",
-            "entry",
-            "exit",
-            "half_angle",
-            "depth",
-            "facing",
-            "mean_cover",
-            "chord",
-            "dip",
-        ):
+        for name in ("area", "centroid", "entry", "exit", "half_angle", "depth", "facing", "mean_cover", "chord",
+                     "dip"):  # fmt: skip
             assert np.array_equal(getattr(many, name)[k], getattr(one, name)), name
         assert [v[k] for v in many.weights] == pytest.approx(list(one.weights), rel=1e-15)
     common = Section(simple_slope(10.0, run=20.0), np.array([[[0.0, 20.0], [0.5, 20.0]], [[0.0, 21.0], [-1.0, 22.0]]]),
                      np.array([[20.0], [23.0]]), 2e4)  # fmt: skip
     assert common.area.shape == (2, 2)
     assert common.centroid.shape == (2, 2, 2)
-
-
-# --- circles --------------------------------------------------------------------------------------------------------
 
 
 def test_circles_as_people_give_them() -> None:
@@ -277,9 +264,6 @@ def test_circles_as_people_give_them() -> None:
             circle_through(p, q, **wrong)
     assert simple_slope(10.0, angle=math.pi / 4)[1] == pytest.approx([-10.0, 10.0])
     assert simple_slope(10.0, run=5.0)[1] == pytest.approx([-5.0, 10.0])
-
-
-# --- water ----------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mirror", [False, True])

@@ -10,7 +10,7 @@ import pytest
 
 from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
-from slipcircle.scene.search import Critical, Search, critical
+from slipcircle.scene.search import Search, critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import METHODS, Slope, factors
 
@@ -352,18 +352,7 @@ def test_a_mirrored_slope_has_the_mirrored_circle() -> None:
     assert two.centre == pytest.approx((-one.centre[0], one.centre[1]), rel=1e-3)
 
 
-def test_the_circle_is_a_section_that_moves_at_the_paper_s_factor() -> None:
-    found = critical(ACADS, "paper")
-    section = Section(ACADS.ground, found.centre, found.radius, 20e3, between=found.between)
-    w = section.weights
-    level = w.level * 3e3 / section.reference_stress
-    assert (level + tangent(19.6) * w.press) / w.fall == pytest.approx(found.factor_of_safety["paper"], rel=1e-9)
-    assert section.entry == pytest.approx(found.entry)
-    assert section.exit == pytest.approx(found.exit)
-    assert section.facing == found.facing
-
-
-@pytest.mark.parametrize("seed", range(0, 200, 25))
+@pytest.mark.parametrize("seed", range(0, 200, 40))
 def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
     assert peers_slopes.excess(seed) < 5e-4
 
@@ -416,14 +405,3 @@ def test_slopes_that_are_refused(more: dict[str, object], words: str) -> None:
     given = {"ground": ACADS.ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4}
     with pytest.raises(ValueError, match=words):
         Slope(**(given | more))  # type: ignore[arg-type]
-
-
-def test_results_are_plain() -> None:
-    found = critical(ACADS)
-    assert isinstance(found, Critical)
-    record = found.record()
-    assert {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"} <= record.keys()
-    assert set(record["factor_of_safety"]) == set(METHODS)
-    assert tuple(factors(ACADS, *masses(ACADS.ground, np.array([found.centre]), np.array([found.radius]))))[:3] == (
-        *METHODS,
-    )

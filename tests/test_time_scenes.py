@@ -13,16 +13,13 @@ import taylor
 import test_accuracy
 from mpmath import mpf
 
-from slipcircle import Arc, Scene, load, solve
+from slipcircle import Scene, load, solve
 from slipcircle.base.series import Pulse, Series
 
 ARC: Any = load("vaiont").arc
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 HEAT = {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}
 RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
-
-
-# --- answers from textbooks ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("friction", [0.3, {"law": "linear", "peak": 0.3, "residual": 0.3, "length": 1.0}])
@@ -53,21 +50,6 @@ def test_viscous_terminal_velocity() -> None:
     expected = -force / resistance * np.expm1(-rate * times)
     np.testing.assert_allclose(motion.at(times).velocity, expected, rtol=1e-9)
     assert motion.peak.velocity == pytest.approx(float(motion.end.velocity), rel=1e-9)
-
-
-def test_a_viscous_pendulum() -> None:
-    """Small swings without friction: the damped oscillator's first standstill."""
-    arc: Any = Arc(50.0, math.radians(225.0), math.radians(315.0 - 0.02), 2e4)
-    called = {"rotation": {}, "viscosity": {"viscosity": 2e3, "thickness": 1.0}}
-    motion = solve(Scene(arc, 0.0, called))
-    inertia = arc.unit_weight / arc.gravity * arc.radius * arc.dimensionless.moment_of_inertia
-    e = float(2e3 * 2 * arc.half_angle / inertia)
-    k = float(arc.amplitudes_per_inertia[0] / arc.time_scale**2)
-    swing = math.sqrt(k - e * e / 4)
-    assert motion.duration == pytest.approx(math.pi / swing, rel=1e-7)
-    amplitude = float(arc.dip) * float(arc.radius)
-    assert motion.run_out == pytest.approx(amplitude * (1 + math.exp(-e / 2 * math.pi / swing)), rel=1e-7)
-    assert not motion.arrested
 
 
 # --- starts, stops and restarts --------------------------------------------------------------------------------------
