@@ -125,9 +125,6 @@ def test_taylor_s_friction_circles(slope: float, angle: float, number: float) ->
     assert found.factor_of_safety["bishop"] == pytest.approx(1.0, abs=0.012)
 
 
-# --- definitions ----------------------------------------------------------------------------------------------------
-
-
 def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Section) -> dict[str, float]:
     """The three factors by 200,000 slices, in the words of the text books."""
     ends = sorted((float(found.entry[0]), float(found.exit[0])))
@@ -171,17 +168,10 @@ LEVEL = [(-60.0, 9.0), (-20.0, 6.0), (-5.0, 1.0), (1.0, -0.5), (60.0, -1.5)]
 @pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize(
     "more",
-    [
-        {},
-        {"pore_ratio": 0.3},
-        {"level": LEVEL},
-        {"k_h": 0.15},
-        {"k_h": -0.1, "level": LEVEL},
-        {"pressure": 15e3},
-        {"pressure": 4e3, "level": LEVEL},
-    ],
+    [{}, {"pore_ratio": 0.3}, {"level": LEVEL}, {"k_h": 0.15}, {"k_h": -0.1, "level": LEVEL}, {"pressure": 15e3},
+     {"pressure": 4e3, "level": LEVEL}],
     ids=str,
-)
+)  # fmt: skip
 def test_factors_are_the_limit_of_slices(mirror: bool, more: dict[str, object]) -> None:
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, **more)  # type: ignore[arg-type]
     centre = (-6.0, 24.0)
@@ -243,9 +233,6 @@ def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:
     assert math.isnan(found["bishop"])
     assert found["ordinary"] > 0
     assert found["paper"] > 0
-
-
-# --- the search -----------------------------------------------------------------------------------------------------
 
 
 def test_limits_hold() -> None:
