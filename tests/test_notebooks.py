@@ -104,8 +104,7 @@ def printed(notebook: Any, cell_id: str) -> str:
 
 @each_notebook
 def test_outputs_are_those_of_a_fresh_run(path: Path) -> None:
-    # No test is about how long something takes.
-    quick = f"from slipcircle.cost import cost\nvars(cost).update({QUICK | {'REPEATS': 1}})"
+    quick = f"from slipcircle.cost import cost\nvars(cost).update({QUICK})"  # no test is about how long something takes
     kept, fresh = stored(path.name), run(path, quick)
     stale = "stale; to store fresh outputs: ./run python tests/test_notebooks.py"
     for old, new in zip(kept.cells, fresh.cells, strict=True):

@@ -61,7 +61,7 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
     bound = motion._lanes.bound
     one, other = bound.cells.copy(), bound.cells.copy()
     walk.walk(bound.program, bound.tables, one)
-    compiled.run(bound.program, bound.tables, other)
+    compiled.walk(bound.program, bound.tables, other)
     for cell in (its.STATUS, its.PHASES, its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REST_SINCE):
         assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
 
