@@ -1,6 +1,6 @@
 """Answers to the scenes and sections of the price list, to 24 digits: scenes by Taylor series, sections by strips.
 
-``python tests/exact_scenes.py`` writes them; `test_cost_scenes` makes some of them again.
+``python tests/exact_scenes.py`` writes them; `test_cost` makes some of them again.
 """
 
 import json

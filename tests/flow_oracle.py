@@ -93,9 +93,6 @@ def run(program: Program, c: Sequence[arb], tables: Mapping[int, Sequence[arb]],
     return r
 
 
-# --- the plain equation of motion ------------------------------------------------------------------------------------
-
-
 def motion(p: Mapping[str, Any], effects: Sequence[str], mu: Callable[[Any, Any], Any], order: int) -> dict[str, Any]:
     """Series of rotation, speed and excess pressure along a phase: the equation of motion as it stands."""
     start = {x: arb_series([p[f"now.{x}"]], prec=order + 1) for x in ("x", "omega", "excess")}
@@ -259,6 +256,11 @@ def at_a_point(case: Case, seed: int, asked: tuple[str, ...]) -> tuple[Program, 
     return program, registers(program, *numbers(case, p)), p
 
 
+def register(program: Program, name: str) -> int:
+    """Where a program has a quantity; -1 where it has none."""
+    return program.roles.get(name, program.registers.index(name) if name in program.registers else -1)
+
+
 def tangent_difference(case: Case, seed: int) -> float:
     """The worst difference of a program's derivative in a random direction from a quotient of differences."""
     ctx.prec, ctx.cap = 4 * PRECISION, ORDER + 1
@@ -286,17 +288,9 @@ def tangent_difference(case: Case, seed: int) -> float:
     )
     worst = 0.0
     for name in ("x", "omega", "net", "normal", "upright", "excess"):
-        place = (
-            program.roles.get(name, -1)
-            if name != "excess"
-            else program.registers.index(name)
-            if name in program.registers
-            else -1
-        )
-        if place < 0:
+        if (place := register(program, name)) < 0:
             continue
-        own = both.roles.get(name, -1) if name != "excess" else both.registers.index(name)
-        tangent = both.tangents[0].registers.get(own, -1)
+        tangent = both.tangents[0].registers.get(register(both, name), -1)
         for i in range(ORDER):
             quotient = (moved[place][i] - first[place][i]) / step
             found = r[tangent][i] if tangent >= 0 else arb(0)
@@ -309,7 +303,6 @@ def difference(case: Case, seed: int) -> float:
     """The worst relative difference of a coefficient of any register that both sides have."""
     effects, laws, *_ = case
     program, found, p = at_a_point(case, seed, ("mu",))
-    at = program.roles
 
     def mu(x: Any, w: Any) -> Any:
         found = coefficient(laws[0], p, x, w)
@@ -318,14 +311,13 @@ def difference(case: Case, seed: int) -> float:
     plain = motion(p, effects, mu, ORDER)
     worst = 0.0
     for name in ("x", "omega", "net", "normal", "mu", "upright", "excess"):
-        register = program.registers.index(name) if name == "excess" and name in program.registers else at.get(name, -1)
-        if register < 0:
+        if (place := register(program, name)) < 0:
             continue
         series = plain[name].coeffs()
         series += [arb(0)] * (ORDER - len(series))
         size = max(float(abs(x).mid()) for x in series[:ORDER])
         for i in range(ORDER):
-            far = float(abs(found[register][i] - series[i]).upper()) / size
+            far = float(abs(found[place][i] - series[i]).upper()) / size
             worst = far if not far < worst else worst  # what is no number stays
     return worst
 

@@ -1,20 +1,17 @@
-"""The search for the critical circle against SciPy's differential evolution on random slopes, and what things cost.
+"""The search for the critical circle against SciPy's differential evolution on random slopes.
 
-`python -m tests.peers_slopes search [COUNT]` prints a line for each of COUNT slopes (200); the tests ask for a sample.
-`python -m tests.peers_slopes cost` measures factors of safety and a search; `slipcircle cost sections` their geometry.
+`python tests/peers_slopes.py [COUNT]` prints a line for each of COUNT slopes (200); the tests ask for a sample.
 """
 
 import sys
 import time
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from slipcircle.scene.ground import circle_through
 from slipcircle.scene.search import Search, critical
-from slipcircle.scene.stability import METHODS, Slope, factors
+from slipcircle.scene.stability import METHODS, Slope
 
 
 class Case(NamedTuple):
@@ -94,32 +91,5 @@ def main(count: int) -> None:
     print(f"worst {100 * worst:+.5f} %; search {ours / count:.3f} s, evolution {theirs / count:.3f} s in the mean")
 
 
-def cost() -> None:
-    """Seconds of processor time, medians of five."""
-    slope = Slope([(0, 25), (30, 25), (50, 35), (90, 35)], 3e3, np.tan(np.deg2rad(19.6)), 20e3, base=20)
-    ground, rng = np.asarray(slope.ground), np.random.default_rng(0)
-    ends = np.stack([rng.uniform(20, 31, 10_000), rng.uniform(45, 70, 10_000)])
-    p, q = (np.stack([x, np.interp(x, *ground.T)], axis=1) for x in ends)
-    centre, radius = circle_through(p, q, depth=rng.uniform(0.25, 0.45, 10_000) * np.hypot(*(q - p).T))
-
-    def judged() -> None:
-        factors(slope, centre, radius, p, q)
-
-    print(f"10,000 circles, three factors       {_seconds(judged):8.3f} s")
-    print(f"ACADS 1(a) from nothing             {_seconds(lambda: critical(slope)):8.3f} s")
-
-
-def _seconds(work: Callable[[], object]) -> float:
-    taken = []
-    for _ in range(5):
-        start = time.process_time()
-        work()
-        taken.append(time.process_time() - start)
-    return float(np.median(taken))
-
-
 if __name__ == "__main__":
-    if sys.argv[1:2] == ["cost"]:
-        cost()
-    else:
-        main(int(sys.argv[2]) if len(sys.argv) > 2 else 200)
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 200)

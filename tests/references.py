@@ -146,9 +146,6 @@ def _law(group: str, friction: float, radius: float, rng: np.random.Generator) -
     return {"law": group, "peak": float(friction), "residual": float(friction * change), "length": float(length)}
 
 
-# --- scenes of time, rates and heat ----------------------------------------------------------------------------------
-
-
 def drawn(group: str, rng: np.random.Generator) -> dict[str, Any]:
     """A random scene of a group."""
     first = math.radians(rng.uniform(195, 235))

@@ -107,9 +107,6 @@ def test_none(scene: Scene) -> None:
         backanalyse(scene, run_out=400.0, field="unit_weight")
 
 
-# --- several observations ------------------------------------------------------------------------------------------
-
-
 def test_standard_error_of_one_observation() -> None:
     """Linear: sigma over |d run-out/d friction|."""
     sigma = 5.0
@@ -206,9 +203,6 @@ def test_two_that_act_as_one() -> None:
     scene = replace(VAIONT, effects={"rotation": {}, "pore_pressure": {"ratio": 0.1}})
     with pytest.raises(ValueError, match=r"changing friction by .* and pore_pressure.ratio by .* changes nothing of"):
         backanalyse(scene, run_out=(400.0, 20.0), duration=(38.0, 1.0), field=["friction", "pore_pressure.ratio"])
-
-
-# --- what is integrated, or shaken ---------------------------------------------------------------------------------
 
 
 def test_what_scipy_integrates() -> None:

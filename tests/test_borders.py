@@ -1,7 +1,6 @@
 """Between one kind of motion and another: what is given and does nothing, peaks cut short, restarts, workers."""
 
 import concurrent.futures
-import json
 import os
 from typing import Any
 
@@ -12,7 +11,6 @@ import taylor
 import test_accuracy
 
 from slipcircle import Motion, solve
-from slipcircle.__main__ import main
 
 
 def motion(given: golden.Data) -> Motion:
@@ -119,7 +117,7 @@ def test_a_restart_within_rounding_is_no_certainty(effects: dict[str, Any], mirr
     assert motion(turned).limit_friction == pytest.approx(stays, rel=1e-12)
 
 
-def test_as_many_workers_as_asked_for(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_as_many_workers_as_asked_for(monkeypatch: pytest.MonkeyPatch, records: Any, refused: Any) -> None:
     """And one for each processor where nothing is said; the answer does not depend on it."""
     seen, kind = [], concurrent.futures.ThreadPoolExecutor
     begin = kind.__init__
@@ -129,15 +127,11 @@ def test_as_many_workers_as_asked_for(monkeypatch: pytest.MonkeyPatch, capsys: p
         begin(self, max_workers, *more, **rest)
 
     monkeypatch.setattr(kind, "__init__", started)
-    argv = ["sweep", "vaiont", "--samples", "256", "--block", "64", "--seed", "3", "--json",
-            "--uncertain", "friction.angle_deg=uniform:8:14"]  # fmt: skip
-    assert main(argv) == 0
-    serial = json.loads(capsys.readouterr().out)
+    line = "sweep vaiont --samples 256 --block 64 --seed 3 --uncertain friction.angle_deg=uniform:8:14"
+    serial = records(line)
     assert not seen
-    argv += ["--engine", "threads"]
-    for count, more in ((2, ["--workers", "2"]), (os.cpu_count(), [])):
-        assert main([*argv, *more]) == 0
-        assert json.loads(capsys.readouterr().out) == serial
+    line += " --engine threads"
+    for count, more in ((2, "--workers 2"), (os.cpu_count(), "")):
+        assert records(line, more) == serial
         assert seen.pop() == count
-    assert main([*argv, "--workers", "0"]) == 1
-    assert "--workers 0: must be 1 at least" in capsys.readouterr().err
+    assert "--workers 0: must be 1 at least" in refused(line, "--workers 0")

@@ -309,21 +309,6 @@ def test_the_answers_are_made_again() -> None:
         assert lanes == pytest.approx(scenes.frictions(len(scenes.ANGLES)).tolist(), rel=1e-15)
 
 
-def test_the_reference_of_the_closed_form_is_the_papers() -> None:
-    """(4.3), (4.5) corrected, at 40 digits."""
-    mu, known = next(iter(answers()["closed form"].items()))
-    scene: Any = scenes.scene("closed form", float(mu))
-    m = oracle.numbers(scene.arc)
-    with mpmath.workdps(40):
-        a = m["fall"] * mpmath.sin(m["dip"]) - mpf(float(mu)) * m["press"] * mpmath.cos(m["dip"])
-        b, t = mpf(float(mu)) * m["polar"], scene.end_time / m["scale"]
-        root = mpmath.sqrt(a * b)
-        exact = (m["radius"] * mpmath.log(mpmath.cosh(root * t)) / b,
-                 m["radius"] * mpmath.sqrt(a / b) * mpmath.tanh(root * t) / m["scale"], scene.end_time)  # fmt: skip
-        for value, text in zip(exact, known, strict=True):
-            assert abs(value / mpf(text) - 1) < 1e-22
-
-
 @pytest.mark.parametrize(
     ("name", "many"),
     [("closed form", True), ("constant friction", False), ("constant friction", True), ("heat", False)],

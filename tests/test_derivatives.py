@@ -3,6 +3,7 @@
 import json
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
@@ -19,8 +20,6 @@ from flint import arb, ctx
 
 import slipcircle
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.__main__ import main
-from slipcircle.motion.derivatives import Sensitivity
 from slipcircle.studies.motions import derivatives, motions
 
 EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which 40 digits are known
@@ -28,38 +27,23 @@ EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which 40 digits a
 # --- whole motions -------------------------------------------------------------------------------------------------
 
 
-def outputs(scene: dict[str, Any], free: bool) -> list[Any]:
-    """Peak velocity, run-out and duration to some 40 digits."""
+def outputs(scene: golden.Data, free: bool, digits: int) -> list[arb]:
+    """Peak velocity, run-out and duration to so many digits."""
     p = taylor.Problem(scene)
     p.free |= free  # followed to its first standstill, as if without friction
-    found = taylor.Solution(p, 48, 42)
+    found = taylor.Solution(p, digits + 6, digits)
     return [found.peak()[1] * p.unit, found.run_out * p.radius, found.duration * p.scale]
 
 
-def shifted(scene: dict[str, Any], name: str, by: Fraction) -> dict[str, Any]:
+def shifted(scene: golden.Data, name: str, by: Fraction) -> golden.Data:
     """The scene with one number changed, exactly."""
-    changed = json.loads(json.dumps(scene))
-    path = name.split(".") if "." in name else [name]
-    box = changed["effects"][path[0]] if len(path) == 2 else changed if name in changed else changed["arc"]
-    box[path[-1]] = Fraction(box[path[-1]]) + by
-    return dict(changed)
-
-
-def differences(scene: dict[str, Any], table: Sensitivity, free: bool) -> dict[str, list[float]]:
-    """By number, of a step so short that one side is enough: 22 of the 40 digits are the step's."""
-    found = {}
-    with ctx.workprec(256):
-        here = outputs(scene, free)
-        for name in table.parameters:
-            step = Fraction(table.at[name] or 1.0) * Fraction(1, 10**22)
-            there = outputs(shifted(scene, name, step), free)
-            found[name] = [float((t - h) / oracle.exact(step)) for t, h in zip(there, here, strict=True)]
-    return found
-
-
-def build(scene: dict[str, Any]) -> Scene:
-    rest = {n: scene[n] for n in ("friction", "effects", "initial_velocity", "end_time")}
-    return Scene(arc=Arc(**scene["arc"]), **rest)
+    *path, last = name.split(".")
+    changed: golden.Data = json.loads(json.dumps(scene))
+    box = changed if last in changed else changed["arc"]
+    if path:
+        box = changed["friction"] if path[0] == "friction" else changed["effects"][path[0]]
+    box[last] = Fraction(box[last]) + by
+    return changed
 
 
 def test_a_function_has_the_derivatives_of_the_law_that_it_is() -> None:
@@ -129,18 +113,26 @@ def test_reach_is_where_it_turned_back() -> None:
     assert found.derivative("reach", "friction") != found.derivative("run_out", "friction")
 
 
-def check_motion(scene: dict[str, Any]) -> None:
-    """All derivatives, relative to themselves, or to a tenth of the output per relative change."""
-    motion = solve(build(scene))
-    found = motion.sensitivity()
+def check_motion(scene: golden.Data, names: Sequence[str] = (), digits: int = 42, least: float = 1e-12) -> None:
+    """All derivatives, or some, relative to themselves, or to a tenth of the output per relative change.
+
+    Beside differences of a step so short that one side is enough: half of the digits are the step's.
+    """
+    motion = solve(golden.built("", scene))
+    found, bound = motion.sensitivity(), least + 128 * motion.error_estimate
     assert np.all(np.isfinite(found.values))
-    bound = 1e-12 + 128 * motion.error_estimate
-    for name, slopes in differences(scene, found, not motion.arrested and scene["end_time"] is None).items():
-        value = found.at[name]
-        for output, exact in zip(EXACT, slopes, strict=True):
-            size = max(abs(exact), 0.1 * abs(found.at[output] / value) if value else 0.0)
-            error = abs(found.derivative(output, name) - exact)
-            assert error <= bound * size, (output, name, found.derivative(output, name), exact, error / size, bound)
+    with ctx.workprec(130 + 3 * digits):
+        free = not motion.arrested and scene["end_time"] is None
+        here = outputs(scene, free, digits)
+        for name in names or found.parameters:
+            value = found.at[name]
+            step = Fraction(value or 1.0) * Fraction(1, 10 ** (digits // 2 + 1))
+            there = outputs(shifted(scene, name, step), free, digits)
+            for output, one, other in zip(EXACT, here, there, strict=True):
+                exact = float((other - one) / oracle.exact(step))
+                size = max(abs(exact), 0.1 * abs(found.at[output] / value) if value else 0.0)
+                error = abs(found.derivative(output, name) - exact)
+                assert error <= bound * size, (output, name, found.derivative(output, name), exact, error / size, bound)
 
 
 ROWS = [r["scene"] for r in json.loads(references.FILE.read_text("utf-8")) if r["group"] in ("frozen", "constant")]
@@ -156,7 +148,7 @@ def test_random_scenes_against_differences(number: int) -> None:
 
 
 def test_rows_that_lift_off_are_among_them() -> None:
-    assert all(solve(build(ROWS[k])).lift_off for k in LIFTED)
+    assert all(solve(golden.built("", ROWS[k])).lift_off for k in LIFTED)
 
 
 # --- every law and effect --------------------------------------------------------------------------------------------
@@ -184,38 +176,9 @@ OTHERS: dict[str, tuple[golden.Data, tuple[str, ...]]] = {
 }  # fmt: skip
 
 
-def in_time(scene: golden.Data, name: str, by: float) -> list[arb]:
-    """Peak velocity, run-out and duration, with one number changed."""
-    *path, last = name.split(".")
-    changed = json.loads(json.dumps(scene))
-    box: Any = changed
-    if path:
-        box = box["friction"] if path[0] == "friction" else box["effects"][path[0]]
-    elif last not in box:
-        box = box["arc"]
-    box[last] = Fraction(box[last]) + Fraction(by)
-    found = taylor.Solution(taylor.Problem(changed), 30, 26)
-    return [abs(found.peak()[1]) * found.p.unit, found.run_out * found.p.radius, found.duration * found.p.scale]
-
-
 @pytest.mark.parametrize("which", OTHERS)
 def test_derivatives_of_every_law_and_effect(which: str) -> None:
-    scene, names = OTHERS[which]
-    motion = solve(golden.built(which, scene))
-    assert isinstance(motion, Motion)
-    signs = math.copysign(1.0, float(motion.peak.velocity)), 1.0, 1.0  # the reference's peak is a size
-    slopes = []
-    with ctx.workprec(200):
-        for name in names:
-            value = next(v for n, v in motion.plan.scene.numbers.items() if n == name)
-            step = float(value) * 1e-9  # type: ignore[arg-type]
-            ends = [in_time(scene, name, s * step) for s in (-1.0, 1.0)]
-            slopes.append([float((up - down) / (2 * oracle.exact(step))) for down, up in zip(*ends, strict=True)])
-    found = motion.sensitivity()
-    for name, exact in zip(names, slopes, strict=True):
-        for output, sign, slope in zip(EXACT, signs, exact, strict=True):
-            size = max(abs(slope), 0.1 * abs(found.at[output] / found.at[name]))
-            assert abs(found.derivative(output, name) - sign * slope) <= 1e-6 * size, (name, output)
+    check_motion(*OTHERS[which], digits=26, least=1e-7)
 
 
 @cache
@@ -286,11 +249,10 @@ KEYS = {"friction.angle_deg": 24.0, "arc.theta_2_deg": 280.0, "arc.radius_m": 40
         "pore_pressure.ratio": 0.35, "cohesion.cohesion_kPa": 3.0}  # fmt: skip
 
 
-def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, said: Any) -> None:
     """Per degree and per kPa: against differences of motions whose files differ in that key."""
     text = (Path(str(slipcircle.__file__)).parent / "scenes" / "wet-slope.toml").read_text("utf-8")
-    assert main(["sensitivity", "wet-slope"]) == 0
-    cells = {line.split()[0]: line.split() for line in capsys.readouterr().out.splitlines() if "." in line}
+    cells = {line.split()[0]: line.split() for line in said("sensitivity wet-slope").splitlines() if "." in line}
     for path, value in KEYS.items():
         key, step = path.rpartition(".")[2], 1e-4 * value
         ends = []
@@ -307,17 +269,15 @@ def test_the_command_is_per_unit_of_the_keys(tmp_path: Path, capsys: pytest.Capt
             assert float(found[3 + 2 * k].strip("()")) == pytest.approx(elasticity, rel=0.06)
 
 
-def test_the_command_for_machines(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sensitivity", "vaiont", "--json"]) == 0
-    (record,) = json.loads(capsys.readouterr().out)
+def test_the_command_for_machines(said: Any, records: Any) -> None:
+    (record,) = records("sensitivity vaiont")
     found = solve(load("vaiont")).sensitivity()
     assert record["parameters"]["theta_1"] == "rad"
     column = list(record["parameters"]).index
     row = list(record["outputs"]).index("run_out")
     assert record["values"][row][column("theta_1")] == found.derivative("run_out", "theta_1")
     assert record["elasticities"][row][column("radius")] == pytest.approx(1.0, abs=1e-12)
-    assert main(["sensitivity", "vaiont-softening"]) == 0
-    assert "friction.length_m" in capsys.readouterr().out
+    assert "friction.length_m" in said("sensitivity vaiont-softening")
 
 
 def test_a_creep_is_differentiated_by_implicit_steps() -> None:

@@ -156,9 +156,6 @@ def test_what_an_engine_needs() -> None:
             pass
 
 
-# --- runs that continue ----------------------------------------------------------------------------------------------
-
-
 def test_a_run_continues(tmp_path: Path) -> None:
     """From any set of finished blocks, a damaged one, and what a killed writer left; with the seed that is there."""
     whole = ensemble(SCENE, folder=tmp_path, **MANY)
@@ -291,9 +288,6 @@ def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("slipcircle.studies.engines.run_block", fails)
     with ThreadPoolExecutor(2) as pool, pytest.raises(MemoryError, match="block"):
         ensemble(SCENE, 100, 1, pool)
-
-
-# --- progress, and the time on many machines -------------------------------------------------------------------------
 
 
 def test_progress(capsys: pytest.CaptureFixture[str]) -> None:

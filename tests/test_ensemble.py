@@ -99,16 +99,6 @@ def test_in_python() -> None:
         ensemble(VAIONT, 0, method="lhs", confidence=2)
 
 
-def test_a_law_times_a_law_of_speed_may_be_uncertain() -> None:
-    law: dict[str, Any] = {"law": "exponential", "peak": 0.3, "residual": 0.2, "length": 0.5,
-           "rate": {"law": "rate_weakening", "peak": 1.0, "residual": 0.8, "velocity": 2.0}}  # fmt: skip
-    scene = replace(VAIONT, friction=law, uncertain={"friction.residual": stats.uniform(0.15, 0.1)})
-    found = ensemble(scene, 3, 5, accuracy=1e-14)
-    for k, residual in enumerate(found.samples["friction.residual"]):
-        wanted = solve(replace(scene, friction=law | {"residual": residual}, uncertain={}))
-        assert found.samples["run_out"][k] == pytest.approx(wanted.run_out, rel=1e-12)
-
-
 RECORD = Series(np.arange(0.0, 10.0, 0.01), 0.2 * np.sin(5 * np.arange(0.0, 10.0, 0.01)), held=False)
 
 
@@ -180,9 +170,6 @@ def test_pairs_are_correlated() -> None:
     ):
         with pytest.raises(ValueError, match=said):
             ensemble(drawn, 16, 1, correlation=wrong)
-
-
-# --- points ----------------------------------------------------------------------------------------------------------
 
 
 def test_points_do_not_depend_on_the_blocks() -> None:

@@ -111,9 +111,6 @@ def test_a_lane_does_not_know_its_neighbours(law: str) -> None:
     assert np.isnan(spoilt.run_out[3])
 
 
-# --- decisions, shapes, references -----------------------------------------------------------------------------------
-
-
 def arcs(count: int) -> dict[str, Any]:
     """Thin ones, half discs and all between, dips of both signs up to upright."""
     rng = np.random.default_rng(3)

@@ -151,22 +151,15 @@ CASES: dict[str, Hard] = {
 }  # fmt: skip
 
 
-@cache
-def terminal(end: float) -> tuple[mpf, mpf, mpf]:
-    """Run-out, duration and greatest speed of the frozen slope with friction 0.2: d(omega)/dt = a - b omega^2."""
-    m = oracle.numbers(Arc(**SLOPE))
-    a = m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])
-    b, speed = mpf(0.2) * m["polar"], m["radius"] / m["scale"]
-    k, t = mpmath.sqrt(a * b), mpf(end) / m["scale"]
-    turned = (k * t + mpmath.log1p(mpmath.exp(-2 * k * t)) - mpmath.log(2)) / b
-    return turned * m["radius"], mpf(end), mpmath.sqrt(a / b) * mpmath.tanh(k * t) * speed
-
-
 def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
     """Whether it comes to rest; run-out in m, duration in s and greatest speed in m/s."""
     case = CASES[name]
-    if name in ("thirty years, frozen", "thirty years, hyperbolic, terminal"):
-        return False, terminal(1e9)
+    if name in ("thirty years, frozen", "thirty years, hyperbolic, terminal"):  # at its terminal velocity
+        m = oracle.numbers(Arc(**SLOPE))
+        a = m["fall"] * mpmath.sin(m["dip"]) - mpf(0.2) * m["press"] * mpmath.cos(m["dip"])
+        start = a, mpf(0.2) * m["polar"], mpf(0), mpf(1e9) / m["scale"]
+        turned, omega = oracle.rotation(*start), oracle.angular_velocity(*start)
+        return False, (turned * m["radius"], mpf(1e9), omega * m["radius"] / m["scale"])
     if name == "floats":  # a pendulum, whose greatest speed is at its lowest point
         m = oracle.numbers(Arc(**SLOPE))
         half, rate = m["dip"] / 2, mpmath.sqrt(m["fall"]) / m["scale"]
@@ -177,7 +170,7 @@ def answer(name: str) -> tuple[bool, tuple[mpf, ...]]:
         if isinstance(case.friction, Ulps):  # the printed limit decides: the dip that has it exactly
             printed = arb(abs(float(Arc(**dict(case.arc)).dimensionless.limit_friction)))
             p.dip = p.lean = (printed * p.press / p.fall).atan() * (1 if p.dip > 0 else -1)
-        found = taylor.Solution(p, 36, 30)
+        found = taylor.Solution(p, 26, 22)
         record = found.record()
     return found.arrested, tuple(mpf(record[n]) for n in ("run_out", "duration", "peak_velocity"))
 
@@ -310,9 +303,6 @@ class Plane:
     def energy(self, x: mpf) -> mpf:
         return self.forced(x) + self.first * mpmath.exp(-self.q * x)
 
-    def normal(self, x: mpf) -> mpf:
-        return self.m["polar"] * self.energy(x) + self.m["press"] * mpmath.cos(self.m["dip"] - x) - self.m["water"]
-
     def time(self, energy: Callable[[mpf], mpf], start: mpf, end: mpf) -> mpf:
         """The integral of E^-1/2, by x = start + length sin^2, on panels that crowd towards both ends."""
         length = end - start
@@ -338,7 +328,6 @@ def root(f: Callable[[mpf], mpf], low: mpf, high: mpf) -> mpf:
 BRAKES = {  # of what drag; how near, where not just within the estimate
     "strong": (scene(230.0, 280.0, 0.2, effects=TURNING | {"drag": {"xi": 1e-2}}), 1.0),
     "as strong as no soil has": (scene(243.0, 244.0, tan(12.0), effects=TURNING | {"drag": {"xi": 1e-3}}), 1.0),
-    "stronger by far": (scene(243.0, 243.2, tan(5.0), effects=TURNING | {"drag": {"xi": 1e-11}}), 1.0),
     # The speed is held from the first micrometres on, and forgets nothing else.
     "steep": (Hard("", arc(80.0, 0.3), 0.3, TURNING | {"drag": {"xi": 1e-4}}).data, 1e-12),
     # E is rounded drive over brake, its slope nothing but rounding.
@@ -370,29 +359,3 @@ def test_a_drag_that_takes_up_the_drive(name: str) -> None:
         for found, exact in zip((motion.run_out, motion.duration, float(motion.peak.velocity)), wanted, strict=True):
             error = float(abs(mpf(found) / exact - 1))
             assert error <= (estimate if nearest == 1.0 else nearest), f"{error:.1e} beside {estimate:.1e}"
-
-
-@pytest.mark.xfail(strict=False, reason="float64 knows what presses to 1e-16, so the time to 1e-6, within it or not")
-def test_a_late_lift_off_under_a_huge_friction() -> None:
-    """Friction holds the speed at which nothing presses any more, until gravity alone brakes harder than that."""
-    effects = {"rotation": {}, "centripetal": {}, "pore_pressure": {"pressure": 1.8e6}}
-    given = scene(210.0, 270.0, 1e10, 60.0, 40.0, effects)
-    motion = solve(golden.built("late", given))
-    with mpmath.workdps(60):
-        p = Plane(given)
-        lift = root(p.normal, mpf("0.01"), mpf("1.2"))
-        begin, energy = p.time(p.energy, mpf(0), lift), p.energy(lift)
-        assert abs(motion.lift_off[0] / float(begin * p.m["scale"]) - 1.0) < 1e-6
-        m = p.m
-
-        def free(x: mpf) -> mpf:
-            return energy + 2 * m["fall"] * (mpmath.cos(m["dip"] - x) - mpmath.cos(m["dip"] - lift))
-
-        top = root(free, lift, mpf(3))  # where it swings back
-        up = p.time(free, lift, top)
-        left, x = mpf(given["end_time"]) / m["scale"] - begin, mpf(motion.run_out) / p.radius
-        for _ in range(8):
-            passed = 2 * up - p.time(free, lift, x) if motion.end.velocity < 0.0 else p.time(free, lift, x)
-            x -= (passed - left) * mpmath.sqrt(free(x)) * (1 if motion.end.velocity > 0.0 else -1)
-        error = float(abs(mpf(motion.run_out) / (x * p.radius) - 1))
-    assert error <= motion.error_estimate, f"{error:.1e} beside {motion.error_estimate:.1e}"

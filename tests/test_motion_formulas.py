@@ -1,4 +1,7 @@
-"""The motion formulas' values, against the equation of motion solved in mpmath: 8 ulp times (1 + condition number)."""
+"""The motion formulas' values, against the equation of motion solved in mpmath: 8 ulp times (1 + condition number).
+
+And those of the laws of slip.
+"""
 
 from collections.abc import Callable
 from functools import cache
@@ -11,7 +14,7 @@ import oracle
 import pytest
 from mpmath import mpf
 
-from generated import motion
+from generated import laws, motion
 
 Formula = Callable[..., Any]
 
@@ -169,3 +172,24 @@ def test_the_solution_ends(name: str) -> None:
         assert np.isnan(value), f"{name}{x} is {value}, after the solution has ended"
     with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match="invalid"):
         formula(*ended[0])
+
+
+EPS = 2.0**-52
+COEFFICIENTS: dict[str, Callable[[mpf, mpf, mpf, mpf], mpf]] = {
+    "exponential": lambda s, peak, rest, length: rest + (peak - rest) * mpmath.exp(-s / length),
+    "linear": lambda s, peak, rest, length: peak + (rest - peak) * min(s / length, mpf(1)),
+    "hyperbolic": lambda s, peak, rest, length: rest + (peak - rest) / (1 + s / length),
+}
+
+
+@pytest.mark.parametrize("name", COEFFICIENTS)
+def test_laws_of_slip(name: str) -> None:
+    """The generated laws against their definitions at 80 digits."""
+    rng = np.random.default_rng(9)
+    for _ in range(400):
+        length, peak, rest = 10 ** rng.uniform(-12, 12), rng.uniform(0.0, 1.5), rng.uniform(0.0, 1.5)
+        slip = rng.choice([0.0, length * 10 ** rng.uniform(-9, 1)])
+        with mpmath.workdps(80):
+            mu = COEFFICIENTS[name](*(mpf(float(v)) for v in (slip, peak, rest, length)))
+            found = mpf(float(getattr(laws, f"friction_{name}")(slip, peak, rest, length)))
+            assert abs(found - mu) <= 4 * EPS * (peak + rest)

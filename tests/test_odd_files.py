@@ -1,6 +1,5 @@
 """Odd files and sections: each ends in an answer, or in a refusal that says what is wrong."""
 
-import math
 import sys
 from pathlib import Path
 from random import Random
@@ -10,7 +9,7 @@ import fuzz_scenes
 import malformed_sections
 import pytest
 
-from slipcircle import Scene, Section, load
+from slipcircle import Scene, Section
 
 GOOD: dict[str, Any] = {
     "ground": [(-50, 10), (-20, 10), (0, 0), (50, 0)],
@@ -20,24 +19,14 @@ GOOD: dict[str, Any] = {
 }
 
 
-def test_deeper_than_a_half_disc_has_geometry_and_no_motion() -> None:
-    found = Section([(-50, 0), (0, -1), (50, 0)], (0.0, 1.0), 20.0, 2e4)
-    assert found.no_motion is None
-    found = Section([(-50, 10), (0, 0), (50, 10)], (0.0, 1.0), 20.0, 2e4)
-    assert found.half_angle > math.pi / 2
-    assert found.area > 0.0
-    assert found.no_motion is not None
-    assert "half a circle" in found.no_motion
-
-
 def test_malformed_sections() -> None:
     """`python tests/malformed_sections.py 10000` draws more."""
-    assert not list(malformed_sections.faults(300, 16))
+    assert not list(malformed_sections.faults(200, 16))
 
 
-@pytest.mark.parametrize("part", range(5))
+@pytest.mark.parametrize("part", range(3))
 def test_odd_scene_files_end_in_an_answer_or_a_refusal(part: int, tmp_path: Path) -> None:
-    """Five hundred in all; `python tests/fuzz_scenes.py 2000` draws others."""
+    """Three hundred in all; `python tests/fuzz_scenes.py 2000` draws others."""
     bad = fuzz_scenes.faults(range(100 * part, 100 * part + 100), 11, tmp_path, "run", 60.0)
     assert not bad, bad[0]
 
@@ -59,7 +48,7 @@ def test_the_fuzz_sees_faults(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
         assert any(word in text for text in texts), word
 
 
-def test_a_level_and_a_pore_ratio_exclude_each_other(tmp_path: Path) -> None:
+def test_a_level_and_a_pore_ratio_exclude_each_other() -> None:
     wet = Section(**GOOD, level=[(-50, 0), (50, -1)])
     words = (
         r"^Scene: effects\.pore_pressure\.ratio: cannot be combined with the level of the section, which says .*out$"
@@ -67,13 +56,3 @@ def test_a_level_and_a_pore_ratio_exclude_each_other(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=words):
         Scene(wet, 0.3, {"pore_pressure": {"ratio": 0.2}})
     Scene(wet, 0.3, {"pore_pressure": {"pressure": 2e3}})  # an excess over the level's is no second level
-    text = Path("slipcircle/scenes/real-slope.toml").read_text("utf-8") + "[pore_pressure]\nratio = 0.2\n"
-    path = tmp_path / "wet.toml"
-    for water in ("", "[water]\nlevel_m = [[0, 20], [90, 22]]\n"):
-        path.write_text(text + water, "utf-8")
-        if water:
-            with pytest.raises(ValueError, match=r"pore_pressure\.ratio.* level") as raised:
-                load(path)
-            assert len(str(raised.value).splitlines()) == 1
-        else:
-            load(path)

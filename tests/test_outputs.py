@@ -4,7 +4,6 @@ Scene files are written here in the units of their keys; the numbers beside whic
 same scenes in SI units, by quadrature of the definitions and Taylor series (`taylor`).
 """
 
-import json
 import math
 import re
 from collections.abc import Callable, Mapping
@@ -12,6 +11,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import fuzz_scenes
 import golden
 import numpy as np
 import oracle
@@ -30,7 +30,8 @@ KEYS: dict[str, tuple[str, Callable[[float], Any]]] = {  # of a scene file, and 
     "duration": ("duration_s", float), "start": ("start_s", float), "length": ("length_m", float),
     "velocity": ("velocity_m_s", float), "pressurisation": ("pressurisation_MPa_K", lambda x: x / 1e6),
     "heat_capacity": ("heat_capacity_MJ_m3_K", lambda x: x / 1e6),
-    "peak": ("peak_deg", lambda mu: math.degrees(math.atan(mu))), "residual": ("residual", float),
+    "peak": ("peak_deg", lambda mu: math.degrees(math.atan(mu))),
+    "angle": ("angle_deg", lambda mu: math.degrees(math.atan(mu))),
 }  # fmt: skip
 WAVES = {"pulse": "sine", "amplitude": 0.28, "duration": 4.0, "cycles": 3.0, "vertical_amplitude": 0.1}
 WET = {"cohesion": {"cohesion": 3e3}, "drag": {"xi": 300.0}, "pore_pressure": {"ratio": 0.15}}
@@ -55,29 +56,18 @@ def toml(name: str, given: golden.Data) -> str:
     """A scene as its file."""
     arc, law = given["arc"], given["friction"]
 
-    def lines(values: Mapping[str, Any]) -> list[str]:
-        found = [KEYS.get(k, (k, lambda x: x)) + (v,) for k, v in values.items()]
-        shown = [(key, value if isinstance(value, str | bool) else of(value)) for key, of, value in found]
-        return [f"{k} = {json.dumps(v)}" for k, v in shown]
-
-    head = [f'name = "{name}"', f"initial_velocity_m_s = {given['initial_velocity']!r}"]
-    head += [] if given["end_time"] is None else [f"end_time_s = {given['end_time']!r}"]
-    head += ["[arc]", f"radius_m = {arc['radius']!r}", f"unit_weight_kN_m3 = {arc['unit_weight'] / 1e3!r}"]
-    head += [f"theta_{k}_deg = {math.degrees(arc[f'theta_{k}'])!r}" for k in (1, 2)]
-    head += [
-        "[friction]",
-        *(lines(law) if isinstance(law, dict) else [f"angle_deg = {math.degrees(math.atan(law))!r}"]),
-    ]
-    for effect, values in given["effects"].items():
+    def keyed(values: Mapping[str, Any]) -> dict[str, Any]:
         if "time" in values:
-            head += [
-                f"[{effect}]",
-                f"time_s = {values['time']}",
-                f"pressure_kPa = {[p / 1e3 for p in values['pressure']]}",
-            ]
-        else:
-            head += [f"[{effect}]", *lines(values)]
-    return "\n".join(head) + "\n"
+            return {"time_s": values["time"], "pressure_kPa": [p / 1e3 for p in values["pressure"]]}
+        found = ((*KEYS.get(name, (name, float)), value) for name, value in values.items())
+        return {key: value if isinstance(value, str | bool) else of(value) for key, of, value in found}
+
+    document = {"name": name, "initial_velocity_m_s": given["initial_velocity"]}
+    document |= {} if given["end_time"] is None else {"end_time_s": given["end_time"]}
+    document["arc"] = {"radius_m": arc["radius"], "unit_weight_kN_m3": arc["unit_weight"] / 1e3}
+    document["arc"] |= {f"theta_{k}_deg": math.degrees(arc[f"theta_{k}"]) for k in (1, 2)}
+    document["friction"] = keyed(law if isinstance(law, dict) else {"angle": law})
+    return fuzz_scenes.toml(document | {effect: keyed(values) for effect, values in given["effects"].items()})
 
 
 class Exact:
@@ -360,9 +350,6 @@ def test_the_report_says_the_same(files: dict[str, Path], tmp_path: Path, said: 
     for label, value in (("run-out along the arc", e.run_out), ("duration", e.duration), ("peak velocity", e.peak),
                          ("factor of safety", 0.0)):  # fmt: skip
         assert float(cells[label]) == pytest.approx(value, rel=1e-9), label
-
-
-# --- other commands --------------------------------------------------------------------------------------------------
 
 
 def test_backanalysis_finds_what_was_there(files: dict[str, Path], said: Any, records: Any) -> None:

@@ -19,8 +19,6 @@ from flint import ctx
 
 from slipcircle import Arc, Motion, Scene, solve
 
-VAIONT = Arc(1492.6, np.deg2rad(215.2), np.deg2rad(276.9), 20e3)
-
 
 def size(found: Any) -> float:
     return float(np.max(np.abs(found), initial=0.0))

@@ -111,16 +111,6 @@ def test_no_text_lies_on_another(name: str) -> None:
             assert ax.get_legend().get_window_extent().y0 >= ax.get_window_extent().y1
 
 
-def test_the_check_of_texts_sees() -> None:
-    ax = plots.history(motion("vaiont"), ax=drawn())
-    assert clashes(ax.figure) == []
-    ax.text(0.0, 1.02, "over the legend", transform=ax.transAxes)
-    ax.figure.text(0.95, 0.5, "out of the figure")
-    found = clashes(ax.figure)
-    assert "'out of the figure' leaves" in found
-    assert any("'over the legend'" in c for c in found if " on " in c)
-
-
 # --- what is drawn -------------------------------------------------------------------------------------------------
 
 

@@ -245,9 +245,6 @@ def test_headings_that_links_point_at() -> None:
     assert set(re.findall(r"\]\(#([^)]+)\)", TEXT)) <= heads
 
 
-# --- what stands beside the README -----------------------------------------------------------------------------------
-
-
 def test_citation() -> None:
     """Its keys are those that the format asks for, and what it shares with the project's file is the same there."""
     text, project = (ROOT / "CITATION.cff").read_text("utf-8"), tomllib.loads((ROOT / "pyproject.toml").read_text())

@@ -107,8 +107,6 @@ def test_a_million_samples_survive(tmp_path: Path) -> None:
     assert np.array_equal(series.values, values)
 
 
-# --- files that are not --------------------------------------------------------------------------------------------
-
 HEAD = "time (s),acc (g)\n"
 MISTAKES: dict[str, tuple[str, dict[str, Any], str]] = {
     "empty": (" \n", {}, "is empty"),
@@ -280,9 +278,6 @@ def test_a_record_is_read_over_one_gravity(tmp_path: Any) -> None:
             Scene(arc, 0.5, effects, **more)
     assert Scene(replace(ARC, gravity=np.array([9.81, 9.81])), 0.5, effects).shape == (2,)
     assert Scene(replace(ARC, gravity=np.empty(0)), 0.5, TURNING).shape == (0,)
-
-
-# --- series and pulses (`test_newmark` holds what they are) -----------------------------------------------------------
 
 
 def test_series_is_straight_between_samples_and_held_or_zero_outside() -> None:

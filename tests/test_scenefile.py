@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import slipcircle
-from generated.effects import EFFECTS, INFINITY, LAWS, Effect, Parameter
+from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
 from slipcircle.files.scenefile import load as read
 from slipcircle.files.scenekeys import schema
@@ -19,7 +19,6 @@ from slipcircle.outputs.guide import guide
 from slipcircle.scene.keys import tables_of
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
-ROOT = Path(__file__).parents[1]
 FOLDER = Path(slipcircle.__file__).parent / "scenes"
 ARC = "[arc]\nradius_m = 1492.6\ntheta_1_deg = 215.2\ntheta_2_deg = 276.9\nunit_weight_kN_m3 = 20\n"
 FRICTION = "[friction]\nangle_deg = 10\n"
@@ -364,19 +363,3 @@ def test_the_formulas_of_the_guide_give_the_numbers_that_are_used() -> None:
             product = re.sub(r"(?<=[\w)]) (?=[\w(])", "*", formula)
             assert np.isclose(eval(product, known | {p.name: 7.0}), p.dimensionless(7.0, scales), rtol=1e-14)
     assert sum(map(len, told.values())) == 7
-
-
-def test_a_new_effect_appears_everywhere(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    eta = Parameter("eta", "Pa s", 0.0, 1e9, "viscosity of the layer", "eta_kPa_s", 1e3, "e", lambda v, _: v, False)
-    slope = Parameter("slope", "", -5e-324, INFINITY, "friction there", "slope_deg", 1.0, "", lambda v, _: v, True)
-    monkeypatch.setitem(EFFECTS, "viscosity", Effect("viscosity", "9.9", (eta, slope), (), "a viscous layer", False))
-    part = schema()["$defs"]["viscosity"]
-    assert (part["title"], part["required"], list(part["properties"])) == (
-        "a viscous layer", ["eta_kPa_s"], ["eta_kPa_s", "slope_deg", "slope"],
-    )  # fmt: skip
-    assert part["properties"]["eta_kPa_s"]["anyOf"][0]["exclusiveMaximum"] == 1e6
-    scene = written(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 2\nslope_deg = 45\n")
-    assert scene.called == {"viscosity": {"eta": 2000.0, "slope": tan(45.0)}}
-    assert sentences(file, ARC + FRICTION + "[viscosity]\neta_kPa_s = 1e6\nslope = 0\n") == [
-        "viscosity.eta_kPa_s = 1000000.0: must be a number above 0 and below 1e+06 (kPa s): viscosity of the layer"
-    ]

@@ -11,13 +11,11 @@ import section_references
 import taylor
 from flint import arb, ctx
 from test_section_motion import GROUND
-from test_section_water import GAMMA, LEVEL
+from test_section_water import LEVEL
 
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
-from slipcircle.__main__ import main
 from slipcircle.motion.states import Status
 from slipcircle.scene.numbers import fields_with, numbers_in
-from slipcircle.scene.transport import growth, telling
 from slipcircle.studies.engines import engine
 from slipcircle.studies.ensemble import grid
 from slipcircle.studies.motions import motions
@@ -41,6 +39,8 @@ LANES: dict[str, dict[str, Any]] = {
     "a grid of circles": {"centre": [[[30.5, 53.6]], [[30.4, 53.7]]], "radius": np.array([28.3, 28.5, 28.4])},
     "levels": {"level": np.array(LEVEL) - np.array([0.5, 1.0, 2.0])[:, None, None] * [0, 1], "centre": [33.0, 56.0],
                "radius": 28.0},
+    "circles under a level": {"centre": [[33.0, 56.0], [33.05, 55.97], [32.94, 56.02]], "level": LEVEL,
+                              "radius": np.array([28.0, 28.03, 27.96])},
     "soils": {"unit_weight": np.array([19e3, 20e3])},
 }  # fmt: skip
 
@@ -222,48 +222,19 @@ def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
             assert found.derivative(output, name) == pytest.approx(slope, rel=1e-7, abs=1e-8 * np.abs(row).max())
 
 
-@pytest.mark.parametrize("which", SCENES)
-def test_integrals_change_as_their_differences(which: str) -> None:
-    section: Any = SCENES[which].arc
-    names = [n for n in telling(section) if n not in ("unit_weight", "gravity", "width")]
-    found, own, turns = growth(section, names), numbers_in(section), np.array([0.0, 0.1, 0.3, -0.2])
-    if which == "a scarp":  # moved to one side it overhangs
-        names = [n for n in names if n not in ("ground.2.x", "ground.3.x")]
-        found = growth(section, names)
-    step = 1e-3 * section.radius / 28.4
-    pressure = found.pressure(np.repeat(turns[:, None], len(names), axis=1))
-    for k, name in enumerate(names):
-        ends = [moved(section, name, float(own[name]) + step * j) for j in (1, -1, 2, -2)]
-
-        def slope(of: Any, ends: Any = ends) -> Any:
-            a, b, c, d = (np.asarray(of(s)) for s in ends)
-            return (8 * (a - b) - (c - d)) / (12 * step)
-
-        for moment in ("polar", "inertia", "radial_x", "radial_y", "moment_x", "moment_y"):
-            assert slope(lambda s, m=moment: s._moments[m][0]) == pytest.approx(found.moments[moment][k], abs=1e-10)
-        cover = slope(lambda s: s.mean_cover / s.radius * 2 * s.half_angle)
-        assert cover == pytest.approx(found.moments["cover"][k], abs=1e-9)
-        assert slope(lambda s: np.ravel(s._angles)) == pytest.approx(found.ends[:, k], abs=1e-9)
-        assert slope(lambda s: s.mean_pressure(turns)) == pytest.approx(pressure[:, k], abs=1e-9 * GAMMA)
-
-
-def test_sensitivity_of_a_scene_that_ships(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["sensitivity", "real-slope"]) == 0
-    shown = capsys.readouterr()
-    assert "ground.points_m.2.y" in shown.out
-    assert "circle.radius_m" in shown.out
-    assert "through a vertex" in shown.err
-    assert main(["sensitivity", "real-slope", "--json"]) == 0
-    (record,) = json.loads(capsys.readouterr().out)
+def test_sensitivity_of_a_scene_that_ships(asked: Any, records: Any) -> None:
+    status, out, err = asked("sensitivity real-slope")
+    assert status == 0
+    assert "ground.points_m.2.y" in out
+    assert "circle.radius_m" in out
+    assert "through a vertex" in err
+    (record,) = records("sensitivity real-slope")
     assert record["keys"]["ground.2.y"] == "ground.points_m.2.y"
-    assert "arc.unit_weight_kN_m3" not in shown.out
+    assert "arc.unit_weight_kN_m3" not in out
     scene = load("real-slope")
     inwards = [solve(replace(scene, arc=moved(scene.arc, "radius", scene.arc.radius - by))) for by in (0.0, 1e-5)]  # type: ignore[arg-type,operator]
     slope = (inwards[0].run_out - inwards[1].run_out) / 1e-5
     assert inwards[0].sensitivity().derivative("run_out", "radius") == pytest.approx(slope, rel=1e-4)
-
-
-# --- by key ----------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -271,12 +242,10 @@ def test_sensitivity_of_a_scene_that_ships(capsys: pytest.CaptureFixture[str]) -
     [("circle.radius_m=150:170", "circle.radius_m"), ("ground.points_m.4.y=86:90", "ground.points_m.4.y"),
      ("water.level_m.3.y", "water.level_m.3.y"), ("circle.centre_m.x", "circle.centre_m.x")],
 )  # fmt: skip
-def test_a_coordinate_is_found_from_the_run_out(field: str, key: str, tmp_path: Any, capsys: Any) -> None:
+def test_a_coordinate_is_found_from_the_run_out(field: str, key: str, tmp_path: Any, records: Any) -> None:
     picture = tmp_path / "found.png"
     wanted = 20.5
-    assert main(["backanalyse", "valley-side", f"--run-out-m={wanted}", "--field", field, "--json", "--plot",
-                 str(picture)]) == 0  # fmt: skip
-    (record,) = json.loads(capsys.readouterr().out)
+    (record,) = records(f"backanalyse valley-side --run-out-m={wanted} --field {field} --plot", picture)
     assert picture.read_bytes().startswith(b"\x89PNG")
     for solution in record["solutions"]:
         there = grid(VALLEY, {key: [solution["values"][key]]})

@@ -2,7 +2,6 @@
 
 import contextlib
 import dataclasses
-import math
 from typing import Any
 
 import flint
@@ -11,12 +10,10 @@ import pytest
 import references
 import section_references
 import taylor
-from scipy.integrate import solve_ivp
 
 from generated import cells as its
 from slipcircle import Motion, Scene, Section, solve
-from slipcircle.flow import compiled, tables, walk
-from slipcircle.flow.bind import bind
+from slipcircle.flow import compiled, walk
 
 GAMMA, SEED = 20e3, section_references.SEED
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
@@ -54,38 +51,6 @@ def body(level: Any = LEVEL, **more: Any) -> Section:
     return Section(GROUND, [33.0, 56.0], 28.0, GAMMA, level=level, **more)
 
 
-def test_time_as_another_integrator_has_it() -> None:
-    section, mu = body(), 0.3
-    w = section.weights
-    scale = section.radius / section.time_scale
-
-    def rates(_: float, y: Any) -> list[float]:
-        fall = w.fall * math.cos(y[0]) - w.fall_slope * math.sin(y[0])
-        press = w.press * math.cos(y[0]) - w.press_slope * math.sin(y[0])
-        lifted = w.level * float(section.mean_pressure(y[0])) / section.reference_stress
-        return [y[1], fall - mu * (press + w.polar * y[1] ** 2 - lifted)]
-
-    def stops(t: float, y: Any) -> float:
-        return float(y[1]) if t > 0.0 else 1.0
-
-    stops.terminal = True  # type: ignore[attr-defined]
-    found = solve_ivp(rates, (0.0, 50.0), [0.0, 0.0], "DOP853", events=stops, rtol=1e-12, atol=1e-14)
-    motion = solve(Scene(section, mu, ["rotation", "centripetal"]))
-    assert motion.duration == pytest.approx(found.t_events[0][0] * section.time_scale, rel=1e-8)
-    assert motion.run_out == pytest.approx(found.y_events[0][0][0] * section.radius, rel=1e-8)
-    assert motion.peak.velocity == pytest.approx(scale * found.y[1].max(), rel=1e-2)
-
-
-def test_a_kink_that_is_forgotten_shows(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With the borders of its pieces elsewhere the table does not follow the pressure."""
-    section = body()
-    right = solve(Scene(section, 0.3, ["rotation"])).end.rotation
-    turning = tables.turning
-    monkeypatch.setattr(tables, "turning", lambda f, kinks, *ends: turning(f, kinks[:0], *ends))
-    wrong = solve(Scene(section, 0.3, ["rotation"])).end.rotation
-    assert 1e-12 < abs(wrong / right - 1.0) < 1e-3
-
-
 @pytest.mark.parametrize("velocity", [0.0, 1.5, -2.0])
 @pytest.mark.parametrize("effects", [{"rotation": {}}, {"centripetal": {}}, {"rotation": {}, "drag": {"xi": 400.0}}])
 def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> None:
@@ -99,21 +64,6 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
     compiled.walk(bound.program, bound.tables, other)
     for cell in (its.STATUS, its.PHASES, its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REST_SINCE):
         assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
-
-
-def test_many_sections_walk_together() -> None:
-    rng = np.random.default_rng(4)
-    count = 30
-    centre, radius = [33.0, 56.0] + rng.normal(size=(count, 2)) * 0.05, 28.0 + rng.normal(size=count) * 0.05
-    many = Section(GROUND, centre, radius, GAMMA, level=LEVEL)
-    called, push = {"rotation": {}, "pore_pressure": {"level": many.mean_pressure}}, rng.normal(size=count)
-    bound = bind(many, called, 0.3, push, math.inf, 1e-12, count)
-    cells = bound.cells.copy()
-    compiled.engine().walk(bound.program, bound.tables, cells)
-    for k in range(0, count, 7):
-        one = Section(GROUND, centre[k], radius[k], GAMMA, level=LEVEL)
-        alone = solve(Scene(one, 0.3, ["rotation"], float(push[k]), accuracy=1e-12))
-        assert cells[its.END_ROTATION, k] == pytest.approx(alone.end.rotation, rel=1e-11)
 
 
 def test_a_level_of_the_section_is_an_effect_of_its_own() -> None:

@@ -41,6 +41,9 @@ def test_a_mirror_changes_no_number(one: Any, other: Any, asked: str) -> None:
     for name, q in HISTORY.items():
         first, second = q.at(a, times), q.at(b, times)
         np.testing.assert_allclose(second, first, rtol=0, atol=1e-8 * max(1e-9, np.nanmax(np.abs(first))), err_msg=name)
+    if one is FALLING:
+        assert b.journey.run_out == pytest.approx(a.journey.run_out, rel=1e-11)
+        assert b.journey.toe_x == pytest.approx(-a.journey.toe_x, rel=1e-11)
     assert json.dumps([w.split()[:4] for w in a.warnings]) == json.dumps([w.split()[:4] for w in b.warnings])
 
 

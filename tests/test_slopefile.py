@@ -209,9 +209,6 @@ def test_mistakes_are_told_with_their_fix(write: Write, old: str, new: str, word
     assert "my-slope.toml: " in str(raised.value)
 
 
-# --- ensembles ------------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.usefixtures("unseen")
 def test_an_ensemble_keeps_the_circle_of_the_means_and_says_so(write: Write, tmp_path: Path, asked: Any) -> None:
     drawn = "{ distribution = 'lognormal', mean = 3, std = 2 }"  # its median is 2.5

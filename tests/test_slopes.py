@@ -9,10 +9,6 @@ import pytest
 from flint import arb
 from strips import integrals
 
-from derive.algebra import slopes
-from derive.code import emit
-from derive.generate import slopes as text
-from derive.generate import write
 from generated import kernels
 from slipcircle.scene import circles
 from slipcircle.scene.arc import Arc
@@ -111,11 +107,6 @@ def test_moments_of_thin_masses(depth: float, bend: float) -> None:
     assert found.depth == pytest.approx(radius * depth * (1.0 + 0.4 * bend), rel=0.5)
 
 
-def test_without_compensation_thin_masses_lose_their_digits(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(circles, "_clearance", lambda x, y, r: (r * r - x[0] * x[0] - y[0] * y[0], 0.0 * x[0] * r))
-    assert worst(*thin(1e-8, 0.4)) > 1e3 * BOUND
-
-
 @pytest.mark.parametrize("alpha", [1e-4, 0.03, 0.2, 0.26, 0.7, 1.2, 1.5])
 @pytest.mark.parametrize("dip", [-0.3, 0.0, 0.25, 0.8])
 def test_one_chord_gives_the_arc(alpha: float, dip: float) -> None:
@@ -204,14 +195,6 @@ def test_invariances() -> None:
                 assert abs(other[name] - base[name]) < BOUND * size
 
 
-def test_shifting() -> None:
-    ground, centre, radius = [(-48.0, 8.5), (-10.0, 8.0), (4.0, 1.25), (50.0, 1.0)], (2.0, 18.0), 20.0
-    base = Section(ground, centre, radius, 2e4)
-    moved = Section(np.array(ground) + [4096.0, -512.0], np.array(centre) + [4096.0, -512.0], radius, 2e4)
-    assert moved.weights == base.weights
-    assert moved.entry == pytest.approx(base.entry + [4096.0, -512.0], rel=1e-15)
-
-
 def test_a_thousand_edges_of_a_smooth_curve() -> None:
     def fine(edges: int) -> dict[str, float]:
         x = np.linspace(-1.5, 1.5, edges + 1)
@@ -251,27 +234,14 @@ def test_lanes_are_single_sections() -> None:
     assert many.shape == (6,)
     for k in range(6):
         one = Section(grounds[k], centres[k], radii[k], 2e4)
-        for name in (
-            "area",
-            "centroid",
-            "entry",
-            "exit",
-            "half_angle",
-            "depth",
-            "facing",
-            "mean_cover",
-            "chord",
-            "dip",
-        ):
+        for name in ("area", "centroid", "entry", "exit", "half_angle", "depth", "facing", "mean_cover", "chord",
+                     "dip"):  # fmt: skip
             assert np.array_equal(getattr(many, name)[k], getattr(one, name)), name
         assert [v[k] for v in many.weights] == pytest.approx(list(one.weights), rel=1e-15)
     common = Section(simple_slope(10.0, run=20.0), np.array([[[0.0, 20.0], [0.5, 20.0]], [[0.0, 21.0], [-1.0, 22.0]]]),
                      np.array([[20.0], [23.0]]), 2e4)  # fmt: skip
     assert common.area.shape == (2, 2)
     assert common.centroid.shape == (2, 2, 2)
-
-
-# --- circles --------------------------------------------------------------------------------------------------------
 
 
 def test_circles_as_people_give_them() -> None:
@@ -294,9 +264,6 @@ def test_circles_as_people_give_them() -> None:
             circle_through(p, q, **wrong)
     assert simple_slope(10.0, angle=math.pi / 4)[1] == pytest.approx([-10.0, 10.0])
     assert simple_slope(10.0, run=5.0)[1] == pytest.approx([-5.0, 10.0])
-
-
-# --- water ----------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mirror", [False, True])
@@ -334,14 +301,6 @@ def test_mean_cover_is_the_mean_height_of_the_ground() -> None:
     x, y = cx + r * np.sin(beta), cy - r * np.cos(beta)
     ground = np.array(HARD["scarp"][0])
     assert found.mean_cover == pytest.approx((np.interp(x, *ground.T) - y).mean(), rel=1e-5)
-
-
-# --- derivation -----------------------------------------------------------------------------------------------------
-
-
-def test_derivation_proves_its_claims_and_is_what_is_generated() -> None:
-    assert len(slopes.prove()) >= 12
-    assert (write.FOLDER / "slopes.py").read_text("utf-8").endswith(emit.wrapped(text.module()))
 
 
 def test_the_form_is_chosen_where_both_agree() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from slipcircle.scene import circles
 from slipcircle.scene.ground import circle_through
-from slipcircle.scene.search import Critical, Search, critical
+from slipcircle.scene.search import Search, critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import METHODS, Slope, factors
 
@@ -125,9 +125,6 @@ def test_taylor_s_friction_circles(slope: float, angle: float, number: float) ->
     assert found.factor_of_safety["bishop"] == pytest.approx(1.0, abs=0.012)
 
 
-# --- definitions ----------------------------------------------------------------------------------------------------
-
-
 def sliced(slope: Slope, centre: tuple[float, float], radius: float, found: Section) -> dict[str, float]:
     """The three factors by 200,000 slices, in the words of the text books."""
     ends = sorted((float(found.entry[0]), float(found.exit[0])))
@@ -171,17 +168,10 @@ LEVEL = [(-60.0, 9.0), (-20.0, 6.0), (-5.0, 1.0), (1.0, -0.5), (60.0, -1.5)]
 @pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize(
     "more",
-    [
-        {},
-        {"pore_ratio": 0.3},
-        {"level": LEVEL},
-        {"k_h": 0.15},
-        {"k_h": -0.1, "level": LEVEL},
-        {"pressure": 15e3},
-        {"pressure": 4e3, "level": LEVEL},
-    ],
+    [{}, {"pore_ratio": 0.3}, {"level": LEVEL}, {"k_h": 0.15}, {"k_h": -0.1, "level": LEVEL}, {"pressure": 15e3},
+     {"pressure": 4e3, "level": LEVEL}],
     ids=str,
-)
+)  # fmt: skip
 def test_factors_are_the_limit_of_slices(mirror: bool, more: dict[str, object]) -> None:
     slope = Slope(GROUND, 8e3, tangent(25), 19e3, **more)  # type: ignore[arg-type]
     centre = (-6.0, 24.0)
@@ -243,9 +233,6 @@ def test_a_lifted_toe_is_refused_by_bishop_alone() -> None:
     assert math.isnan(found["bishop"])
     assert found["ordinary"] > 0
     assert found["paper"] > 0
-
-
-# --- the search -----------------------------------------------------------------------------------------------------
 
 
 def test_limits_hold() -> None:
@@ -352,18 +339,7 @@ def test_a_mirrored_slope_has_the_mirrored_circle() -> None:
     assert two.centre == pytest.approx((-one.centre[0], one.centre[1]), rel=1e-3)
 
 
-def test_the_circle_is_a_section_that_moves_at_the_paper_s_factor() -> None:
-    found = critical(ACADS, "paper")
-    section = Section(ACADS.ground, found.centre, found.radius, 20e3, between=found.between)
-    w = section.weights
-    level = w.level * 3e3 / section.reference_stress
-    assert (level + tangent(19.6) * w.press) / w.fall == pytest.approx(found.factor_of_safety["paper"], rel=1e-9)
-    assert section.entry == pytest.approx(found.entry)
-    assert section.exit == pytest.approx(found.exit)
-    assert section.facing == found.facing
-
-
-@pytest.mark.parametrize("seed", range(0, 200, 25))
+@pytest.mark.parametrize("seed", range(0, 200, 40))
 def test_the_least_factor_is_that_of_differential_evolution(seed: int) -> None:
     assert peers_slopes.excess(seed) < 5e-4
 
@@ -416,14 +392,3 @@ def test_slopes_that_are_refused(more: dict[str, object], words: str) -> None:
     given = {"ground": ACADS.ground, "cohesion": 3e3, "friction": 0.35, "unit_weight": 2e4}
     with pytest.raises(ValueError, match=words):
         Slope(**(given | more))  # type: ignore[arg-type]
-
-
-def test_results_are_plain() -> None:
-    found = critical(ACADS)
-    assert isinstance(found, Critical)
-    record = found.record()
-    assert {"factor_of_safety", "circle", "entry", "exit", "tried", "refused"} <= record.keys()
-    assert set(record["factor_of_safety"]) == set(METHODS)
-    assert tuple(factors(ACADS, *masses(ACADS.ground, np.array([found.centre]), np.array([found.radius]))))[:3] == (
-        *METHODS,
-    )

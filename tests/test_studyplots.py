@@ -194,9 +194,6 @@ def test_a_grid_is_drawn_as_curves() -> None:
         studyplots.response(found("two"))
 
 
-# --- reports and the command ---------------------------------------------------------------------------------------
-
-
 def test_one_command_writes_everything(tmp_path: Path, records: Any) -> None:
     plot, page = tmp_path / "s.png", tmp_path / "s.html"
     line = ("sweep wet-slope --samples 300 --uncertain friction.angle_deg=normal:24:2 --uncertain "

@@ -13,16 +13,13 @@ import taylor
 import test_accuracy
 from mpmath import mpf
 
-from slipcircle import Arc, Scene, load, solve
+from slipcircle import Scene, load, solve
 from slipcircle.base.series import Pulse, Series
 
 ARC: Any = load("vaiont").arc
 TURNING: dict[str, Any] = {"rotation": {}, "centripetal": {}}
 HEAT = {"pressurisation": 1e3, "heat_capacity": 2.7e6, "thickness": 0.1}
 RATE = {"law": "rate_weakening", "peak": 0.41, "residual": 0.2, "velocity": 0.5}
-
-
-# --- answers from textbooks ------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("friction", [0.3, {"law": "linear", "peak": 0.3, "residual": 0.3, "length": 1.0}])
@@ -53,39 +50,6 @@ def test_viscous_terminal_velocity() -> None:
     expected = -force / resistance * np.expm1(-rate * times)
     np.testing.assert_allclose(motion.at(times).velocity, expected, rtol=1e-9)
     assert motion.peak.velocity == pytest.approx(float(motion.end.velocity), rel=1e-9)
-
-
-def test_a_viscous_pendulum() -> None:
-    """Small swings without friction: the damped oscillator's first standstill."""
-    arc: Any = Arc(50.0, math.radians(225.0), math.radians(315.0 - 0.02), 2e4)
-    called = {"rotation": {}, "viscosity": {"viscosity": 2e3, "thickness": 1.0}}
-    motion = solve(Scene(arc, 0.0, called))
-    inertia = arc.unit_weight / arc.gravity * arc.radius * arc.dimensionless.moment_of_inertia
-    e = float(2e3 * 2 * arc.half_angle / inertia)
-    k = float(arc.amplitudes_per_inertia[0] / arc.time_scale**2)
-    swing = math.sqrt(k - e * e / 4)
-    assert motion.duration == pytest.approx(math.pi / swing, rel=1e-7)
-    amplitude = float(arc.dip) * float(arc.radius)
-    assert motion.run_out == pytest.approx(amplitude * (1 + math.exp(-e / 2 * math.pi / swing)), rel=1e-7)
-    assert not motion.arrested
-
-
-# --- limits ----------------------------------------------------------------------------------------------------------
-
-
-def test_constant_shaking_tilts_gravity() -> None:
-    """k_h and k_v that never change: an arc of another dip under another gravity."""
-    k_h, k_v = 0.15, 0.2
-    for_ever = {"pulse": "rectangular", "amplitude": k_h, "vertical_amplitude": k_v, "duration": 1e6}
-    shaken = solve(Scene(ARC, 0.3, TURNING | {"shaking": for_ever, "drag": {"xi": 500.0}}))
-    tilt, g = math.atan2(k_h, 1 - k_v), math.hypot(k_h, 1 - k_v)
-    # Drag is over unit weight, which the new gravity changes.
-    arc = replace(ARC, theta_1=float(ARC.theta_1) - tilt, theta_2=float(ARC.theta_2) - tilt,
-                  gravity=float(ARC.gravity) * g)  # fmt: skip
-    tilted = solve(Scene(arc, 0.3, TURNING | {"drag": {"xi": 500.0 * g}}))
-    assert shaken.run_out == pytest.approx(tilted.run_out, rel=1e-9)
-    assert shaken.duration == pytest.approx(tilted.duration, rel=1e-9)
-    assert shaken.peak.velocity == pytest.approx(tilted.peak.velocity, rel=1e-9)
 
 
 # --- starts, stops and restarts --------------------------------------------------------------------------------------
@@ -136,19 +100,6 @@ def test_water_that_rises_later_starts_it_later() -> None:
     limit = float(ARC.dimensionless.limit_friction)
     assert start == pytest.approx(50.0 * (pressed - pressed * limit / 0.6) / 2e6, rel=1e-7)  # slower than rounding
     assert motion.limit_friction == pytest.approx(limit, rel=1e-14)  # at the start there is no water
-
-
-def test_water_by_a_ratio_that_does_not_change_is_the_closed_form_and_what_rises_starts_it() -> None:
-    """It yields where mu (1 - r_u) = mu_eq, wherever it lies."""
-    plain = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": 0.3}}))
-    series = solve(
-        Scene(ARC, 0.5, TURNING | {"pore_pressure": {"ratio": Series(np.array([0, 1]), np.array([0.3, 0.3]))}})
-    )
-    assert series.run_out == pytest.approx(plain.run_out, rel=1e-9)
-    assert series.duration == pytest.approx(plain.duration, rel=1e-9)
-    late = solve(Scene(ARC, 0.5, TURNING | {"pore_pressure": {"time": [0, 40], "ratio": [0, 0.4]}}))
-    limit = float(ARC.dimensionless.limit_friction)
-    assert golden.changes(late)[0][0] == pytest.approx(100 * (1 - limit / 0.5), rel=1e-7)
 
 
 # --- hard cases ------------------------------------------------------------------------------------------------------
