@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from functools import cached_property, reduce
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,6 +30,7 @@ from slipcircle.studies.statistics import (
     proportion,
     ranks,
     spread,
+    standard_error,
     student,
     width,
 )
@@ -112,7 +113,8 @@ class Study:
         self._moving[replicate] += result["moving"][0]
         for name in OUTCOMES:
             self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
-            self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
+            both = np.stack([self._moments[name][replicate], result[f"{name}.moments"]])
+            self._moments[name][replicate] = pooled(both)
             ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
             self._ends[name] = min(ends[0], low), max(ends[1], high)
 
@@ -199,12 +201,13 @@ class Study:
         if not self.n:
             return Estimate(math.nan, math.nan, math.nan)
         counts, ends = self._histograms[output], self._ends[output]
-        values = self._ordered(output) if output in self.samples else None
+        if output in self.samples:
+            values = np.sort(self.samples[output][np.isin(self.samples["status"], ANSWERED)])
 
         def at(share: float) -> float:
             if not 0.0 <= share <= 1.0:
                 return math.nan
-            if values is not None:
+            if output in self.samples:
                 return float(values[max(0, math.ceil(share * self.n) - 1)])
             return float(histogram_quantile(counts.sum(axis=0), share, ends))
 
@@ -217,23 +220,19 @@ class Study:
 
     def mean(self, output: str) -> Estimate:
         """Mean of an output; what does not move counts as 0."""
-        found = self._sampled(output)
-        return self._interval(found.mean, found.mean_error)
+        return self._interval(*self._sampled(output)[:2])
 
     def std(self, output: str) -> Estimate:
         """Standard deviation of an output; what does not move counts as 0."""
-        found = self._sampled(output)
-        return self._interval(found.std, found.std_error)
+        return self._interval(*self._sampled(output)[2:])
 
     def _sampled(self, output: str) -> Spread:
         each = self._moments[output]
-        found = spread(reduce(pooled, each))
-        filled = each[each[:, 0] > 1]
-        if self.design.replicates == 1 or len(filled) < 2:
+        found, filled = spread(pooled(each)), each[each[:, 0] > 1]
+        if len(filled) < 2:
             return found
-        spreads = np.array([spread(m) for m in filled])[:, [0, 2]]
-        errors = np.std(spreads, axis=0, ddof=1) / math.sqrt(len(filled))
-        return found._replace(mean_error=float(errors[0]), std_error=float(errors[1]))
+        errors = standard_error(np.array([spread(m) for m in filled])).tolist()
+        return found._replace(mean_error=errors[0], std_error=errors[2])
 
     def _interval(self, value: float, error: float) -> Estimate:
         half = error * width(self.confidence, self.design.replicates)
@@ -272,10 +271,6 @@ class Study:
         counts = self._histograms[output].sum(axis=0)
         filled = np.flatnonzero(counts)
         return np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
-
-    def _ordered(self, output: str) -> Floats:
-        answered = np.isin(self.samples["status"], ANSWERED)
-        return np.sort(self.samples[output][answered])
 
     def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
         """Probabilities and their intervals from how often, (replicates, ...)."""
