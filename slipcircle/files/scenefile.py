@@ -171,7 +171,7 @@ def _section(
         if len(points) != 2:
             raise ValueError("circle_through: through: must be two points, [[x, y], [x, y]]")
         between, touching = circle.pop("between", None), circle.get("touching")
-        laid = circle_through(*points, **circle) if touching is None else circle_touching(*points, touching)
+        laid = circle_through(*points, **circle) if touching is None else circle_touching(points[0], points[1], touching)
         circle = {"centre": laid[0], "radius": laid[1], "between": between}
     body = Section(**ground, **circle)
     # The circle is known to be above the base, which may lie higher than ground beside it.

@@ -175,7 +175,7 @@ def _range(scene: Scene, field: Number, alone: bool) -> Floats:
     """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
     arc = scene.arc
     stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
-    speed, own = 2 * math.sqrt(gravity * radius), value_in(scene, field)
+    speed, own = 2 * math.sqrt(gravity * radius), value_in(scene, field.name)
     near = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     theta_1, theta_2 = (float(np.asarray(scene.numbers.get(n, 0.0))) for n in ("theta_1", "theta_2"))
     ranges: Mapping[str, Floats] = {
