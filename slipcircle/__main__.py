@@ -171,7 +171,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
                        "file with [ground] and soil")  # fmt: skip
     slope.add_argument("--method", choices=METHODS, help="whose least factor is looked for; default bishop")
     writes(slope, f"the section, the circle and the factors over centres{pictured}")
-    back = study("backanalyse", "backanalysing", "the friction, or another number, that explains an observed motion")
+    back = study("backanalyse", "backanalyse", "the friction, or another number, that explains an observed motion")
     writes(back, f"what was observed over the fields{pictured}")
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     writes(slopes, f"what a change of each number changes{pictured}")

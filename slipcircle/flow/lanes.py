@@ -33,6 +33,8 @@ def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, l
     walker = walker or (compiled.run if compiled.module() else walk.walk)
     while True:
         walker(bound.program, data, cells, samples, log)
+        if cells[its.STATUS].max(initial=0.0) < its.TOO_LONG:
+            return cells
         asking = cells[its.STATUS] == its.NEED
         if not np.any(asking):
             break

@@ -4,6 +4,7 @@ import io
 import re
 from array import array
 from collections.abc import Mapping
+from itertools import repeat
 from pathlib import Path
 from typing import NamedTuple
 
@@ -187,7 +188,8 @@ def _table(quantity: Quantity, name: str, text: str, column: int | str | None, s
 def _said(line: str) -> str:
     """A line but for a comment, and blanks around it."""
     for mark in "#%!":
-        line = line.partition(mark)[0]
+        if mark in line:
+            line = line.partition(mark)[0]
     return line.strip()
 
 
@@ -278,26 +280,30 @@ def _column(quantity: Quantity, name: str, column: int | str | None, names: list
 
 def _values(name: str, text: str, head: int, separator: str | None, width: int = 0) -> tuple[Floats, NDArray[np.int64]]:
     """Numbers below a header and the line of each: of a table of a width, or all in a row."""
-    found, lines = array("d"), array("q")
+    fields, lines = list[str](), array("q")
     for k, line in enumerate(map(_said, io.StringIO(text)), 1):
         if k <= head or not line:
             continue
-        fields = _split(line, separator)
-        if not fields[-1] and len(fields) != width:
-            fields.pop()
-        if width and len(fields) != width:
+        row = line.split(separator)
+        if not row[-1] and len(row) != width:
+            row.pop()
+        if width and len(row) != width:
             raise ValueError(
-                f"{name}, line {k}: has {len(fields)} field{'s' * (len(fields) != 1)}, where the first row has "
+                f"{name}, line {k}: has {len(row)} field{'s' * (len(row) != 1)}, where the first row has "
                 f"{width}; mend the line"
             )
-        found.extend(_number(name, k, f) for f in fields)
-        lines.extend([k] * len(fields))
+        fields += row
+        lines.extend([k] * len(row))
+    try:
+        found = array("d", map(float, fields))
+    except ValueError:  # quotes, Fortran's exponents, or what is no number
+        found = array("d", map(_number, repeat(name), lines, fields))
     return np.array(found), np.array(lines)
 
 
 def _number(name: str, line: int, field: str) -> float:
     try:
-        return float(field.replace("d", "E").replace("D", "E"))  # Fortran's exponents
+        return float(field.strip().strip('"').replace("d", "E").replace("D", "E"))  # Fortran's exponents
     except ValueError:
         raise ValueError(
             f"{name}, line {line}: {field.strip()[:40]!r}: must be a number; mend or remove the line"
