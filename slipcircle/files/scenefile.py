@@ -17,7 +17,7 @@ from slipcircle.base.distributions import distribution_mistakes, distribution_of
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
 from slipcircle.scene.ground import circle_through, circle_touching, simple_slope
-from slipcircle.scene.keys import SLOPING, Key, Table, law_table, sloping, tables_of
+from slipcircle.scene.keys import SLOPING, Key, Table, law_table, tables_of
 from slipcircle.scene.numbers import numbers
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import Critical, at_circle, critical
@@ -118,7 +118,8 @@ def _parts(
     tables, on_slope = tables_of(law or "constant", rate), "ground" in document
     found = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in document else []
     if on_slope:
-        tables, document = sloping(tables), {k: v for k, v in document.items() if k != "arc"}
+        tables = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
+        document = {k: v for k, v in document.items() if k != "arc"}
     if not law:  # of one that is anybody's guess nothing else can be judged
         document = document | {"friction": {"law": wanted, "coefficient": 0.0}}
     said = _said(document, tables)
@@ -171,7 +172,9 @@ def _section(
         if len(points) != 2:
             raise ValueError("circle_through: through: must be two points, [[x, y], [x, y]]")
         between, touching = circle.pop("between", None), circle.get("touching")
-        laid = circle_through(*points, **circle) if touching is None else circle_touching(points[0], points[1], touching)
+        laid = (
+            circle_through(*points, **circle) if touching is None else circle_touching(points[0], points[1], touching)
+        )
         circle = {"centre": laid[0], "radius": laid[1], "between": between}
     body = Section(**ground, **circle)
     # The circle is known to be above the base, which may lie higher than ground beside it.

@@ -268,14 +268,3 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         _pair("entry", "x of the upper end") | _pair("exit", "x of the lower end"),
     ),
 }  # fmt: skip
-_PLAUSIBLE = {"coefficient": 4.0, "cohesion_kPa": 1e5}
-
-
-def sloping(tables: Mapping[str, Table]) -> dict[str, Table]:
-    """The tables of a scene with a ground in place of an arc, and the soil of one."""
-    found = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
-    for path in ("friction", "cohesion"):
-        keys = {k: key._replace(number=replace(key.number, high=_PLAUSIBLE.get(k, key.number.high)))
-                for k, key in found[path].keys.items()}  # fmt: skip
-        found[path] = found[path]._replace(keys=keys)
-    return found

@@ -229,9 +229,7 @@ def _met(space: Space) -> list[Solution]:
 def _fitted(space: Space) -> tuple[list[Solution], list[str]]:
     """All values of the fields that meet the observations about as well as the best ones, and what to know of them."""
     names, count = ", ".join(f.key for f in space.fields), len(space.fields)
-    points = zip(sobol(0, (5,), 0, _STARTS * count, count), space.ranges, strict=True)
-    tried = np.stack([np.interp(p, np.linspace(0.0, 1.0, len(r)), r) for p, r in points])
-    found = fits(space, space.shares(tried))
+    found = fits(space, sobol(0, (5,), 0, _STARTS * count, count))
     if not found:
         raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
     solutions, untold = [], list[ValueError]()
@@ -261,16 +259,7 @@ def _fitted(space: Space) -> tuple[list[Solution], list[str]]:
 
 
 def _solution(space: Space, values: Sequence[float]) -> Solution:
-    """What is known of values that explain the observations.
-
-    Their covariance is to first order from the standard errors, or else from the misfit that is left; without either,
-    as where one value without an error is met exactly, there is none.
-
-    Raises
-    ------
-    ValueError
-        If the observations do not tell the fields apart.
-    """
+    """What is known of values that explain the observations, which have to tell the fields apart."""
     pairs = [*zip(space.fields, values, strict=True)]
     si = {f.name: float(f.to_si(v)) for f, v in pairs}
     there = scene_with(space.scene, si)
@@ -309,7 +298,7 @@ def _tell_apart(space: Space, relative: Floats) -> None:
 def _doubts(space: Space, first: Solution) -> list[str]:
     """What to know of a fit."""
     said = []
-    for (name, value), low, high in zip(first.values.items(), space.low[:, 0], space.high[:, 0], strict=True):
+    for (name, value), (low, *_, high) in zip(first.values.items(), space.ranges, strict=True):
         error = (first.standard_errors or {}).get(name, 0.0)
         if error > high - low:
             said.append(f"{name} is not told by what is observed: {value:.6g} is one of many values that fit as well")

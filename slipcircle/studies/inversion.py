@@ -42,7 +42,7 @@ SMALL = 1e-6  # step of differences, of a range
 class Space:
     """What is looked for and where: fields of a scene over their ranges, and what was observed.
 
-    As shares from 0 to 1 of the ranges, of the logarithm where one is wide.
+    As shares from 0 to 1 of the ranges, whose values are closer where motions change faster.
     """
 
     def __init__(self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats],
@@ -50,8 +50,6 @@ class Space:
         self.scene, self.fields, self.ranges, self.observed = scene, fields, ranges, observed
         self.weighed = all(sigma is not None for _, sigma in observed.values())  # all standard errors, or none
         self.seen, self.sizes = np.array([(seen, sigma or abs(seen)) for seen, sigma in observed.values()]).T
-        self.low, self.high = (np.array([r[k] for r in ranges])[:, None] for k in (0, -1))
-        self.wide = (self.low > 0.0) & (self.high > 1e3 * self.low)
 
     @property
     def free(self) -> int:
@@ -75,14 +73,8 @@ class Space:
 
     def at(self, shares: Floats) -> Floats:
         """Values of shares, (fields, count)."""
-        ratio = np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), 1.0)
-        return np.asarray(np.where(self.wide, self.low * ratio**shares, self.low + (self.high - self.low) * shares))
-
-    def shares(self, values: Floats) -> Floats:
-        """The other way round."""
-        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), math.e))
-        logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
-        return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
+        pairs = zip(shares, self.ranges, strict=True)
+        return np.stack([np.interp(share, np.linspace(0.0, 1.0, len(r)), r) for share, r in pairs])
 
     def residuals(self, shares: Floats) -> Floats:
         """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""

@@ -65,8 +65,6 @@ class Study:
     seed, size : int
         With which the same numbers come again.
     confidence : float
-    counts : ndarray
-        Lanes of each `slipcircle.motion.motion.Status`.
     sensitivity : mapping
         `Indices` of each output, and of whether the mass moves, where there is more than one input.
     convergence : list of Convergence
@@ -77,13 +75,11 @@ class Study:
 
     def __init__(self, design: Design, confidence: float, results: Iterable[Result]) -> None:
         self.design, self.seed, self.size, self.confidence = design, design.seed, design.size, confidence
-        self.counts = np.zeros(len(Status), np.int64)
         self.sensitivity: Mapping[str, Indices] = {}
         self.convergence: list[Convergence] = []
         self.samples: Mapping[str, NDArray[Any]] = {}
         replicates = design.replicates
-        self._answered = np.zeros(replicates, np.int64)
-        self._moving = np.zeros(replicates, np.int64)
+        self._counts = np.zeros((replicates, len(Status)), np.int64)
         self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
         self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
         self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
@@ -108,9 +104,7 @@ class Study:
 
     def _add(self, replicate: int, result: Result) -> None:
         """Add a block up."""
-        self.counts += result["status"]
-        self._answered[replicate] += result["duration.counts"].sum()
-        self._moving[replicate] += result["moving"][0]
+        self._counts[replicate] += result["status"]
         for name in OUTCOMES:
             self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
             both = np.stack([self._moments[name][replicate], result[f"{name}.moments"]])
@@ -187,14 +181,24 @@ class Study:
         return frame.rename_axis("sample").to_xarray().set_coords(keys)
 
     @property
+    def counts(self) -> NDArray[np.int64]:
+        """Samples of each `Status`."""
+        return np.asarray(self._counts.sum(axis=0))
+
+    @property
     def n(self) -> int:
         """Samples with an answer: the others are no scenes, or failed, and are left out of what follows."""
         return int(self._answered.sum())
 
     @property
+    def _answered(self) -> NDArray[np.int64]:
+        return np.asarray(self._counts[:, ANSWERED].sum(axis=1))
+
+    @property
     def moving(self) -> Estimate:
         """Probability that the mass moves."""
-        return Estimate(*(float(x[0]) for x in self._probability(self._moving[:, None])))
+        moving = self._answered - self._counts[:, Status.STAYS]
+        return Estimate(*(float(x[0]) for x in self._probability(moving[:, None])))
 
     def quantile(self, output: str, p: float) -> Estimate:
         """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it."""
