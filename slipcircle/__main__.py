@@ -312,7 +312,7 @@ def _draw(paths: Sequence[str], what: str, found: Any) -> None:
 
 
 def _schema(_: argparse.Namespace) -> Answer:
-    from slipcircle.files.scenekeys import schema
+    from slipcircle.scene.keys import schema
 
     return Answer(schema, [_late("guide").guide()])
 

@@ -6,6 +6,7 @@ import os
 import re
 import tomllib
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
@@ -24,6 +25,7 @@ from slipcircle.scene.search import Critical, at_circle, critical
 from slipcircle.scene.section import Section
 from slipcircle.scene.stability import Slope, soil
 
+_MOST_COHESION = 1e5  # kPa, of any soil: more was in Pa
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -119,6 +121,9 @@ def _parts(
     found = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in document else []
     if on_slope:
         tables = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
+        cohesion = tables["cohesion"].keys["cohesion_kPa"]
+        plausible = {"cohesion_kPa": cohesion._replace(number=replace(cohesion.number, high=_MOST_COHESION))}
+        tables["cohesion"] = tables["cohesion"]._replace(keys=plausible)
         document = {k: v for k, v in document.items() if k != "arc"}
     if not law:  # of one that is anybody's guess nothing else can be judged
         document = document | {"friction": {"law": wanted, "coefficient": 0.0}}

@@ -110,14 +110,12 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
     angle, run : float
         Of the slope in rad, up to upright, or its horizontal length in m; one of them.
     """
-    found = mistakes({"height": height}, {"height": (0.0, INFINITY, "a positive length in m")})
-    if (angle is None) == (run is None):
-        found.append("angle or run: give one of them")
-    elif angle is not None:
-        found += mistakes({"angle": angle}, {"angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")})
-    else:
-        found += mistakes({"run": float(run or 0.0)}, {"run": (-5e-324, INFINITY, "a length of at least 0 in m")})
-    raise_all("simple_slope", found)
+    bounds = {"height": (0.0, INFINITY, "a positive length in m"),
+              "run": (-5e-324, INFINITY, "a length of at least 0 in m"),
+              "angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")}  # fmt: skip
+    given = {n: v for n, v in {"height": height, "run": run, "angle": angle}.items() if v is not None}
+    found = [] if len(given) == 2 else ["angle or run: give one of them"]
+    raise_all("simple_slope", mistakes(given, {n: bounds[n] for n in given}) + found)
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
     assert run is not None

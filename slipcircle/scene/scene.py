@@ -129,20 +129,16 @@ class Scene(Generic[Numbers]):
             )
         gravity = np.unique(self.arc.gravity).tolist() if known else []
         for name, parameters in effects.items():
-            said = _effect_mistakes(name, parameters)
-            if (
-                not said
-                and "record" in parameters
-                and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain})
-            ):
-                said = ["arc.gravity: must be one number with a record, which is read over gravity; give "
-                        "effects.shaking.horizontal as a Series over gravity instead"]  # fmt: skip
-            elif not said:
+            if said := _effect_mistakes(name, parameters):
+                found += said
+            elif "record" in parameters and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}):
+                found.append("arc.gravity: must be one number with a record, which is read over gravity; give "
+                             "effects.shaking.horizontal as a Series over gravity instead")  # fmt: skip
+            else:
                 try:
                     effects[name] = resolved(name, parameters, max(gravity, default=9.81))
                 except ValueError as error:
-                    said = [str(error)]
-            found += said
+                    found.append(str(error))
         found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
         uncertain: Any = self.uncertain
         if not isinstance(uncertain, Mapping):
