@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: fdd88ef995f6f2defb6d8b554f5addee620aa266ecd557386f5496a0bfb8c9a0
+# sha256 of the text below: a0d5ee63fad4940d4e19f5fa704b4c9f1553c44540e242294138770f11e4d25d
 """The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 SERIES = {'lin': 0, 'ramp': 1, 'mul': 2, 'sqr': 3, 'tim': 4, 'turn': 5, 'exp': 6, 'rec': 7, 'log': 8, 'pow': 9}
 SCALAR = {'add': 0, 'sub': 1, 'mul': 2, 'div': 3, 'neg': 4, 'sin': 5, 'cos': 6, 'tan': 7, 'exp': 8, 'expm1': 9,
     'log': 10, 'log1p': 11, 'sqrt': 12, 'abs': 13, 'min': 14, 'max': 15, 'less': 16, 'select': 17}
-DIGEST = "5b84b6d863449e6e21ecd5f313cabe05ac188b3c94e233aa5ece5cbc51f538f3"  # of the compiled walk's source
+DIGEST = "cd924e9cd450a4be35e3879b356b83a28ae1c6ee448597bd156d17d358974464"  # of the compiled walk's source
 
 
 def scalar_ops(operations: Sequence[tuple[Any, ...]], c: Floats) -> None:

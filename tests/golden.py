@@ -248,7 +248,7 @@ def numbers(motion: Motion, at: list[float], sloped: bool = False) -> Data:
         "lift_off": list(motion.lift_off), "estimate": motion.error_estimate,
         "pore_pressure": motion.pore_pressure_at(np.array(at)).tolist(), "times": at,
         "sensitivity": None if slopes is None else {
-            p: [slopes.derivative(of, p) for of in slopes.outputs] for p in slopes.parameters
+            p: [slopes.derivative(of, p) for of in ("peak_velocity", "run_out", "duration")] for p in slopes.parameters
         },
         "energy": {k: np.asarray(v).tolist() for k, v in asdict(energy).items()},
     }  # fmt: skip

@@ -240,6 +240,38 @@ def test_a_callable_with_any_length_at_its_start_is_seen(length: float) -> None:
         assert abs(a / b - 1.0) <= 1e-12
 
 
+NAMED: dict[str, Any] = {"law": "exponential", "peak": 0.37, "residual": 0.17, "length": 3.0}
+
+
+def falling(slip: Any) -> Any:
+    """The law `NAMED` as a function."""
+    return 0.17 + 0.2 * np.exp(-slip / 3.0)
+
+
+@pytest.mark.parametrize("radius", [1492.6, np.array([500.0, 1500.0, 6000.0])])
+def test_a_callable_is_known_wherever_the_mass_is(radius: Any) -> None:
+    """Its first table ends at R/256; friction beyond is that of the function, on the way and at once."""
+    scene: Scene[Any] = load("vaiont")
+    scene = replace(scene, arc=replace(scene.arc, radius=radius))
+    one, other = solve(replace(scene, friction=falling)), solve(replace(scene, friction=NAMED))
+    times = np.linspace(0.0, 25.0, 6)
+    assert one.peak.normal_stress == pytest.approx(other.peak.normal_stress, rel=1e-12)
+    assert one.friction_at(times) == pytest.approx(falling(one.path_at(times)), rel=1e-12)
+    assert one.run_out == pytest.approx(other.run_out, rel=1e-11)
+    assert one.holding_friction_at(times) == pytest.approx(other.holding_friction_at(times), rel=1e-11)
+
+
+def test_a_callable_of_a_creeping_mass_goes_on() -> None:
+    """Also where implicit steps pass the end of its table."""
+    scene: Scene[Any] = load("vaiont")
+    slow = {"viscosity": {"viscosity": 1e9, "thickness": 0.5}}
+    scene = replace(scene, effects={**scene.called, **slow}, end_time=1e5)
+    one, other = solve(replace(scene, friction=falling)), solve(replace(scene, friction=NAMED))
+    assert one.run_out > 4 * float(np.max(scene.arc.radius)) / 256
+    assert one.run_out == pytest.approx(other.run_out, rel=1e-12)
+    assert one.friction_at(1e5) == pytest.approx(falling(one.run_out), rel=1e-12)
+
+
 def test_a_callable_that_changes_too_sharply_is_refused() -> None:
     """Within 2^-40 of how far it was asked, nothing is told apart: the sentence names the place."""
     with pytest.raises(ValueError, match=r"^friction: the function changes too sharply near 0 to be followed"):

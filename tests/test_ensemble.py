@@ -119,6 +119,20 @@ def shaken(**more: Any) -> Scene:
     return replace(PULSE, effects={"shaking": {"horizontal": RECORD, **more}}, end_time=None)
 
 
+def test_a_law_of_speed_that_multiplies_varies() -> None:
+    """Its numbers are those of lanes, of uncertain scenes and of grids, by their keys."""
+    rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.6, "velocity": 2.0}
+    law: dict[str, Any] = {"law": "linear", "peak": 0.24, "residual": 0.2, "length": 3.0}
+    levels = [0.5, 0.6, 0.7]
+    many = solve(replace(VAIONT, friction=law | {"rate": rate | {"residual": np.array(levels)}}))
+    ones = [solve(replace(VAIONT, friction=law | {"rate": rate | {"residual": x}})) for x in levels]
+    assert many.run_out == pytest.approx([m.run_out for m in ones], rel=1e-11)
+    study = grid(replace(VAIONT, friction=law | {"rate": rate}), {"friction.rate.residual": levels})
+    assert study.samples["run_out"] == pytest.approx(many.run_out, rel=1e-11)
+    drawn = replace(VAIONT, friction=law | {"rate": rate}, uncertain={"friction.rate.velocity": stats.uniform(1, 2)})
+    assert ensemble(drawn, 100, rng=1).quantile("reach", 1.0).value > ones[1].run_out
+
+
 def test_what_shakes_varies_everywhere() -> None:
     """An amplitude, a scale or a peak: as if the record had been given so."""
     levels = [0.1, 0.3, 0.5]

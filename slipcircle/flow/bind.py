@@ -33,7 +33,7 @@ class Bound(NamedTuple):
     tables: list[tables.Data]
     cells: Floats
     time_scale: Any
-    functions: Mapping[int, "Grown"]  # tables of Python functions, by their place
+    functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
     joined: tuple[tuple[str, ...], ...]  # what `join` made the program of
 
     def asking(self, asked: tuple[str, ...] = (), directions: int = 0) -> "Bound":
@@ -56,6 +56,13 @@ class Bound(NamedTuple):
         data = {slot.name: t for slot, t in zip(self.program.tables, self.tables, strict=True)}
         return self._replace(program=program, cells=cells, tables=[data[slot.name] for slot in program.tables])
 
+    def lengthen(self, cells: Floats) -> None:
+        """Sample Python functions of slip on, as far as lanes are."""
+        for k, function in self.functions.items():
+            slip = float(np.max(cells[its.SLIP] * cells[self.program.tables[k].cells + its.SCALE]))
+            while (end := float(self.tables[k].breaks[-1])) <= slip * (1.0 + 1e-12):
+                self.tables[k] = tables.sampled(function, 2 * end, self.tables[k])
+
     def start(self) -> Floats:
         """The cells to walk with."""
         cells = self.program.blank(self.cells.shape[1])
@@ -68,13 +75,6 @@ def _shared(program: Program, other: Program) -> tuple[Any, Any]:
     """Where two programs hold the same numbers."""
     names = [x for x in program.cells[: program.given] if x in other.places]
     return np.array([program.places[x] for x in names]), np.array([other.places[x] for x in names])
-
-
-class Grown(NamedTuple):
-    """A Python function whose table grows as the motion reaches further, in its own unit."""
-
-    function: Callable[[Any], Any]
-    name: str
 
 
 def order(accuracy: float) -> int:
@@ -114,7 +114,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
         "density": plain(arc.unit_weight) / plain(arc.gravity), "cover": weights.cover,
     }  # fmt: skip
     pieces: dict[str, tuple[tables.Data, Any, Any]] = {}  # by name: data, scale, factor
-    grown: dict[str, Grown] = {}
+    functions: dict[str, Callable[[Any], Any]] = {}
     for effect in effects:
         own = {p.name: called[effect].get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
         for p in EFFECTS[effect].parameters:
@@ -130,7 +130,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
             else:
                 given[p.symbol] = p.dimensionless(value, scales | own)
     for name, parameters in parts:
-        _law(name, parameters, radius, time_scale, given, pieces, grown)
+        _law(name, parameters, radius, time_scale, given, pieces, functions)
     with np.errstate(over="ignore"):
         first = {
             "omega": velocity / radius * time_scale, "END_TIME": end_time / time_scale,
@@ -146,14 +146,13 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     for name, value in (given | first).items():
         if name in at:
             cells[at[name]] = value
-    data, functions = list[tables.Data](), dict[int, Grown]()
-    for k, slot in enumerate(program.tables):
+    data = list[tables.Data]()
+    for slot in program.tables:
         piece, scale, factor = pieces[slot.name]
         data.append(piece)
         cells[slot.cells + its.SCALE], cells[slot.cells + its.SCALED_BY] = scale, factor
-        if slot.name in grown:
-            functions[k] = grown[slot.name]
-    return Bound(program, data, cells, time_scale, functions, joined)
+    places = {k: functions[slot.name] for k, slot in enumerate(program.tables) if slot.name in functions}
+    return Bound(program, data, cells, time_scale, places, joined)
 
 
 def turns(effects: Iterable[str]) -> bool:
@@ -204,15 +203,13 @@ def in_time(function: Any) -> tables.Data:
 
 
 def _law(name: str, parameters: Mapping[str, Any], radius: Any, time_scale: Any, given: dict[str, Any],
-         pieces: dict[str, tuple[tables.Data, Any, Any]], grown: dict[str, Grown]) -> None:  # fmt: skip
+         pieces: dict[str, tuple[tables.Data, Any, Any]],
+         functions: dict[str, Callable[[Any], Any]]) -> None:  # fmt: skip
     """What a law gives the program: dimensionless numbers under its own name, or a table."""
     if name == "callable":
-        function = parameters["function"]
-        first = float(np.max(radius)) / 256
-        breaks, found = tables.sampled(function, 0.0, first, "friction")
-        data = tables.Data(np.array([*breaks, first]), np.array([*found, found[-1]]), np.zeros(len(breaks) + 1),
-                           open=True)  # fmt: skip
-        pieces[name], grown[name] = (data, radius, 1.0), Grown(function, "friction")
+        functions[name] = parameters["function"]
+        first = tables.sampled(functions[name], float(np.max(radius)) / 256)
+        pieces[name] = first, radius, 1.0
         return
     law, speed = LAWS[name], radius / time_scale
     if name in PIECES:

@@ -145,7 +145,7 @@ class Columns:
         """Whether something will still change while it rests."""
         c, found = self.c, np.zeros(self.c.shape[1], dtype=bool)
         for k in self.timed:
-            found |= np.isfinite(c[self.program.tables[k].cells + its.UPPER]) | self.tables[k].open
+            found |= np.isfinite(c[self.program.tables[k].cells + its.UPPER])
         return found
 
     def _break(self) -> Floats:
@@ -180,8 +180,6 @@ class Columns:
                 c[at + its.WAY, over] = np.where(far, rounding, c[at + its.WAY, over])
                 leaps[over] |= jump != 0.0
                 self._time_bound(slot, data)
-                if data.open:
-                    c[its.STATUS, over & (c[at + its.PIECE] == last)] = its.NEED
         return leaps
 
     # --- series -------------------------------------------------------------------------------------------------------

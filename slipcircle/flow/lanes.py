@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from generated import cells as its
 from slipcircle.base.checks import EPS, choose, plain
 from slipcircle.flow import compiled, frozen, tables, walk
-from slipcircle.flow.bind import Bound, Grown, bind
+from slipcircle.flow.bind import Bound, bind
 from slipcircle.flow.columns import Columns
 from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.scene.arc import Arc
@@ -26,49 +26,38 @@ ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its s
 
 def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, log: Log | None = None,
            walker: Any = None, cells: Any = None) -> Floats:  # fmt: skip
-    """The cells of lanes at their end, by default a copy's; tables of Python functions grow on the way."""
-    cells, data = bound.start() if cells is None else cells, list(bound.tables)
-    if closed:
-        frozen.walk(bound.program, data, cells, samples, log)
+    """The cells of lanes at their end, by default a copy's; from the start again where a Python function goes on."""
     walker = walker or (compiled.run if compiled.module() else walk.walk)
     while True:
-        walker(bound.program, data, cells, samples, log)
+        cells = bound.start() if cells is None else cells
+        if closed:
+            frozen.walk(bound.program, bound.tables, cells, samples, log)
+        walker(bound.program, bound.tables, cells, samples, log)
         if cells[its.STATUS].max(initial=0.0) < its.TOO_LONG:
             return cells
-        asking = cells[its.STATUS] == its.NEED
-        if not np.any(asking):
-            break
-        for k, grown in bound.functions.items():
-            data[k] = _longer(data[k], grown)
-        if walker is compiled.run:
-            continue  # it bases such lanes anew itself, with what it alone keeps of a table of time
-        lanes = Columns(bound.program, data, cells[:, asking], None, np.flatnonzero(asking))
-        lanes.base()
-        cells[:, asking] = lanes.c
-        cells[its.STATUS, asking] = its.MOVING
-    long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS) & (cells[its.OMEGA] > 0.0)
-    if np.any(long):
-        from slipcircle.flow import stiff  # only here
+        long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS) & (cells[its.OMEGA] > 0.0)
+        if np.any(long):
+            from slipcircle.flow import stiff  # only here
 
-        stiff.walk(bound.program, data, cells, samples, log, np.flatnonzero(long))
-    return cells
+            stiff.walk(bound.program, bound.tables, cells, samples, log, np.flatnonzero(long))
+        needs = cells[its.STATUS] == its.NEED
+        if not np.any(needs):
+            return cells
+        if needs.size > 1:  # one of them finds out how far the function is asked for
+            first = np.flatnonzero(needs)[:1]
+            one = bound._replace(cells=bound.cells[:, first], tables=[t.lanes(first) for t in bound.tables])
+            walked(one, closed)
+            bound.tables[:] = [one.tables[k] if k in bound.functions else t for k, t in enumerate(bound.tables)]
+        else:
+            bound.lengthen(cells)
+        cells = None
+        if log is not None:
+            log.clear()
 
 
 def _begin(program: Program, data: list[tables.Data], cells: Floats) -> Floats:
     """`walk.begin`, by the binary where there is one."""
     return (compiled.begin if compiled.module() else walk.begin)(program, data, cells)
-
-
-def _longer(data: tables.Data, grown: Grown) -> tables.Data:
-    """A Python function's table, twice as long."""
-    end = float(data.breaks[-1])
-    breaks, pieces = tables.sampled(grown.function, end, end, grown.name)
-    return tables.Data(
-        np.array([*data.breaks[:-1], *breaks, 2 * end]),
-        np.array([*data.coefficients[:-1], *pieces, pieces[-1]]),
-        np.zeros(len(data.breaks) + len(breaks)),
-        open=True,
-    )
 
 
 @dataclass(frozen=True)
@@ -159,7 +148,7 @@ class Lanes:
         if self.count == 1:
             return walked(self.bound, self.closed, None, log)
         bound = self._bind()  # of many lanes copies and what is kept cost as much as the walk
-        return walked(bound, self.closed, None, log, cells=bound.cells)
+        return walked(bound, self.closed, None, log, cells=None if bound.functions else bound.cells)
 
     def _sampled(self, bound: Bound, times: Floats, closed: bool) -> tuple[Floats, Floats]:
         """As `read`, of any bound lanes; and their last cells."""
@@ -228,6 +217,7 @@ class Lanes:
         cells[its.DIRECTION], cells[its.LIFTED] = side, 0.0
         if further is not None:
             cells[its.SLIP] = further[0]
+            bound.lengthen(cells)
             for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
                 cells[cell] = value
         parts = [t.lanes(each) if t.coefficients.ndim == 3 else t for t in bound.tables]

@@ -158,8 +158,8 @@ CLOSE = 1e-13
 NARROWEST = 2.0**-40
 
 
-def sampled(function: Callable[[Any], Any], start: float, length: float, name: str) -> tuple[list[float], list[Floats]]:
-    """Pieces of a function from a place on, each right to 1e-13 of its greatest value, until they fill a length.
+def sampled(function: Callable[[Any], Any], end: float, known: Data | None = None) -> Data:
+    """A Python function of slip up to an end, on from a known table; right to 1e-13 of its greatest value.
 
     Raises
     ------
@@ -167,20 +167,24 @@ def sampled(function: Callable[[Any], Any], start: float, length: float, name: s
         Where it gives no numbers, negative ones, another shape than that of its argument, or is not smooth enough to
         be followed: says where.
     """
-    breaks, pieces, left, width = list[float](), list[Floats](), start, length
-    while left < start + length:
-        width = min(width, start + length - left)
+    breaks, pieces, left = list[float](), list[Floats](), 0.0
+    if known:
+        *breaks, left = known.breaks.tolist()
+        pieces = [*known.coefficients[:-1]]
+    width = end - left
+    while left < end:
+        width = min(width, end - left)
         half = width / 2
         asked = left + half * (1.0 + np.concatenate([_NODES, _CHECK]))
-        values = _values(function, asked, name)
+        values = _values(function, asked)
         cheb = np.polynomial.chebyshev.chebfit(_NODES, values[:TERMS], TERMS - 1)
         far = np.abs(np.polynomial.chebyshev.chebval(_CHECK, cheb) - values[TERMS:]).max()
         if far > CLOSE * np.abs(values).max():
             width = half
-            if width < NARROWEST * max(start + length, length):
+            if width < NARROWEST * end:
                 raise ValueError(
-                    f"{name}: the function changes too sharply near {left:.17g} to be followed; give a law by name or "
-                    "a table whose kinks are known"
+                    f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
+                    "name or a table whose kinks are known"
                 )
             continue
         poly = np.polynomial.chebyshev.cheb2poly(cheb)
@@ -190,10 +194,10 @@ def sampled(function: Callable[[Any], Any], start: float, length: float, name: s
         pieces.append(np.pad(local, (0, TERMS - local.size)))
         left += width
         width *= 2
-    return breaks, pieces
+    return Data(np.array([*breaks, end]), np.array([*pieces, pieces[-1]]), np.zeros(len(breaks) + 1), open=True)
 
 
-def _values(function: Callable[[Any], Any], asked: Floats, name: str) -> Floats:
+def _values(function: Callable[[Any], Any], asked: Floats) -> Floats:
     """What a user's function gives, checked."""
     try:
         found = np.asarray(function(asked))
@@ -201,14 +205,15 @@ def _values(function: Callable[[Any], Any], asked: Floats, name: str) -> Floats:
             raise ValueError("complex numbers")
         found = found.astype(np.float64)
     except Exception as error:  # whatever it does, what is wrong is the function
-        said = f"{type(error).__name__}: {error}"
-        raise ValueError(f"{name}: must take an array of numbers and return one; it says {said}") from error
+        said = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
+        raise ValueError(f"friction: {said}") from error
     if found.ndim == 0:
         found = np.full(asked.shape, float(found))
     if found.shape != asked.shape:
-        raise ValueError(f"{name}: returns shape {found.shape} for an argument of shape {asked.shape}: must be alike")
+        said = f"returns shape {found.shape} for an argument of shape {asked.shape}: must be alike"
+        raise ValueError(f"friction: {said}")
     bad = ~np.isfinite(found) | (found < 0.0)
     if np.any(bad):
         k = int(np.argmax(bad))
-        raise ValueError(f"{name}({float(asked[k]):.6g}) = {float(found[k])!r}: must be a number of at least 0")
+        raise ValueError(f"friction({float(asked[k]):.6g}) = {float(found[k])!r}: must be a number of at least 0")
     return found

@@ -46,14 +46,20 @@ class Sensitivity:
         by = np.array([self.at[n] for n in self.parameters])
         return np.asarray(self.values * by / np.where(of == 0.0, np.nan, of))
 
+    @property
+    def distinct(self) -> dict[str, str]:
+        """The outputs, without the reach where that is the run-out."""
+        return {n: unit for n, unit in self.outputs.items() if n != "reach" or self.at[n] != self.at["run_out"]}
+
     def derivative(self, output: str, parameter: str) -> float:
         """One of the values."""
         return float(self.values[list(self.outputs).index(output), list(self.parameters).index(parameter)])
 
     def __str__(self) -> str:
-        lines = [["by", "value", *(f"d {n} [{unit}] (elasticity)" for n, unit in self.outputs.items())]]
+        lines = [["by", "value", *(f"d {n} [{unit}] (elasticity)" for n, unit in self.distinct.items())]]
+        pairs = np.stack([self.values, self.elasticities])[:, [n in self.distinct for n in self.outputs]]
         for k, (name, unit) in enumerate(self.parameters.items()):
-            cells = [f"{v:.6g} ({e:+.3g})" for v, e in zip(self.values[:, k], self.elasticities[:, k], strict=True)]
+            cells = [f"{v:.6g} ({e:+.3g})" for v, e in pairs[:, :, k].T]
             lines.append([f"{name} [{unit}]" if unit else name, f"{self.at[name]:.6g}", *cells])
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         return "\n".join("  ".join(c.ljust(w) for c, w in zip(line, widths, strict=True)).rstrip() for line in lines)

@@ -396,5 +396,5 @@ class Motion(Results, Generic[Numbers]):
             raise ValueError("sensitivity: takes one scene at a time; solve a lane by itself")
         if not self.moves and self.limit_friction == self.friction:
             raise ValueError("friction: the scene is exactly at its limit, where the motion has no derivative")
-        at = {"peak_velocity": self.peak.velocity, "run_out": self.run_out, "duration": self.duration}
-        return sensitivity(self.plan.scene, self._lanes, at if self.moves else dict.fromkeys(at, 0.0))
+        at: dict[str, Any] = {n: value if self.moves else 0.0 for n, value in self.outcomes.items()}
+        return sensitivity(self.plan.scene, self._lanes, at)

@@ -15,9 +15,11 @@ from generated import cells as its
 from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
+from slipcircle.base.series import Pulse
 from slipcircle.flow.bind import turns, under_water
 from slipcircle.flow.lanes import Lanes
 from slipcircle.flow.tables import Data, of_law
+from slipcircle.records.forcing import factor
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import law_parts
 from slipcircle.scene.section import Section
@@ -49,8 +51,9 @@ class Seeds:
             "density": unit_weight - gravity, "cover": cover,
         }  # fmt: skip
         self.tables: dict[str, tuple[Any, Any, list[Data] | None]] = {}  # growth of scale, of factor; data by parameter
-        self._effects(c, at)
+        self._effects()
         self._laws(c, at)
+        self.end_dot = self.one("end_time") / float(lanes.time_scale)
         self.omega = c[its.OMEGA] * (self.relative("initial_velocity", lanes.velocity) - self.speed_growth)
 
     def _arc(self, arc: Arc, held: Mapping[str, float]) -> "_Geometry":
@@ -87,7 +90,7 @@ class Seeds:
     def relative(self, name: str, at: Any) -> Floats:
         return self.one(name) / float(at) if float(at) else self.one(name) * 0.0
 
-    def _effects(self, c: Floats, at: Mapping[str, int]) -> None:
+    def _effects(self) -> None:
         arc: Any = self.lanes.arc
         scales = {
             "half_angle": float(arc.half_angle), "gravity": float(arc.gravity), "radius": float(arc.radius),
@@ -115,15 +118,23 @@ class Seeds:
                     self.tables[p.symbol] = (0.0 * growth, growth, data)
                     continue
                 if callable(amount):
-                    self.tables[p.symbol] = (self.time_growth, growth, None)
+                    self.tables[p.symbol] = (self.time_growth, growth + self._factor(effect, given, p.name), None)
                     continue
                 power = 1.0 if not amount else round(2 * math.log2(p.dimensionless(2.0, scales | numbers) / unit)) / 2
                 value_dot = growth * p.dimensionless(amount, scales | numbers) if amount else 0.0 * growth
                 whole = p.dimensionless(amount, scales | numbers) if amount else unit
                 self.inputs[p.symbol] = value_dot + whole * power / (amount or 1.0) * self.one(f"{effect}.{p.name}")
 
+    def _factor(self, effect: str, given: Mapping[str, Any], name: str) -> Floats:
+        """Relative growth of what a function of time is multiplied by: shaking's amplitude, scale or peak."""
+        amount, shaken = float(factor(effect, given, name)), given[name]
+        if isinstance(shaken, Pulse):
+            return self.relative(f"{effect}.{'vertical_amplitude' if name == 'vertical' else 'amplitude'}", amount)
+        greatest = given["horizontal"].greatest if effect == "shaking" else 1.0
+        return self.relative(f"{effect}.scale", amount) + self.relative(f"{effect}.peak", amount * greatest)
+
     def _laws(self, c: Floats, at: Mapping[str, int]) -> None:
-        for name, given in law_parts(self.lanes.friction):
+        for path, (name, given) in zip(("friction", "friction.rate"), law_parts(self.lanes.friction), strict=False):
             if name == "callable":
                 self.tables[name] = (self.radius_growth, 0.0 * self.time_growth, None)
                 continue
@@ -131,8 +142,8 @@ class Seeds:
             growth = {"m": self.radius_growth, "m/s": self.speed_growth, "": 0.0 * self.time_growth}
             if name in PIECES:
                 over = PIECES[name][0]
-                length = self.radius_growth - self.relative(f"friction.{over}", given[over])
-                plain = [n.removeprefix("friction.") for n in self.names]
+                length = self.radius_growth - self.relative(f"{path}.{over}", given[over])
+                plain = [n.removeprefix(f"{path}.") for n in self.names]
                 data = [_changed(name, given, n if n in given and n != over else "") for n in plain]
                 self.tables[name] = (length, 0.0 * length, data)
             elif law.parameters[0].kind == "list":
@@ -141,7 +152,7 @@ class Seeds:
             else:
                 for p in law.parameters:
                     cell = c[at[f"{name}.{p.name}"]] if f"{name}.{p.name}" in at else 0.0
-                    own = self.one("friction" if name == "constant" else f"friction.{p.name}")
+                    own = self.one("friction" if name == "constant" else f"{path}.{p.name}")
                     per = cell / float(given[p.name]) if float(given[p.name]) else 1.0
                     self.inputs[f"{name}.{p.name}"] = own * per - cell * growth[p.unit]
 

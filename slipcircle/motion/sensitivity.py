@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import cells as its
-from generated.effects import EFFECTS, LAWS
 from slipcircle.flow.bind import Bound
 from slipcircle.flow.lanes import Lanes, walked
 from slipcircle.flow.polynomials import shifted, slopes, value
@@ -22,15 +21,14 @@ from slipcircle.flow.tables import Data
 from slipcircle.flow.walk import Walker
 from slipcircle.motion.derivatives import Sensitivity
 from slipcircle.motion.seeds import Seeds
-from slipcircle.scene.friction import law_parts
-from slipcircle.scene.numbers import by_name
+from slipcircle.scene.numbers import by_name, numbers_in
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.section import Section
 from slipcircle.scene.transport import telling, through_vertex
 
 Floats = NDArray[np.float64]
 
-OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s"}
+OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s", "reach": "m"}
 ARC = ("theta_1", "theta_2", "radius", "unit_weight", "gravity")
 
 
@@ -59,16 +57,9 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
 def _parameters(scene: Scene) -> list[str]:
     """The names of the free parameters."""
     arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
-    names = ["friction", *arc]
-    names += ["initial_velocity"] if float(np.asarray(scene.initial_velocity)) else []
-    names += [f"friction.{p.name}" for law, _ in law_parts(scene.friction) if law in LAWS for p in LAWS[law].parameters]
-    for name, effect in EFFECTS.items():
-        further = effect.parameters if name in ("viscosity", *_HEATS) else ()
-        names += [f"{name}.{p.name}" for p in effect.parameters if p.symbol or (p in further and p.kind == "number")]
-    return [n for n in dict.fromkeys(names) if n in scene.numbers and n != "width"]
-
-
-_HEATS = tuple(e for e, effect in EFFECTS.items() if "history" in effect.depends_on)
+    start = ("initial_velocity", *(n for n in scene.numbers if n.startswith("shaking.")))
+    without = {*numbers_in(scene.arc)} - {*arc} | {n for n in start if not float(np.asarray(scene.numbers.get(n, 0.0)))}
+    return [n for n in dict.fromkeys(("friction", *arc, *scene.numbers)) if n in scene.numbers and n not in without]
 
 
 def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
@@ -92,13 +83,11 @@ def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
     scale, radius = float(bound.time_scale), float(np.asarray(lanes.arc.radius))
     c = one.c[:, 0]
     ended = c[its.STATUS] == its.ENDED
-    rotation = one.dot(its.ROTATION)
-    if ended and c[its.OMEGA] != 0.0:
-        rotation = rotation + c[its.DIRECTION] * (one.dot(its.X) + c[its.OMEGA] * one.end_dot)
     peak = np.sign(c[its.PEAK_OMEGA]) * one.peak_dot + c[its.PEAK_OMEGA] * seeds.speed_growth
-    run_out = radius * (rotation + c[its.END_ROTATION] * seeds.radius_growth)
-    duration = 0.0 * peak if ended else scale * (one.rest_dot + c[its.REST_SINCE] * seeds.time_growth)
-    return np.array([radius / scale * peak, run_out, duration])
+    run_out = one.turned() + c[its.END_ROTATION] * seeds.radius_growth
+    duration = seeds.one("end_time") if ended else scale * (one.rest_dot + c[its.REST_SINCE] * seeds.time_growth)
+    reach = one.reach_dot + c[its.REACH_ROTATION] * seeds.radius_growth
+    return np.array([radius / scale * peak, radius * run_out, duration, radius * reach])
 
 
 def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log, float]:
@@ -109,10 +98,8 @@ def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log
     walks, log, handed = list[_Walk](), list[Any](), [np.inf]
 
     def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
-        if not walks:
-            walks.append(_Walk(program, data, cells, seeds))
-        one = walks[0]
-        one.tables, one.stiff_step = data, stiff_step
+        one = _Walk(program, data, cells, seeds)
+        walks[:], one.stiff_step = [one], stiff_step
         with np.errstate(all="ignore"):
             while one.c[its.STATUS, 0] <= its.RESTING:
                 one.round()
@@ -131,8 +118,9 @@ class _Walk(Walker):
         self.seeds, (self.tangent,) = seeds, program.tangents
         self.none = np.zeros(cells.shape[1])
         self.event_dot = self.none  # of the time at which the phase in hand begins
-        self.peak_dot = self.rest_dot = self.none
-        self.end_dot = -cells[its.END_TIME, 0] * seeds.time_growth if np.isfinite(cells[its.END_TIME, 0]) else self.none
+        self.peak_dot = self.rest_dot = self.reach_dot = self.none
+        end = cells[its.END_TIME, 0]
+        self.end_dot = seeds.end_dot - end * seeds.time_growth if np.isfinite(end) else self.none
         self.r: Any = None
         self.total = self.none
 
@@ -143,6 +131,11 @@ class _Walk(Walker):
     def put(self, cell: int, dots: Any) -> None:
         if cell in self.tangent.cells:
             self.c[self.tangent.cells[cell]] = dots
+
+    def turned(self) -> Floats:
+        """Derivatives of the rotation where it stands, or where it is at its end time."""
+        c = self.c[:, 0]
+        return self.dot(its.ROTATION) + c[its.DIRECTION] * (self.dot(its.X) + c[its.OMEGA] * self.end_dot)
 
     def of(self, register: int, at: float) -> Floats:
         """Derivatives of a register at a time since the step began."""
@@ -309,7 +302,13 @@ class _Walk(Walker):
             self.put(its.OMEGA, 0.0)
             self.event_dot = self.none
 
-    # --- the greatest speed ------------------------------------------------------------------------------------------
+    # --- the greatest speed and rotation -----------------------------------------------------------------------------
+
+    def _reach(self) -> None:
+        before = self.c[its.REACH_ROTATION, 0]
+        super()._reach()
+        if self.c[its.REACH_ROTATION, 0] != before:
+            self.reach_dot = self.turned()
 
     def _set_peak(self, k: Any, time: Any, gone: Any, speed: Any, rate: Any) -> None:
         super()._set_peak(k, time, gone, speed, rate)
@@ -321,6 +320,8 @@ class _Walk(Walker):
         super()._fastest(speed, time, rotation, rate, mask)
         if float(self.c[its.PEAK_OMEGA, 0]) != before:
             late = float(time[0]) >= float(self.c[its.END_TIME, 0])
-            self.peak_dot = self.dot(its.OMEGA) + float(rate[0]) * (self.end_dot if late else self.none)
+            breaks = float(time[0]) >= self._break()[0]  # of what changes with time, where the force may leap
+            moved = self.end_dot if late else -time[0] * self.seeds.time_growth if breaks else self.none
+            self.peak_dot = self.dot(its.OMEGA) + float(rate[0]) * moved
             if not late and np.any(self.event_dot):
                 self.peak_dot = self.total

@@ -90,6 +90,8 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
     law = scene.friction
     if isinstance(law, Mapping):
         law = {n: flat(v) if f"friction.{n}" in numbers else v for n, v in law.items()}
+        if isinstance(rate := law.get("rate"), Mapping):
+            law["rate"] = {n: flat(v) if f"friction.rate.{n}" in numbers else v for n, v in rate.items()}
     elif not callable(law):
         law = flat(law)
     end = np.inf if scene.end_time is None else flat(scene.end_time)

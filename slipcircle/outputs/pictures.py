@@ -107,7 +107,7 @@ def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
 # What commands draw of what they found, and on how many inches.
 _DRAWN: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]] = {
     "study": (studyplots.overview, studyplots.size),
-    "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.outputs) * (1.6 + 0.3 * len(x.parameters)))),
+    "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
     "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
     "search": (slopeplot.critical_circle, lambda _: (9.0, 6.0)),
     "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),

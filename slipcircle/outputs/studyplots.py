@@ -139,7 +139,7 @@ def tornado(
 
 def tornados(found: "Sensitivity", figure: Any) -> None:
     """A tornado of each output, one above the other, on an empty figure."""
-    for k, (output, ax) in enumerate(zip(found.outputs, figure.subplots(len(found.outputs), 1), strict=True)):
+    for k, (output, ax) in enumerate(zip(found.distinct, figure.subplots(len(found.distinct), 1), strict=True)):
         tornado(found, output, ax=ax, named=k == 0)
 
 

@@ -151,17 +151,17 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 def sensitivity_part(found: "Sensitivity", name: str) -> Part:
     """Derivatives as a table, per unit of the key that a scene file has for each parameter."""
-    rows, keys = [["", "", *(shown(found.at[n]) for n in found.outputs)]], found.keys
-    for k, parameter in enumerate(found.parameters):
+    rows, keys = [["", "", *(shown(found.at[n]) for n in found.distinct)]], found.keys
+    for parameter in found.parameters:
         of = keys[parameter]
         value = of.from_si(found.at[parameter])
         cells = []
-        for output, slope in zip(found.outputs, found.values[:, k] * of.slope(value), strict=True):
-            at = found.at[output]
+        for output in found.distinct:
+            at, slope = found.at[output], found.derivative(output, parameter) * of.slope(value)
             per_cent = f" ({slope * value / at:+.2g})" if at and slope * value else ""
             cells.append(f"{shown(float(slope))}{per_cent}")
         rows.append([of.key, shown(value, 6), *cells])
-    head = ["by", "value", *(words(n, unit) for n, unit in found.outputs.items())]
+    head = ["by", "value", *(words(n, unit) for n, unit in found.distinct.items())]
     return Part(head, rows, name, "change per unit of the key, and in brackets in per cent per per cent of it")
 
 

@@ -108,8 +108,9 @@ def by_key(scene: Any) -> dict[str, Number]:
 
 
 def by_name(scene: Any) -> dict[str, Number]:
-    """The same by their names: of two keys, as friction has, the first."""
-    return {n.name: n for n in reversed(by_key(scene).values())}
+    """The same by their names: of two keys, as friction has, the angle's, but of what multiplies it the number's."""
+    found = reversed(by_key(scene).values())
+    return {n.name: n for n in found if not (n.tangent and n.name.startswith("friction.rate."))}
 
 
 def number_in(scene: Any, path: str) -> Number:

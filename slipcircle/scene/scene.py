@@ -16,7 +16,7 @@ from slipcircle.base.kinds import Array, Numbers
 from slipcircle.base.series import Pulse, Series
 from slipcircle.records.forcing import factor, resolved
 from slipcircle.scene.arc import Arc
-from slipcircle.scene.friction import law_mistakes
+from slipcircle.scene.friction import law_mistakes, law_parts
 from slipcircle.scene.numbers import numbers_in, uncertain_numbers
 from slipcircle.scene.section import Section
 
@@ -164,8 +164,9 @@ class Scene(Generic[Numbers]):
         found = numbers_in(self.arc)
         law = self.friction
         if isinstance(law, Mapping):
-            tables = LAWS[str(law["law"])].parameters[0].kind == "list"
-            found |= {f"friction.{n}": value for n, value in law.items() if n not in ("law", "rate") and not tables}
+            for path, (name, own) in zip(("friction", "friction.rate"), law_parts(law), strict=False):
+                tables = LAWS[name].parameters[0].kind == "list"
+                found |= {f"{path}.{n}": value for n, value in own.items() if not tables}
         elif not callable(law):
             found["friction"] = law
         found["initial_velocity"] = self.initial_velocity

@@ -596,7 +596,6 @@ static int pass_breaks(const Hand *h, unsigned k)
         const double rounding = fabs(there) + fabs(c[VALUE][k]);
         if (c[WAY][k] > rounding) c[INC][k] = there - c[VALUE][k], c[WAY][k] = rounding;
         time_bound(h, t, d, k);
-        if (d->open && piece == d->pieces - 1) h->c[STATUS][k] = NEED;
     }
     return leaps;
 }
@@ -607,7 +606,7 @@ static int changes(const Hand *h, unsigned k)
     const Walk *const w = h->w;
     int found = 0;
     for (int i = 0; i < w->tables; i++)
-        found |= w->table[i].kind == OF_TIME && (h->c[w->table[i].cell + UPPER][k] < INFINITY || w->data[i].open);
+        found |= w->table[i].kind == OF_TIME && h->c[w->table[i].cell + UPPER][k] < INFINITY;
     return found;
 }
 
@@ -1228,10 +1227,6 @@ static void take(Hand *h, unsigned k, int64_t column)
         c[OMEGA][k] = fabs(c[OMEGA][k]), c[X][k] = 0.0, c[LIFTED][k] = 0.0;
         h->todo[k] = c[OMEGA][k] > 0.0 ? BEGIN : FACE;
         find_pieces(h, k);
-    } else if (c[STATUS][k] == NEED) { /* a table that goes on */
-        c[STATUS][k] = c[OMEGA][k] > 0.0 ? MOVING : RESTING;
-        base(h, k);
-        h->todo[k] = ANEW;
     }
 }
 
@@ -1240,7 +1235,7 @@ static void put(Hand *h, unsigned k)
 {
     const Walk *const w = h->w;
     const double status = h->c[STATUS][k];
-    const int on = status <= RESTING || status == NEED || status == TOO_LONG;
+    const int on = status <= RESTING || status == TOO_LONG;
     const int count = on ? w->cells : OMEGA - 1 + w->states;
     double *to = w->all + h->column[k];
     for (int i = 0; i < count; i++, to += w->count) *to = h->c[i][k];
@@ -1250,13 +1245,7 @@ static void put(Hand *h, unsigned k)
 /* Whether a lane still has a way to go. */
 static int goes_on(const Walk *w, int64_t column)
 {
-    const double status = w->all[STATUS * w->count + column];
-    if (status != NEED) return status <= RESTING;
-    int found = 1;
-    for (int i = 0; i < w->tables; i++)
-        found &= !w->data[i].open ||
-                 w->all[(w->table[i].cell + PIECE) * w->count + column] < (double)(w->data[i].pieces - 1);
-    return found;
+    return w->all[STATUS * w->count + column] <= RESTING;
 }
 
 /* Registers where lanes are; with a budget those of the phases that would begin there. */
