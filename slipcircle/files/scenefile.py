@@ -192,6 +192,7 @@ def _by_sloping_key(said: str) -> str:
     tables = ("search",) if of == "critical" else ("ground", "circle", "water")
     keys = {key.name: f"{t}.{k}" for t in tables for k, key in SLOPING[t].keys.items()}
     keys |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
+    keys["friction"] = "friction.coefficient"
     rest = re.sub(rf"(^|; |choose one by )({'|'.join(keys)})(?= =|:|\[)", lambda m: m[1] + keys[m[2]], rest)
     return f"critical: {rest}" if of == "critical" else rest
 
