@@ -21,7 +21,7 @@ import slipcircle
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.__main__ import main
 from slipcircle.motion.derivatives import Sensitivity
-from slipcircle.studies.motions import motions
+from slipcircle.studies.motions import derivatives, motions
 
 EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which 40 digits are known
 
@@ -92,6 +92,18 @@ def test_derivatives_are_those_of_scenes_beside(name: str) -> None:
             slope = (8 * (of[0] - of[1]) - (of[2] - of[3])) / (12 * step)
             size = np.abs(row * [found.at[n] for n in found.parameters]).max() + 1e-3 * abs(found.at[output])
             assert abs(row[k] - slope) * abs(found.at[number]) <= 1e-5 * size, (output, number, row[k], slope)
+
+
+@pytest.mark.parametrize("name", ["vaiont", "vaiont-softening", "vaiont-shaken", "wet-slope", "valley-side"])
+def test_those_of_studies_are_the_same(name: str) -> None:
+    """Differences of lanes, for standard errors and linear propagation, where angles and softening bend most."""
+    scene = load(name)
+    found = solve(scene).sensitivity()
+    _, beside = derivatives(scene, {n: found.at[n] for n in found.parameters})
+    for output, row in zip(found.outputs, found.values, strict=True):
+        size = np.abs(row * [found.at[n] for n in found.parameters]).max()
+        for k, n in enumerate(found.parameters):
+            assert abs(beside[output][n] - row[k]) * abs(found.at[n]) <= 1e-6 * size, (output, n)
 
 
 def test_derivatives_by_what_shakes_and_by_the_end() -> None:

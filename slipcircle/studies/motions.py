@@ -15,7 +15,7 @@ from slipcircle.scene.scene import Scene
 from slipcircle.scene.variation import scenes_with
 
 Floats = NDArray[np.float64]
-_STEPS, _FINE = (1e-3, 1e-5, 1e-7), 1e-14  # of derivatives, relative, until one is small enough; their motions
+_STEPS, _FINE = (1e-5, 1e-7), 1e-14  # of derivatives, relative, until one is small enough; their motions
 
 
 def motions(scene: Scene, values: Mapping[str, Any], accuracy: float | None = None) -> Motion:
@@ -33,8 +33,9 @@ def derivatives(
     Differences of four values beside each, or of two to one side where the motion is of another kind on the other, as
     at the end of what a value may be; NaN where it is on both, as next to where it begins to move.
     """
-    geometry = lengths(scene.arc)
-    sizes = np.array([float(scene.arc.depth) if n in geometry else abs(v) or 1.0 for n, v in at.items()])
+    own = dict.fromkeys(lengths(scene.arc), float(scene.arc.depth))
+    own |= dict.fromkeys(("theta_1", "theta_2", "dip"), float(scene.arc.half_angle))
+    sizes = np.array([own.get(n, abs(v)) or 1.0 for n, v in at.items()])
     slopes = np.full((len(OUTCOMES), len(at)), np.nan)
     for share in _STEPS:
         values = np.tile(np.array([*at.values()])[:, None], (1, 1 + 4 * len(at)))
