@@ -53,7 +53,7 @@ def lanes(name: str, accuracy: float = 1e-11) -> Bound:
 
 def run(bound: Bound, which: Any = slice(None), **options: Any) -> Any:
     cells = np.ascontiguousarray(bound.cells[:, which])
-    compiled.run(bound.program, bound.tables, cells, **options)
+    compiled.walk(bound.program, bound.tables, cells, **options)
     return cells[RESULTS]
 
 
@@ -94,7 +94,7 @@ def test_every_kind_of_processor_gives_the_same(name: str) -> None:
 def test_samples_and_notes_are_those_of_numpy() -> None:
     bound = lanes("record")
     found: list[Any] = []
-    for walker in (compiled.run, walk.walk):
+    for walker in (compiled.walk, walk.walk):
         times = np.tile(np.linspace(0.0, 30.0, 61)[:, None] / np.float64(bound.time_scale), (1, LANES))
         samples = Samples(times, np.full((4, 61, LANES), np.nan))
         log: Log = []
@@ -111,7 +111,7 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
 def test_threads_walk_side_by_side() -> None:
     bound = lanes("softening")
     whole, halves = run(bound), [bound.cells[:, :18].copy(), bound.cells[:, 18:].copy()]
-    threads = [threading.Thread(target=compiled.run, args=(bound.program, bound.tables, half)) for half in halves]
+    threads = [threading.Thread(target=compiled.walk, args=(bound.program, bound.tables, half)) for half in halves]
     for thread in threads:
         thread.start()
     for thread in threads:

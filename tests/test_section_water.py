@@ -96,7 +96,7 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
     bound = motion._lanes.bound
     one, other = bound.cells.copy(), bound.cells.copy()
     walk.walk(bound.program, bound.tables, one)
-    compiled.run(bound.program, bound.tables, other)
+    compiled.walk(bound.program, bound.tables, other)
     for cell in (its.STATUS, its.PHASES, its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REST_SINCE):
         assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
 
@@ -109,7 +109,7 @@ def test_many_sections_walk_together() -> None:
     called, push = {"rotation": {}, "pore_pressure": {"level": many.mean_pressure}}, rng.normal(size=count)
     bound = bind(many, called, 0.3, push, math.inf, 1e-12, count)
     cells = bound.cells.copy()
-    (walk.walk if compiled.module() is None else compiled.run)(bound.program, bound.tables, cells)
+    compiled.engine().walk(bound.program, bound.tables, cells)
     for k in range(0, count, 7):
         one = Section(GROUND, centre[k], radius[k], GAMMA, level=LEVEL)
         alone = solve(Scene(one, 0.3, ["rotation"], float(push[k]), accuracy=1e-12))

@@ -1,6 +1,7 @@
 """The compiled walk: a program as integers, and calls that come back often enough for Ctrl-C to be heard."""
 
 import os
+import sys
 import warnings
 from collections.abc import Sequence
 from functools import cache, lru_cache
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from generated import cells as its
 from generated.series import DIGEST, SCALAR, SERIES
+from slipcircle.flow import walk as numpy_walk
 from slipcircle.flow.link import RESULTS
 from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.flow.tables import Data
@@ -45,6 +47,11 @@ def module() -> Any:
         stacklevel=2,
     )
     return None
+
+
+def engine() -> Any:
+    """The module whose `walk`, `begin` and `registers` are the faster ones here: this one where there is a binary."""
+    return sys.modules[__name__] if module() else numpy_walk
 
 
 @lru_cache(maxsize=256)
@@ -84,8 +91,8 @@ def flat(program: Program) -> bytes:
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
 
-def run(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None,
-        log: Log | None = None, level: str | None = None) -> None:  # fmt: skip
+def walk(program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None,
+         log: Log | None = None, level: str | None = None) -> None:  # fmt: skip
     """Walk every lane until it rests, ends or fails, as `slipcircle.flow.walk.walk` does; other threads run meanwhile.
 
     Parameters

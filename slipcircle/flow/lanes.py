@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from generated import cells as its
 from slipcircle.base.checks import EPS, choose, plain
-from slipcircle.flow import compiled, frozen, tables, walk
+from slipcircle.flow import frozen
 from slipcircle.flow.bind import Bound, bind
 from slipcircle.flow.columns import Columns
-from slipcircle.flow.program import Log, Program, Samples
+from slipcircle.flow.compiled import engine
+from slipcircle.flow.program import Log, Samples
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
 from slipcircle.scene.variation import unchecked
@@ -27,7 +28,7 @@ ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its s
 def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, log: Log | None = None,
            walker: Any = None, cells: Any = None) -> Floats:  # fmt: skip
     """The cells of lanes at their end, by default a copy's; from the start again where a Python function goes on."""
-    walker = walker or (compiled.run if compiled.module() else walk.walk)
+    walker = walker or engine().walk
     while True:
         cells = bound.start() if cells is None else cells
         if closed:
@@ -53,11 +54,6 @@ def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, l
         cells = None
         if log is not None:
             log.clear()
-
-
-def _begin(program: Program, data: list[tables.Data], cells: Floats) -> Floats:
-    """`walk.begin`, by the binary where there is one."""
-    return (compiled.begin if compiled.module() else walk.begin)(program, data, cells)
 
 
 @dataclass(frozen=True)
@@ -221,7 +217,7 @@ class Lanes:
             for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
                 cells[cell] = value
         parts = [t.lanes(each) if t.coefficients.ndim == 3 else t for t in bound.tables]
-        return cells, _begin(bound.program, parts, cells)
+        return cells, engine().begin(bound.program, parts, cells)
 
     @property
     def brake(self) -> Floats:
@@ -245,8 +241,8 @@ class Lanes:
         c[its.OMEGA], c[its.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
         c[at["k_h"]], shaken = 0.0, c.copy()
         shaken[at["k_h"]] = c[its.DIRECTION]
-        _begin(bound.program, bound.tables, c)
-        _begin(bound.program, bound.tables, shaken)
+        engine().begin(bound.program, bound.tables, c)
+        engine().begin(bound.program, bound.tables, shaken)
         driving, resisting, normal, mu, limit = (
             c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0", "mu", "limit")
         )

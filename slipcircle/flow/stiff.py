@@ -23,11 +23,11 @@ from numpy.typing import NDArray
 
 from generated import cells as its
 from slipcircle.base.checks import EPS
-from slipcircle.flow import compiled
 from slipcircle.flow.columns import Columns
+from slipcircle.flow.compiled import engine
 from slipcircle.flow.program import Log, Program, Samples
 from slipcircle.flow.tables import Data
-from slipcircle.flow.walk import Walker, registers
+from slipcircle.flow.walk import Walker
 
 Floats = NDArray[np.float64]
 Watched = Callable[[Floats, Floats], Any]  # of states and registers, one number of each or one a time
@@ -148,8 +148,7 @@ class _Implicit(Walker):
 
     def _registers(self, times: Floats, states: Floats) -> Floats:
         """What the program gives there, (registers, times)."""
-        read = compiled.registers if compiled.module() else registers
-        return read(self.program, self._tables(times.size), self._at(times, states))
+        return engine().registers(self.program, self._tables(times.size), self._at(times, states))
 
     def _polynomial(self, time: float, h: float, y: Floats, now: Floats) -> "_Step | None":
         """A step from a time, states and registers there; none where Newton's iteration does not converge."""
