@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 2b0e4f1fc3ee881f2f78934547a0b04ebba2d62eb51d6fe86c9405df279b6676
+# sha256 of the text below: ef8f69080b697927b510ce9c865c03df9533fefe1166b4c4e4f59468ca2b437b
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -57,16 +57,7 @@ LEVEL = next(iter(LEVELS))
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(alpha, out, where, accuracy)`` behind a public kernel.
-
-    Parameters
-    ----------
-    name : str
-    texts : mapping
-        The NumPy text of every tier; a kernel that has the tier ``best`` alone is sampled only.
-    level : str, optional
-        One of `LEVELS`; by default the fastest.
-    """
+    """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
     form, loops = LEVELS[level]
     loop: Any = loops.get("best", {}).get(name)
     # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.

@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: 59467ec65b4d875a74f8c66762046fa515d028f8c478bdfefaba1339baf1d6f6
+# sha256 of the text below: 75d20dbdd0e807ea9eb48e868b51e9a8a9771463ef842b0efe1a7c3fb69b2512
 """How every generated function is called: types, broadcasting, domain, `out` and `where`, as NumPy's ufuncs do it."""
 
 from collections.abc import Callable, Sequence
@@ -21,13 +21,7 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
 
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
-    """The arguments as arrays, or as Python's numbers, and the floating type of the result.
-
-    Raises
-    ------
-    TypeError
-        For arguments that are not real numbers of at most 64 bits.
-    """
+    """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
     items = [x if isinstance(x, (bool, int, float)) and not isinstance(x, np.generic) else np.asarray(x) for x in args]
     kind = np.result_type(*items)
     if kind.kind in "biu":
@@ -47,16 +41,8 @@ def evaluate(
 ) -> Any:
     """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
 
-    Parameters
-    ----------
-    body : callable
-        Straight-line code over float64 arrays.
-    inside : callable
-        ``inside(eps, *args)`` is true in the domain; eps is that of the arguments' type.
-    safe : tuple of float
-        A point of the domain, which stands in for arguments outside it.
-    args, out, where
-        As NumPy's ufuncs take them.
+    ``inside(eps, *args)`` is true in the domain, eps that of the arguments' type; ``safe``, a point of it, stands in
+    for arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them.
     """
     items, kind = real(args)
     eps = float(np.finfo(kind).eps)

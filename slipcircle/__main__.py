@@ -17,14 +17,14 @@ from functools import partial
 from importlib import import_module
 from textwrap import wrap
 from threading import Event, Thread, active_count
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import slipcircle
 from slipcircle import Motion, Scene, load, plan, solve
 from slipcircle.base import files
 from slipcircle.files.scenefile import critical_of_file, find, shipped
 from slipcircle.motion.quantities import OUTCOMES, plain, record, shown
-from slipcircle.outputs import tables
+from slipcircle.outputs import pictures, tables
 from slipcircle.outputs.options import times
 from slipcircle.outputs.tables import Answer, Part, say
 from slipcircle.outputs.trace import csv
@@ -133,12 +133,12 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
             added.add_argument("--json", action="store_true", help="for machines: JSON, in SI units and radians")
         return added
 
-    def study(name: str, module: str, said: str) -> argparse.ArgumentParser:
-        if name not in argv:  # no other command needs what it loads
-            return command(name, None, said)
-        loaded = _late(module)
-        added = command(name, loaded.run, said)
-        loaded.arguments(added)
+    def study(name: str, said: str) -> argparse.ArgumentParser:
+        added = command(name, None, said)
+        if name in argv:  # no other command needs what it loads
+            loaded = import_module(f"slipcircle.outputs.{name}")
+            loaded.arguments(added)
+            added.set_defaults(work=loaded.run)
         return added
 
     def writes(parser: argparse.ArgumentParser, drawn: str, **more: str) -> None:
@@ -162,7 +162,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     what.add_argument("--all", action="store_true", help="operation counts of every combination of effects")
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
     writes(planned, f"the ladder{pictured}")
-    swept = study("sweep", "sweep", "a scene on a grid of values, or for samples of its uncertain numbers")
+    swept = study("sweep", "a scene on a grid of values, or for samples of its uncertain numbers")
     writes(swept, f"exceedance curves and which unknown matters, or a grid of one or two numbers{pictured}",
            report=reviewed, csv="one table of all results",
            npz="all results as NumPy arrays, the samples where kept")  # fmt: skip
@@ -171,7 +171,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
                        "file with [ground] and soil")  # fmt: skip
     slope.add_argument("--method", choices=METHODS, help="whose least factor is looked for; default bishop")
     writes(slope, f"the section, the circle and the factors over centres{pictured}")
-    back = study("backanalyse", "backanalyse", "the friction, or another number, that explains an observed motion")
+    back = study("backanalyse", "the friction, or another number, that explains an observed motion")
     writes(back, f"what was observed over the fields{pictured}")
     slopes = command("sensitivity", _sensitivity, "exact derivatives of the motion by each number of a scene")
     writes(slopes, f"what a change of each number changes{pictured}")
@@ -195,12 +195,7 @@ def _ready(options: argparse.Namespace) -> None:
     files.check(options.command, asked, [str(find(name)) for name in names])
     if "--plot" in asked or "--report" in asked:
         for path in options.plot or [""]:
-            _late("pictures").check(options.command, path, len(names))
-
-
-def _late(module: str) -> Any:
-    """A module of the outputs that only some commands need."""
-    return import_module(f"slipcircle.outputs.{module}")
+            pictures.check(options.command, path, len(names))
 
 
 # --- run and plan ----------------------------------------------------------------------------------------------------
@@ -220,9 +215,11 @@ def _run(options: argparse.Namespace) -> Answer:
     if options.csv:
         made[options.csv] = csv(motions, options.times)
     for path in options.plot:
-        made[path] = _late("pictures").overview(motions, path)
+        made[path] = pictures.picture("motions", motions, path)
     if options.report:
-        made[options.report] = _late("report").report(motions, sources, options.line).encode()
+        from slipcircle.outputs.report import report
+
+        made[options.report] = report(motions, sources, options.line).encode()
     for path, content in made.items():
         files.write(path, content)
     pairs = zip(motions[::2], motions[1::2], strict=True) if options.polarities else ()
@@ -269,7 +266,7 @@ def _plan(options: argparse.Namespace) -> Answer:
     from slipcircle.studies.ladder import ladder
 
     rungs = _speaking_of(chosen.scene, ladder)
-    _draw(options.plot, "ladder", rungs)
+    pictures.write(options.plot, "ladder", rungs)
     return Answer(
         lambda: [found | {"ladder": [asdict(r) for r in rungs]}],
         [tables.ladder_part(rungs, chosen.scene.name)],
@@ -280,7 +277,7 @@ def _search(options: argparse.Namespace) -> Answer:
     if options.plot and len(options.scenes) > 1:
         raise ValueError(f"search: --plot {options.plot[0]}: shows one slope; search them one by one")
     names, notes, found = zip(*(critical_of_file(name, options.method, say) for name in options.scenes), strict=True)
-    _draw(options.plot, "search", found[0])
+    pictures.write(options.plot, "search", found[0])
     for name, circle in zip(names, found, strict=True):
         if circle.warning:
             say(f"{name}: {circle.warning}")
@@ -298,7 +295,7 @@ def _sensitivity(options: argparse.Namespace) -> Answer:
     motion = solve(load(options.scene))
     found, name = motion.sensitivity(), motion.plan.scene.name
     keys = {n: number.key for n, number in found.keys.items()}
-    _draw(options.plot, "sensitivity", found)
+    pictures.write(options.plot, "sensitivity", found)
     return Answer(
         lambda: [{"scene": name} | vars(found) | {"keys": keys, "elasticities": found.elasticities}],
         [tables.sensitivity_part(found, name)],
@@ -306,43 +303,32 @@ def _sensitivity(options: argparse.Namespace) -> Answer:
     )
 
 
-def _draw(paths: Sequence[str], what: str, found: Any) -> None:
-    if paths:
-        _late("pictures").write(paths, what, found)
-
-
 def _schema(_: argparse.Namespace) -> Answer:
+    from slipcircle.outputs.guide import guide
     from slipcircle.scene.keys import schema
 
-    return Answer(schema, [_late("guide").guide()])
+    return Answer(schema, [guide()])
 
 
 def _cost(options: argparse.Namespace) -> Answer:
-    from slipcircle.cost import cost, costtext
+    from slipcircle.cost import cost, costplot, costtext
+    from slipcircle.outputs.info import machine
 
-    found = cost.measure(options.functions or cost.NAMES, progress=sys.stderr)
+    found = cost.measure(options.functions or cost.NAMES, partial(print, file=sys.stderr, flush=True))
     if options.csv:
         files.write(options.csv, costtext.table_csv(found))
     for path in options.plot:
-        from slipcircle.cost import costplot
-
-        files.write(path, _late("pictures").render(partial(costplot.overview, found), costplot.size(found), path))
-
-    machine = _late("info").machine()
-
-    def parts() -> Iterator[Part | str]:
-        for name in dict.fromkeys(row.function for row in found):
-            rows = [row for row in found if row.function == name]
-            yield Part(*costtext.table(rows), name)
-            yield costtext.verdict(rows) + "\n"
-        yield costtext.wrapped([*costtext.NOTES, f"{machine}."])
-
-    return Answer(lambda: {"machine": machine, "rows": [costtext.record(row) for row in found]}, parts())
+        files.write(path, pictures.render(partial(costplot.overview, found), costplot.size(found), path))
+    return Answer(
+        lambda: {"machine": machine(), "rows": [costtext.record(row) for row in found]},
+        costtext.parts(found, machine()),
+    )
 
 
 def _info(_: argparse.Namespace) -> Answer:
-    facts = _late("info").facts()
-    return Answer(lambda: facts, [Part([], list(facts.items()))])
+    from slipcircle.outputs.info import facts
+
+    return Answer(facts, [Part([], list(facts().items()))])
 
 
 if __name__ == "__main__":

@@ -11,24 +11,24 @@ import taylor
 from strips import integrals
 
 from slipcircle.cost import sections
-from slipcircle.cost.scenes import ANSWERS, CASES, Case
+from slipcircle.cost.scenes import ANSWERS, CASES, scene
 
 
-def texts(case: Case, friction: float) -> tuple[str, ...]:
+def texts(name: str, friction: float) -> tuple[str, ...]:
     """Run-out, peak velocity and duration as decimals."""
-    scene: Any = case.scene(friction)
-    effects: dict[str, Any] = dict(scene.called)
-    if case.shakes:
+    asked: Any = scene(name, friction)
+    effects: dict[str, Any] = dict(asked.called)
+    if "shaking" in effects:
         record = effects["shaking"]["horizontal"]
         effects["shaking"] = {"time": record.time.tolist(), "horizontal": record.values.tolist()}
-    given = {"arc": oracle.plain(scene.arc), "friction": scene.friction, "effects": effects, "initial_velocity": 0.0}
-    found = taylor.solve(given | {"end_time": scene.end_time}, digits=24)
-    return tuple(found[name] for name in ("run_out", "peak_velocity", "duration"))
+    given = {"arc": oracle.plain(asked.arc), "friction": asked.friction, "effects": effects, "initial_velocity": 0.0}
+    found = taylor.solve(given | {"end_time": asked.end_time}, digits=24)
+    return tuple(found[key] for key in ("run_out", "peak_velocity", "duration"))
 
 
 def written(known: dict[str, dict[str, Any]]) -> str:
     """The file of the answers to these frictions, as it is to be."""
-    made = {name: {mu: texts(CASES[name], float(mu)) for mu in of} for name, of in known.items()}
+    made = {name: {mu: texts(name, float(mu)) for mu in of} for name, of in known.items()}
     return json.dumps(made, indent=1) + "\n"
 
 

@@ -26,7 +26,6 @@ from derive.check import truth
 from derive.check.certify import QUARTER, SMALL, UNDERFLOW
 from derive.check.records import TIERS, Record, read
 from derive.check.truth import SEGMENTS, TOP
-from derive.code import exact
 from generated import _compiled, kernels
 
 Floats = NDArray[np.float64]
@@ -208,7 +207,7 @@ def interpret(kernel: str, tier: str, form: str, alpha: Numbers) -> Numbers:
     """A program in exact arithmetic, rounded once an operation."""
     (program,) = [v.program for v in variants() if (v.kernel, v.tier, v.form) == (kernel, tier, form)]
     with np.errstate(under="ignore"):  # correctly rounded, and silent in what it stands for
-        return exact.run(program, np.minimum(alpha.astype(np.float64), TOP)).astype(alpha.dtype)
+        return program.run(np.minimum(alpha.astype(np.float64), TOP)).astype(alpha.dtype)
 
 
 # --- what is seen ----------------------------------------------------------------------------------------------------

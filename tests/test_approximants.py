@@ -14,7 +14,7 @@ from derive.approximate import search
 from derive.approximate.programs import Variant, variants
 from derive.approximate.shapes import HALF_PI, kernels, records
 from derive.check.records import TIERS
-from derive.code import exact, operations
+from derive.code import operations
 from derive.code.program import Op
 
 Floats = NDArray[np.float64]
@@ -35,7 +35,7 @@ each_base = pytest.mark.parametrize("v", [v for v in BEST if v.kernel in BASES],
 
 def run(v: Variant, alpha: Floats) -> Floats:
     """Its values: rounded exactly, or, where it calls NumPy's logarithm, NumPy's."""
-    return np.asarray(exact.run(v.program, alpha))
+    return np.asarray(v.program.run(alpha))
 
 
 def seams() -> list[float]:

@@ -19,11 +19,10 @@ from flint import arb, ctx
 
 from derive.approximate import certificates
 from derive.approximate.programs import Variant, variants
-from derive.check import certify, proof, records, rounding, table, truth
+from derive.check import certify, proof, records, rounding, truth
 from derive.check.proof import ProofError
 from derive.check.records import Record, digest, read
 from derive.check.truth import SEGMENTS, TOP
-from derive.code import exact
 from derive.code.program import Op, Program, walk
 
 RECORDS = read()
@@ -123,7 +122,7 @@ def errors(operations: list[list[Any]], alpha: list[float]) -> Iterator[arb]:
     """What rounding each operation costs, exactly."""
     ops = (Op(kind, tuple(args), float.fromhex(x) if kind == "const" else x) for kind, args, x in operations)
     program = Program("random", ("alpha",), tuple(ops), (len(operations) - 1,))
-    values = np.broadcast_to(exact.run(program, np.array(alpha)), len(alpha))  # it may be a constant
+    values = np.broadcast_to(program.run(np.array(alpha)), len(alpha))  # it may be a constant
     for x, value in zip(alpha, values.tolist(), strict=True):
         (ideal,) = walk(
             program, {"alpha": arb(x)}, lambda op, x: arb(op.value) if op.kind == "const" else REAL[op.kind](*x)
@@ -169,7 +168,7 @@ def test_windows_hold_where_products_underflow(kernel: str, lower: float) -> Non
     record = find(kernel)
     claim = "bound_to_quarter_pi" if lower >= certify.UNDERFLOW else "bound_underflow"
     points = [lower * (1 + k / 64) for k in range(64)] if lower > 2.0**-1074 else [lower, 7 * lower, 2.0**-1000]
-    values = exact.run(variant(record).program, np.array(points)).tolist()
+    values = variant(record).program.run(np.array(points)).tolist()
     for alpha, value in zip(points, values, strict=True):
         with ctx.workprec(8000):
             reference = truth.value(DEFINITIONS[kernel], arb(alpha))
@@ -201,7 +200,7 @@ def test_every_variant_has_its_certificate() -> None:
 
 
 def test_the_checker_proves_all_certificates(capsys: pytest.CaptureFixture[str]) -> None:
-    accepted = table.prove_all()
+    accepted = certify.prove_all()
     assert accepted, capsys.readouterr().out
 
 
@@ -353,7 +352,7 @@ def test_a_refusal_passes_between_processes() -> None:
     assert (type(passed), str(passed), passed.check) == (type(refusal), str(refusal), "bound")
 
 
-@pytest.mark.parametrize("module", [certify, rounding, truth, proof, records, table])
+@pytest.mark.parametrize("module", [certify, rounding, truth, proof, records])
 def test_the_checker_knows_nothing_of_the_generator(module: Any) -> None:
     for node in ast.walk(ast.parse(Path(module.__file__).read_text("utf-8"))):
         if isinstance(node, ast.ImportFrom):

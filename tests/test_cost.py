@@ -1,7 +1,6 @@
 """The price list: references against ball arithmetic and Taylor series; verdicts that follow. No timings."""
 
 import csv
-import io
 import json
 import re
 from collections.abc import Iterator
@@ -278,7 +277,7 @@ def test_the_command(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.
         assert any(re.match(rf"{number} +{re.escape(way)} ", line) for line in lines), way
     assert any(line.startswith("Frontier: ") for line in lines)
     fails = Row("f", "printed form", float("inf"), (1.5,), 3.0)
-    monkeypatch.setattr(cost, "measure", lambda names, progress: [fails])
+    monkeypatch.setattr(cost, "measure", lambda names, tell: [fails])
     assert json.loads(said("cost --json"), parse_constant=pytest.fail)["rows"][0]["error"] is None
 
 
@@ -313,7 +312,7 @@ def test_the_answers_are_made_again() -> None:
 def test_the_reference_of_the_closed_form_is_the_papers() -> None:
     """(4.3), (4.5) corrected, at 40 digits."""
     mu, known = next(iter(answers()["closed form"].items()))
-    scene: Any = scenes.CASES["closed form"].scene(float(mu))
+    scene: Any = scenes.scene("closed form", float(mu))
     m = oracle.numbers(scene.arc)
     with mpmath.workdps(40):
         a = m["fall"] * mpmath.sin(m["dip"]) - mpf(float(mu)) * m["press"] * mpmath.cos(m["dip"])
@@ -345,11 +344,9 @@ def test_rows_of_scenes(name: str, many: bool) -> None:
 
 def test_what_is_not_installed_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cost, "find_spec", lambda name: None)
-    said = io.StringIO()
-    assert all(r.ours for r in cost.measured(scenes.subject("constant friction", False), said))
-    assert said.getvalue() == "".join(
-        f"constant friction: {name} is missing, and left out\n" for name in ("scipy", "heyoka")
-    )
+    said: list[str] = []
+    assert all(r.ours for r in cost.measured(scenes.subject("constant friction", False), said.append))
+    assert said == [f"constant friction: {name} is missing, and left out" for name in ("scipy", "heyoka")]
 
 
 def test_rows_of_sections() -> None:

@@ -13,6 +13,7 @@ import pytest
 import test_accuracy
 import test_kernels
 from conftest import columns
+from matplotlib.figure import Figure
 
 import generated
 import slipcircle
@@ -92,7 +93,7 @@ def test_from_a_profile_to_a_picture(tmp_path: Path, run: Any) -> None:
     turned = place("run-out along the arc").real / place("radius").real  # clockwise, as it slides to the left
     assert abs(centre + (start - centre) * np.exp(-1j * turned) - toe) < 0.02  # of figures with two decimals
     assert picture.read_bytes().startswith(b"\x89PNG")
-    axes = plots.overview(solve(load(str(path)))).axes
+    axes = plots.overview(solve(load(str(path))), Figure(layout="constrained")).axes
     (section,) = (ax for ax in axes if ax.get_xlabel() == "$x$ (m)")
     assert section.get_aspect() == 1.0  # true scale
     drawn = [p for line in section.lines for p in np.asarray(line.get_xydata()).tolist()]

@@ -17,6 +17,7 @@ import pytest
 
 from slipcircle import Motion, Scene, load, solve
 from slipcircle.base import files
+from slipcircle.base.series import Series
 from slipcircle.files.scenefile import find
 from slipcircle.motion.quantities import RESULTS
 from slipcircle.motion.quantities import record as record_of
@@ -160,13 +161,15 @@ def test_inputs_of_a_file_and_of_a_scene_without_one() -> None:
     assert found["friction.peak_deg"][1] == "deg"
     assert found["shaking.amplitude_g"][:2] == ("0.1", "g")
     assert found["arc.radius_m"] == ("normal: mean 1490, std 10", "m", "radius of the slip circle", "the map")
-    rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.5, "velocity": 0.1}
-    slip = {"law": "linear", "peak": 0.4, "residual": 0.2, "length": 1.0, "rate": rate}
-    shown = {i.path: i[1:3] for i in inputs(Scene(vaiont.arc, slip, {"cohesion": {"cohesion": 1e3}}))}
-    wanted = {"friction.rate.velocity": ("0.1", "m/s"), "arc.radius": ("1492.6", "m"), "friction.length": ("1.0", "m"),
-              "cohesion.cohesion": ("1000.0", "Pa")}  # fmt: skip
+    slip = {"law": "linear", "peak": 0.4, "residual": 0.2, "length": 1.0}
+    effects = {
+        "cohesion": {"cohesion": 1e3},
+        "shaking": {"horizontal": Series(np.array([0.0, 1.0]), np.array([0.0, 0.1]))},
+    }
+    shown = {i.path: i[1:3] for i in inputs(Scene(vaiont.arc, slip, effects, end_time=9.0))}
+    wanted = {"radius": ("1492.6", "m"), "friction.length": ("1.0", "m"), "cohesion.cohesion": ("1000.0", "Pa"),
+              "shaking.peak": ("0.1", ""), "end_time": ("9.0", "s")}  # fmt: skip
     assert wanted.items() <= shown.items()
-    assert (shown["friction.law"][0], shown["end_time"][0]) == ("linear", "when the mass rests")
 
 
 @pytest.mark.usefixtures("unseen")
@@ -176,7 +179,7 @@ def test_uncertain_inputs_are_marked() -> None:
     scene = replace(load("vaiont"), uncertain=drawn)
     shown = {i.path: i.value for i in inputs(scene)}
     assert shown["friction"] == f"uncertain, normal: mean 10, std 1; here {scene.friction!r}"
-    assert shown["arc.radius"] == "uncertain, uniform: low 1400, high 1500; here 1492.6"
+    assert shown["radius"] == "uncertain, uniform: low 1400, high 1500; here 1492.6"
     text = report([solve(scene)])
     assert "uncertain, normal" in text
     assert "at the median of friction.angle_deg" in text
@@ -241,7 +244,7 @@ def test_several_scenes_share_the_files(tmp_path: Path, said: Any) -> None:
 
 def test_a_picture_of_several_scenes_holds_them_all() -> None:
     still = solve(Scene(load("vaiont").arc, 0.9, ["rotation"]))  # which is quickly drawn
-    one, two = (pictures.overview([still] * n, "png") for n in (1, 2))
+    one, two = (pictures.picture("motions", [still] * n, "png") for n in (1, 2))
     size = [(int.from_bytes(p[16:20]), int.from_bytes(p[20:24])) for p in (one, two)]
     assert size == [(1680, 1200), (1680, 2400)]
 
@@ -292,7 +295,7 @@ def test_nothing_is_written_where_one_file_fails(tmp_path: Path, refused: Any, m
     def fails(*_: Any) -> bytes:
         raise ValueError("cannot be drawn")
 
-    monkeypatch.setattr(pictures, "overview", fails)
+    monkeypatch.setattr(pictures, "picture", fails)
     assert "cannot be drawn" in refused("run vaiont --csv", tmp_path / "m.csv", "--plot", tmp_path / "m.png")
     assert not list(tmp_path.iterdir())
 
@@ -300,7 +303,7 @@ def test_nothing_is_written_where_one_file_fails(tmp_path: Path, refused: Any, m
 def test_no_user_setting_changes_a_picture() -> None:
     from matplotlib import rc_context
 
-    plain = pictures.of(motion("vaiont"))[0][2]("svg")
+    plain = pictures.picture("section", motion("vaiont"), "svg")
     with rc_context({"font.size": 22, "lines.linewidth": 9, "text.color": "red", "svg.fonttype": "none"}):
-        assert pictures.of(motion("vaiont"))[0][2]("svg") == plain
+        assert pictures.picture("section", motion("vaiont"), "svg") == plain
     assert not re.search(rb"<dc:date>", plain)

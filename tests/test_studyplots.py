@@ -15,7 +15,7 @@ from test_report import rows, tree
 
 from slipcircle import Study, backanalyse, ensemble, load, solve
 from slipcircle.outputs import plots, studyplots
-from slipcircle.outputs.studyreport import study_report
+from slipcircle.outputs.report import study_report
 from slipcircle.studies.ensemble import grid
 
 ANGLE = {"friction.angle_deg": {"distribution": "normal", "mean": 24, "std": 2}}
@@ -147,7 +147,7 @@ def test_tornado_is_what_a_small_change_does() -> None:
         assert bars[key] == pytest.approx(other - m.run_out, rel=1e-3)
     assert [*map(abs, bars.values())] == sorted(map(abs, bars.values()), reverse=True)
     assert "cohesion.cohesion_kPa = 3 ± 1 %" in ticks(studyplots.tornado(found, ax=drawn()))
-    with pytest.raises(ValueError, match=r"changes = 'friction': must be one of friction\.angle_deg"):
+    with pytest.raises(ValueError, match="tornado: changes: the scene has no friction"):
         studyplots.tornado(found, "run_out", {"friction": 0.1})
     assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
     words = ticks(studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn()))
@@ -171,8 +171,6 @@ def test_a_grid_has_no_probability() -> None:
     for draw in (studyplots.exceedance, studyplots.indices):
         with pytest.raises(ValueError, match="values on a grid have no probability"):
             draw(e)
-    with pytest.raises(ValueError, match="output = 'speed': must be one of reach, run_out, peak_velocity, duration"):
-        studyplots.exceedance(found("two"), "speed")
 
 
 def test_a_grid_is_drawn_as_curves() -> None:

@@ -57,16 +57,16 @@ ca s2)
 
 @dataclass(frozen=True)
 class Appendix:
-    """A printed expression."""
+    """A printed expression, on one line."""
 
     name: str
     printed: str = field(repr=False)
 
 
-APPENDIX_I, APPENDIX_II = APPENDICES = (Appendix("I", PRINTED_I), Appendix("II", PRINTED_II))
+APPENDIX_I, APPENDIX_II = APPENDICES = tuple(
+    Appendix(name, " ".join(text.split())) for name, text in (("I", PRINTED_I), ("II", PRINTED_II))
+)
 
-
-# --- reading ---------------------------------------------------------------------------------------------
 
 # What is printed, and what it must read: sin(theta_2) divides all six terms, and arctanh is of the quotient; the
 # division by cos(alpha), written out, is of the whole bracket that opens the print.
@@ -82,19 +82,15 @@ class Repair(NamedTuple):
     brackets: int
 
 
-def _line(appendix: Appendix) -> str:
-    return " ".join(appendix.printed.split())
-
-
 def repairs(appendix: Appendix) -> tuple[Repair, ...]:
     """Every place where the print is not what it must read, in its order."""
-    found = ((x, mended) for pattern, mended in MENDING for x in re.finditer(pattern, _line(appendix)))
+    found = ((x, mended) for pattern, mended in MENDING for x in re.finditer(pattern, appendix.printed))
     return tuple(sorted(Repair(*x.span(), y, len(y) - len(x.group())) for x, y in found if x.group() != y))
 
 
 def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
-    """The print on one line, mended everywhere but at the places that are to be left."""
-    text = _line(appendix)
+    """The print, mended everywhere but at the places that are to be left."""
+    text = appendix.printed
     for repair in reversed(repairs(appendix)):
         if repair not in leave:
             text = text[: repair.start] + repair.mended + text[repair.end :]
@@ -102,13 +98,7 @@ def mended_text(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> str:
 
 
 def parse(appendix: Appendix, leave: tuple[Repair, ...] = ()) -> sp.Expr:
-    """Read the mended print as an expression in theta_1, theta_2 and alpha.
-
-    Raises
-    ------
-    ValueError
-        If a bracket has no partner, or a character is not of the notation.
-    """
+    """Read the mended print as an expression in theta_1, theta_2 and alpha; ValueError where it cannot be read."""
     text = mended_text(appendix, leave)
     if unknown := set(re.sub(r"arctanh|[a-zA-Z][12a]|[MN]", "", text)) - set("0123456789 +-/^(){}"):
         raise ValueError(f"Appendix {appendix.name}: unknown notation {unknown}")
@@ -133,8 +123,6 @@ def unreadable(appendix: Appendix, repair: Repair) -> bool:
     return False
 
 
-# --- cancelling ------------------------------------------------------------------------------------------
-
 _A1, _A2 = sp.symbols("A_1 A_2", real=True)  # the two arctanh of the print
 _ENDS = {theta_1: theta_m - alpha, theta_2: theta_m + alpha}
 
@@ -153,7 +141,6 @@ class Step(NamedTuple):
 
     @property
     def operations(self) -> int:
-        """Of the expression."""
         return int(sp.count_ops(self.expression))
 
 

@@ -11,7 +11,7 @@ from functools import cache
 import sympy as sp
 
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Log1p, Remainder, Select, unfold
+from derive.algebra.remainders import Remainder, Select, log1p, unfold
 from derive.algebra.rules import heads
 from derive.declare.symbols import a, alpha, b, omega_0, t
 
@@ -97,17 +97,6 @@ class MotionForm:
     equation: str
     summary: str
 
-    @property
-    def limits(self) -> dict[sp.Symbol, str]:
-        """Of its inputs; none is infinite."""
-        return {t: ">= 0"} if t in self.inputs else {a: "< 0", b: ">= 0", omega_0: ">= 0"}
-
-    @property
-    def inside(self) -> str:
-        """The same in Python."""
-        finite = {x: f"np.isfinite({x})" for x in self.inputs}
-        return " & ".join(f"(({x} {self.limits[x]}.0) & {y})" if x in self.limits else y for x, y in finite.items())
-
 
 _X, _K, _Z, _NEAR, _FAR, _E, _Q, _D = sp.symbols("x k z near far e q decay", real=True)
 _P, _M, _Y = sp.symbols("P M y", real=True)
@@ -166,7 +155,7 @@ _ROTATION = {
 }
 _ROTATION_RESULT = _piece(
     (_K * _piece(t, sp.Integer(0)) + sp.log(_PHI_Y)) / _piece(b, sp.Integer(1)),
-    _G * Remainder(Log1p, 1, _piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
+    _G * Remainder(log1p, 1, _piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
 )
 # 1/y, multiplied by twice: its square leaves the range of numbers long before the acceleration does.
 _DECAY = {_D: _piece(_E, sp.Integer(1)) / _guarded(_Y)}
@@ -192,7 +181,7 @@ FORMS = (
                "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)", "3.20",
                "Time at which a braked motion stands still."),
     MotionForm("frozen_arrest_rotation", _ARREST, {},
-               omega_0 * (omega_0 / _BRAKE / 2) * Remainder(Log1p, 1, omega_0 * (omega_0 / _BRAKE) * b),
+               omega_0 * (omega_0 / _BRAKE / 2) * Remainder(log1p, 1, omega_0 * (omega_0 / _BRAKE) * b),
                "phi = ln(1 + b omega_0**2/(-a))/(2 b)", "4.3",
                "Rotation at which a braked motion stands still."),
 )  # fmt: skip

@@ -9,6 +9,8 @@ form, and how it is computed (`lower`), so that a `Program` can be made of it.
 from functools import cache
 
 import sympy as sp
+from sympy.codegen.cfunctions import expm1 as expm1
+from sympy.codegen.cfunctions import log1p as log1p
 from sympy.polys.ring_series import rs_series
 
 EPS = sp.Rational(1, 2**53)
@@ -29,6 +31,10 @@ class Horner(sp.Function):
         return Horner(x, *[k * c for k, c in enumerate(coefficients)][1:]) * sp.diff(x, s)
 
 
+class Exp(sp.Function):
+    """exp, which SymPy does not turn into a power."""
+
+
 class RoundingError(sp.Function):
     """What the rounded sum x + y lost (TwoSum): exactly x + y - fl(x + y), and zero in exact arithmetic."""
 
@@ -36,10 +42,7 @@ class RoundingError(sp.Function):
 
 
 class Primitive(sp.Function):
-    """A function with a definition, and another way to compute it: an expression (`lower`) or a library's `call`."""
-
-    nargs = 1
-    call = ""
+    """A function with a definition, and another way to compute it."""
 
     def definition(self) -> sp.Expr:
         """What it means."""
@@ -49,37 +52,19 @@ class Primitive(sp.Function):
         """How it is computed."""
         raise NotImplementedError
 
-    def fdiff(self, argindex: int = 1) -> sp.Expr:
-        return sp.diff(self.func(X).definition(), X).subs(X, self.args[0])
-
 
 def unfold(expression: sp.Expr) -> sp.Expr:
     """Replace every primitive by its definition, Horner's schemes by polynomials, and rounding errors by zero."""
     expression = expression.replace(Horner, lambda x, *c: sum((k * x**n for n, k in enumerate(c)), sp.Integer(0)))
-    expression = expression.replace(lambda e: isinstance(e, RoundingError), lambda e: sp.Integer(0))
+    expression = expression.replace(RoundingError, lambda x, y: sp.Integer(0))
+    expression = expression.replace(log1p, lambda x: sp.log(1 + x)).replace(expm1, lambda x: sp.exp(x) - 1)
     return expression.replace(lambda e: isinstance(e, Primitive), lambda e: unfold(e.definition()))
-
-
-class Log1p(Primitive):
-    """log(1 + x)."""
-
-    call = "log1p"
-
-    def definition(self) -> sp.Expr:
-        return sp.log(1 + self.args[0])
-
-
-class Expm1(Primitive):
-    """exp(x) - 1."""
-
-    call = "expm1"
-
-    def definition(self) -> sp.Expr:
-        return sp.exp(self.args[0]) - 1
 
 
 class HalfTan(Primitive):
     """tan(x/2) for 0 <= x <= pi/2, as sin x/(1 + cos x)."""
+
+    nargs = 1
 
     def definition(self) -> sp.Expr:
         return sp.tan(self.args[0] / 2)
@@ -97,7 +82,7 @@ class HalfTan(Primitive):
 ENTIRE = {f(X) for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
 SEAM, LAST = sp.Rational(2, 5), 1 - EPS
 # A library has f under this name, accurate near 0: f(x)/x needs no series.
-FROM_ZERO = {sp.log(1 + X): Log1p, sp.atan(X): sp.atan}
+FROM_ZERO = {sp.log(1 + X): log1p, sp.atan(X): sp.atan}
 
 
 class Remainder(Primitive):

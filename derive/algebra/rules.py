@@ -43,7 +43,6 @@ class StableForm:
 
     @property
     def form(self) -> sp.Expr:
-        """The whole of it."""
         return alpha**self.power * self.reduced
 
 

@@ -54,7 +54,6 @@ def value(closed: sp.Expr, a: arb) -> arb:
 
 
 def horner(coefficients: Sequence[arb], x: arb) -> arb:
-    """The polynomial at x."""
     return reduce(lambda total, c: total * x + c, reversed(coefficients), arb(0))
 
 

@@ -14,21 +14,8 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 
-from derive.approximate.shapes import (
-    HALF_PI,
-    Far,
-    Kernel,
-    Pieces,
-    Shape,
-    cheap_fit,
-    end,
-    far_fit,
-    kernels,
-    limit,
-    logarithm_fit,
-    near_fit,
-    records,
-)
+from derive.approximate import shapes
+from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
 from derive.code.program import Builder, Program, Value, without_dead
 
 
@@ -49,6 +36,10 @@ class Pair(NamedTuple):
     high: Value
     low: Value
 
+    @property
+    def total(self) -> Value:
+        return self.high + self.low
+
 
 class Code(Builder):
     """Operations on alpha as they are written; in a plain form a multiply-add is two of them."""
@@ -60,7 +51,6 @@ class Code(Builder):
 
     @property
     def u(self) -> Value:
-        """alpha**2."""
         return self.x * self.x
 
     def fma(self, a: Any, b: Any, c: Any) -> Value:
@@ -87,7 +77,7 @@ class Code(Builder):
 def excess(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
     """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
     u = code.u
-    return code.horner(u, near_fit(closed, piece.seam, piece.count, Fraction(1))) * u
+    return code.horner(u, shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))) * u
 
 
 def to_limit(closed: sp.Expr, w: Value) -> Value:
@@ -98,7 +88,7 @@ def to_limit(closed: sp.Expr, w: Value) -> Value:
 def near_sum(code: Code, closed: sp.Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'."""
     u, exact, kept = code.u, limit(closed), piece.kept
-    c = (float(exact), *near_fit(closed, piece.seam, piece.count, exact))
+    c = (float(exact), *shapes.near_fit(closed, piece.seam, piece.count, exact))
     # Even and odd part of the rest: for one product more half as many operations wait for each other.
     rest, v = c[kept + 1 :], u * u
     odd, even = code.horner(v, rest[1::2]), code.horner(v, rest[::2])
@@ -144,7 +134,7 @@ def logarithm(code: Code, b: Value) -> Value:
     b = code.put("max", b, 2.0**-60)
     if code.form == "numpy":
         return code.put("log", b)
-    ln2, coefficients = logarithm_fit()
+    ln2, coefficients = shapes.logarithm_fit()
     s = code.put("significand", b) - 1.0
     q = s / (s + 2.0)
     z = q * q
@@ -154,7 +144,7 @@ def logarithm(code: Code, b: Value) -> Value:
 
 def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
     """The piece near pi/2 as `FarFit` has it: the line, and what is added to it."""
-    fit, about = far_fit(closed, shape, seam), end(closed)
+    fit, about = shapes.far_fit(closed, shape, seam), shapes.end(closed)
     b = HALF_PI - code.x
     w = b * b
     core = code.horner(w, fit.r)
@@ -174,17 +164,6 @@ def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
     return Pair((code.x if shape.slope == 1 else shape.slope * code.x) + shape.line, rest)
 
 
-def whole(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
-    """F near 0, and beyond the seam."""
-    value = near_value(code, closed, piece)
-    return code.below(piece.seam, value, sum_of(far(code, closed, piece.far, piece.seam))) if piece.far else value
-
-
-def sum_of(pair: Pair) -> Value:
-    """Evaluated."""
-    return pair.high + pair.low
-
-
 def fused_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> Value:
     """F1/F2, near from W1/W2: one division, its rounding and its parts' taken back."""
     seam = min(part.seam for part in parts)
@@ -201,7 +180,7 @@ def plain_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]
     for closed, part in zip(forms, parts, strict=True):
         # W below the seam, but for its limit, F above it.
         w = code.value(1.0) + excess(code, closed, part)
-        beyond = sum_of(far(code, closed, part.far, seam)) if part.far else near_value(code, closed, part)
+        beyond = far(code, closed, part.far, seam).total if part.far else near_value(code, closed, part)
         value = code.below(seam, w, beyond)
         same = limit(forms[0]) == limit(forms[1])
         found.append(value if same else code.below(seam, to_limit(closed, value), value))
@@ -215,7 +194,7 @@ def fused_part(code: Code, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
     w = Pair(w.high, code.fma(code.fma(code.x, code.x, -u), p1, w.low))
     if part.far:
         beyond = far(code, closed, part.far, seam)
-        total = sum_of(beyond)
+        total = beyond.total
         lost = beyond.low - (total - beyond.high)
     else:
         h = near(code, closed, part)
@@ -226,7 +205,7 @@ def fused_part(code: Code, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
 
 def cheap(code: Code, closed: sp.Expr, above: int, below: int) -> Value:
     """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
-    over, under, _ = cheap_fit(closed, above, below)
+    over, under, _ = shapes.cheap_fit(closed, above, below)
     u = code.u
     if not below:
         return code.horner(u, over) * u * code.x
@@ -241,7 +220,10 @@ def variant(kernel: Kernel, tier: str, form: str, shape: Sequence[Any]) -> Varia
     if tier != "best":
         value = cheap(code, closed, *shape)
     elif not others:
-        value = whole(code, closed, *shape)
+        (piece,) = shape
+        value = near_value(code, closed, piece)
+        if piece.far:
+            value = code.below(piece.seam, value, far(code, closed, piece.far, piece.seam).total)
     else:  # of parts that have one seam, to the last place or nearly so
         value = (fused_quotient if code.fused else plain_quotient)(code, kernel.closed, shape)
     return Variant(kernel.name, kernel.definition, tier, form, code.program(kernel.name, value))
@@ -259,4 +241,4 @@ def of(kernel: Kernel, shape: Shape) -> tuple[Variant, ...]:
 
 def variants() -> tuple[Variant, ...]:
     """Every kernel in every tier and form, from the recorded shapes."""
-    return tuple(v for kernel in kernels() for v in of(kernel, records()[kernel.definition]))
+    return tuple(v for kernel in shapes.kernels() for v in of(kernel, shapes.records()[kernel.definition]))

@@ -5,7 +5,7 @@ must round badly is left out by an estimate; of the rest the checker says which 
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import cache, partial
@@ -15,32 +15,17 @@ import numpy as np
 import sympy as sp
 from flint import arb
 
-from derive.approximate import certificates
+from derive.approximate import certificates, shapes
 from derive.approximate.minimax import minimax
 from derive.approximate.minimax import value as at
 from derive.approximate.programs import Variant, variant
-from derive.approximate.shapes import (
-    HALF_PI,
-    Far,
-    Kernel,
-    Pieces,
-    Shape,
-    cheap_fit,
-    end,
-    far_fit,
-    kernels,
-    limit,
-    near_samples,
-    powers,
-    records,
-)
+from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, records
 from derive.check import certify
 from derive.check.proof import ProofError
 from derive.check.records import TIERS
-from derive.code import exact
 from derive.declare.symbols import alpha
 
-SEAMS = tuple(k / 100 for k in range(64, 124, 4))
+SEAMS = [k / 100 for k in range(64, 124, 4)]
 SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
 NEGLIGIBLE = 2.0**-58  # relative error of approximation to start from: a thirtieth of an ulp at most
 HALVINGS = 100
@@ -94,7 +79,7 @@ def baseline(closed: sp.Expr, seam: float) -> Far:
         lines = {math.floor((end_value - slope * HALF_PI) * 2**52) / 2**52}
         lines |= {k / 128 for k in range(math.floor(min(left) * 128), math.ceil(max(left) * 128) + 1)}
         for line, bend in product(sorted(lines), [0.0] if about.odd else [k / 8 for k in range(25)]):
-            power, _ = powers(closed, Far(slope, line, bend, 1.0, 0))
+            power, _ = shapes.powers(closed, Far(slope, line, bend, 1.0, 0))
             constant, worst = end_value - slope * HALF_PI - line, 0.0
             for x, f in values[:-1]:
                 b, rest = HALF_PI - x, f - (slope * x + line)
@@ -119,11 +104,11 @@ def started(kernel: Kernel, seam: float) -> Best:
             until = seam
             for degree in range(3, 13):
                 far = replace(baseline(closed, seam), degree=degree)
-                fit = far_fit(closed, far, seam)
+                fit = shapes.far_fit(closed, far, seam)
                 lost = math.ulp(fit.constant) / float(at(closed, arb(seam)))  # as the constant is rounded
                 if fit.error < NEGLIGIBLE + lost:
                     break
-        samples = ((n, near_samples(closed, until, n, limit(closed))) for n in range(7, 40))
+        samples = ((n, shapes.near_samples(closed, until, n, shapes.limit(closed))) for n in range(7, 40))
         found.append(Pieces(until, next(n for n, x in samples if minimax(x, n - 1)[2] < NEGLIGIBLE), KEPT, far))
     return tuple(found)
 
@@ -132,7 +117,7 @@ def falls(variant: Variant, seam: float) -> bool:
     """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
     near = 1000 if variant.form == "fused" else 1
     alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
-    return bool(np.any(np.diff(exact.run(variant.program, alpha[alpha <= HALF_PI])) < 0))
+    return bool(np.any(np.diff(variant.program.run(alpha[alpha <= HALF_PI])) < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
@@ -162,23 +147,21 @@ def refined(kernel: Kernel, trials: int) -> Best | None:
     closed, *others = kernel.closed
     judged: dict[Best, float] = {}
 
-    def judge(shape: Best) -> None:
-        if shape not in judged and len(judged) < trials:
-            judged[shape] = price(kernel, shape)
-
-    def ranked() -> list[Best]:
+    def ranked(tried: Iterable[Best]) -> list[Best]:
+        for shape in tried:
+            if shape not in judged and len(judged) < trials:
+                judged[shape] = price(kernel, shape)
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
     seams = [seam for seam in SEAMS if others or rises(closed, seam)] or SEAMS
-    for seam in seams[-9:] if any(end(form).serves for form in kernel.closed) else SEAMS[:1]:
-        judge(started(kernel, seam))
+    seams = seams[-9:] if any(end(form).serves for form in kernel.closed) else SEAMS[:1]
+    found = ranked(started(kernel, seam) for seam in seams)
     done: set[Best] = set()
-    while left := [shape for shape in ranked()[:2] if shape not in done]:
+    while left := [shape for shape in found[:2] if shape not in done]:
         done.add(left[0])
-        for shape in neighbours(kernel, left[0]):
-            judge(shape)
+        found = ranked(neighbours(kernel, left[0]))
     spare = None
-    for shape in ranked()[:6]:
+    for shape in found[:6]:
         if made := kept(kernel, "best", shape):
             if others or not any(falls(v, shape[0].seam) for v in made):
                 return shape
@@ -209,7 +192,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
     tried += [(above, total - above) for total in range(6, 25) for above in ((total + 1) // 2, total // 2)]
     for above, below in sorted(set(tried), key=lambda x: (x[0] + x[1] + (DIVISION if x[1] else 0), -x[1])):
         try:
-            if cheap_fit(closed, above, below)[2] > target:
+            if shapes.cheap_fit(closed, above, below)[2] > target:
                 continue
         except ZeroDivisionError:  # the levelled system has no solution
             continue
@@ -229,7 +212,7 @@ def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
 
 def complete(anew: bool, trials: int) -> str:
     """Search for the shapes of all kernels, or of those without a record, and record them for this run; which ones."""
-    wanted = {k.definition: k for k in kernels() if anew or k.definition not in records()}
+    wanted = {k.definition: k for k in shapes.kernels() if anew or k.definition not in records()}
     if wanted:
         with ProcessPoolExecutor(2) as pool:
             records().update(zip(wanted, pool.map(partial(search, trials=trials), wanted.values()), strict=True))

@@ -18,17 +18,7 @@ import sympy as sp
 from flint import arb, ctx, fmpq, fmpq_series
 
 from derive.algebra.integrate import closed_forms
-from derive.approximate.minimax import (
-    GUARD,
-    Function,
-    Samples,
-    evaluate,
-    horner,
-    minimax,
-    nearest,
-    rounded,
-    sample,
-)
+from derive.approximate.minimax import GUARD, Function, Samples, evaluate, horner, minimax, nearest, rounded, sample
 from derive.approximate.minimax import value as at
 from derive.check import truth
 from derive.check.proof import ProofError
@@ -62,7 +52,7 @@ def kernels() -> list[Kernel]:
 
 
 @cache
-def start(closed: sp.Expr) -> list[fmpq]:
+def at_zero(closed: sp.Expr) -> list[fmpq]:
     """Taylor coefficients at 0, exactly."""
     with truth.working(GUARD):
         series = evaluate(closed, fmpq_series([0, 1]))
@@ -71,7 +61,7 @@ def start(closed: sp.Expr) -> list[fmpq]:
 
 def limit(closed: sp.Expr) -> Fraction:
     """Of F/alpha**3 at 0."""
-    first = start(closed)[truth.CUBE]
+    first = at_zero(closed)[truth.CUBE]
     return Fraction(int(first.p), int(first.q))
 
 
@@ -81,7 +71,7 @@ def agree(kernel: Kernel) -> int:
     Taylor coefficients at 0 are compared exactly, values in balls.
     """
     for closed, statement in zip(kernel.closed, kernel.definition, strict=True):
-        for k, (found, right) in enumerate(zip(start(closed), truth.at_zero(statement), strict=True)):
+        for k, (found, right) in enumerate(zip(at_zero(closed), truth.at_zero(statement), strict=True)):
             if found != right:
                 raise ProofError(f"{kernel.name}: coefficient of alpha^{k} in the checker's definition {statement}",
                                  found, right)  # fmt: skip

@@ -22,12 +22,8 @@ TINY = 2.0**-1074
 PRODUCTS = ("mul", "div", "fma", "error", "log")  # what may underflow; sums are exact there
 
 
-class Undecided(Exception):
-    """A comparison, or the exponent of a number, differs within the box."""
-
-
 class Unbounded(Exception):
-    """No finite bound on this box."""
+    """No finite bound on this box, or a comparison or an exponent differs within it."""
 
 
 class Node(NamedTuple):
@@ -96,11 +92,14 @@ def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
     values: list[arb] = []
     noise: list[float] = []
     for node in tape:
-        exact = x if node.kind == "x" else _operate(node, values, noise)
-        bound = _rounding(node, exact, values)
-        values.append(exact + arb(0, bound) if bound else exact)
-        noise.append(bound)
+        _append(node, x if node.kind == "x" else _operate(node, values, noise), values, noise)
     return values, noise
+
+
+def _append(node: Node, exact: arb, values: list[arb], noise: list[float]) -> None:
+    bound = _rounding(node, exact, values)
+    values.append(exact + arb(0, bound) if bound else exact)
+    noise.append(bound)
 
 
 def rounding_sum(tape: Tape, x: arb) -> tuple[float, float]:
@@ -187,7 +186,7 @@ class _Specialise:
         """Whether one node is below another on the whole range, or nowhere."""
         (low, high), (other_low, other_high) = self.range(i), self.range(j)
         if low < other_high and not high < other_low:
-            raise Undecided("less")
+            raise Unbounded("a comparison is undecided")
         return high < other_low
 
     def range(self, i: int) -> tuple[Fraction, Fraction]:
@@ -201,12 +200,10 @@ class _Specialise:
     def exponent(self, i: int) -> int:
         """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
         low, high = self.range(i)
-        if low < Fraction(1, 2**1022):
-            raise Undecided("exponent")
-        k = math.frexp(float(low))[1]
+        k = math.frexp(float(low))[1] if low >= Fraction(1, 2**1022) else 0
         k -= low * Fraction(2) ** -k < Fraction(3, 4)
         if not Fraction(3, 4) <= low * Fraction(2) ** -k <= high * Fraction(2) ** -k < Fraction(3, 2):
-            raise Undecided("exponent")
+            raise Unbounded("an exponent is undecided")
         return k
 
     def put(self, node: Node) -> int:
@@ -214,15 +211,14 @@ class _Specialise:
         line, grid, exact = self._shape(node)
         marked = node._replace(rounds=not exact and node.kind not in ("x", "const", "neg"))
         if line is not None and not marked.rounds:
-            value, bound = ball(number(min(line)), number(max(line))), 0.0
+            self.values.append(ball(number(min(line)), number(max(line))))
+            self.noise.append(0.0)
         else:
-            line, value = None, _operate(marked, self.values, self.noise)
-            bound = _rounding(marked, value, self.values)
+            line = None
+            _append(marked, _operate(marked, self.values, self.noise), self.values, self.noise)
         self.tape.append(marked)
         self.affine.append(line)
         self.grid.append(max(grid, -1074))
-        self.values.append(value + arb(0, bound) if bound else value)
-        self.noise.append(bound)
         return len(self.tape) - 1
 
     def _shape(self, node: Node) -> tuple[Line | None, int, bool]:

@@ -98,8 +98,16 @@ def function(f: Function, text: PythonText) -> str:
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
     )  # fmt: skip
-    if f.tiers:
-        return _kernel(f, doc, text)
+    if f.tiers:  # a kernel of alpha: the text of each tier, and a function that leaves the choice to `_compiled`
+        bodies = {tier: identifier(p.name, "" if tier == "best" else tier) for tier in f.tiers}
+        texts = "".join(f"{text.body(of, bodies[tier], 'xp')}\n\n" for tier, of in f.tiers.items())
+        listed = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
+        return (
+            f'{texts}TEXTS["{p.name}"] = {{{listed}}}\n_call_{p.name} = kernel("{p.name}", TEXTS["{p.name}"])\n\n\n'
+            f"def {p.name}(\n    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, "
+            f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
+            f"    return _call_{p.name}(alpha, out, where, accuracy)\n"
+        )
     names = ", ".join(p.inputs)
     typed, args = ", ".join(f"{x}: ArrayLike" for x in p.inputs), names + "," * (len(p.inputs) == 1)
     inside = f.inside.replace(") & ", ")\n            & ")
@@ -108,20 +116,6 @@ def function(f: Function, text: PythonText) -> str:
         f"def {p.name}(\n    {typed}, /, out: NDArray[Any] | None = None, *, where: ArrayLike = True\n) -> Any:\n{doc}"
         f"    return evaluate(\n        _{p.name},\n        lambda eps, {names}: (\n            {inside}\n        ),\n"
         f"        {f.safe!r},\n        ({args}),\n        out,\n        where,\n    )\n"
-    )
-
-
-def _kernel(f: Function, doc: str, text: PythonText) -> str:
-    """A kernel of alpha: the text of each tier, and a function that leaves the choice to `generated._compiled`."""
-    name = f.program.name
-    bodies = {tier: identifier(name, "" if tier == "best" else tier) for tier in f.tiers}
-    texts = "".join(f"{text.body(p, bodies[tier], 'xp')}\n\n" for tier, p in f.tiers.items())
-    listed = ", ".join(f'"{tier}": _{of}' for tier, of in bodies.items())
-    return (
-        f'{texts}TEXTS["{name}"] = {{{listed}}}\n_call_{name} = kernel("{name}", TEXTS["{name}"])\n\n\n'
-        f"def {name}(\n    alpha: ArrayLike, /, out: NDArray[Any] | None = None, *, "
-        f"where: ArrayLike = True, accuracy: float | None = None\n) -> Any:\n{doc}"
-        f"    return _call_{name}(alpha, out, where, accuracy)\n"
     )
 
 

@@ -83,10 +83,6 @@ def _infix(sign: str, meaning: Callable[..., Any], binds: int, right: int) -> Op
     return Operation(f"{{0}} {sign} {{1}}", f"{{0}} {sign} {{1}}", meaning, binds, (binds, right))
 
 
-def _library(name: str) -> Operation:
-    return Operation(f"{{space}}.{name}({{0}})", "", getattr(np, name))
-
-
 OPERATIONS = {
     "add": _infix("+", np.add, 1, 2),
     "sub": _infix("-", np.subtract, 1, 2),
@@ -102,6 +98,6 @@ OPERATIONS = {
     "abs": Operation("{space}.abs({0})", "fabs({0})", np.abs),
     "exponent": Operation("", "exponent_of({0})", exponent),
     "significand": Operation("", "significand_of({0})", significand),
-} | {x: _library(x) for x in (
+} | {x: Operation(f"{{space}}.{x}({{0}})", "", getattr(np, x)) for x in (
     "sin", "cos", "tan", "exp", "expm1", "log", "log1p", "arctan", "arctanh", "tanh", "cosh", "sinh", "sign")
 }  # fmt: skip

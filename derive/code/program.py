@@ -16,12 +16,13 @@ import numpy as np
 import sympy as sp
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from derive.algebra.remainders import Horner, Primitive, RoundingError, Select
+from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select, expm1, log1p
 from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
     sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
-    sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign",
+    sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign", log1p: "log1p", expm1: "expm1",
+    Exp: "exp",
 }  # fmt: skip
 
 
@@ -47,6 +48,19 @@ class Program:
     def operations(self) -> Counter[str]:
         """How many operations of each kind it takes; inputs and constants are free."""
         return Counter(op.kind for op in self.ops if op.kind not in ("input", "const"))
+
+    def run(self, *args: Any) -> Any:
+        """The only output at each of many inputs, each operation rounded once to float64.
+
+        It is the same on any machine, but for NumPy's calls of a library, such as its logarithm.
+        """
+
+        def make(op: Op, operands: list[Any]) -> Any:
+            return np.float64(op.value) if op.kind == "const" else OPERATIONS[op.kind].meaning(*operands)
+
+        with np.errstate(under="ignore"):
+            (result,) = walk(self, dict(zip(self.inputs, map(np.float64, args), strict=True)), make)
+        return result
 
 
 T = TypeVar("T")
@@ -133,7 +147,7 @@ class _Lowering(Builder):
         if isinstance(e, RoundingError):
             return self.value(two_sum(*map(self.add, e.args))[1])
         if isinstance(e, Primitive):
-            return self.put(e.call, self.add(e.args[0])) if e.call else self.add(e.lower())
+            return self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
         if isinstance(e, sp.Add):

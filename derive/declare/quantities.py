@@ -82,21 +82,15 @@ CHORD = sp.cos(alpha) / sp.cos(theta - theta_1 - alpha)
 MOMENTS = (
     Moment("polar_moment", "I_p*", "2.17", r**2, "polar surface moment of inertia of the moving mass"),
     Moment("moment_of_inertia", "Theta*", "3.12", r**3, "moment of inertia of the moving mass about the centre"),
-    Moment(
-        "radial_weight", "J_r", "2.23", -r * sp.sin(theta), "weight of the moving mass along the radius",
-        amplitude=("radial_weight_amplitude", "C_r"),
-    ),
-    Moment(
-        "weight_moment", "J_theta", "3.13", -(r**2) * sp.cos(theta), "moment of the weight about the centre",
-        amplitude=("weight_moment_amplitude", "C_theta"),
-    ),
+    Moment("radial_weight", "J_r", "2.23", -r * sp.sin(theta), "weight of the moving mass along the radius",
+           amplitude=("radial_weight_amplitude", "C_r")),
+    Moment("weight_moment", "J_theta", "3.13", -(r**2) * sp.cos(theta), "moment of the weight about the centre",
+           amplitude=("weight_moment_amplitude", "C_theta")),
 )  # fmt: skip
 
 # lambda (3.14) is no integral: its definition is 2 alpha f/R, with f the largest depth of the chord (2.12).
-RESISTANCE = Elementary(
-    "resistance_factor", "lambda", "3.14", 2 * alpha * (1 - sp.cos(alpha)),
-    "lever of the resistance, arc length times depth", (LEVER,),
-)  # fmt: skip
+RESISTANCE = Elementary("resistance_factor", "lambda", "3.14", 2 * alpha * (1 - sp.cos(alpha)),
+                        "lever of the resistance, arc length times depth", (LEVER,))  # fmt: skip
 
 QUOTIENTS = (
     Quotient("dynamic_coefficient", "A", "2.24", "polar_moment", "resistance_factor",

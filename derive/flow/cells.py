@@ -102,15 +102,11 @@ def python() -> str:
     return "".join((*parts, *(f"{x} = {y!r}\n" for x, y in given.items())))
 
 
-def c() -> str:
-    """The same for the compiled walk."""
+def c() -> dict[str, str]:
+    """The same for the compiled walk, and the members of the struct of a program's roles, by their mark there."""
     rows = [[f"{prefix}{x}{f' = {start}' * (start > 0 and not k)}" for k, x in enumerate(names)]
             for _, prefix, start, names in NUMBERED]  # fmt: skip
     rows += [[f"OF_{x.upper()}" for x in KINDS], [f"{x} = {y}" for x, y in LIMITS.items()]]
     enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
-    return "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items())))
-
-
-def c_roles() -> str:
-    """The members of the struct of a program's roles."""
-    return f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n"
+    return {"CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
+            "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n"}  # fmt: skip

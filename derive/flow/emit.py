@@ -1,15 +1,15 @@
-"""The text of `generated/flow.py`: fragments as data."""
+"""The text of `generated/flow.py`: fragments, and the tangents of operations, as data."""
 
 import inspect
 from collections.abc import Sequence
 
 import sympy as sp
 
+from derive.algebra.remainders import Select
 from derive.declare.effects import EFFECTS, LAWS, Effect, Law
 from derive.flow.fragments import INPUTS, QUANTITIES, fragments, pieces
-from derive.flow.lowering import Fragment
-from derive.flow.operations import OPERATIONS
-from derive.flow.tangents import of_cells, of_series
+from derive.flow.lowering import Fragment, Lowering, cell, series
+from derive.flow.operations import OPERATIONS, POWER, SCALARS, Operation
 
 _HEAD = '''"""Fragments of flow programs: what the balance, each effect and each friction law adds, as operations.
 
@@ -32,17 +32,17 @@ Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 
 def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
-    own = {o.name: (*map(str, (*o.results, *o.arguments, *o.numbers)),) for o in OPERATIONS.values()}
-    of_cell = {name: repr((("d", "a", "b", "e"), template)) for name, template in of_cells().items()}
-    of_register = {name: repr((own[name], template)) for name, template in of_series().items()}
+    cells = {name: repr((("d", "a", "b", "e"), of_cell(means))) for name, (means, _, _) in SCALARS.items()}
+    registers = {name: repr(((*map(str, (*o.results, *o.arguments, *o.numbers)),), of_series(o)))
+                 for name, o in OPERATIONS.items()}  # fmt: skip
     parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
     kinked = {law.name: _pieces(law) for law in laws if law.kinks}
     blocks = (
         ("numbers that every scene gives", "INPUTS", {x: repr(y) for x, y in INPUTS.items()}),
         ("laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
          "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]", kinked),
-        ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", of_cell),
-        ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", of_register),
+        ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", cells),
+        ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", registers),
         ("parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
     )  # fmt: skip
     text = [_HEAD.format(fragment=inspect.getsource(Fragment))]
@@ -71,3 +71,52 @@ def _fragment(f: Fragment) -> str:
         else:
             lines.append(f"        {name}={value!r},\n")
     return f"Fragment(\n{''.join(lines)}    )"
+
+
+# What a small change of its arguments makes of the result of each operation, so that a program differentiates itself:
+# derived from what the operations mean, and lowered to the same operations. A prime marks a tangent: of the result d of
+# an operation on cells a, b and e it is ``d'``, made of these and of ``a'``, ``b'`` and ``e'``.
+Template = tuple[tuple[object, ...], ...]
+
+
+def of_cell(means: sp.Expr) -> Template:
+    """The operations that make the tangent of what an operation on cells means."""
+
+    def tangent(e: sp.Expr) -> sp.Expr:
+        if isinstance(e, Select):  # of the branch that is taken
+            return Select(*e.args[:2], tangent(e.args[2]), tangent(e.args[3]))
+        return sum(sp.diff(e, x) * cell(f"{x}'") for x in sorted(e.free_symbols, key=str))
+
+    low = Lowering("*", {})
+    low.cells["d'"] = tangent(means)
+    return low.scalar()
+
+
+# What a derivative is made of, as registers, and the operation that makes one which is not there.
+_s, _v, _x, _e, _z, _p, _l, _h = (cell(x) for x in "svxezplh")
+_KNOWN = {
+    sp.cos(_x): 1 - _v, sp.sin(_x): _s, sp.exp(_z): _e, (1 + _z) ** POWER: _p, sp.log(1 + _z): _l, 1 / (1 + _z): _h,
+}  # fmt: skip
+_HELPERS = {_l: ("log", "l", "z"), _h: ("rec", "h", "*.h_less_1", "z")}
+
+
+def of_series(o: Operation) -> Template:
+    """The operations that make the tangents of the results of one on series."""
+    if o.name == "tim":  # linear in its argument
+        return (("tim", "q'", "a'"),)
+    symbols = {x: cell(str(x)) for x in (*o.results, *o.arguments)}
+    tangents = {x: cell(f"{x}'") for x in (*o.arguments, *o.numbers)}
+    registers = (*symbols.values(), *_HELPERS, *(tangents[x] for x in o.arguments))
+    low = Lowering("*", {x: (sp.Integer(0), series(str(x))) for x in registers})
+    for result, means in zip(o.results, o.means, strict=True):
+        change = sp.Integer(0)
+        for x, tangent in tangents.items():
+            slope = sp.diff(means.xreplace(symbols), symbols.get(x, x))
+            for function, register in _KNOWN.items():
+                slope = slope.subs(function, register)
+            for helper, operation in _HELPERS.items():
+                if helper in slope.free_symbols - {*symbols.values()}:
+                    low.put(*operation)
+            change += slope * tangent
+        low.put("lin", f"{result}'", "", low.sum(low.split(sp.expand(change))[1]))
+    return tuple(low.series)

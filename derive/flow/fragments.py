@@ -68,13 +68,7 @@ def quantities(effect: declared.Effect) -> dict[str, sp.Expr]:
 
 
 def odd(effect: declared.Effect) -> set[sp.Symbol]:
-    """The parameters that change sign in a mirror, in which the drive does and nothing else.
-
-    Raises
-    ------
-    ValueError
-        If the effect's terms are not the same in a mirror, whatever the signs of its parameters.
-    """
+    """The parameters that change sign in a mirror, in which the drive does and nothing else, or ValueError."""
     adds = quantities(effect)
     symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
     for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
@@ -195,12 +189,6 @@ def rotation(effect: declared.Effect) -> Fragment:
     return low.fragment(words, {})
 
 
-def product() -> Fragment:
-    """A law of slip times a law of speed."""
-    parts = {cell(f"{x}_mu"): (cell(f"{x}_mu_0"), series(f"d{x}_mu")) for x in ("slip", "rate")}
-    return Lowering("product", parts).fragment(["mu = mu(slip) mu(speed)"], {"mu": sp.Mul(*parts)})
-
-
 def balance() -> Fragment:
     """The balance of momentum of its quantities, which are the sums of what the fragments add."""
     driving, resisting, pressing, lifting, mu = (cell(x) for x in (*QUANTITIES, "mu"))
@@ -252,5 +240,6 @@ def energy() -> Fragment:
 def fragments(effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[declared.Law] = LAWS) -> dict[str, Fragment]:
     """All fragments by name, of these effects and laws."""
     declared = {e.name: of_effect(e) for e in effects} | {law.name: of_law(law) for law in (*laws, CALLABLE)}
-    joints = {"product": product(), "balance": balance(), "energy": energy()}
-    return {"gravity": gravity()} | declared | joints
+    laws_of = {cell(f"{x}_mu"): (cell(f"{x}_mu_0"), series(f"d{x}_mu")) for x in ("slip", "rate")}
+    product = Lowering("product", laws_of).fragment(["mu = mu(slip) mu(speed)"], {"mu": sp.Mul(*laws_of)})
+    return {"gravity": gravity()} | declared | {"product": product, "balance": balance(), "energy": energy()}

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from derive.algebra.remainders import Primitive, Select
+from derive.algebra.remainders import Exp, Select
 from derive.code.program import program
 from derive.flow.operations import OPERATIONS, Q, first
 
@@ -46,15 +46,6 @@ def times(a: Increment, b: Increment) -> Increment:
 
 
 SLIP = cell("slip")
-
-
-class Exp(Primitive):
-    """exp, which SymPy does not turn into a power."""
-
-    call = "exp"
-
-    def definition(self) -> sp.Expr:
-        return sp.exp(self.args[0])
 
 
 class Fragment(NamedTuple):

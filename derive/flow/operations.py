@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sp
 
 from derive.algebra.prove import prove_zero
-from derive.algebra.remainders import Expm1, Log1p, Select, unfold
+from derive.algebra.remainders import Select, expm1, log1p, unfold
 
 n, k = sp.symbols("n k", integer=True)
 A, B, Q, X, Z, E, H, P, S, V, L = (sp.IndexedBase(x) for x in "abqxzehpsvl")
@@ -49,14 +49,14 @@ OPERATIONS = {
         Operation("tim", (Q,), (A,), (_t * sp.Derivative(A, _t),), (sp.Integer(0),), (n * A[n],)),
         Operation("turn", (S, V), (Q, X), (sp.sin(X), 1 - sp.cos(X)), (sp.sin(X[0]), 2 * sp.sin(X[0] / 2) ** 2),
                   ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n)),
-        Operation("exp", (E, M), (Q, Z), (sp.exp(Z), sp.exp(Z) - 1), (sp.exp(Z[0]), Expm1(Z[0])),
+        Operation("exp", (E, M), (Q, Z), (sp.exp(Z), sp.exp(Z) - 1), (sp.exp(Z[0]), expm1(Z[0])),
                   (_sum(Q[k] * E[n - k]) / n, E[n])),
         Operation("rec", (H, M), (Z,), (1 / (1 + Z), 1 / (1 + Z) - 1), (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
                   (-H[0] * _sum(Z[k] * H[n - k]), H[n])),
-        Operation("log", (L,), (Z,), (sp.log(1 + Z),), (Log1p(Z[0]),),
+        Operation("log", (L,), (Z,), (sp.log(1 + Z),), (log1p(Z[0]),),
                   ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),)),
         Operation("pow", (P, M), (Z,), ((1 + Z) ** POWER, (1 + Z) ** POWER - 1),
-                  (Expm1(POWER * Log1p(Z[0])) + 1, Expm1(POWER * Log1p(Z[0]))),
+                  (expm1(POWER * log1p(Z[0])) + 1, expm1(POWER * log1p(Z[0]))),
                   (_sum((POWER * k - (n - k)) * Z[k] * P[n - k]) / n / (1 + Z[0]), P[n]), (POWER,)),
     )
 }  # fmt: skip
@@ -118,7 +118,7 @@ def first(
 
 # Operations on cells: what they make of a, b and e, in C over vectors of lanes, and in NumPy.
 _a, _b, _e = sp.symbols("a b e", real=True)
-_CALLS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "exp": sp.exp, "expm1": Expm1, "log": sp.log, "log1p": Log1p,
+_CALLS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "exp": sp.exp, "expm1": expm1, "log": sp.log, "log1p": log1p,
           "sqrt": sp.sqrt}  # fmt: skip
 SCALARS: dict[str, tuple[sp.Expr, str, str]] = {
     "add": (_a + _b, "a + b", "np.add"), "sub": (_a - _b, "a - b", "np.subtract"),

@@ -68,7 +68,7 @@ def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[
     known: dict[sp.Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
     found = {f for e in o.start for f in e.atoms(sp.Function)}
     start = []
-    for i, f in enumerate(sorted(found, key=lambda f: (len(f.atoms(sp.Function)), str(f)))):
+    for i, f in enumerate(sorted(found, key=lambda f: (len(f.atoms(sp.Function)), -len(f.func.__name__), str(f)))):
         start.append(f"{let}f{i} = {call.format(type(f).__name__.lower(), _text(f.args[0], known))}{end}")
         known[f] = f"f{i}"
     start += [f"{x}[0] = {_text(e, known) if e else zero}{end}" for x, e in zip(o.results, o.start, strict=True)]
@@ -83,9 +83,6 @@ def _read(o: Operation) -> list[sp.IndexedBase]:
 
 def _means(o: Operation) -> str:
     return ", ".join(f"{x} = {m}" for x, m in zip(o.results, o.means, strict=True))
-
-
-# --- C -------------------------------------------------------------------------------------------------------------
 
 
 def _c_sums(o: Operation) -> list[str]:
@@ -115,29 +112,17 @@ def _c_case(o: Operation) -> str:
     return f"    case {o.name.upper()}: {{ /* {_means(o)} */\n" + "".join(f"        {x}\n" for x in lines) + "    }\n"
 
 
-def c_series() -> str:
-    """The cases of the operations on series, of which each returns where the next stands."""
-    return "".join(map(_c_case, OPERATIONS.values()))
-
-
-def c_cells() -> str:
-    """The cases of the operations on cells."""
-    found = ""
+def c() -> dict[str, str]:
+    """Codes and cases of the operations on series, of which each returns where the next stands, and on cells."""
+    codes, cases = (["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS]), ""
     for name, (means, text, _) in SCALARS.items():
         arguments = len(means.free_symbols)
         loads = "".join(f"const V {x} = c[at[{i}]]; " for i, x in ((3, "b"), (4, "e"))[: arguments - 1])
         case = f"{{ {loads}*d = IN(choose)(here, {text}, *d); at += {2 + arguments}; break; }}"
-        found += f"        case S_{name.upper()}: {case}\n"
-    return found
+        cases += f"        case S_{name.upper()}: {case}\n"
+    enums = (f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
+    return {"CODES": "".join(enums), "SERIES": "".join(map(_c_case, OPERATIONS.values())), "CELL_OPERATIONS": cases}
 
-
-def c_enums() -> str:
-    """The codes of the operations."""
-    codes = ["LIN", "RAMP", *OPERATIONS], [f"S_{x}" for x in SCALARS]
-    return "".join(f"enum {{ {', '.join(x.upper() for x in names)} }};\n" for names in codes)
-
-
-# --- NumPy ---------------------------------------------------------------------------------------------------------
 
 _NUMPY = '''"""The operations of flow programs, in NumPy: on numbers where a phase begins, and on series along it."""
 

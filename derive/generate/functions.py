@@ -95,9 +95,8 @@ def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
 
 
 def stable_programs(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
-    """Their programs."""
-    words = "the stable form"
-    return [(program(name, ("alpha",), form, let=_CLIP), words) for name, form in stable_forms(closed).items()]
+    forms = stable_forms(closed).items()
+    return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms]
 
 
 _ARC = (
@@ -182,12 +181,15 @@ def motion() -> list[Function]:
     found = []
     for form in dynamics.FORMS:
         names = tuple(x.name for x in form.inputs)
-        domain = ", ".join(f"{x} {limit}" for x, limit in form.limits.items())
         ride = "t" in names
+        limits = {"t": ">= 0"} if ride else {"a": "< 0", "b": ">= 0", "omega_0": ">= 0"}
+        domain = ", ".join(f"{x} {limit}" for x, limit in limits.items())
+        finite = {x: f"np.isfinite({x})" for x in names}
+        inside = " & ".join(f"(({x} {limits[x]}.0) & {y})" if x in limits else y for x, y in finite.items())
         found.append(Function(
             program(form.name, names, form.result, let=form.let), form.summary, form.formula,
             f"eq. ({form.equation}) of {PAPER}", tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
-            "Dimensionless.", domain + (", until the solution runs to infinity" if ride else ""), form.inside,
+            "Dimensionless.", domain + (", until the solution runs to infinity" if ride else ""), inside,
             (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0), dynamics.ACCURACY,
         ))  # fmt: skip
     return found
@@ -256,12 +258,9 @@ def _parameter(p: Parameter) -> str:
     convert = sp.pycode(p.dimensionless, fully_qualified_modules=False)
     for name in sorted((x.name for x in p.dimensionless.free_symbols if x != VALUE), key=len):
         convert = re.sub(rf"\b{name}\b", f"scales[{name!r}]", convert)
-    words = f"{p.name!r}, {p.unit!r}, {_bound(p.lower)}, {_bound(p.upper)}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
+    bounds = f"{p.lower!r}, {p.upper!r}".replace("inf", "INFINITY")
+    words = f"{p.name!r}, {p.unit!r}, {bounds}, {p.help!r}, {p.key!r}, {p.per_unit!r}"
     return f"Parameter({words}, {symbol!r}, lambda value, scales: {convert}, {p.optional!r}, {p.kind!r})"
-
-
-def _bound(value: float) -> str:
-    return {float("inf"): "INFINITY", float("-inf"): "-INFINITY"}.get(value, repr(value))
 
 
 _EFFECTS_HEAD = '''"""Effects and friction laws that a scene may ask for."""

@@ -3,7 +3,7 @@
 from derive.algebra import slopes
 from derive.algebra.slopes import NODES, REACH, WEIGHTS
 from derive.code import emit
-from derive.code.program import Program, operations, program
+from derive.code.program import operations, program
 
 TITLE = "The mass between an arc and a ground of straight edges, and the slices above an arc; lengths over R."
 _WORDS = {
@@ -86,28 +86,21 @@ _TEXTS = {
 }  # fmt: skip
 
 
-def programs() -> list[Program]:
-    """The functions of `generated/slopes.py`."""
+def module() -> str:
+    """The text of `generated/slopes.py`."""
     several = {"closed": slopes.closed(), "rings": slopes.rings()}
     one = {"head": slopes.head()} | slopes.slices()
-    found = []
+    functions = []
     for name, outputs in (several | {name: (form,) for name, form in one.items()}).items():
         free = {s.name for e in outputs for s in e.free_symbols}
-        found.append(program(name, tuple(n for n in _WORDS if n in free), *outputs))
-    return found
-
-
-def module() -> str:
-    """The text of the module."""
+        p = program(name, tuple(n for n in _WORDS if n in free), *outputs)
+        summary, formula, returned, *notes = _TEXTS[name]
+        inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
+        returns = "tuple of ndarray" if len(outputs) > 1 else "float or ndarray", returned
+        cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
+        functions.append((p, emit.numpydoc(summary, formula, inputs, returns, *notes, cost, width=114)))
     constants = (
         "# Edges up to REACH (r1 + r2) long are integrated by `rings` with Gauss' rule of NODES nodes, others by "
         f"`closed`.\nREACH, NODES = {float(REACH)!r}, {NODES}\n"
     )
-    return emit.plain_module(TITLE, [(p, _doc(p, *_TEXTS[p.name])) for p in programs()], constants)
-
-
-def _doc(p: Program, summary: str, formula: str, returned: str, *notes: str) -> str:
-    inputs = [(n, "float or ndarray", _WORDS[n]) for n in p.inputs]
-    returns = "tuple of ndarray" if len(p.outputs) > 1 else "float or ndarray", returned
-    cost = f"Operations: {operations(p.operations()) or 'none'}. No domain check; shapes broadcast."
-    return emit.numpydoc(summary, formula, inputs, returns, *notes, cost, width=114)
+    return emit.plain_module(TITLE, functions, constants)

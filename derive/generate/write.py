@@ -2,9 +2,7 @@
 
 import difflib
 import hashlib
-import os
 import re
-import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -13,7 +11,7 @@ import sympy as sp
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
 from derive.approximate.programs import variants
-from derive.check.records import Record, read
+from derive.check.records import Record
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
@@ -24,19 +22,16 @@ from derive.generate import emit_c, functions, slopes
 ROOT = Path(__file__).resolve().parent.parent.parent
 FOLDER = ROOT / "generated"
 MEND = "python -m derive"
-KERNELS = "Moments, weights and quotients of the arc, from their definitions."
-MOTION = "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest."
-GROWTH = "How the moments of an arc grow with its half angle."
-LAWS = "The friction laws that have a formula."
-STABLE = "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only."
-PRINTED = "The paper's own forms, as printed, for comparison only: they cancel and overflow."
 
 
 def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
     kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
     c_source = emit_c.source(variants(), functions.comments(kernels, proved))
-    c_walk = walk_source()
+    c_walk = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
+    for mark, lines in (cells.c() | series.c()).items():
+        c_walk = c_walk.replace(f"@{mark}@\n", lines)
+    growth, laws = map(emit.described, (functions.growth(closed), functions.laws()))
     texts = {
         "_compiled.py": (emit.TEMPLATES / "_compiled.py").read_text(encoding="utf-8"),
         "cells.py": cells.python(),
@@ -44,16 +39,21 @@ def files(proved: list[Record]) -> dict[str, str]:
         "_evaluate.py": (emit.TEMPLATES / "_evaluate.py").read_text(encoding="utf-8"),
         "effects.py": functions.effects_module(),
         "flow.py": flow.module(),
-        "growth.py": emit.plain_module(GROWTH, emit.described(functions.growth(closed))),
-        "kernels.py": emit.module(KERNELS, kernels),
-        "laws.py": emit.plain_module(LAWS, emit.described(functions.laws())),
-        "motion.py": emit.module(MOTION, motion),
+        "growth.py": emit.plain_module("How the moments of an arc grow with its half angle.", growth),
+        "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
+        "laws.py": emit.plain_module("The friction laws that have a formula.", laws),
+        "motion.py": emit.module(
+            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.", motion),
         "_flow.c": c_walk,
         "_kernels.c": c_source,
-        "printed.py": emit.raw_module(PRINTED, [(p, f"{source}, as printed") for p, source in functions.printed()]),
+        "printed.py": emit.raw_module(
+            "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
+            [(p, f"{source}, as printed") for p, source in functions.printed()]),
         "series.py": series.numpy_text(digest_of(c_walk)),
         "slopes.py": slopes.module(),
-        "stable.py": emit.raw_module(STABLE, functions.stable_programs(closed)),
+        "stable.py": emit.raw_module(
+            "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
+            functions.stable_programs(closed)),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
@@ -61,20 +61,6 @@ def files(proved: list[Record]) -> dict[str, str]:
     texts |= certificates.files(proved)
     texts = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in sorted(texts.items())}
-
-
-def walk_source() -> str:
-    """The compiled walk, with the operations that it knows."""
-    text = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
-    made = {
-        "ROLES": cells.c_roles(),
-        "CODES": cells.c() + series.c_enums(),
-        "SERIES": series.c_series(),
-        "CELL_OPERATIONS": series.c_cells(),
-    }
-    for mark, lines in made.items():
-        text = text.replace(f"@{mark}@\n", lines)
-    return text
 
 
 def header(name: str, text: str) -> str:
@@ -86,24 +72,15 @@ def header(name: str, text: str) -> str:
 
 
 def digest_of(text: str) -> str:
-    """Its sha256."""
     return hashlib.sha256(text.encode()).hexdigest()
-
-
-# Ulps are the measure of these tiers: of a number in [1, 2), the relative error of one.
-ULP = {"best": 2.0**-52, "float32": 2.0**-23}
-
-
-def proofs() -> list[Record]:
-    """The record of every variant: one that is there holds as long as its operations do (`prove` proves it again)."""
-    return certificates.records(variants(), read())
 
 
 def tiers_module(records: Iterable[Record], digest: str) -> str:
     """What the run time must know of the proofs, and of which C source they speak."""
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
+    ulps = {"best": 2.0**-52, "float32": 2.0**-23}  # where they are the measure: the relative error of one in [1, 2)
     for record in records:
-        bound, ulp = record["bound"], ULP.get(record["tier"])
+        bound, ulp = record["bound"], ulps.get(record["tier"])
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
@@ -165,15 +142,9 @@ def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
             (folder / name).unlink()
             continue
         (folder / name).parent.mkdir(exist_ok=True)
-        handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-                file.write(wanted[name])
-            os.chmod(temporary, 0o644)
-            os.replace(temporary, folder / name)
-        except BaseException:
-            Path(temporary).unlink(missing_ok=True)
-            raise
+        temporary = folder / f".{Path(name).name}.tmp"  # what a killed run has left goes with the unwanted
+        temporary.write_text(wanted[name], encoding="utf-8", newline="\n")
+        temporary.replace(folder / name)
     return changed
 
 

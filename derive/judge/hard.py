@@ -7,7 +7,7 @@ tests run through the same list with quadrature of the definitions instead.
 import json
 import math
 import textwrap
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache, partial
 from itertools import groupby
 from typing import Any, Literal, NamedTuple
@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sp
 
 from derive.algebra.integrate import PSI, closed_forms, derive
-from derive.code import exact as rounded
+from derive.algebra.prove import trig_normal
 from derive.code.operations import OPERATIONS
 from derive.code.program import Program, program
 from derive.declare.quantities import MOMENTS, QUOTIENTS
@@ -45,19 +45,13 @@ class Form(NamedTuple):
 class Result(NamedTuple):
     """A hard case, measured: relative errors, and ours also in ulp. No number where a form gives none."""
 
-    case: HardCase
+    function: str
+    arguments: tuple[float, ...]
+    why: str
     naive: str
     naive_error: float
     our_error: float
     our_ulp: float
-
-
-def _terms(closed: sp.Expr) -> sp.Expr:
-    """A closed form as the sum of its terms in alpha, artanh(sin alpha), and sin(alpha) times powers of cos(alpha)."""
-    s, c, h = sp.symbols("s c h", real=True)
-    form = sp.expand_trig(closed).subs(sp.atanh(sp.sin(alpha)), h).subs({sp.sin(alpha): s, sp.cos(alpha): c})
-    form = sp.expand(sp.rem(sp.expand(form), s**2 + c**2 - 1, s))
-    return form.subs({h: sp.atanh(sp.sin(alpha)), s: sp.sin(alpha), c: sp.cos(alpha)})
 
 
 def _motion() -> dict[str, tuple[str, sp.Expr]]:
@@ -77,23 +71,25 @@ def _motion() -> dict[str, tuple[str, sp.Expr]]:
 @cache
 def forms() -> dict[str, Form]:
     """The naive form of every function: as the paper prints it, or integrated term by term."""
-    printed, closed = {p.name: (words, p) for p, words in functions.printed()}, closed_forms()
-    terms = {name: _terms(form) for name, form in closed.items()}
-    found = {x: Form("its integral, term by term", program(x, ("alpha",), terms[x]), closed[x]) for x in closed}
-    found |= {name: Form(*printed[name], form) for name, form in closed.items() if name in printed}
+    printed = {p.name: (words, p) for p, words in functions.printed()}
+    c = sp.cos(alpha)  # beside which squares of the sine are written in it
+    terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
+    found: dict[str, Form] = {}
+    for name, form in terms.items():
+        found[name] = Form(*printed.get(name, ("its integral, term by term", program(name, ("alpha",), form))), form)
     for name, top, bottom in ((q.name, q.numerator, q.denominator) for q in QUOTIENTS):
-        own = f"{found[top].words} over {found[bottom].words}", program(name, ("alpha",), terms[top] / terms[bottom])
-        found[name] = Form(*printed.get(name, own), closed[top] / closed[bottom])
+        form = terms[top] / terms[bottom]
+        own = f"{found[top].words} over {found[bottom].words}", program(name, ("alpha",), form)
+        found[name] = Form(*printed.get(name, own), form)
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
-    turned: dict[str, tuple[str, sp.Expr, sp.Expr]] = {}
+    turned: dict[str, tuple[str, sp.Expr]] = {}
     for d in (derive(m) for m in MOMENTS if m.amplitude):
         kernel, way = d.moment.kernel[0], d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
-        turned[d.moment.name] = (found[kernel].words, way * terms[kernel], way * closed[kernel])
-    (_, *moment), (_, *weight) = turned["weight_moment"], turned["radial_weight"]
-    turned["limit_friction"] = ("(3.13) over Appendix I", *(x / y for x, y in zip(moment, weight, strict=True)))
-    for name, (words, naive, exact) in turned.items():
-        plain = program(name, ("theta_1", "theta_2"), naive, let=ends)
-        found[name] = Form(f"{words}, angles rounded", plain, exact.subs(ends))
+        turned[d.moment.name] = found[kernel].words, way * terms[kernel]
+    turned["limit_friction"] = "(3.13) over Appendix I", turned["weight_moment"][1] / turned["radial_weight"][1]
+    for name, (words, form) in turned.items():
+        plain = program(name, ("theta_1", "theta_2"), form, let=ends)
+        found[name] = Form(f"{words}, angles rounded", plain, form.subs(ends))
     for name, (words, form) in _motion().items():
         inputs = ("a", "b", "omega_0", "t")[: 3 if "arrest" in name else 4]
         found[f"frozen_{name}"] = Form(words, program(name, inputs, form), form)
@@ -174,46 +170,41 @@ CASES = (
 )  # fmt: skip
 
 
-def measured(cases: tuple[HardCase, ...] = CASES) -> list[Result]:
+def measured() -> list[Result]:
     """Run both forms of every case and compare them with the exact one."""
     programs = [f.program for f in (*functions.kernels(), *functions.motion())]
-    ours = {p.name: partial(rounded.run, p) for p in programs} | {"drive": partial(drive, balance().scalar)}
-    return [_measure(case, ours[case.function], forms()[case.function]) for case in cases]
-
-
-def _measure(case: HardCase, function: Callable[..., Any], form: Form) -> Result:
-    arrays = [np.array(x) for x in case.arguments]
-    with np.errstate(all="ignore"):
-        naive, ours = float(rounded.run(form.program, *arrays)), float(function(*arrays))
-    with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
-        of: Callable[..., mpmath.mpf] = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
-        exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
-        unit, error = float(np.spacing(abs(float(exact)))), abs(ours - exact)
-        wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
-        return Result(case, form.words, wrong, float(error / abs(exact)), float(error / unit))
+    ours = {p.name: p.run for p in programs} | {"drive": partial(drive, balance().scalar)}
+    found = []
+    for case in CASES:
+        form, arrays = forms()[case.function], [np.array(x) for x in case.arguments]
+        with np.errstate(all="ignore"):
+            naive, own = float(form.program.run(*arrays)), float(ours[case.function](*arrays))
+        with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
+            of = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
+            exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
+            unit, error = float(np.spacing(abs(float(exact)))), abs(own - exact)
+            wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+            found.append(Result(*case, form.words, wrong, float(error / abs(exact)), float(error / unit)))
+    return found
 
 
 def report(form: Literal["text", "json"]) -> str:
     """The hard cases, each with the error of the printed form beside ours."""
     results = measured()
     if form == "json":
-        rows = [x.case._asdict() | x._asdict() | {"naive_error": _number(x.naive_error)} for x in results]
-        return json.dumps([{name: value for name, value in row.items() if name != "case"} for row in rows], indent=2)
+        # JSON has no inf and no NaN.
+        words = {x: x.naive_error if math.isfinite(x.naive_error) else _short(x.naive_error) for x in results}
+        return json.dumps([x._asdict() | {"naive_error": words[x]} for x in results], indent=2)
     lines = ["Relative error of the printed form, and of ours (also in units of the last place).", "",
              f"{'printed':>9} {'ours':>8} {'ulp':>6}   input"]  # fmt: skip
-    for name, group in groupby(results, key=lambda x: x.case.function):
+    for name, group in groupby(results, key=lambda x: x.function):
         lines += ["", name]
         for x in group:
-            given = ", ".join(map(repr, x.case.arguments))
+            given = ", ".join(map(repr, x.arguments))
             lines += [f"{_short(x.naive_error):>9} {x.our_error:8.0e} {x.our_ulp:6.1f}   ({given})"]
-            lines += textwrap.wrap(f"{x.case.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
+            lines += textwrap.wrap(f"{x.why}; {x.naive}", 96, initial_indent=" " * 28, subsequent_indent=" " * 28)
     return "\n".join(lines)
 
 
 def _short(error: float) -> str:
     return f"{error:.0e}".replace("nan", "NaN")
-
-
-def _number(error: float) -> float | str:
-    """JSON has no inf and no NaN."""
-    return error if math.isfinite(error) else _short(error)

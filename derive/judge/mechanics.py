@@ -24,9 +24,6 @@ LEVER = RESISTANCE.form  # lambda (3.14)
 DEPTH = sp.simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 
-# --- kinematics and forces -------------------------------------------------------------------------------
-
-
 def basis(x: sp.Expr, y: sp.Expr) -> Pair:
     """Components along e_r and e_theta of a Cartesian vector."""
     c, s = sp.cos(theta), sp.sin(theta)
@@ -64,9 +61,6 @@ def along_bisector(force: Pair) -> sp.Expr:
 def end(start: sp.Symbol) -> sp.Expr:
     """Polar angle of an end (1.2), with an integration variable of its own."""
     return start + sp.Integral(omega_of(r), (r, 0, t))
-
-
-# --- geometry and integrals ------------------------------------------------------------------------------
 
 
 AREA = sp.simplify(sp.Matrix([r * sp.cos(theta), r * sp.sin(theta)]).jacobian([r, theta]).det())  # over dr dtheta
@@ -107,9 +101,6 @@ def scaled(f: sp.Expr) -> sp.Expr:
     return body_star(f.subs(r, R * r) * R)
 
 
-# --- balances --------------------------------------------------------------------------------------------
-
-
 @cache
 def radial() -> sp.Expr:
     """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
@@ -133,9 +124,6 @@ def lever() -> sp.Expr:
     return sp.simplify(resistance / mu * rho * g * DEPTH)
 
 
-# --- motion ----------------------------------------------------------------------------------------------
-
-
 @cache
 def motion(name: str) -> sp.Expr:
     """The derived motion from rest, under constant a and b."""
@@ -143,7 +131,7 @@ def motion(name: str) -> sp.Expr:
 
 
 @cache
-def way() -> dict[str, sp.Expr]:
+def dimensional() -> dict[str, sp.Expr]:
     """The same in dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
     clock = sp.sqrt(g / R)
     at = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
@@ -159,9 +147,6 @@ def series(motion: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     return motion, first, sp.O(t ** sp.degree(second, t))
 
 
-# --- notation --------------------------------------------------------------------------------------------
-
-
 @cache
 def names() -> dict[str, Any]:
     """The notation of the transcribed forms."""
@@ -171,7 +156,7 @@ def names() -> dict[str, Any]:
     return {x.name: x for x in shared} | functions | {
         "lam": LEVER, "A": polar / LEVER, "gamma": rho * g, "f": DEPTH, "sigma_ref": rho * g * DEPTH, "chord": CHORD,
         "J_r": j_r, "J_theta": j_theta, "J_r0": j_r.subs(turn, 0), "J_theta0": j_theta.subs(turn, 0),
-        "phi": way()["phi"],
+        "phi": dimensional()["phi"],
     }  # fmt: skip
 
 

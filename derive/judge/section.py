@@ -25,9 +25,6 @@ IMPLYING = {"sigma_ref": "4.223", "2alpha": "61.7", "J_r": "0.0870", "c0": "0.11
 GRAVITY = "9.81"  # used by the project; the paper states no value
 
 
-# --- printed digits --------------------------------------------------------------------------------------
-
-
 def printed_as(digits: str) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     """A printed number, and the least and the largest value that it may stand for."""
     printed, unit = mp.mpf(digits), mp.mpf(10) ** Decimal(digits).as_tuple().exponent
@@ -38,9 +35,6 @@ def printed_as(digits: str) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
 def implied(by: str, inverse: Callable[[mp.mpf], mp.mpf]) -> list[mp.mpf]:
     """The least and the largest value of another number that a printed one leaves."""
     return sorted(map(inverse, printed_as(IMPLYING[by])[1:]))
-
-
-# --- the arc ---------------------------------------------------------------------------------------------
 
 
 def given(name: str) -> mp.mpf:
@@ -98,9 +92,6 @@ def reference() -> mp.mpf:
 def second_end(radial_weight: mp.mpf) -> mp.mpf:
     """theta_20 in degrees of an arc of this opening and this J_r."""
     return 270 - mp.degrees(mp.acos(radial_weight / moment("radial_weight", psi=mp.mpf(0))) - HALF)
-
-
-# --- friction and motion ---------------------------------------------------------------------------------
 
 
 def second_appendix() -> mp.mpf:

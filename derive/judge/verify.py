@@ -51,9 +51,6 @@ class Row(NamedTuple):
 KEYS = Row._fields
 
 
-# --- proof -----------------------------------------------------------------------------------------------
-
-
 # How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
 _LOG, _ARTANH = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))), sp.atanh(sp.sin(alpha))
 
@@ -91,11 +88,6 @@ def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
     return True
 
 
-def _captured(form: sp.Expr) -> bool:
-    """Whether an integration variable also stands in its own limits."""
-    return any(limit[0] in sp.Tuple(*limit[1:]).free_symbols for x in form.atoms(sp.Integral) for limit in x.limits)
-
-
 def _homogeneous(form: sp.Expr, dimension: str) -> bool:
     """Whether a form has the dimension: scale every unit, and see by what the form is multiplied."""
     form = form.replace(sp.Integral, lambda f, *limits: f * sp.Mul(*(x for x, *_ in limits)))  # as its integrand dx
@@ -116,9 +108,10 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
     """Whether transcribed forms are the derived ones, after the postulates were put into these."""
     printed, derived = m.read(forms), _derived(claim)
     put = [pair for x in postulates for pair in x.put]
+    limits = [limit for form in printed for x in form.atoms(sp.Integral) for limit in x.limits]
     return (
         len(printed) == len(derived)
-        and not any(map(_captured, printed))
+        and not any(x in sp.Tuple(*ends).free_symbols for x, *ends in limits)  # nor is a variable in its own limits
         and all(x == (y := z.subs(put)) or vanishes(x - y, claim.domain) for x, z in zip(printed, derived, strict=True))
         and (not claim.dimension or _homogeneous(printed[0], claim.dimension))
         and (claim.weight is None or _integrates(printed[0], claim.weight, claim.domain))
@@ -131,8 +124,6 @@ def _derived(claim: Claim) -> tuple[sp.Expr, ...]:
     found = claim.definition()
     return tuple(found) if isinstance(found, (tuple, list)) else (found,)
 
-
-# --- judging ---------------------------------------------------------------------------------------------
 
 Judgement = tuple[str, str, str]  # computed, verdict, cause
 UNEXPLAINED = ("wrong", "cause not found")
@@ -248,9 +239,6 @@ def _brackets(appendix: Appendix) -> str:
     return f"{sum(x.brackets for x in places)} brackets missing at {len(places)} places, {lost} of them unreadable"
 
 
-# --- words -----------------------------------------------------------------------------------------------
-
-
 def _digits(value: Any) -> str:
     """Seven significant digits."""
     return str(mp.nstr(mp.mpf(value), 7, strip_zeros=False, min_fixed=-5, max_fixed=9))
@@ -288,7 +276,9 @@ def counts(judged: Iterable[Row]) -> str:
 
 def report(form: str = "text") -> str:
     """Judge the paper: as "text" for a terminal of 100 columns, as "json", or as "markdown" for a colleague."""
-    return {"text": _text, "json": _json, "markdown": _markdown}[form](rows())
+    if form == "json":
+        return json.dumps([row._asdict() for row in rows()], indent=2)
+    return {"text": _text, "markdown": _markdown}[form](rows())
 
 
 SIMPLY = ("holds", "holds to the printed digits", "definition")
@@ -308,10 +298,6 @@ def _text(judged: Sequence[Row]) -> str:
     rules = [textwrap.fill(f"{verdict}: {rule}", 100, subsequent_indent="    ") for verdict, rule in VERDICTS.items()]
     return "\n".join([*map(told, simply), "", "What does not simply hold:", *map(told, failing(judged)), "",
                       "By these rules:", *rules, "", textwrap.fill(f"{counts(judged)}.", 100)])  # fmt: skip
-
-
-def _json(judged: Sequence[Row]) -> str:
-    return json.dumps([row._asdict() for row in judged], indent=2)
 
 
 def _markdown(judged: Sequence[Row]) -> str:

@@ -12,12 +12,12 @@ from functools import partial
 from importlib.util import find_spec
 from statistics import median
 from timeit import timeit
-from typing import Any, TextIO
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from slipcircle.cost import scenes, sections
-from slipcircle.cost.reference import Answers, Floats, Reference
+from slipcircle.cost.reference import Floats
 from slipcircle.cost.ways import FLOOR, FUNCTIONS, Subject, Way
 
 SIZES = (1, 10_000, 1_000_000)  # a call, an array that stays in cache, one that does not
@@ -29,15 +29,14 @@ _PASS, _LONG = 0.1, 1.0  # seconds that a pass may take, as a rule; above which 
 FRONTIER, LOST = "frontier", "beaten: "
 SUBJECTS: dict[str, Sequence[Callable[[], Subject]]] = {
     **{name: [made] for name, made in FUNCTIONS.items()},
-    sections.NAME: [sections.subject],
+    "sections": [sections.subject],
     **{name: [partial(scenes.subject, name, many) for many in (False, True)] for name in scenes.CASES},
 }
 NAMES = [*SUBJECTS]
 GROUPS = {"kernels": [*FUNCTIONS], "flow": [*scenes.CASES]}
 
 
-@dataclass(frozen=True)
-class Profile:
+class Profile(NamedTuple):
     """Errors of a way over its inputs."""
 
     points: Floats
@@ -74,23 +73,8 @@ class Row:
         return float(self.ns_1e4 or self.ns_1 or "nan")
 
 
-def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
-    """Measure every way to compute the named functions.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Keys of `SUBJECTS`, or a group of them.
-    progress : text file, optional
-        Where to say what is being measured.
-
-    Raises
-    ------
-    ValueError
-        For an unknown function.
-    ImportError
-        Without python-flint, which gives the reference.
-    """
+def measure(names: Sequence[str], tell: Callable[[str], object] = lambda said: None) -> list[Row]:
+    """Measure every way to compute the named functions, keys of `SUBJECTS` or a group of them; tell which it is at."""
     names = [name for given in names for name in GROUPS.get(given, [given])]
     if unknown := [n for n in names if n not in NAMES]:
         raise ValueError(f"function {unknown[0]!r} is unknown; known are {', '.join([*GROUPS, *NAMES])}")
@@ -98,49 +82,46 @@ def measure(names: Sequence[str], progress: TextIO | None = None) -> list[Row]:
         raise ImportError("the reference needs python-flint: pip install 'slipcircle[derive]'")
     found = []
     for name in names:
-        if progress:
-            print(f"measuring {name}", file=progress, flush=True)
+        tell(f"measuring {name}")
         for made in SUBJECTS[name]:
-            found += judged(measured(made(), progress))
+            found += judged(measured(made(), tell))
     return found
 
 
-def measured(subject: Subject, progress: TextIO | None = None) -> list[Row]:
+def measured(subject: Subject, tell: Callable[[str], object] = lambda said: None) -> list[Row]:
     """Errors and times of all ways that are installed."""
     missing = [n for n in dict.fromkeys(way.needs for way in subject.ways) if n and find_spec(n) is None]
     for name in missing:
-        if progress:
-            print(f"{subject.name}: {name} is missing, and left out", file=progress)
+        tell(f"{subject.name}: {name} is missing, and left out")
     ways = [way for way in subject.ways if way.needs not in missing]
-    rows = [
-        Row(subject.name, way.name, float("nan"), (), bound=way.bound, bound_ulp=way.bound_ulp, kind=way.kind,
-            ours=way.ours) for way in ways
-    ]  # fmt: skip
+    found: list[dict[str, Any]] = [{} for _ in ways]
     for k in subject.sizes:
         counts = [_fitting(way, subject, SIZES[k]) for way in ways]
         arguments = {n: subject.bulk(n) for n in counts}
         works = [_work(way, arguments[n], n) for way, n in zip(ways, counts, strict=True)]
-        for place, (n, seconds) in enumerate(zip(counts, interleaved(works), strict=True)):
-            time: dict[str, Any] = {TIMES[k]: median(seconds) / n * 1e9}
-            rows[place] = replace(rows[place], elements=n, **time)
-        if subject.weighed:
-            rows = [replace(row, memory=_peak(work)) for row, work in zip(rows, works, strict=True)]
+        for row, work, n, seconds in zip(found, works, counts, interleaved(works), strict=True):
+            row |= {"elements": n, TIMES[k]: median(seconds) / n * 1e9}
+            if subject.weighed:
+                row["memory"] = _peak(work)
     return [
-        row if way.name == FLOOR else _seen(row, way, subject.reference(way.kind))
-        for row, way in zip(rows, ways, strict=True)
-    ]
+        Row(subject.name, way.name, **row, **_seen(way, subject), bound=way.bound, bound_ulp=way.bound_ulp,
+            kind=way.kind, ours=way.ours) for way, row in zip(ways, found, strict=True)
+    ]  # fmt: skip
 
 
-def _seen(row: Row, way: Way, exact: Reference | Answers) -> Row:
-    """The row with the worst errors of its way."""
+def _seen(way: Way, subject: Subject) -> dict[str, Any]:
+    """The worst errors of a way, and where."""
+    if way.name == FLOOR:
+        return {"error": float("nan"), "worst_input": ()}
+    exact = subject.reference(way.kind)
     ulp, relative = exact.errors(way.function(*exact.points.astype(way.kind)))
     at, points = int(np.argmax(relative)), exact.points.T
-    row = replace(row, error=float(relative[at]), worst_input=tuple(points[at].tolist()), points=len(points))
+    found = {"error": float(relative[at]), "worst_input": tuple(points[at].tolist()), "points": len(points)}
     if ulp is None:
-        return row
+        return found
     at = int(np.argmax(np.abs(ulp)))
-    profile = Profile(exact.points[0], ulp, relative)
-    return replace(row, ulp=float(abs(ulp[at])), worst_input_ulp=tuple(points[at].tolist()), profile=profile)
+    return found | {"ulp": float(abs(ulp[at])), "worst_input_ulp": tuple(points[at].tolist()),
+                    "profile": Profile(exact.points[0], ulp, relative)}  # fmt: skip
 
 
 # --- times ---------------------------------------------------------------------------------------------------------

@@ -11,7 +11,8 @@ from slipcircle.outputs.plotstyle import LINES, axis
 
 _BEST, _NONE = 1e-19, 10.0  # the axis of errors ends here; what lies beyond is drawn at its ends
 _DECADES, _BINS = 16.5, 90  # of alpha, towards each end
-_OURS, _OTHERS = LINES["main"]["color"], LINES["other"]["color"]
+_OURS = {"marker": "o", "color": LINES["main"]["color"]}
+_OTHERS = {"marker": "s", "color": LINES["other"]["color"], "mfc": "white"}
 
 
 def overview(rows: Sequence[Row], figure: Any) -> None:
@@ -37,15 +38,13 @@ def frontier(rows: Sequence[Row], ax: Any = None) -> Any:
         if r.error != r.error:
             axes.axvline(r.price, color="0.3", ls=":", lw=1.2, label=r.way)
             continue
-        colour = _OURS if r.ours else _OTHERS
-        axes.plot(r.price, _height(r), "o" if r.ours else "s", color=colour, mfc=colour if r.ours else "white")
+        axes.plot(r.price, _height(r), ls="", **(_OURS if r.ours else _OTHERS))
         name = r.way if r.verdict == FRONTIER else str(number)
         axes.annotate(name, (r.price, _height(r)), (6, 4), textcoords="offset points", fontsize=8)
         if r.bound is not None:
-            axes.plot([r.price] * 2, [_height(r), r.bound], "-_", color=colour, lw=1)
-    for label, style in (("ours, worst seen; a bar up to what is proved", {"marker": "o", "color": _OURS}),
-                         ("others, worst seen", {"marker": "s", "color": _OTHERS, "mfc": "white"})):  # fmt: skip
-        axes.plot([], [], ls="", label=label, **style)
+            axes.plot([r.price] * 2, [_height(r), r.bound], "-_", color=_OURS["color"], lw=1)
+    axes.plot([], [], ls="", label="ours, worst seen; a bar up to what is proved", **_OURS)
+    axes.plot([], [], ls="", label="others, worst seen", **_OTHERS)
     axes.set(xscale="log", yscale="log", ylabel="worst relative error", ylim=(None, _NONE * 2),
              xlabel=f"time of {'an element at N = 1e4' if rows[0].ns_1e4 else 'a solution'}, ns")  # fmt: skip
     axes.margins(x=0.2)

@@ -1,7 +1,7 @@
 """The price list in words: a table and a verdict for people, records and CSV for machines."""
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from itertools import compress
 from typing import Any
@@ -11,8 +11,8 @@ import numpy as np
 from slipcircle.base import files
 from slipcircle.cost.cost import BEATEN, FRONTIER, LOST, REPEATS, SIZES, TIMES, Row
 from slipcircle.motion.quantities import plain, shown, time_text
+from slipcircle.outputs.tables import WIDTH, Part
 
-WIDTH = 100  # of tables and text, columns
 NOTES = (
     "proved: bound over the whole domain, rounding included. seen: worst relative error; ulp: worst error in units of "
     "the last place of the row's format; at: where.",
@@ -33,6 +33,15 @@ def _ulp(row: Row) -> float:
     return float(np.max(np.abs(row.profile.ulp[row.profile.points >= UNDERFLOW]), initial=0.0))
 
 
+def parts(rows: Sequence[Row], machine: str) -> Iterator[Part | str]:
+    """The table and the verdict of each function, and what the columns mean."""
+    for name in dict.fromkeys(row.function for row in rows):
+        of = [row for row in rows if row.function == name]
+        yield Part(*table(of), name)
+        yield verdict(of) + "\n"
+    yield _wrapped([*NOTES, f"{machine}."])
+
+
 def verdict(rows: Sequence[Row]) -> str:
     """What the rows of one function say, wins and losses alike."""
     rows = [r for r in rows if r.error == r.error]
@@ -42,32 +51,27 @@ def verdict(rows: Sequence[Row]) -> str:
     broken = [r.way for r in rows if r.error > (r.bound or np.inf) or _ulp(r) > (r.bound_ulp or np.inf)]
     lines = [f"Seen above what is proved, so the proof or the build is wrong: {', '.join(broken)}."] if broken else []
     lines.append("Frontier: " + "; ".join(f"{r.way} ({short(r.error)}, {time_text(r.price)})" for r in front) + ".")
-    if few := sorted({r.elements for r in rows if r.ns_1e4 and r.ns_1e6 is None and r.elements < SIZES[1]}):
-        counts = " or ".join(map(str, few))
-        lines.append(f"~: {counts} scenes were measured, as these ways solve scenes one by one.")
-    if not ours or not others:
-        return wrapped(lines)
-    lost = [
-        f"{r.way} to {winner.way} ({shown(r.price / winner.price, 2)} times slower)"
-        for r in ours
-        if (winner := by.get(r.verdict.removeprefix(LOST)))
-    ]
-    lines.append(f"Of ours, these lose: {'; '.join(lost)}." if lost else "None of ours is beaten.")
-    faster: dict[str, list[str]] = {}
+    if ours and others:
+        beaten = [(r, by[r.verdict.removeprefix(LOST)]) for r in ours if r.verdict.startswith(LOST)]
+        lost = [f"{r.way} to {winner.way} ({shown(r.price / winner.price, 2)} times slower)" for r, winner in beaten]
+        lines.append(f"Of ours, these lose: {'; '.join(lost)}." if lost else "None of ours is beaten.")
+        lines += _faster(ours, others)
+    return _wrapped(lines)
+
+
+def _faster(ours: Sequence[Row], others: Sequence[Row]) -> Iterator[str]:
+    """Which other way is faster than anything of ours, however wrong, and at which sizes."""
+    gains: dict[str, list[str]] = {}
     for label, key in zip(COLUMNS[6:9], TIMES, strict=True):
-        times = {r.way: float(getattr(r, key) or "nan") for r in rows}
-        mine, theirs = (min(times[r.way] for r in some) for some in (ours, others))
+        (mine, _), (theirs, way) = (min((getattr(r, key) or np.inf, r.way) for r in some) for some in (ours, others))
         if theirs * BEATEN < mine:
-            fastest = next(way for way, time in times.items() if time == theirs)
-            faster.setdefault(fastest, []).append(f"{shown(mine / theirs, 2)} times at {label}")
-    lines += [
-        f"Faster than anything of ours: {way}, {', '.join(gains)}, with an error of {short(by[way].error)}."
-        for way, gains in faster.items()
-    ]
-    return wrapped(lines)
+            gains.setdefault(way, []).append(f"{shown(mine / theirs, 2)} times at {label}")
+    error = {r.way: short(r.error) for r in others}
+    for way, sizes in gains.items():
+        yield f"Faster than anything of ours: {way}, {', '.join(sizes)}, with an error of {error[way]}."
 
 
-def wrapped(lines: Sequence[str]) -> str:
+def _wrapped(lines: Sequence[str]) -> str:
     """Lines, folded to the width of the tables."""
     return "\n".join(textwrap.fill(line, WIDTH, subsequent_indent="  ") for line in lines)
 

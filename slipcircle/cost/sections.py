@@ -6,27 +6,26 @@ of polygons, and is judged by these alone.
 
 import json
 from collections.abc import Callable
+from decimal import Decimal
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from slipcircle.cost.reference import Answers, Floats
+from slipcircle.cost.reference import Floats, reference
 from slipcircle.cost.ways import Subject, Way
 from slipcircle.scene import circles
 from slipcircle.scene.circles import MEASURES
 from slipcircle.scene.ground import circle_through
 from slipcircle.scene.section import Section
 
-NAME = "sections"
 # `MEASURES` of the sections of `drawn(COUNT)`, to 24 digits; ``python tests/exact_scenes.py`` writes them.
 ANSWERS, COUNT = Path(__file__).with_name("sections.json"), 12
 PATIENCE = 80.0  # of a pass, as of `Subject`: a million sections of ours take less
 _X = np.linspace(-60.0, 60.0, 11)
 GROUND = np.stack([_X, 10.0 - _X / 5 + 1.5 * np.sin(_X / 9)], axis=1)
 _BLOCK, _GAUSS, _SEGMENTS = 1 << 13, (4, 8, 16), (8, 64, 512)
-_VECTORS = ((3, 4), (5, 6))  # of `MEASURES`: judged by their length
 
 
 def drawn(count: int) -> Floats:
@@ -95,17 +94,6 @@ def polygons(segments: int, centre: Floats, radius: Floats) -> Floats:
     return found
 
 
-# --- judgement -------------------------------------------------------------------------------------------------------
-
-
-def sizes(measures: Floats) -> Floats:
-    """What errors of `MEASURES` are relative to: of weights the length of their vector."""
-    found = np.abs(measures)
-    for pair in map(list, _VECTORS):
-        found[pair] = np.hypot(*measures[pair])
-    return found
-
-
 def subject() -> Subject:
     """Ways to the moments of sections."""
     found = [
@@ -114,5 +102,9 @@ def subject() -> Subject:
         *(Way(f"Gauss, {n} x {n} points", partial(blocks, partial(gauss, n))) for n in _GAUSS),
         *(Way(f"shapely, {4 * n} chords", partial(blocks, partial(polygons, n)), needs="shapely") for n in _SEGMENTS),
     ]
-    exact = Answers(drawn(COUNT), json.loads(ANSWERS.read_text("utf-8")), sizes)
-    return Subject(NAME, found, lambda kind: exact, drawn, patience=PATIENCE, weighed=True)
+    known = [[*map(Decimal, row)] for row in json.loads(ANSWERS.read_text("utf-8"))]
+    size = np.abs(np.array(known, dtype=np.float64))
+    for pair in ([3, 4], [5, 6]):  # radial and moment: of their length as vectors
+        size[pair] = np.hypot(*size[pair])
+    exact = reference(drawn(COUNT), known, size=size)
+    return Subject("sections", found, lambda kind: exact, drawn, patience=PATIENCE, weighed=True)

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache, partial
+from itertools import product
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from generated import _compiled, kernels, printed, stable, tiers
 from generated.definitions import CLOSED, INTEGRANDS, QUOTIENTS
 from slipcircle.cost import reference
-from slipcircle.cost.reference import Answers, Floats, Reference
+from slipcircle.cost.reference import Floats, Reference
 
 GAUSS_POINTS = (4, 8, 16, 32, 64)
 FLOOR = "np.copyto (floor)"
@@ -38,7 +39,7 @@ class Subject:
 
     name: str
     ways: list[Way]
-    reference: Callable[[str], Reference | Answers]  # what they are judged by, in a format
+    reference: Callable[[str], Reference]  # what they are judged by, in a format
     bulk: Callable[[int], Floats]  # so many arguments to time them with, one row per argument
     sizes: tuple[int, ...] = (0, 1, 2)  # which of `cost.SIZES` count
     patience: float = 1.0  # a pass may take so many times as long as others
@@ -51,22 +52,21 @@ def variants(name: str) -> list[Way]:
     Of the levels that this processor can run, the fastest with fused operations and the fastest without count.
     """
     levels = {form: level for level, (form, _) in reversed(_compiled.LEVELS.items())}
+    words = {"fused": "fused", "plain": "plain C", "numpy": "NumPy"}
     found, texts = [], kernels.TEXTS[name]
-    for tier in texts:
-        for form, words in (("fused", "fused"), ("plain", "plain C"), ("numpy", "NumPy")):
-            loops = _compiled.LEVELS[levels[form]][1] if form in levels else {}
-            if form != "numpy" and name not in loops.get("best" if tier == "float32" else tier, {}):
-                continue
-            bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
-            bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
-            call = _compiled.kernel(name, texts, levels[form])
-            # A cheaper tier is asked for by its own bound: the cheapest that meets it is itself.
-            cheaper = tier in ("1e-10", "1e-6")
-            if cheaper and bound is None:
-                continue
-            way = partial(call, where=True, accuracy=bound if cheaper else None)
-            kind = "float32" if tier == "float32" else "float64"
-            found.append(Way(f"{tier}, {words}", way, way, kind, bound, ulp, ours=True))
+    for tier, form in product(texts, words):
+        loops = _compiled.LEVELS[levels[form]][1] if form in levels else {}
+        bounds = tiers.BOUNDS.get(name, {}).get(tier, {})
+        bound, ulp = bounds.get(form, bounds.get("plain", (None, None)))
+        cheaper = tier in ("1e-10", "1e-6")
+        compiled = form == "numpy" or name in loops.get("best" if tier == "float32" else tier, {})
+        if not compiled or (cheaper and bound is None):
+            continue
+        # A cheaper tier is asked for by its own bound: the cheapest that meets it is itself.
+        accuracy = bound if cheaper else None
+        way = partial(_compiled.kernel(name, texts, levels[form]), where=True, accuracy=accuracy)
+        kind = "float32" if tier == "float32" else "float64"
+        found.append(Way(f"{tier}, {words[form]}", way, way, kind, bound, ulp, ours=True))
     return found
 
 

@@ -2,6 +2,7 @@
 
 import hashlib
 import platform
+import re
 from importlib import metadata
 from pathlib import Path
 
@@ -26,14 +27,12 @@ def facts() -> dict[str, str]:
 
 
 def processor() -> str:
-    """Its name, with what makes a difference here."""
+    """Its name; the level of the kernels tells which of its instructions are used."""
     try:
-        text = Path("/proc/cpuinfo").read_text("utf-8")
+        named = re.search(r"^model name\s*: (.+)$", Path("/proc/cpuinfo").read_text("utf-8"), re.MULTILINE)
     except OSError:
-        return platform.processor() or platform.machine()
-    facts = {k.strip(): v.strip() for k, _, v in (line.partition(":") for line in text.splitlines())}
-    flags = [f for f in ("avx512f", "avx2", "fma") if f in facts.get("flags", "").split()]
-    return " ".join([facts.get("model name", platform.machine()), *([f"({', '.join(flags)})"] if flags else [])])
+        named = None
+    return named[1] if named else platform.processor() or platform.machine()
 
 
 def machine() -> str:

@@ -10,10 +10,9 @@ from typing import Any
 
 from slipcircle.base import files
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs import plots, slopeplot, studyplots
-from slipcircle.outputs.plotstyle import missing, work
+from slipcircle.outputs import plots, sectionplot, studyplots
+from slipcircle.outputs.plotstyle import missing
 
-_Picture = tuple[str, str, Callable[[Any], Any], tuple[float, float]]  # name, caption, what draws it, inches
 _KINDS = ("png", "svg", "pdf", "jpg")
 _MOST = 20  # scenes in one picture
 _FRAMES, _SECONDS = 40, 5  # of an animation
@@ -65,58 +64,32 @@ def _played(animation: Any) -> bytes:
         return path.read_bytes()
 
 
-def overview(motions: Sequence[Motion], path: str) -> bytes:
-    """The overviews of motions, one above the other, as a file by its name; of a gif, the slide itself."""
-    if path.lower().endswith("gif"):
-        return render(lambda figure: plots.animate(motions[0], figure, _FRAMES), (7.0, 5.5), path)
-
-    sizes = [plots.size(m) for m in motions]
-    heights = [height for _, height in sizes]
-
-    def draw(figure: Any) -> None:
-        parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=heights)[:, 0]
-        for motion, part in zip(motions, parts, strict=True):
-            plots.overview(motion, part)
-
-    return render(draw, (sizes[0][0], sum(heights)), path)
+def _stacked(motions: Sequence[Motion], figure: Any) -> None:
+    """The overviews of motions, one above the other."""
+    parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=[plots.size(m)[1] for m in motions])[:, 0]
+    for motion, part in zip(motions, parts, strict=True):
+        plots.overview(motion, part)
 
 
-def of(motion: Motion) -> list[tuple[str, str, Callable[[str], bytes]]]:
-    """The pictures of a report: name, caption, and a function from a kind of file to its bytes."""
-
-    found: list[_Picture] = [
-        ("Section", "The section: forces at the start; the mass at the start, at its peak velocity and at the end.",
-         lambda figure: plots.section(motion, figure.add_subplot()), (8.0, 6.0)),
-    ]  # fmt: skip
-    if motion.moves:
-        found += [
-            ("Histories", "The motion over time. Where the mobilised friction is below the friction needed to stand "
-             "still the mass tends to speed up, elsewhere to slow down.",
-             lambda figure: plots.histories(motion, figure.add_gridspec(2, 2), figure, 2, 2), (11.0, 6.5)),
-            ("Phase plane", "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
-             f"up the {work(motion)}.", lambda figure: plots.phase_plane(motion, figure.add_subplot()), (8.0, 5.0)),
-        ]  # fmt: skip
-    if "shaking" in motion.plan.effects:
-        found.append(
-            ("Shaking", "What shakes the scene, over gravity; at the start it would move as soon as k_h passes k_y.",
-             lambda figure: plots.shaking(motion, figure.add_subplot()), (8.0, 3.0))
-        )  # fmt: skip
-    return [(name, caption, partial(render, draw, size)) for name, caption, draw, size in found]
-
-
-# What commands draw of what they found, and on how many inches.
-_DRAWN: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]] = {
+# What draws which finding on an empty figure, and on how many inches.
+_PICTURES: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]] = {
+    "motions": (_stacked, lambda x: (14.0, sum(plots.size(m)[1] for m in x))),
+    "slide": (lambda x, figure: plots.animate(x[0], figure, _FRAMES), lambda _: (7.0, 5.5)),
+    "section": (lambda x, figure: plots.section(x, figure.add_subplot()), lambda _: (8.0, 6.0)),
+    "histories": (lambda x, figure: plots.histories(x, figure.subplots(2, 2).T.ravel()), lambda _: (11.0, 6.5)),
+    "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),
+    "shaking": (lambda x, figure: plots.shaking(x, figure.add_subplot()), lambda _: (8.0, 3.0)),
     "study": (studyplots.overview, studyplots.size),
     "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
     "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
-    "search": (slopeplot.critical_circle, lambda _: (9.0, 6.0)),
+    "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
     "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
 }
 
 
 def picture(what: str, found: Any, path: str) -> bytes:
-    """What a command found, as a file by its name: one of `_DRAWN`."""
-    draw, size = _DRAWN[what]
+    """One of `_PICTURES` of what was found, as a file by its name; of motions as a gif, the first slide itself."""
+    draw, size = _PICTURES["slide" if path.lower().endswith("gif") else what]
     return render(partial(draw, found), size(found), path)
 
 

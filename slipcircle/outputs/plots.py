@@ -23,7 +23,6 @@ from slipcircle.outputs.plotstyle import (
     lines,
     mark,
     number,
-    sheet,
     still,
     work,
 )
@@ -54,8 +53,6 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     Besides the friction stands the one at which the mass would stand still where it is. A brief one stands beside
     another, which says what the marks are and when.
     """
-    if what not in HISTORIES:
-        raise ValueError(f"what = {what!r}: must be one of {', '.join(HISTORIES)}")
     ax = axis(ax)
     symbol, curves = HISTORIES[what]
     quantity, columns = HISTORY[what], drawn(motion)
@@ -66,11 +63,9 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
         factor, unit = math.degrees(1.0), "deg"
     ax.set(xlabel="time $t$ (s)", ylabel=f"{quantity.label}{symbol} ({unit or '–'})")
     if not motion.moves:
-        ax.set(xlim=(0.0, 1.0), ylim=(-1.0, 1.0))
         return still(motion, ax)
     for column, line, name in curves:
-        label = {"label": name} if len(curves) > 1 else {}
-        ax.plot(columns["time"], factor * columns[column], **label, **LINES[line])
+        ax.plot(columns["time"], factor * columns[column], label=name if len(curves) > 1 else None, **LINES[line])
     for role, time, words in _marks(motion, what == "displacement"):
         value = factor * _read(time, columns["time"], first)
         seen = f"{number(value)} {unit}".rstrip()
@@ -83,10 +78,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
         tops = [factor * float(np.max(columns[c], initial=0.0, where=np.isfinite(columns[c]))) for c, _, _ in curves]
         top = min(max(tops), _TALL * tops[0] or math.inf)  # where next to nothing presses, no friction is enough
         ax.set_ylim(-0.08 * top, 1.16 * top or 1.0)
-    handles, names = ax.get_legend_handles_labels()
-    if len(curves) == 2:  # read by columns: the curves above the marks
-        handles, names = ([x[k] for k in (0, 2, 1, 3)] for x in (handles, names))
-    legend(ax, handles=handles, labels=names)
+    legend(ax)
     if what == "displacement":
         turn = math.degrees(1.0 / float(np.asarray(motion.plan.scene.arc.radius)))
         side = ax.secondary_yaxis("right", functions=(lambda s: np.multiply(s, turn), lambda x: np.divide(x, turn)))
@@ -94,12 +86,11 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     return ax
 
 
-def histories(motion: Motion, grid: Any, figure: Any, rows: int, columns: int) -> None:
+def histories(motion: Motion, axes: Iterable[Any]) -> None:
     """All of `OVERVIEW`, of which the first says what the marks are, and the lowest that time runs to the right."""
-    for k, what in enumerate(OVERVIEW):
-        row, column = k % rows, k // rows
-        ax = history(motion, what, figure.add_subplot(grid[row, column]), brief=k > 0)
-        if row < rows - 1 and motion.moves:
+    for k, (what, ax) in enumerate(zip(OVERVIEW, axes, strict=True)):
+        history(motion, what, ax, brief=k > 0)
+        if motion.moves and not ax.get_subplotspec().is_last_row():
             ax.set_xlabel("")
             ax.tick_params(labelbottom=False)
 
@@ -128,7 +119,8 @@ def phase_plane(motion: Motion, ax: Any = None) -> Any:
     """
     ax = axis(ax)
     columns = drawn(motion)
-    back = bool(np.any(np.diff(columns["displacement"]) < 0.0)) and bool(np.any(np.diff(columns["displacement"]) > 0.0))
+    ways = np.diff(columns["displacement"])
+    back = bool(np.any(ways < 0.0) and np.any(ways > 0.0))
     along = columns["path"] if back else columns["displacement"]
     first = float(columns["kinetic_energy"][0])
     given = first + columns["work_of_gravity_and_shaking"]
@@ -166,15 +158,14 @@ def shaking(motion: Motion, ax: Any = None) -> Any:
     ax = axis(ax, (7.0, 2.5))
     ax.set(xlabel="time $t$ (s)", ylabel="shaking over $g$ (–)")
     given = in_time(motion.plan.scene.called)
-    named = {"shaking.horizontal": ("down-slope $k_h$", "main"), "shaking.vertical": ("lightening $k_v$", "other")}
-    curves = [(given[name], *said) for name, said in named.items() if name in given]
-    if not curves:
+    knots = [np.asarray(function.kinks) for name, function in given.items() if name.startswith("shaking.")]
+    if not knots:
         return empty("not shaken", ax, "x", "y")
-    knots = np.concatenate([np.asarray(f.kinks) for f, _, _ in curves])
-    last = motion.duration if motion.moves else float(np.max(knots))
-    at = drawn(motion)["time"] if motion.moves else np.unique(np.concatenate([np.linspace(0, last, 401), knots]))
-    for function, label, line in curves:
-        ax.plot(at, function(at), label=label, **{**LINES[line], "lw": 1.2})
+    last = motion.duration if motion.moves else float(np.max(np.concatenate(knots)))
+    at = drawn(motion)["time"] if motion.moves else np.unique(np.concatenate([np.linspace(0, last, 401), *knots]))
+    for way, label, line in (("horizontal", "down-slope $k_h$", "main"), ("vertical", "lightening $k_v$", "other")):
+        if (function := given.get(f"shaking.{way}")) is not None:
+            ax.plot(at, function(at), label=label, **{**LINES[line], "lw": 1.2})
     yields = motion.yield_coefficient
     ax.axhline(yields, label=f"yields at the start: $k_y$ = {number(yields)}", **{**LINES["total"], "lw": 1.2})
     ax.set_xlim(0.0, last)
@@ -200,26 +191,22 @@ def ladder(rungs: Iterable[Rung], ax: Any = None) -> Any:
     return ax
 
 
-def overview(motion: Motion, figure: Any = None) -> Any:
-    """The section, the phase plane and the histories in one figure, which it returns.
-
-    A given figure or subfigure is an empty one with a constrained layout, of `size`.
-    """
-    figure = sheet(figure, size(motion))
+def overview(motion: Motion, figure: Any) -> Any:
+    """The section, the phase plane and the histories on an empty figure or subfigure of `size`, which it returns."""
     name = shorten(motion.plan.scene.name, 80)
     shaken = "shaking" in motion.plan.effects
     if motion.moves:
         left, right = figure.add_gridspec(1, 2, width_ratios=(1.15, 1.0))
-        left, right = left.subgridspec(2, 1), right.subgridspec(len(OVERVIEW) + shaken, 1)
+        top, bottom = left.subgridspec(2, 1).subplots()
+        axes = right.subgridspec(len(OVERVIEW) + shaken, 1).subplots()
+        phase_plane(motion, bottom)
+        histories(motion, axes[: len(OVERVIEW)])
     else:
         name = ": ".join(filter(None, (name, "does not move")))
-        left = right = figure.add_gridspec(1 + shaken, 1, height_ratios=(3, 1)[: 1 + shaken])
-    section(motion, figure.add_subplot(left[0]))
-    if motion.moves:
-        phase_plane(motion, figure.add_subplot(left[1]))
-        histories(motion, right, figure, len(OVERVIEW), 1)
+        top, *axes = figure.subplots(1 + shaken, 1, height_ratios=(3, 1)[: 1 + shaken], squeeze=False)[:, 0]
+    section(motion, top)
     if shaken:
-        shaking(motion, figure.add_subplot(right[-1]))
+        shaking(motion, axes[-1])
     figure.suptitle(name, parse_math=False, fontweight="bold")
     return figure
 

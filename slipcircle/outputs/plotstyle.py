@@ -37,13 +37,7 @@ HALO = 2.5  # points of white around a text that stands on lines
 
 
 def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
-    """The axis that is given, or that of a new figure.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    """
+    """The axis that is given, or that of a new figure."""
     if ax is not None:
         return ax
     try:
@@ -51,14 +45,6 @@ def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
     except ImportError as error:
         raise missing() from error
     return pyplot.subplots(figsize=size, layout="constrained")[1]
-
-
-def sheet(figure: Any, size: tuple[float, float]) -> Any:
-    """The figure that is given, or a new and empty one."""
-    if figure is None:
-        figure = axis(None, size).figure
-        figure.clear()
-    return figure
 
 
 def missing() -> ImportError:

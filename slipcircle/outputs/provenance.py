@@ -7,14 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated.effects import EFFECTS, LAWS
-from slipcircle.base.series import Pulse, Series
-from slipcircle.scene.arc import QUANTITIES
 from slipcircle.scene.friction import RATE_LAWS
 from slipcircle.scene.keys import SLOPING, Key, tables_of
+from slipcircle.scene.numbers import by_name
 from slipcircle.scene.scene import Scene
-
-_SI = dict(zip((*QUANTITIES, "ground", "centre", "level"), ("m", "rad", "rad", "N/m^3", "m/s^2", *"mmmm"), strict=True))
 
 
 class Input(NamedTuple):
@@ -28,19 +24,21 @@ class Input(NamedTuple):
 
 
 def inputs(scene: Scene, file: str | None = None) -> list[Input]:
-    """The inputs of a scene: as the text of its file has them, with its comments; without that, in SI units.
+    """The inputs of a scene: as its file has them, with its comments; without a file its numbers, in SI units.
 
     What is uncertain says so.
     """
-    drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name, f"arc.{u.number.name}")}
-
-    def marked(found: Input) -> Input:
-        if found.path not in drawn:
-            return found
-        said = _shown({k: v for k, v in drawn[found.path].record.items() if k != "key"})
-        return found._replace(value=f"uncertain, {said}" + (f"; here {found.value}" if file is None else ""))
-
-    return [marked(i) for i in (_of_scene(scene) if file is None else _of_file(file))]
+    if file is None:
+        known = by_name(scene)
+        found = [Input(name, _shown(value), known[name].si) for name, value in scene.numbers.items()]
+    else:
+        found = [*_of_file(file)]
+    drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name)}
+    for k, known_by in enumerate(found):
+        if known_by.path in drawn:
+            said = _shown({n: v for n, v in drawn[known_by.path].record.items() if n != "key"})
+            found[k] = known_by._replace(value=f"uncertain, {said}" + (f"; here {known_by.value}" * (file is None)))
+    return found
 
 
 def _of_file(file: str) -> Iterator[Input]:
@@ -89,48 +87,12 @@ def comments(file: str) -> dict[str, str]:
     return found
 
 
-def _of_scene(scene: Scene) -> Iterator[Input]:
-    for name in [n for n in scene.arc.quantities if getattr(scene.arc, n) is not None]:
-        yield Input(f"arc.{name}", _shown(getattr(scene.arc, name)), _SI[name])
-    for name, coefficient in (scene.arc.given or {}).items():
-        yield Input(f"arc.given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
-    if callable(scene.friction):
-        yield Input("friction", "a Python function of slip", "", "friction coefficient")
-    elif isinstance(scene.friction, Mapping):
-        for path, given in (("friction", scene.friction), ("friction.rate", scene.friction.get("rate", {}))):
-            if given:
-                law = LAWS[given["law"]]
-                yield Input(f"{path}.law", given["law"], "", law.help)
-                yield from _parameters(path, law, given)
-    else:
-        yield Input("friction", _shown(scene.friction), "", "friction coefficient, tan(phi)")
-    for name, given in scene.called.items():
-        yield Input(name, "yes", "", EFFECTS[name].help)
-        yield from _parameters(name, EFFECTS[name], given)
-    yield Input("initial_velocity", _shown(scene.initial_velocity), "m/s", "velocity along the arc at the start")
-    end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
-    yield Input("end_time", *end, "time of the end")
-
-
-def _parameters(path: str, declared: Any, given: Mapping[str, Any]) -> Iterator[Input]:
-    for p in declared.parameters:
-        if p.name in given:
-            value = "of the section's water level" if p.kind == "rotation" else _shown(given[p.name])
-            yield Input(f"{path}.{p.name}", value, p.unit, p.help)
-
-
 def _shown(value: Any) -> str:
     """A value in full; of a long list its ends, of a distribution its name and numbers."""
     if isinstance(value, Mapping):
         return f"{value['distribution']}: " + ", ".join(f"{k} {v}" for k, v in value.items() if k != "distribution")
     if isinstance(value, str):
         return value
-    if isinstance(value, Series):
-        return f"{len(value.time)} samples from {value.time[0]:g} to {value.time[-1]:g} s"
-    if isinstance(value, Pulse):
-        return f"{value.name} pulse of at most {value.amplitude:g}, from {value.start:g} to {value.end:g} s"
-    if callable(value):
-        return repr(value)
     if isinstance(value, bool):
         return str(value).lower()
     texts = [repr(x) for x in np.ravel(value).tolist()]

@@ -1,13 +1,13 @@
-"""Reports for a reviewer: one HTML file that needs nothing else, also good XML, and says how to repeat it.
+"""Reports on motions and studies for a reviewer: one HTML file, also good XML, that says how to repeat it.
 
-It holds no date, so that the same scene, package and machine write the same bytes.
+It needs nothing else and holds no date, so that the same scene, package and machine write the same bytes.
 """
 
 import base64
 import hashlib
 import json
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,14 +15,18 @@ import numpy as np
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.markup import Raw, escaped, table, tag
 from slipcircle.motion.motion import Motion
-from slipcircle.motion.plan import Plan
-from slipcircle.motion.quantities import RESULTS, Quantity, plain, record, results, shown
+from slipcircle.motion.plan import Plan, plan
+from slipcircle.motion.quantities import OUTCOMES, RESULTS, Quantity, plain, record, results, shown, words
+from slipcircle.motion.states import Status
 from slipcircle.outputs import pictures
 from slipcircle.outputs.info import facts
-from slipcircle.outputs.plotstyle import ending, work
+from slipcircle.outputs.plotstyle import work
 from slipcircle.outputs.provenance import inputs
-from slipcircle.outputs.tables import Part, stability_column
+from slipcircle.outputs.tables import Part, interval, motion_column
 from slipcircle.scene.friction import law_names
+from slipcircle.studies import export
+from slipcircle.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.studies.study import Study
 
 ASSUMED = (
     "The mass is rigid and turns about the centre of its slip circle, which goes on beyond the toe.",
@@ -48,7 +52,7 @@ _POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 
-def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str) -> str:
+def _page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | None]], command: str) -> str:
     """A page of parts, and how to write it again: the command, scenes' files by name, versions."""
     versions = [[f"scene file of {n}", f"sha256 {hashlib.sha256(f).hexdigest()}"] for n, f in files if f is not None]
     cells = [[key, Raw(f"<code>{escaped(value)}</code>")] for key, value in [*versions, *facts().items()]]
@@ -64,7 +68,7 @@ def page(title: str, parts: Iterable[Raw], files: Iterable[tuple[str, bytes | No
     )
 
 
-def chapter(
+def _chapter(
     plan: Plan, warnings: Iterable[str], parts: Iterable[Part | Raw], found: Any, unit: str, file: bytes | None
 ) -> Iterable[Raw]:
     """What is said of a scene: its note and warnings, the parts, the result as JSON and the scene's file."""
@@ -77,7 +81,7 @@ def chapter(
             yield part
             continue
         yield from [tag("h3", part.title)] if part.title else []
-        yield table(part.rows, part.head)
+        yield table([[_estimate(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows], part.head)
         yield from [tag("p", part.note)] if part.note else []
     texts = {f"All numbers, as JSON{unit}": json.dumps(plain(found), indent=2, allow_nan=False)}
     if file is not None:
@@ -86,34 +90,39 @@ def chapter(
         yield Raw(f"<details><summary>{escaped(summary)}</summary>{tag('pre', text)}</details>")
 
 
-def figure(name: str, caption: str, draw: Callable[[str], bytes]) -> Raw:
-    """A picture in the page: its name for those who do not see it, its caption, and what makes bytes of a kind."""
-    image = base64.b64encode(draw("svg")).decode()
+def _figure(name: str, caption: str, drawing: bytes) -> Raw:
+    """A picture in the page, an SVG: its name for those who do not see it, and its caption."""
+    image = base64.b64encode(drawing).decode()
     return Raw(
         f'<figure><img alt="{escaped(name)}" src="data:image/svg+xml;base64,{image}" />'
         f"<figcaption>{escaped(caption)}</figcaption></figure>"
     )
 
 
-def path(key: str) -> Raw:
+def _path(key: str) -> Raw:
     """Where a number stands in a scene."""
     return Raw(f'<code class="path">{escaped(key)}</code>')
 
 
-def number(value: float) -> str:
+def _number(value: float) -> str:
     """Six digits."""
     return shown(float(value), 6)
 
 
-def data(value: float, text: str) -> Raw:
+def _data(value: float, text: str) -> Raw:
     """A number in full in the attribute, and as it is seen in the text."""
     return Raw(f'<data value="{value!r}">{text}</data>' if math.isfinite(value) else text)
 
 
-def given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+def _estimate(e: Estimate) -> Raw:
+    value, _, ends = interval(e).partition(" ")
+    return Raw(f"{_data(float(e.value), value)} {ends}".rstrip())
+
+
+def _given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     """What a scene was given: inputs with units and sources, effects used and left out, the friction law, what for."""
     found = inputs(plan.scene, None if file is None else file.decode("utf-8-sig"))
-    yield Part(["input", "value", "unit", "what it is", "source"], [[path(i.path), *i[1:]] for i in found], "Inputs")
+    yield Part(["input", "value", "unit", "what it is", "source"], [[_path(i.path), *i[1:]] for i in found], "Inputs")
     rows = [[n, "used" if n in plan.effects else "left out", e.help, e.equation] for n, e in EFFECTS.items()]
     yield Part(["effect", "", "what it does", "equation of the paper"], rows)
     laws = (f"{n}: {LAWS[n].help}" if n in LAWS else n for n in law_names(plan.scene.friction))
@@ -128,13 +137,7 @@ def given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
 
 
 def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), command: str = "") -> str:
-    """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it.
-
-    Raises
-    ------
-    ImportError
-        Without matplotlib.
-    """
+    """A report on motions as HTML, of each its scene's file, where there is one, and the command that writes it."""
     files = files or [None] * len(motions)
     names = [m.plan.scene.name or f"scene {k + 1}" for k, m in enumerate(motions)]
     parts = []
@@ -142,46 +145,123 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
         links = [Raw(f'<a href="#scene-{k + 1}">{escaped(name)}</a>') for k, name in enumerate(names)]
         parts.append(table([[q.label, *(_value(q, m) for m in motions)] for q in RESULTS], ["", *links]))
     for k, (m, file) in enumerate(zip(motions, files, strict=True)):
-        told = chapter(m.plan, m.warnings, _told(m, file), record(m), " in SI units and radians", file)
+        told = _chapter(m.plan, m.warnings, _of_motion(m, file), record(m), " in SI units and radians", file)
         parts += [Raw(f'<section id="scene-{k + 1}">'), tag("h2", names[k]), *told, Raw("</section>")]
-    return page(f"Rotational slide: {', '.join(names)}", parts, zip(names, files, strict=True), command)
+    return _page(f"Rotational slide: {', '.join(names)}", parts, zip(names, files, strict=True), command)
 
 
-def _told(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
+def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     plan = motion.plan
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in plan.scene.uncertain.values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
-    stability = stability_column(plan.scene.stability) if plan.scene.stability else {}
-    rests = f"It does not come to rest: what is said of the end is said of the {ending(motion)}."
-    yield Part([], [*([q.label, _value(q, motion)] for q in results(motion)), *stability.items()], "Key results",
-               "" if motion.arrested else rests)  # fmt: skip
+    known, told = {q.label: q for q in results(motion)}, motion_column(motion, verbose=True)
+    rows = [[label, _value(known[label], motion, text) if label in known else text] for label, text in told.items()]
+    yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
-    for name, caption, draw in pictures.of(motion):
-        yield figure(f"{name} of {plan.scene.name}", caption, draw)
-    yield from given(plan, file)
+    captions = {
+        "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
+    }
+    if motion.moves:
+        captions |= {
+            "histories": "The motion over time. Where the mobilised friction is below the friction needed to stand "
+            "still the mass tends to speed up, elsewhere to slow down.",
+            "phase plane": "Speed against displacement, and the energy: what is dissipated and what is kinetic make "
+            f"up the {work(motion)}.",
+        }
+    if "shaking" in plan.effects:
+        captions["shaking"] = (
+            "What shakes the scene, over gravity; at the start it would move as soon as k_h passes k_y."
+        )
+    for what, caption in captions.items():
+        yield _figure(f"{what.capitalize()} of {plan.scene.name}", caption, pictures.picture(what, motion, "svg"))
+    yield from _given(plan, file)
     error = motion.error_estimate
     yield Part([], [
-        ["method", plan.method],
         ["program of", ", ".join(plan.fragments)],
-        ["relative error asked for", number(plan.accuracy)],
-        ["relative error estimated, of peak, run-out and duration", data(error, number(error))],
+        ["relative error asked for", _number(plan.accuracy)],
+        ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
         ["warnings", "; ".join(motion.warnings) or "none"],
     ], "Method and accuracy")  # fmt: skip
     labels = {"kinetic_start": "kinetic energy at the start", "work": work(motion),
               "dissipation": "dissipation, integrated beside the motion", "kinetic_end": "kinetic energy at the end",
               "residual": "residual: start + work - dissipation - end"}  # fmt: skip
     *energies, residual = (abs(float(getattr(motion.energy, name))) for name in labels)
-    yield Part(
-        [], [[label, _value(Quantity(name, "J", label, name), motion.energy)] for name, label in labels.items()],
-        "Energy check", f"The residual is {number(residual / (max(energies) or 1.0))} of the largest of them.",
-    )  # fmt: skip
+    rows = [[label, _value(Quantity(name, "J", label, name), motion.energy)] for name, label in labels.items()]
+    share = _number(residual / (max(energies) or 1.0))
+    yield Part([], rows, "Energy check", f"The residual is {share} of the largest of them.")
 
 
-def _value(quantity: Quantity, found: Any) -> Raw:
-    """A number of the result: in full in the attribute, with six digits in the text."""
+def _value(quantity: Quantity, found: Any, told: str = "") -> str:
+    """A number of the result: in full in the attribute, with six digits in the text; else what is told of it."""
     value = quantity.read(found)
     if isinstance(value, bool) or np.ndim(value):
-        return Raw(quantity.text(found))
+        return told or quantity.text(found)
     seen, unit = quantity.seen(value)
-    return data(float(value), f"{number(seen)} {unit}".rstrip())
+    return _data(float(value), f"{_number(seen)} {unit}".rstrip())
+
+
+# --- studies ---------------------------------------------------------------------------------------------------------
+
+
+def parts(found: Study) -> Iterator[Part]:
+    """What is said of a study of samples, on the screen and in its report, in this order."""
+    heads = [q.heading for q in OUTCOMES.values()]
+    yield Part([], [["probability of moving", found.moving]], "Whether it moves", f"{found.n} samples; in brackets the "
+               f"interval of {100 * found.confidence:g} % confidence from their number")  # fmt: skip
+    yield Part(
+        ["exceeded with probability", *heads],
+        [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in export.QUANTILES],
+        "How far and how fast",
+        "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
+    )  # fmt: skip
+    rows = []
+    for k, (what, estimated) in enumerate((("mean", found.mean), ("std", found.std))):
+        rows.append([what, *map(estimated, OUTCOMES)])
+        if found.linear:
+            rows.append([f"linear {what}", *(shown(found.linear[n][k]) for n in OUTCOMES)])
+    linear = f"no linear propagation: {found.no_linear}" if found.no_linear else "linear: derivatives at the means"
+    yield Part(["", *heads], rows, "Mean and standard deviation", linear)
+    if found.sensitivity:
+        shares = [
+            [words(output), of.key, first, total]
+            for output, both in found.sensitivity.items()
+            for of, first, total in zip(found.design.inputs.values(), *both, strict=True)
+        ]
+        yield Part(["output", "input", "first-order index", "total index"], shares, "Which unknown matters",
+                   "shares of the variance: what each explains on its own, and with all that it does together with "
+                   f"others; from {found.design.base} base points")  # fmt: skip
+    yield Part(["samples", "probability of moving", "median reach (m)", "95 % quantile (m)"],
+               [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence], "Convergence")  # fmt: skip
+
+
+def study_report(found: Study, file: bytes | None = None, command: str = "") -> str:
+    """A report on an ensemble of samples as HTML, as `report` is one; the command gets the seed where it has none."""
+    name, planned = found.scene.name or "scene", plan(found.scene, found.design.accuracy)
+    if command and "--seed" not in command:
+        command += f" --seed {found.seed}"
+    told = _chapter(planned, found.warnings, _of_study(found, planned, file), export.record(found), "", file)
+    return _page(f"Uncertain slide: {name}", told, [(name, file)], command)
+
+
+def _of_study(found: Study, planned: Plan, file: bytes | None) -> Iterable[Part | Raw]:
+    study = found.design
+    yield from parts(found)
+    yield tag("h3", "Pictures")
+    caption = "The probability that greatest displacement and peak velocity are at least so large"
+    caption += "; below, which unknown matters." if found.sensitivity else "."
+    yield _figure(f"Exceedance of {found.scene.name}", caption, pictures.picture("study", found, "svg"))
+    yield from _given(planned, file)
+    drawn = [(u.key, {k: v for k, v in u.record.items() if k != "key"}) for u in study.drawn.values()]
+    yield Part(["input", "distribution, independent of the others"],
+               [[_path(key), ", ".join(f"{k} {v}" for k, v in of.items())] for key, of in drawn],
+               "What is uncertain")  # fmt: skip
+    ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}
+    yield Part([], [
+        ["samples", f"{study.n}, {study.method}"],
+        ["seed", str(found.seed)],
+        ["samples of a block", str(found.size)],
+        ["samples by how they ended", ", ".join(f"{count} {ending}" for ending, count in ends.items())],
+        ["relative error asked for, of each solution", _number(study.accuracy)],
+        ["relative error of quantiles from bins", "none: samples were kept" if found.samples else _number(BIN_ERROR)],
+    ], "Method and accuracy")  # fmt: skip

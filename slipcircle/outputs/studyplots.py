@@ -4,14 +4,14 @@ Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of 
 """
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.outputs.plotstyle import AREAS, LINES, axis, empty, legend, lines, mark, number, sheet
+from slipcircle.outputs.plotstyle import AREAS, LINES, axis, empty, legend, lines, mark, number
 from slipcircle.scene.numbers import number_in
 from slipcircle.studies.motions import motions
 
@@ -23,13 +23,8 @@ if TYPE_CHECKING:
 DRAWN = ("reach", "peak_velocity")  # a hazard is how far and how fast it comes, not where it ends
 _POINTS = 801  # of a curve, from 0 to the largest value
 # Of a family of curves: colours that the colour-blind tell apart, dashes and markers that greys leave apart.
-_STYLES: tuple[Mapping[str, Any], ...] = tuple(
-    {"color": colour, "ls": dashes, "marker": marker}
-    for colour, dashes, marker in (
-        ("#0072B2", "-", "o"), ("#D55E00", (0, (5, 2)), "s"), ("black", (0, (1, 1.2)), "^"),
-        ("#009E73", (0, (6, 1.5, 1, 1.5)), "D"), ("#CC79A7", "-", "x"), ("#E69F00", (0, (3, 1)), "v"),
-    )
-)  # fmt: skip
+_STYLES = (("#0072B2", "-", "o"), ("#D55E00", (0, (5, 2)), "s"), ("black", (0, (1, 1.2)), "^"),
+           ("#009E73", (0, (6, 1.5, 1, 1.5)), "D"), ("#CC79A7", "-", "x"), ("#E69F00", (0, (3, 1)), "v"))  # fmt: skip
 _STEPS = {"deg": 1.0, "x": 0.1, "y": 0.1}  # of changes that a tornado draws, by the end of a key: degrees, m
 _SHARE = 0.01  # of all others
 
@@ -39,7 +34,7 @@ def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool
 
     On a logarithmic axis, where what is rare shows, it stands beside the linear one, which has the legend.
     """
-    _check(found, output, OUTCOMES)
+    _check(found)
     ax, unit = axis(ax), OUTCOMES[output].unit
     ax.set(xlabel=_label(output), ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
@@ -66,7 +61,7 @@ def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool
 
 def indices(found: "Study", output: str = "reach", ax: Any = None, named: bool = True) -> Any:
     """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence."""
-    _check(found, output, (*OUTCOMES, "moves"))
+    _check(found)
     if output not in found.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
     keys, of = [u.key for u in found.design.inputs.values()], found.sensitivity[output]
@@ -107,16 +102,14 @@ def tornado(
     ``{"friction.angle_deg": 2.0}``, and only these are drawn; by default each angle by 1 degree, each coordinate by
     0.1 m, all else by 1 %. ``named`` tells whether the axis has a legend.
     """
-    _known("tornado", "output", output, table.outputs)
-    keys = table.keys
-    for changed in changes or ():
-        _known("tornado", "changes", changed, [keys[n].key for n in table.parameters])
+    if unknown := set(changes or ()) - {key.key for key in table.keys.values()}:
+        raise ValueError(f"tornado: changes: the scene has no {', '.join(unknown)}")
     bars = []
-    for k, name in enumerate(table.parameters):
-        key = keys[name]
+    for name, by_si in zip(table.parameters, table.values[list(table.outputs).index(output)], strict=True):
+        key = table.keys[name]
         value, whole = float(key.from_si(table.at[name])), _STEPS.get(re.split(r"[_.]", key.key)[-1])
         step = (whole or _SHARE * abs(value)) if changes is None else changes.get(key.key, 0.0)
-        slope = float(table.values[list(table.outputs).index(output), k] * key.slope(value))
+        slope = float(by_si * key.slope(value))
         said = f"{number(value)} ± " + (f"{100 * _SHARE:g} %" if changes is None and not whole else f"{step:.3g}")
         if step and (slope or changes is not None):
             bars.append((slope * step, f"{key.key} = {said}"))
@@ -145,13 +138,12 @@ def tornados(found: "Sensitivity", figure: Any) -> None:
 
 def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     """An output over the first number of a grid; of a second one, a curve for each of its values."""
-    _known("response", "output", output, OUTCOMES)
     levels, keys = found.design.levels, [u.key for u in found.design.inputs.values()]
     check_grid([len(x) for x in levels])
     ax = axis(ax)
     values = np.where(np.isnan(found.samples["peak_velocity"]), np.nan, found.samples[output])
-    for column, style in zip(values.reshape(len(levels[0]), -1).T, _STYLES, strict=False):
-        ax.plot(levels[0], column, lw=1.8, ms=4, **style)
+    for column, (colour, dashes, marker) in zip(values.reshape(len(levels[0]), -1).T, _STYLES, strict=False):
+        ax.plot(levels[0], column, color=colour, ls=dashes, marker=marker, lw=1.8, ms=4)
     if len(levels) == 2:
         legend(ax, handles=ax.lines, labels=[f"{keys[1]} = {number(x)}" for x in levels[1]])
     ax.set_ylabel(_label(output))
@@ -199,19 +191,19 @@ def check_grid(counts: Sequence[int]) -> None:
         )
 
 
-def overview(found: "Study", figure: Any = None) -> Any:
+def overview(found: "Study", figure: Any) -> Any:
     """Exceedance of reach and of peak velocity, linear and logarithmic, and below what each unknown adds to them.
 
     Of a grid, reach and peak velocity over its numbers.
     """
-    figure, heights = sheet(figure, size(found)), _heights(found)
+    heights = _heights(found)
     grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
     for k, output in enumerate(DRAWN):
         if found.design.method == "grid":
             response(found, output, figure.add_subplot(grid[0, k]))
             continue
-        for column in (0, 1):
-            exceedance(found, output, figure.add_subplot(grid[k, column]), rare=column == 1)
+        exceedance(found, output, figure.add_subplot(grid[k, 0]))
+        exceedance(found, output, figure.add_subplot(grid[k, 1]), rare=True)
         if found.sensitivity:
             indices(found, output, figure.add_subplot(grid[2, k]), named=k == 0)
     figure.suptitle(shorten(found.scene.name, 80), parse_math=False, fontweight="bold")
@@ -233,12 +225,6 @@ def _label(output: str) -> str:
     return f"{OUTCOMES[output].label} ({OUTCOMES[output].unit})"
 
 
-def _check(found: "Study", output: str, known: Iterable[str]) -> None:
-    _known("Study", "output", output, known)
+def _check(found: "Study") -> None:
     if found.design.method == "grid":
         raise ValueError("Study: values on a grid have no probability; draw samples of uncertain numbers")
-
-
-def _known(where: str, what: str, given: str, known: Iterable[str]) -> None:
-    if given not in known:
-        raise ValueError(f"{where}: {what} = {given!r}: must be one of {', '.join(known)}")

@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import replace
 from typing import Any, cast
@@ -16,14 +16,13 @@ from slipcircle.motion.quantities import OUTCOMES, shown, words
 from slipcircle.motion.states import Status
 from slipcircle.outputs import options as read
 from slipcircle.outputs import pictures, studyplots
-from slipcircle.outputs.studyreport import interval, parts, study_report
+from slipcircle.outputs.report import parts, study_report
 from slipcircle.outputs.tables import Answer, Part
 from slipcircle.scene.scene import Scene
 from slipcircle.studies import export
 from slipcircle.studies.design import METHODS
 from slipcircle.studies.engines import ENGINES, engine
 from slipcircle.studies.ensemble import ensemble, grid
-from slipcircle.studies.statistics import Estimate
 from slipcircle.studies.study import Study
 
 _MOST_ROWS = 60  # of a grid, on the screen
@@ -119,10 +118,5 @@ def _of_samples(found: Study) -> _Told:
     head = ("table", "output", "input", "at", "value", "low", "high")
     rows = ([None if x != x else x for x in row] for row in export.rows(found))
 
-    def told() -> Iterator[Part | str]:
-        yield f"{found.scene.name}: {found.design.n} samples, {found.design.method}, seed {found.seed}\n"
-        for part in parts(found):
-            cells = [[interval(c) if isinstance(c, Estimate) else c for c in row] for row in part.rows]
-            yield part._replace(rows=cells)
-
-    return head, rows, lambda: [export.record(found)], told()
+    title = f"{found.scene.name}: {found.design.n} samples, {found.design.method}, seed {found.seed}\n"
+    return head, rows, lambda: [export.record(found)], [title, *parts(found)]

@@ -13,10 +13,11 @@ from generated.effects import EFFECTS
 from slipcircle.flow.program import join
 from slipcircle.motion.motion import Motion
 from slipcircle.motion.plan import Plan, counted
-from slipcircle.motion.quantities import JOURNEY, OUTCOMES, results, shown, time_text, words
+from slipcircle.motion.quantities import JOURNEY, OUTCOMES, results, shown, time_text, to_error, words
 from slipcircle.scene.search import Critical
 from slipcircle.scene.stability import METHODS
 from slipcircle.studies.ladder import Rung
+from slipcircle.studies.statistics import Estimate
 
 if TYPE_CHECKING:
     from slipcircle.motion.derivatives import Sensitivity
@@ -185,7 +186,7 @@ def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> No
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
     columns = zip(*([head] if head else []), *rows, strict=True)
-    first, *rest = ([clean(cell) for cell in column] for column in columns)
+    first, *rest = ([clean(interval(c) if isinstance(c, Estimate) else c) for c in column] for column in columns)
     yield from wrap(clean(title), width)
     lead = _widths([first], max(width * 6 // 10, _LEAST))[0]
     while rest:
@@ -197,6 +198,14 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
         yield from _lines([first, *part], [lead, *_widths(part, most)], bool(head))
         yield ""
     yield from wrap(clean(note), width, break_on_hyphens=False)
+
+
+def interval(e: Estimate) -> str:
+    """A value and its interval, to two digits of the interval's width."""
+    if math.isnan(e.value):
+        return "-"
+    value, *ends = ("?" if math.isnan(x) else to_error(x, e.high - e.low) for x in e)
+    return f"{value} [{', '.join(ends)}]"
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:

@@ -55,16 +55,7 @@ LEVEL = next(iter(LEVELS))
 
 
 def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable[..., Any]:
-    """The function ``(alpha, out, where, accuracy)`` behind a public kernel.
-
-    Parameters
-    ----------
-    name : str
-    texts : mapping
-        The NumPy text of every tier; a kernel that has the tier ``best`` alone is sampled only.
-    level : str, optional
-        One of `LEVELS`; by default the fastest.
-    """
+    """The function ``(alpha, out, where, accuracy)`` behind a public kernel, from its NumPy text of every tier."""
     form, loops = LEVELS[level]
     loop: Any = loops.get("best", {}).get(name)
     # Of plain operations NumPy and C make the same; only where the text calls a library has NumPy a form of its own.

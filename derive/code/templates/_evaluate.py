@@ -19,13 +19,7 @@ def horner(x: Any, coefficients: Sequence[float]) -> Any:
 
 
 def real(args: Sequence[Any]) -> tuple[list[Any], np.dtype[Any]]:
-    """The arguments as arrays, or as Python's numbers, and the floating type of the result.
-
-    Raises
-    ------
-    TypeError
-        For arguments that are not real numbers of at most 64 bits.
-    """
+    """The arguments as arrays, or as Python's numbers, and the floating type of the result; real, at most 64 bits."""
     items = [x if isinstance(x, (bool, int, float)) and not isinstance(x, np.generic) else np.asarray(x) for x in args]
     kind = np.result_type(*items)
     if kind.kind in "biu":
@@ -45,16 +39,8 @@ def evaluate(
 ) -> Any:
     """Compute ``body(*args)`` in float64, block by block, and return it in the arguments' floating type.
 
-    Parameters
-    ----------
-    body : callable
-        Straight-line code over float64 arrays.
-    inside : callable
-        ``inside(eps, *args)`` is true in the domain; eps is that of the arguments' type.
-    safe : tuple of float
-        A point of the domain, which stands in for arguments outside it.
-    args, out, where
-        As NumPy's ufuncs take them.
+    ``inside(eps, *args)`` is true in the domain, eps that of the arguments' type; ``safe``, a point of it, stands in
+    for arguments outside. Arguments, `out` and `where` are as NumPy's ufuncs take them.
     """
     items, kind = real(args)
     eps = float(np.finfo(kind).eps)

@@ -211,6 +211,7 @@ enum { LANES = WIDE / 64, ALL = (1 << LANES) - 1 };
 typedef double V __attribute__((vector_size(WIDE / 8)));
 typedef int64_t M __attribute__((vector_size(WIDE / 8))); /* true is -1, false is 0 */
 
+@CELLS@
 @CODES@
 enum { NONE = -1, STANDS, LIFTS, TIPS, EDGES }; /* events: none, standstill, lift-off or landing, upright, tables' */
 enum { READY, BEGIN, FACE, GO, ENTER, LEAP, ANEW }; /* what is to be based before a lane's next step */
