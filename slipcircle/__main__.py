@@ -304,8 +304,8 @@ def _sensitivity(options: argparse.Namespace) -> Answer:
 
 
 def _schema(_: argparse.Namespace) -> Answer:
-    from slipcircle.files.scenekeys import schema
     from slipcircle.outputs.guide import guide
+    from slipcircle.scene.keys import schema
 
     return Answer(schema, [guide()])
 

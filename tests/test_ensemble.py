@@ -15,9 +15,9 @@ from scipy import stats
 from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.base.series import Series
 from slipcircle.files.scenefile import load as read
-from slipcircle.files.scenekeys import schema
 from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.states import Status
+from slipcircle.scene.keys import schema
 from slipcircle.studies import export
 from slipcircle.studies.ensemble import grid
 from slipcircle.studies.sampling import monte_carlo

@@ -14,9 +14,8 @@ import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
 from slipcircle.files.scenefile import load as read
-from slipcircle.files.scenekeys import schema
 from slipcircle.outputs.guide import guide
-from slipcircle.scene.keys import tables_of
+from slipcircle.scene.keys import schema, tables_of
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 FOLDER = Path(slipcircle.__file__).parent / "scenes"

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -53,16 +54,28 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
     return found
 
 
+_KINDS = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers",
+          "series": "a function of time, a Series or a Pulse"}  # fmt: skip
+
+
 def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
-    """A sentence for each declared parameter that is missing or out of its bounds, and for what is none of them."""
-    wanted = {p.name: p for p in parameters}
+    """A sentence for each declared parameter that is missing, odd or out of bounds, and for what is none of them."""
+    wanted = {p.name: p for p in parameters if p.kind != "rotation"}
     found = [f"{path}: {n!r} is missing: {p.help}" for n, p in wanted.items() if n not in given and not p.optional]
     found += [f"{path}: {n!r} is unknown; known are {', '.join(wanted) or 'none'}" for n in given if n not in wanted]
-    numbers = [p for n, p in wanted.items() if n in given and p.kind in ("number", "list", "series") and p.key]
     sign = {-5e-324: ", at least 0", 0.0: ", positive"}
-    bounds = {p.name: (p.lower, p.upper, f"{p.help}{sign.get(min(p.lower, 0.0), '')} ({p.unit})")
-              for p in numbers if not callable(given[p.name])}  # fmt: skip
-    return found + [f"{path}.{m}" for m in mistakes(given, bounds)]
+    for name, p in wanted.items():
+        value = given.get(name)
+        if name in given and p.kind in ("number", "list", "series") and p.key and not callable(value):
+            words = f"{p.help}{sign.get(min(p.lower, 0.0), '')} ({p.unit})"
+            found += [f"{path}.{m}" for m in mistakes(given, {name: (p.lower, p.upper, words)})]
+        elif name in given:
+            right = {"number": False, "list": False, "series": hasattr(value, "kinks"), "flag": isinstance(value, bool),
+                     "text": isinstance(value, str | int | PathLike)}  # fmt: skip
+            if not right.get(p.kind, value in p.kind.split("|")):
+                allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
+                found.append(f"{path}.{name} = {value!r}: must be {allowed}: {p.help}")
+    return found
 
 
 def shape_mistakes(fields: Mapping[str, ArrayLike]) -> list[str]:

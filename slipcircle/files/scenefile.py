@@ -6,6 +6,7 @@ import os
 import re
 import tomllib
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 from importlib import resources
 from os import PathLike
@@ -14,16 +15,17 @@ from typing import Any, NamedTuple
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.distributions import distribution_mistakes, distribution_of
-from slipcircle.files import slopefile
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.friction import RATE_LAWS, law_mistakes
-from slipcircle.scene.keys import SLOPING, Key, Table, law_table, sloping, tables_of
+from slipcircle.scene.ground import circle_through, circle_touching, simple_slope
+from slipcircle.scene.keys import SLOPING, Key, Table, law_table, tables_of
 from slipcircle.scene.numbers import numbers
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.search import Critical
+from slipcircle.scene.search import Critical, at_circle, critical
 from slipcircle.scene.section import Section
-from slipcircle.scene.stability import soil
+from slipcircle.scene.stability import Slope, soil
 
+_MOST_COHESION = 1e5  # kPa, of any soil: more was in Pa
 _FOLDER = resources.files("slipcircle") / "scenes"
 
 
@@ -118,7 +120,11 @@ def _parts(
     tables, on_slope = tables_of(law or "constant", rate), "ground" in document
     found = ["arc: and ground exclude each other; leave one out"] if on_slope and "arc" in document else []
     if on_slope:
-        tables, document = sloping(tables), {k: v for k, v in document.items() if k != "arc"}
+        tables = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
+        cohesion = tables["cohesion"].keys["cohesion_kPa"]
+        plausible = {"cohesion_kPa": cohesion._replace(number=replace(cohesion.number, high=_MOST_COHESION))}
+        tables["cohesion"] = tables["cohesion"]._replace(keys=plausible)
+        document = {k: v for k, v in document.items() if k != "arc"}
     if not law:  # of one that is anybody's guess nothing else can be judged
         document = document | {"friction": {"law": wanted, "coefficient": 0.0}}
     said = _said(document, tables)
@@ -140,16 +146,55 @@ def _parts(
             own |= {k: str(Path(file).parent / v) for k, v in own.items() if k.endswith("record")}
         if on_slope:
             try:
-                of_slope = {name: given.get(name, {}) for name in SLOPING}
-                arc, stability = slopefile.section(of_slope, soil(friction, effects), tell)
+                arc, stability = _section(given, soil(friction, effects), tell)
             except ValueError as error:
-                found = str(error).splitlines()
+                found = [_by_sloping_key(str(error))]
     if found:
         raise ValueError("\n".join(f"{file}: {m}" for m in found))
     parts = {"arc": arc, "friction": friction, "effects": effects, "uncertain": said.uncertain, "stability": stability}
     if law == "constant" and by_rate is None:
         parts["friction"] = friction["coefficient"]
     return parts | {"name": Path(file).stem} | given[""], tables
+
+
+def _section(
+    given: Mapping[str, dict[str, Any]], strength: Mapping[str, float], tell: Callable[[str], None]
+) -> tuple[Section, Critical | None]:
+    """The section of the circle that is given, or of the critical one; and its stability, where the soil has any."""
+    ground, circle, water, limits = (dict(given.get(table, {})) for table in SLOPING)
+    if simple := {n: ground.pop(n) for n in ("height", "angle", "run") if n in ground}:
+        ground["ground"] = simple_slope(**simple)
+    ground |= {n if n == "level" else "water_unit_weight": v for n, v in water.items()}
+    of_slope = {n: v for n, v in ground.items() if n not in ("gravity", "width")}
+    of_slope |= {"k_h": limits.pop("k_h", 0.0), **strength}
+    if "critical" in circle:
+        if not strength:
+            raise ValueError("critical: circle.critical: needs friction or cohesion, and a pore pressure that is no "
+                             "record")  # fmt: skip
+        found = critical(Slope(**of_slope), circle["critical"], **limits, tell=tell)
+        return Section(**ground, centre=found.centre, radius=found.radius, between=found.between), found
+    if (points := circle.pop("through", None)) is not None:
+        if len(points) != 2:
+            raise ValueError("circle_through: through: must be two points, [[x, y], [x, y]]")
+        between, touching = circle.pop("between", None), circle.get("touching")
+        laid = (
+            circle_through(*points, **circle) if touching is None else circle_touching(points[0], points[1], touching)
+        )
+        circle = {"centre": laid[0], "radius": laid[1], "between": between}
+    body = Section(**ground, **circle)
+    # The circle is known to be above the base, which may lie higher than ground beside it.
+    return body, at_circle(Slope(**of_slope | {"base": None}), body) if strength else None
+
+
+def _by_sloping_key(said: str) -> str:
+    """What a slope or a section says of its arguments, said of the keys that stand for them in a file."""
+    of, _, rest = said.partition(": ")
+    tables = ("search",) if of == "critical" else ("ground", "circle", "water")
+    keys = {key.name: f"{t}.{k}" for t in tables for k, key in SLOPING[t].keys.items()}
+    keys |= {"pore_ratio": "pore_pressure.ratio", "pressure": "pore_pressure.pressure_kPa"}
+    keys["friction"] = "friction.coefficient"
+    rest = re.sub(rf"(^|; |choose one by )({'|'.join(keys)})(?= =|:|\[)", lambda m: m[1] + keys[m[2]], rest)
+    return f"critical: {rest}" if of == "critical" else rest
 
 
 def _by_key(said: str, tables: Mapping[str, Table]) -> str:

@@ -17,7 +17,7 @@ from slipcircle.flow.compiled import engine
 from slipcircle.flow.program import Log, Samples
 from slipcircle.scene.arc import Arc
 from slipcircle.scene.section import Section
-from slipcircle.scene.variation import arc_with
+from slipcircle.scene.variation import unchecked
 
 Floats = NDArray[np.float64]
 # Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
@@ -98,7 +98,7 @@ class Lanes:
             return value[which] if by_lane else value
 
         given = {f.name: cut(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = arc_with(self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()})
+        arc = unchecked(self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()})
         return Lanes(**given | {"arc": arc, "count": np.arange(self.count)[which].size})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:

@@ -14,7 +14,7 @@ from slipcircle.motion.motion import KEPT, Motion, kept
 from slipcircle.motion.plan import CLOSED_IN_TIME, Plan, plan
 from slipcircle.motion.states import Status
 from slipcircle.scene.scene import Scene
-from slipcircle.scene.variation import arc_with
+from slipcircle.scene.variation import unchecked
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
@@ -83,7 +83,7 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
         return value if value.shape == (count, *own) else np.broadcast_to(value, (*scene.shape, *own)).reshape(-1, *own)
 
     numbers = scene.numbers
-    arc = arc_with(scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()})
+    arc = unchecked(scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()})
     called = {
         e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
     }

@@ -103,11 +103,9 @@ class Arc(Mass, Generic[Numbers]):
 
     def __post_init__(self) -> None:
         values = {name: getattr(self, name) for name in ARC_BOUNDS}
-        found = mistakes(values, ARC_BOUNDS)
-        if not found:
-            found = shape_mistakes(values)
-        if not found:
-            found = complaint(self.faults(), np.broadcast_shapes(np.shape(self.theta_1), np.shape(self.theta_2)))
+        shape = np.broadcast_shapes
+        found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
+        found = found or complaint(self.faults(), shape(np.shape(self.theta_1), np.shape(self.theta_2)))
         given: Any = self.given
         if not isinstance(given, Mapping | None):
             found.append(f"given = {given!r}: must be a mapping of coefficients, or None")

@@ -80,23 +80,18 @@ _BOUNDS: Mapping[str, Bounds] = {
 }  # fmt: skip
 
 
-def field_mistakes(given: Mapping[str, Any], many: bool = False) -> list[str]:
-    """What is wrong with the fields of a slope, or of many sections, each by itself."""
+def field_mistakes(given: Mapping[str, Any], axes: Mapping[str, int] | None = None) -> list[str]:
+    """What is wrong with the fields of a slope; or of sections, also as shapes in front of the axes of one."""
     bounds = {n: b for n, b in _BOUNDS.items() if n in given and (given[n] is not None or n not in ("base", "between"))}
-    found = mistakes(given, bounds, one=("base", "water_unit_weight") if many else bounds)
-    if not found and many:  # all of them are numbers
+    found = mistakes(given, bounds, one=("base", "water_unit_weight") if axes else bounds)
+    if not found and axes:  # all of them are numbers
         pair, odd = given["between"], [] if np.shape(given["centre"])[-1:] == (2,) else ["centre"]
         if pair is not None and not (np.shape(pair) == (2,) and pair[0] < pair[1]):
             odd.append("between")
         found = [f"{n} = {given[n]!r}: must be {bounds[n][2]}" for n in odd]
     lines = [n for n in ("ground", "level") if n == "ground" or given[n] is not None]
-    return found + [m for n in lines for m in line_mistakes(n, given[n], many)]
-
-
-def section_mistakes(given: Mapping[str, Any], axes: Mapping[str, int]) -> list[str]:
-    """What is wrong with the fields of sections, each by itself, and as shapes in front of the axes of one."""
-    found = field_mistakes(given, many=True)
-    if not found:
+    found += [m for n in lines for m in line_mistakes(n, given[n], bool(axes))]
+    if axes and not found:
         held = {n: np.shape(given[n]) for n in axes if given[n] is not None}
         shaped = {n: np.empty(shape[: len(shape) - axes[n]]) for n, shape in held.items()}
         found = shape_mistakes(shaped) or [f"{n}: is empty" for n, v in shaped.items() if not np.size(v)]
@@ -115,14 +110,12 @@ def simple_slope(height: float, *, angle: float | None = None, run: float | None
     angle, run : float
         Of the slope in rad, up to upright, or its horizontal length in m; one of them.
     """
-    found = mistakes({"height": height}, {"height": (0.0, INFINITY, "a positive length in m")})
-    if (angle is None) == (run is None):
-        found.append("angle or run: give one of them")
-    elif angle is not None:
-        found += mistakes({"angle": angle}, {"angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")})
-    else:
-        found += mistakes({"run": float(run or 0.0)}, {"run": (-5e-324, INFINITY, "a length of at least 0 in m")})
-    raise_all("simple_slope", found)
+    bounds = {"height": (0.0, INFINITY, "a positive length in m"),
+              "run": (-5e-324, INFINITY, "a length of at least 0 in m"),
+              "angle": (0.0, 1.5707963267948968, "above 0 and at most pi/2 (rad)")}  # fmt: skip
+    given = {n: v for n, v in {"height": height, "run": run, "angle": angle}.items() if v is not None}
+    found = [] if len(given) == 2 else ["angle or run: give one of them"]
+    raise_all("simple_slope", mistakes(given, {n: bounds[n] for n in given}) + found)
     if angle is not None:
         run = 0.0 if angle > 1.5707963 else height / float(np.tan(angle))
     assert run is not None

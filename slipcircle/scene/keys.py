@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
+from slipcircle.base.distributions import DISTRIBUTIONS
 from slipcircle.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
 from slipcircle.scene.friction import RATE_LAWS, may_have_rate
 from slipcircle.scene.stability import METHODS
@@ -186,10 +187,13 @@ def _keys(p: Parameter) -> dict[str, Key]:
     return {p.key: _number(p, p.help, unit, not p.optional)}
 
 
-def _table(title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}) -> Table:
+def _table(
+    title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: tuple[str, ...] = ()
+) -> Table:
     keys = {p: _keys(p) for p in parameters}
     pairs = tuple(tuple(pair) for p, pair in keys.items() if len(pair) > 1 and not p.optional)
-    return Table(title, dict(more) | {k: key for pair in keys.values() for k, key in pair.items()}, pairs)
+    needed = tuple(k for p, pair in keys.items() if p.name in any_of for k in pair)
+    return Table(title, dict(more) | {k: key for pair in keys.values() for k, key in pair.items()}, pairs, needed)
 
 
 def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
@@ -199,11 +203,6 @@ def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
 
 def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
     """Every table that a scene file may have, by its path."""
-    effects = {}
-    for name, effect in EFFECTS.items():
-        needed = [p for p in effect.parameters if p.name in effect.any_of]
-        table = _table(effect.help, effect.parameters)
-        effects[name] = table._replace(any_of=tuple(k for p in needed for k in _keys(p)))
     by_rate = {"friction.rate": law_table(rate, RATE_LAWS)._replace(title="law of speed that multiplies that of slip")}
     return {
         "": _table("a scene of slipcircle", _TOP, _TEXT),
@@ -211,7 +210,7 @@ def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
         "arc.given": _table("coefficients of the equation of motion, taken as they are", _GIVEN),
         "friction": law_table(law)._replace(title="friction on the slip surface", required=True),
         **(by_rate if may_have_rate(law) else {}),
-        **effects,
+        **{name: _table(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()},
     }
 
 
@@ -268,14 +267,66 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
         _pair("entry", "x of the upper end") | _pair("exit", "x of the lower end"),
     ),
 }  # fmt: skip
-_PLAUSIBLE = {"coefficient": 4.0, "cohesion_kPa": 1e5}
 
 
-def sloping(tables: Mapping[str, Table]) -> dict[str, Table]:
-    """The tables of a scene with a ground in place of an arc, and the soil of one."""
-    found = {path: table for path, table in tables.items() if not path.startswith("arc")} | dict(SLOPING)
-    for path in ("friction", "cohesion"):
-        keys = {k: key._replace(number=replace(key.number, high=_PLAUSIBLE.get(k, key.number.high)))
-                for k, key in found[path].keys.items()}  # fmt: skip
-        found[path] = found[path]._replace(keys=keys)
-    return found
+# --- the JSON Schema of a scene file, for editors --------------------------------------------------------------------
+
+_LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
+_DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema (draft 2020-12) of a scene file: with an arc, or with a ground and a circle in its place."""
+    tables = tables_of("constant")
+    defs = {name: _object({"distribution": {"const": name}} | {k: {"type": "number"} for k in kind.parameters},
+                          f"{name} distribution, in the key's unit; {kind.help}".rstrip("; "),
+                          ["distribution", *kind.parameters])
+            for name, kind in DISTRIBUTIONS.items()}  # fmt: skip
+
+    def defined(name: str, table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+        defs[name] = _told(table, more)
+        return {"$ref": f"#/$defs/{name}"}
+
+    given = defined("given", tables["arc.given"])
+    rates = {"anyOf": [defined(f"rate_{law}", law_table(law, RATE_LAWS)) for law in RATE_LAWS]}
+    laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
+    inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
+    inner |= {name: defined(name, tables[name]) for name in EFFECTS}
+    inner |= {name: _told(table) for name, table in SLOPING.items()}
+    found = _told(tables[""], inner)
+    found["required"] = ["friction"]
+    found["oneOf"] = [
+        {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in SLOPING]}},
+        {"required": ["ground", "circle"], "not": {"required": ["arc"]}},
+    ]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
+
+
+def _told(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+    keys = {k: _value(key) for k, key in table.keys.items()}
+    found = _object(keys | dict(more), table.title, [k for k, key in table.keys.items() if key.required])
+    needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
+    needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
+    needs += [{"oneOf": [{"required": list(keys)} for keys in table.sets]}] if table.sets else []
+    return found | ({"allOf": needs} if needs else {})
+
+
+def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> dict[str, Any]:
+    return {"type": "object", "title": title, "properties": dict(properties), "required": required,
+            "additionalProperties": False}  # fmt: skip
+
+
+def _value(key: Key) -> dict[str, Any]:
+    """What a key may hold; a number may be uncertain, unless it is fixed."""
+    number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
+    many = {"type": "array", "items": number}
+    pair = many | {"minItems": 2, "maxItems": 2}
+    either = [number, *_DISTRIBUTIONS]
+    kinds: dict[str, dict[str, Any]] = {
+        "text": {"type": "string"}, "flag": {"type": "boolean"}, "number": {"anyOf": either}, "fixed": number,
+        "list": many, "series": {"anyOf": [*either, many]}, "pair": pair,
+        "points": {"type": "array", "items": pair, "minItems": 2},
+    }  # fmt: skip
+    words = key.kind.split("|")
+    choice = {"const": key.kind} if len(words) == 1 else {"enum": words}
+    return kinds.get(key.kind, choice) | {"title": key.title, "description": key.allowed}

@@ -5,13 +5,12 @@ from __future__ import annotations  # so that a signature says ArrayLike
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from os import PathLike
 from typing import TYPE_CHECKING, Any, Generic, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from generated.effects import EFFECTS, LAWS, Parameter
+from generated.effects import EFFECTS, LAWS
 from slipcircle.base.checks import INFINITY, Bounds, mistakes, parameter_mistakes, raise_all, shape_mistakes
 from slipcircle.base.kinds import Array, Numbers
 from slipcircle.base.series import Pulse, Series
@@ -130,20 +129,16 @@ class Scene(Generic[Numbers]):
             )
         gravity = np.unique(self.arc.gravity).tolist() if known else []
         for name, parameters in effects.items():
-            said = _effect_mistakes(name, parameters)
-            if (
-                not said
-                and "record" in parameters
-                and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain})
-            ):
-                said = ["arc.gravity: must be one number with a record, which is read over gravity; give "
-                        "effects.shaking.horizontal as a Series over gravity instead"]  # fmt: skip
-            elif not said:
+            if said := _effect_mistakes(name, parameters):
+                found += said
+            elif "record" in parameters and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}):
+                found.append("arc.gravity: must be one number with a record, which is read over gravity; give "
+                             "effects.shaking.horizontal as a Series over gravity instead")  # fmt: skip
+            else:
                 try:
                     effects[name] = resolved(name, parameters, max(gravity, default=9.81))
                 except ValueError as error:
-                    said = [str(error)]
-            found += said
+                    found.append(str(error))
         found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
         uncertain: Any = self.uncertain
         if not isinstance(uncertain, Mapping):
@@ -226,28 +221,6 @@ def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
     if name not in EFFECTS:
         return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
     effect = EFFECTS[name]
-    given = [(p, parameters[p.name]) for p in effect.parameters if p.name in parameters]
-    found = [f"effects.{name}.{p.name} = {v!r}: must be {_allowed(p)}: {p.help}" for p, v in given if _odd(p, v)]
-    if effect.any_of and not any(n in parameters for n in effect.any_of):
-        found.append(f"effects.{name}: one of {', '.join(effect.any_of)} is missing")
-    wanted = [p for p in effect.parameters if p.kind != "rotation"]
-    return found + parameter_mistakes(f"effects.{name}", parameters, wanted)
-
-
-def _odd(p: Parameter, value: Any) -> bool:
-    """Whether a value that is no number is not of its kind either."""
-    if p.kind == "series" and callable(value):
-        return not hasattr(value, "kinks")
-    if p.kind in ("number", "list", "series"):
-        return callable(value) or not p.key  # what a file cannot say is no number
-    if p.kind == "flag":
-        return not isinstance(value, bool)
-    if p.kind == "text":
-        return not isinstance(value, str | int | PathLike)
-    return value not in p.kind.split("|")
-
-
-def _allowed(p: Parameter) -> str:
-    kinds = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers",
-             "series": "a function of time, a Series or a Pulse"}  # fmt: skip
-    return kinds.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
+    lacks = effect.any_of and not {*effect.any_of} & {*parameters}
+    found = [f"effects.{name}: one of {', '.join(effect.any_of)} is missing"] if lacks else []
+    return found + parameter_mistakes(f"effects.{name}", parameters, effect.parameters)

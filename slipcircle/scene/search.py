@@ -233,25 +233,21 @@ class Search:
 
     def judged(self, q: Floats) -> Floats:
         """The factor of each circle, NaN where there is none, or none that is wanted."""
-        blocks = np.array_split(q, -(-len(q) * len(self.ground) // _SIZE))
-        return np.concatenate([self._judged(block) for block in blocks])
-
-    def _judged(self, q: Floats) -> Floats:
-        """The same of one block."""
         values = np.full(len(q), np.nan)
-        lanes = np.nonzero(np.subtract(*self.points(q[:, 1::-1]).T[0]) > self.blur)[0]
-        circle = self.laid(q[lanes])
-        k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
-        centre, radius, left, right = (part[k] for part in circle)
-        found = factors(self.slope, centre, radius, left, right, (self.method,))
-        good = found[self.method] > 0.0
-        for limit, way in zip(self.ends.values(), (1.0, -1.0), strict=True):
-            if limit is not None:
-                x = np.where(found["facing"] == way, left[:, 0], right[:, 0])
-                good &= (x >= limit[0] - self.blur) & (x <= limit[1] + self.blur)
-        values[lanes[k]] = np.where(good, found[self.method], np.nan)
-        self.centres.append(circle[0])
-        self.values.append(values[lanes])
+        every = np.nonzero(np.subtract(*self.points(q[:, 1::-1]).T[0]) > self.blur)[0]
+        for lanes in np.array_split(every, -(-len(every) * len(self.ground) // _SIZE) or 1):
+            circle = self.laid(q[lanes])
+            k = np.nonzero(self._thickness(q[lanes], *circle[:2]) >= self.depth)[0]
+            centre, radius, left, right = (part[k] for part in circle)
+            found = factors(self.slope, centre, radius, left, right, (self.method,))
+            good = found[self.method] > 0.0
+            for limit, way in zip(self.ends.values(), (1.0, -1.0), strict=True):
+                if limit is not None:
+                    x = np.where(found["facing"] == way, left[:, 0], right[:, 0])
+                    good &= (x >= limit[0] - self.blur) & (x <= limit[1] + self.blur)
+            values[lanes[k]] = np.where(good, found[self.method], np.nan)
+            self.centres.append(circle[0])
+            self.values.append(values[lanes])
         return values
 
     def _thickness(self, q: Floats, centre: Floats, radius: Floats) -> Floats:

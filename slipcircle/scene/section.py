@@ -15,7 +15,7 @@ from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.scene import circles
 from slipcircle.scene.circles import Cut, Floats
 from slipcircle.scene.faults import faults, unmoved
-from slipcircle.scene.ground import line_faults, section_mistakes
+from slipcircle.scene.ground import field_mistakes, line_faults
 from slipcircle.scene.weights import Dimensionless, Mass, Weights
 
 
@@ -92,7 +92,7 @@ class Section(Mass):
     given: ClassVar[None] = None
 
     def __post_init__(self) -> None:
-        raise_all("Section", section_mistakes(vars(self), self.quantities) or complaint(faults(self), self.shape))
+        raise_all("Section", field_mistakes(vars(self), self.quantities) or complaint(faults(self), self.shape))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Section) and all(
@@ -344,16 +344,15 @@ class Section(Mass):
 
     def drowned(self, *rotations: float) -> float:
         """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
-        if self.level is None:
-            return 0.0
-        if len(rotations) > 1:
-            return max(map(self.drowned, rotations))
-        points, level = self.placed(self.surface, rotations[0]), np.asarray(self.level, dtype=np.float64)
-        (x, y), (dx, dy) = points[:-1].T, np.diff(points, axis=0).T
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = (level[:, :1] - x) / dx  # of each edge, where a vertex of the level is
-        depth = np.where((share > 0.0) & (share < 1.0), level[:, 1:] - (y + share * dy), 0.0)
-        return float(max(0.0, depth.max(), (np.interp(points[:, 0], *level.T) - points[:, 1]).max()))
+        deepest, level = 0.0, np.asarray(self.level, dtype=np.float64)
+        for rotation in rotations if self.level is not None else ():
+            points = self.placed(self.surface, rotation)
+            (x, y), (dx, dy) = points[:-1].T, np.diff(points, axis=0).T
+            with np.errstate(divide="ignore", invalid="ignore"):
+                share = (level[:, :1] - x) / dx  # of each edge, where a vertex of the level is
+            depth = np.where((share > 0.0) & (share < 1.0), level[:, 1:] - (y + share * dy), 0.0)
+            deepest = max(deepest, depth.max(), (np.interp(points[:, 0], *level.T) - points[:, 1]).max())
+        return float(deepest)
 
     # --- where it goes -----------------------------------------------------------------------------------------------
 

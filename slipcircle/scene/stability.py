@@ -48,7 +48,6 @@ of from a fifth on. Beside Taylor's friction circles Bishop's least factor is ri
 would be 4 to 23 % too great there. With mu = 0 the share is without meaning."""
 LEAST_LEVER = 0.05  # of m_alpha: below, Bishop's normal stress is without sense
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(10)
-_LINES = ("ground", "level")
 _ROUNDS, _LEAST = 20, 5e-3  # steps towards Bishop's factor, and the least that is looked for
 
 
@@ -101,14 +100,15 @@ class Slope:
         if self.level is not None and self.pore_ratio != 0.0:
             found.append(f"pore_ratio = {self.pore_ratio!r}: and level exclude each other; leave one out")
         if not found:
-            for name in _LINES if self.level is not None else _LINES[:1]:
-                object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
+            ground = np.array(self.ground, dtype=np.float64)
+            object.__setattr__(self, "ground", ground)
             if self.level is not None:
-                (pond,), said = ponds(np.asarray(self.ground)[None], np.asarray(self.level)[None])
+                object.__setattr__(self, "level", np.array(self.level, dtype=np.float64))
+                (pond,), said = ponds(ground[None], np.asarray(self.level)[None])
                 found += [said(0)] if pond else []
             if self.cohesion == 0.0 and self.friction == 0.0:
                 found.append("cohesion and friction are both 0: the slope has no strength")
-            lowest = float(np.asarray(self.ground)[:, 1].min())
+            lowest = float(ground[:, 1].min())
             if self.base is not None and self.base >= lowest:
                 found.append(f"base = {self.base:.10g}: must lie below the ground, whose lowest point is {lowest:.10g}")
         raise_all("Slope", found)

@@ -7,15 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.scene.arc import Arc
 from slipcircle.scene.numbers import (
     DIP,
-    Number,
     by_key,
-    by_name,
     fields_with,
-    listed,
-    number_in,
     numbers_in,
 )
 from slipcircle.scene.scene import Scene
@@ -24,15 +19,9 @@ from slipcircle.scene.section import Section
 from slipcircle.scene.stability import soil
 
 
-def absent(scene: Scene, path: str) -> str:
-    """What to say of a number that a scene has no value of."""
-    keys = by_name(scene)
-    return f"{path}: the scene has no value of it to vary; it has {listed([keys[n].key for n in scene.numbers])}"
-
-
-def value_in(scene: Scene, number: Number) -> float | None:
+def value_in(scene: Scene, name: str) -> float | None:
     """The value that a scene has of a number, SI; none where it has none."""
-    value = scene.arc.dip if number.name == DIP.name else scene.numbers.get(number.name)
+    value = scene.arc.dip if name == DIP.name else scene.numbers.get(name)
     return None if value is None else float(np.asarray(value))
 
 
@@ -67,15 +56,10 @@ def parts_with(scene: Scene, values: Mapping[str, Any]) -> dict[str, Any]:
     return {"arc": arc, "effects": effects, "friction": friction} | top
 
 
-def arc_with(arc: Arc | Section, values: Mapping[str, Any]) -> Arc | Section:
-    """An arc or a section with other values, which were checked elsewhere, or will be; itself, where none is other."""
-    if all(value is getattr(arc, name) for name, value in values.items()):
-        return arc
-    return _unchecked(arc, values)
-
-
-def _unchecked(whole: Any, values: Mapping[str, Any]) -> Any:
-    """A dataclass with other values, which it does not look at."""
+def unchecked(whole: Any, values: Mapping[str, Any]) -> Any:
+    """A dataclass with other values, which were checked elsewhere, or will be; itself, where none is other."""
+    if all(value is getattr(whole, name) for name, value in values.items()):
+        return whole
     found = object.__new__(type(whole))
     for f in fields(whole):
         object.__setattr__(found, f.name, values.get(f.name, getattr(whole, f.name)))
@@ -121,24 +105,16 @@ def along_means(scene: Scene) -> Scene:
 
 def scenes_with(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> tuple[Scene, NDArray[np.bool_]]:
     """A scene of arrays, unchecked, and which of them are no scenes: the first that is one stands in their place."""
-    bad = _no_scenes(scene, values)
-    own: dict[str, Any] = {n: value_in(scene, number_in(scene, n)) for n in values}
+    known = {n.name: n.plain for n in by_key(scene).values() if not n.tangent}
+    bad = ~np.logical_and.reduce([*np.broadcast_arrays(*(known[n].holds(v) for n, v in values.items()))])
+    own: dict[str, Any] = {n: value_in(scene, n) for n in values}
     while True:
         fill = own if np.all(bad) else {n: v[np.argmin(bad)] for n, v in values.items()}
         parts = parts_with(scene, {n: np.where(bad, fill[n], v) for n, v in values.items()})
-        arc = arc_with(scene.arc, parts["arc"])
+        arc = unchecked(scene.arc, parts["arc"])
         wrong = arc.faults() if arc is not scene.arc and not np.all(bad) else ()
         more = next((lanes for lanes, _ in wrong if np.any(lanes)), None)
         if more is None:
             break
         bad = bad | (more if more.size == 1 else more.reshape(bad.shape))
-    return _unchecked(scene, parts | {"arc": arc}), bad
-
-
-def _no_scenes(scene: Scene, values: Mapping[str, NDArray[np.float64]]) -> NDArray[np.bool_]:
-    """Where values are out of their bounds, as `Arc`, `Section` and `Scene` would refuse them one by one."""
-    known = {n.name: n.plain for n in by_key(scene).values() if not n.tangent}
-    bad = np.zeros(np.broadcast_shapes(*(np.shape(v) for v in values.values())), dtype=bool)
-    for name, value in values.items():
-        bad |= ~known[name].holds(value)
-    return bad
+    return unchecked(scene, parts | {"arc": arc}), bad

@@ -17,10 +17,8 @@ from slipcircle.motion.quantities import OUTCOMES
 from slipcircle.motion.solver import solve
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.variation import scene_with
-from slipcircle.studies import inversion
-from slipcircle.studies.inversion import Space
+from slipcircle.studies.inversion import Bounds, Observed, Space, extreme, fits, observations, roots, search_space
 from slipcircle.studies.motions import derivatives
-from slipcircle.studies.problem import Bounds, Observed, observations, search_space
 from slipcircle.studies.sampling import sobol
 
 Floats = NDArray[np.float64]
@@ -204,26 +202,22 @@ def backanalyse(
     if scene.shape:
         raise ValueError("backanalyse: takes one scene of plain numbers, not an ensemble")
     space = search_space(scene, field, bounds, observed)
-    return _met(space) if len(space.fields) == len(observed) == 1 else _fitted(space)
+    alone = len(space.fields) == len(observed) == 1
+    solutions, doubts = (_met(space), []) if alone else _fitted(space)
+    units = {f.key: f.unit for f in space.fields}
+    return BackAnalysis(units, observed, tuple(solutions), ROOT if alone else FITTED, tuple(doubts))
 
 
-def _met(space: Space) -> BackAnalysis:
+def _met(space: Space) -> list[Solution]:
     """All values of the one field with the one observation."""
-    (field,), (values,), (name,), (wanted,) = space.fields, space.ranges, space.observed, space.seen
-
-    def sample(at: Floats) -> tuple[Floats, inversion.Kinds]:
-        outcomes, kinds = space.sampled(at[None, :])
-        return outcomes[0], kinds
-
-    solutions = [_solution(space, [v]) for v in inversion.roots(sample, values, wanted)]
-    if solutions:
-        solutions.sort(key=lambda s: (len(s.motion.phases), -s.value))
-        return _told(space, solutions, ROOT)
-    if not np.any(np.isfinite(sample(values)[0])):
+    (field,), (name,), (wanted,) = space.fields, space.observed, space.seen
+    if solutions := [_solution(space, [v]) for v in roots(space)]:
+        return sorted(solutions, key=lambda s: (len(s.motion.phases), -s.value))
+    places = [extreme(space, sign) for sign in (-1.0, 1.0)]
+    if math.isnan(places[0]):
         raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    places = [inversion.extreme(sample, values, sign) for sign in (-1.0, 1.0)]
-    there = [scene_with(space.scene, {field.name: field.to_si(at)}) for at in places]
-    least, most = ((float(solve(scene).outcomes[name]), at) for scene, at in zip(there, places, strict=True))
+    there = [solve(scene_with(space.scene, {field.name: field.to_si(at)})) for at in places]
+    least, most = ((float(motion.outcomes[name]), at) for motion, at in zip(there, places, strict=True))
     unit = OUTCOMES[name].unit
     words = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in (least, most))
     if most[0] - least[0] <= 1e-9 * abs(most[0]):
@@ -232,21 +226,14 @@ def _met(space: Space) -> BackAnalysis:
     raise Unattainable(said, {name: (least, most)})
 
 
-def _told(space: Space, solutions: Sequence[Solution], method: str, doubts: Sequence[str] = ()) -> BackAnalysis:
-    units = {f.key: f.unit for f in space.fields}
-    return BackAnalysis(units, dict(space.observed), tuple(solutions), method, tuple(doubts))
-
-
-def _fitted(space: Space) -> BackAnalysis:
-    """All values of the fields that meet the observations about as well as the best ones."""
+def _fitted(space: Space) -> tuple[list[Solution], list[str]]:
+    """All values of the fields that meet the observations about as well as the best ones, and what to know of them."""
     names, count = ", ".join(f.key for f in space.fields), len(space.fields)
-    points = zip(sobol(0, (5,), 0, _STARTS * count, count), space.ranges, strict=True)
-    tried = np.stack([np.interp(p, np.linspace(0.0, 1.0, len(r)), r) for p, r in points])
-    fits = inversion.fits(space, space.shares(tried))
-    if not fits:
+    found = fits(space, sobol(0, (5,), 0, _STARTS * count, count))
+    if not found:
         raise Unattainable(f"{names}: with no values of them between the bounds does this scene move and rest", {})
     solutions, untold = [], list[ValueError]()
-    for fit in fits:
+    for fit in found:
         try:
             solutions.append(_solution(space, space.at(fit.shares[:, None])[:, 0].tolist()))
         except ValueError as error:  # here the fields cannot be told apart, though they may elsewhere
@@ -266,22 +253,13 @@ def _fitted(space: Space) -> BackAnalysis:
                            f"{near} at {at}; {how}", {})  # fmt: skip
     limit = best + 9.0 if space.weighed else 4 * best + _MET  # three standard errors, or twice the misfit
     doubts = _doubts(space, first)
-    if not fits[0].settled:
+    if not found[0].settled:
         doubts.append("the best values lie where the motion changes its kind: their covariance means little")
-    return _told(space, [s for s in solutions if s.chi_square <= limit], FITTED, doubts)
+    return [s for s in solutions if s.chi_square <= limit], doubts
 
 
 def _solution(space: Space, values: Sequence[float]) -> Solution:
-    """What is known of values that explain the observations.
-
-    Their covariance is to first order from the standard errors, or else from the misfit that is left; without either,
-    as where one value without an error is met exactly, there is none.
-
-    Raises
-    ------
-    ValueError
-        If the observations do not tell the fields apart.
-    """
+    """What is known of values that explain the observations, which have to tell the fields apart."""
     pairs = [*zip(space.fields, values, strict=True)]
     si = {f.name: float(f.to_si(v)) for f, v in pairs}
     there = scene_with(space.scene, si)
@@ -320,7 +298,7 @@ def _tell_apart(space: Space, relative: Floats) -> None:
 def _doubts(space: Space, first: Solution) -> list[str]:
     """What to know of a fit."""
     said = []
-    for (name, value), low, high in zip(first.values.items(), space.low[:, 0], space.high[:, 0], strict=True):
+    for (name, value), (low, *_, high) in zip(first.values.items(), space.ranges, strict=True):
         error = (first.standard_errors or {}).get(name, 0.0)
         if error > high - low:
             said.append(f"{name} is not told by what is observed: {value:.6g} is one of many values that fit as well")

@@ -63,26 +63,26 @@ class Design:
         """How many blocks there are."""
         return self.sample_blocks + min(BATCHES, self.base)
 
-    def piece(self, index: int) -> tuple[int, int, int]:
-        """Replicate, start and length of the stretch of a block of samples; a replicate's last one may be empty."""
+    def piece(self, index: int) -> tuple[tuple[int, ...], int, int]:
+        """Stream, start and length of a block of samples, of a replicate's last maybe 0, or of one of base points."""
+        batches, batch = min(BATCHES, self.base), index - self.sample_blocks
+        if batch >= 0:
+            return (2, batch), 0, self.base // batches + (batch < self.base % batches)
         turn, replicate = divmod(index, self.replicates)
         start = turn * self.size
-        return replicate, start, max(0, min(self.size, self.share(replicate) - start))
-
-    def batch(self, index: int) -> int:
-        """How many base points a block of those has."""
-        batches = min(BATCHES, self.base)
-        return self.base // batches + (index - self.sample_blocks < self.base % batches)
+        length = max(0, min(self.size, self.share(replicate) - start))
+        return (1, replicate) if self.method == "sobol" else (0,), start, length
 
     def scenes(self, index: int) -> int:
         """How many scenes a block solves."""
-        drawn = index < self.sample_blocks
-        return self.piece(index)[2] if drawn else self.batch(index) * (len(self.inputs) + 2)
+        return self.piece(index)[2] * (1 if index < self.sample_blocks else len(self.inputs) + 2)
 
-
-def _points(design: Design, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
-    sequence = sobol if design.method == "sobol" else monte_carlo
-    return sequence(design.seed, stream, start, count, dimensions)
+    def points(self, index: int, dimensions: int) -> Floats:
+        """Points of the unit cube that a block draws, (dimensions, count)."""
+        stream, start, length = self.piece(index)
+        if self.method == "latin-hypercube" and index < self.sample_blocks:
+            return latin(self.seed, self.n, dimensions)[:, start : start + length]
+        return (sobol if self.method == "sobol" else monte_carlo)(self.seed, stream, start, length, dimensions)
 
 
 def _drawn(design: Design, points: Any) -> list[Floats]:
@@ -113,19 +113,15 @@ def run_block(design: Design, index: int) -> Result:
     """
     if index >= design.sample_blocks:
         return {"sums": _sums(design, index)}
-    replicate, start, length = design.piece(index)
     if design.method == "grid":
+        _, start, length = design.piece(index)
         at = np.unravel_index(np.arange(start, start + length), [len(x) for x in design.levels])
         drawn = [x[k] for x, k in zip(design.levels, at, strict=True)]
-    elif design.method == "latin-hypercube":
-        drawn = _drawn(design, latin(design.seed, design.n, len(design.inputs))[:, start : start + length])
     else:
-        stream = (1, replicate) if design.method == "sobol" else (0,)
-        drawn = _drawn(design, _points(design, stream, start, length, len(design.inputs)))
+        drawn = _drawn(design, design.points(index, len(design.inputs)))
     status, outputs = _solve(design, drawn)
     result: Result = {"status": np.bincount(status, minlength=len(Status))}
     answered = ~np.isnan(outputs["moves"])
-    result["moving"] = np.array([np.count_nonzero(outputs["moves"] == 1.0)])
     for name in OUTCOMES:
         values = outputs[name][answered]
         result[f"{name}.bins"], result[f"{name}.counts"] = np.unique(bins(values), return_counts=True)
@@ -139,8 +135,9 @@ def run_block(design: Design, index: int) -> Result:
 
 def _sums(design: Design, index: int) -> Floats:
     """`sums` of each output for a batch of base points A, B, and A with one column of B for each input."""
-    count, d = design.batch(index), len(design.inputs)
-    points = _points(design, (2, index - design.sample_blocks), 0, count, 2 * d)
+    d = len(design.inputs)
+    points = design.points(index, 2 * d)
+    count = points.shape[1]
     laid = np.tile(points[:d, None, :], (1, d + 2, 1))
     laid[:, 1] = points[d:]
     for k in range(d):

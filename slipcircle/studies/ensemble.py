@@ -17,10 +17,10 @@ from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.motion.plan import plan
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.scene.numbers import Number, Uncertain, number_in, numbers_in
+from slipcircle.scene.numbers import Number, Uncertain, by_name, listed, number_in, numbers_in
 from slipcircle.scene.scene import Scene, checked
 from slipcircle.scene.section import Section
-from slipcircle.scene.variation import absent, along_means, value_in
+from slipcircle.scene.variation import along_means, value_in
 from slipcircle.studies.design import METHODS, REPLICATES, Design
 from slipcircle.studies.engines import Folder, Progress, computed, stored
 from slipcircle.studies.sampling import MOST_LATIN
@@ -203,8 +203,9 @@ def grid(
         except ValueError as error:
             said.append(str(error))
             continue
-        if value_in(scene, number) is None:
-            said.append(absent(scene, path))
+        if value_in(scene, number.name) is None:
+            has = listed([by_name(scene)[n].key for n in scene.numbers])
+            said.append(f"{path}: the scene has no value of it to vary; it has {has}")
         elif number.name in inputs:
             said.append(f"{path}: {inputs[number.name].key} says the same")
         elif np.ndim(values) != 1 or mistakes({path: values}, {path: (-INFINITY, INFINITY, "")}) or not np.size(values):

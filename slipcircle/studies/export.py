@@ -76,26 +76,19 @@ def arrays(found: Any) -> dict[str, NDArray[Any]]:
 
     Means and standard deviations as (value, low, high), the linear ones as (mean, standard deviation).
     """
-    told = record(found)
-    named: dict[str, NDArray[Any]] = {"status_counts": found.counts, "moving": _numbers(told["moving"])}
-    for name, of in told["outputs"].items():
-        named |= {f"{name}_{k}": _numbers(v) for k, v in of.items() if k != "unit" and v is not None}
+    named: dict[str, NDArray[Any]] = {"status_counts": found.counts, "moving": np.array(found.moving)}
+    for name in OUTCOMES:
+        named[f"{name}_mean"], named[f"{name}_std"] = np.array(found.mean(name)), np.array(found.std(name))
+        if name in found.linear:
+            named[f"{name}_linear"] = np.array(found.linear[name])
+        named[f"{name}_quantiles"] = np.array([(p, *found.quantile(name, p)) for p in QUANTILES])
+        named[f"{name}_exceedance"] = np.stack(found.exceedance(name), axis=1)
         named[f"{name}_bins"] = found.bins(name)
     for output, indices in found.sensitivity.items():
         named[f"{output}_first_order"], named[f"{output}_total"] = np.array(indices.first), np.array(indices.total)
     named["inputs"] = np.array([u.key for u in found.design.inputs.values()])
-    named["convergence"] = _numbers(told["convergence"])
+    named["convergence"] = np.array([(c.n, *c.moving, *c.median, *c.upper) for c in found.convergence])
     return named | {f"sample_{k}": v for k, v in found.samples.items()}
-
-
-def _numbers(told: Any) -> NDArray[np.float64]:
-    """The numbers of a record, or of a list of them, a row each; NaN for what cannot be said."""
-
-    def flat(value: Any) -> list[Any]:
-        return [x for v in value.values() for x in flat(v)] if isinstance(value, dict) else [value]
-
-    rows = [flat(row) for row in told] if isinstance(told, list) else flat(told)
-    return np.array(rows, dtype=np.float64)
 
 
 def _estimate(e: Estimate) -> dict[str, Any]:

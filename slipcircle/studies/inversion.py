@@ -1,22 +1,32 @@
-"""Searches over the numbers of a scene, all candidates at once: roots along one number, least squares over several."""
+"""Back-analysis as a search: what is asked, over which ranges, and how it is met, all candidates at once.
+
+Roots along one number for one observation; least squares over several numbers for several.
+"""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.base.checks import EPS
+from generated.effects import EFFECTS
+from slipcircle.base.checks import EPS, raise_all
+from slipcircle.motion.plan import plan
+from slipcircle.motion.solver import lanes_of
 from slipcircle.motion.states import ANSWERED, Status
-from slipcircle.scene.numbers import Number
+from slipcircle.scene.friction import law_depends
+from slipcircle.scene.numbers import DIP, Number, lengths, number_in
 from slipcircle.scene.scene import Scene
+from slipcircle.scene.variation import scenes_with, value_in
 from slipcircle.studies.motions import motions
 
 Floats = NDArray[np.float64]
-Kinds = NDArray[Any]
-Sampler = Callable[[Floats], tuple[Floats, Kinds]]  # of values an outcome, and of what kind each motion is
+Kinds = NDArray[Any]  # of what kind each motion is
+Observed = float | tuple[float, float]
+Observations = Mapping[str, tuple[float, float | None]]
+Bounds = tuple[float, float]
 MOST_SWINGS = 12  # of a motion in a search: below, run-out hardly depends on friction, and has ever more solutions
 PATIENCE = 100.0  # times sqrt(R/g), until which a motion without an end is followed: what creeps on takes too long
 FINE = 1e-13  # accuracy of motions in a search
@@ -32,16 +42,14 @@ SMALL = 1e-6  # step of differences, of a range
 class Space:
     """What is looked for and where: fields of a scene over their ranges, and what was observed.
 
-    As shares from 0 to 1 of the ranges, of the logarithm where one is wide.
+    As shares from 0 to 1 of the ranges, whose values are closer where motions change faster.
     """
 
     def __init__(self, scene: Scene, fields: Sequence[Number], ranges: Sequence[Floats],
-                 observed: Mapping[str, tuple[float, float | None]]) -> None:  # fmt: skip
+                 observed: Observations) -> None:  # fmt: skip
         self.scene, self.fields, self.ranges, self.observed = scene, fields, ranges, observed
         self.weighed = all(sigma is not None for _, sigma in observed.values())  # all standard errors, or none
         self.seen, self.sizes = np.array([(seen, sigma or abs(seen)) for seen, sigma in observed.values()]).T
-        self.low, self.high = (np.array([r[k] for r in ranges])[:, None] for k in (0, -1))
-        self.wide = (self.low > 0.0) & (self.high > 1e3 * self.low)
 
     @property
     def free(self) -> int:
@@ -65,14 +73,8 @@ class Space:
 
     def at(self, shares: Floats) -> Floats:
         """Values of shares, (fields, count)."""
-        ratio = np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), 1.0)
-        return np.asarray(np.where(self.wide, self.low * ratio**shares, self.low + (self.high - self.low) * shares))
-
-    def shares(self, values: Floats) -> Floats:
-        """The other way round."""
-        ratio = np.log(np.where(self.wide, self.high / np.where(self.wide, self.low, 1.0), math.e))
-        logs = np.log(np.where(self.wide, values, 1.0) / np.where(self.wide, self.low, 1.0)) / ratio
-        return np.asarray(np.where(self.wide, logs, (values - self.low) / (self.high - self.low)))
+        pairs = zip(shares, self.ranges, strict=True)
+        return np.stack([np.interp(share, np.linspace(0.0, 1.0, len(r)), r) for share, r in pairs])
 
     def residuals(self, shares: Floats) -> Floats:
         """Computed less observed, in standard errors or as shares of what was observed, (observations, count)."""
@@ -93,18 +95,134 @@ class Space:
         return r[:, 0], (r[:, 1::2] - r[:, 2::2]) / np.maximum(width, 1e-300)
 
 
+# --- what is asked ---------------------------------------------------------------------------------------------------
+
+
+def observations(given: Mapping[str, Observed | None]) -> dict[str, tuple[float, float | None]]:
+    """Values and standard errors of what is observed."""
+    found, wrong = {}, []
+    for name, value in given.items():
+        if value is None:
+            continue
+        try:
+            seen, sigma = map(float, value) if isinstance(value, (tuple, list)) else (float(value), None)
+        except (TypeError, ValueError):
+            seen, sigma = math.nan, None
+        positive = sigma is None or 0.0 < sigma < math.inf
+        if not positive or not math.isfinite(seen) or seen == 0.0 or (name == "duration" and seen < 0.0):
+            least = "a positive number" if name == "duration" else "a number other than 0"
+            wrong.append(f"{name} = {value!r}: must be {least}, or it and its positive standard error")
+        else:
+            found[name] = (seen, sigma)
+    if not found and not wrong:
+        wrong.append(f"nothing observed: give one of {', '.join(given)}")
+    if len({sigma is None for _, sigma in found.values()}) > 1:
+        wrong.append("standard errors: give them for all observations, or for none")
+    raise_all("backanalyse", wrong)
+    return found
+
+
+def search_space(scene: Scene, field: Any, bounds: Any, observed: Observations) -> Space:
+    """The fields over their ranges, in their units."""
+    paths = [field] if isinstance(field, str) else list(field) if isinstance(field, Sequence) else []
+    if not paths or not isinstance(bounds, tuple | Mapping | None):
+        raise ValueError(f"backanalyse: field = {field!r}, bounds = {bounds!r}: must be a key or a list of keys, and a "
+                         "pair of numbers or a mapping from keys to such")  # fmt: skip
+    given = dict.fromkeys(paths[:1], bounds) if isinstance(bounds, tuple) else dict(bounds or {})
+    try:
+        fields = [number_in(scene, path) for path in paths]
+        limits = {number_in(scene, path).key: b for path, b in given.items()}
+    except ValueError as error:
+        raise ValueError(f"backanalyse: field: {error}") from error
+    names, keys, ends = [f.name for f in fields], [f.key for f in fields], {"theta_1", "theta_2"}
+    twice = sorted({f.key for f in fields if names.count(f.name) > 1})
+    other = [key for key in limits if key not in keys]
+    raise_all("backanalyse", [said for wrong, said in (
+        (twice, f"field: {', '.join(twice)} is named twice"),
+        (DIP.name in names and ends & {*names},
+         "field: arc.dip_deg turns theta_1 and theta_2 together; leave it or them out"),
+        (scene.arc.given is not None and {DIP.name, *ends} & {*names},
+         "field: the arc's coefficients are given, and do not follow its angles"),
+        (len(fields) > len(observed),
+         f"{len(fields)} fields from {len(observed)} of what is observed ({', '.join(observed)}): they cannot be told "
+         "apart; give as many observations as fields, or fewer fields"),
+        (isinstance(bounds, tuple) and len(fields) > 1,
+         f"bounds = {bounds!r}: of several fields give a mapping, such as {{{keys[0]!r}: {bounds!r}}}"),
+        (other, f"bounds: {', '.join(other)} is none of the fields"),
+    ) if wrong])  # fmt: skip
+    ranges = [_between(f.key, *limits[f.key]) if f.key in limits else _range(scene, f, len(fields) == 1)
+              for f in fields]  # fmt: skip
+    return Space(scene, fields, ranges, observed)
+
+
+def _between(name: str, low: float, high: float) -> Floats:
+    if not (math.isfinite(low) and math.isfinite(high) and low < high):
+        raise ValueError(
+            f"backanalyse: bounds of {name} = ({low!r}, {high!r}): must be two numbers, the lower one first"
+        )
+    return np.geomspace(low, high, 401) if 0.0 < 100 * low < high else np.linspace(low, high, 401)
+
+
+def _range(scene: Scene, field: Number, alone: bool) -> Floats:
+    """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
+    arc = scene.arc
+    stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
+    speed, own = 2 * math.sqrt(gravity * radius), value_in(scene, field.name)
+    near = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
+    theta_1, theta_2 = (float(np.asarray(scene.numbers.get(n, 0.0))) for n in ("theta_1", "theta_2"))
+    ranges: Mapping[str, Floats] = {
+        "initial_velocity": np.linspace(-speed, speed, 241),
+        "dip": np.pi / 2 * np.concatenate([-near[:0:-1], near]),
+        "theta_1": theta_2 - np.pi * near[1:],
+        "theta_2": theta_1 + np.pi * near[1:],
+        "cohesion.cohesion": np.concatenate([[0.0], stress * np.geomspace(1e-6, 100.0, 161)]),
+        "pore_pressure.ratio": near,
+        "pore_pressure.pressure": stress * near,
+        "drag.xi": gravity * np.geomspace(1e-3, 1e9, 193),
+        "friction.length": radius * np.geomspace(1e-9, 10.0, 161),
+    }
+    if field.name in ranges:
+        values = ranges[field.name]
+    elif field.name.startswith("friction") and (field.tangent or not field.unit):
+        values = _frictions(scene, field, alone)
+    elif own is None:
+        raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
+    elif field.name in lengths(arc):
+        values = own + radius * np.linspace(-1.0, 1.0, 401)  # in place of it
+    else:
+        values = (abs(own) or 1.0) * np.geomspace(1e-3, 1e3, 121)
+    return np.unique(field.from_si(values))
+
+
+def _frictions(scene: Scene, field: Number, alone: bool) -> Floats:
+    """From so little that the mass swings to the limit, beyond which nothing moves from rest."""
+    still, _ = scenes_with(scene, {field.name: np.zeros(1)})
+    limit = float(lanes_of(plan(still)).statics["limit_friction"][0])
+    limit = limit if 1e-6 < limit < math.inf else 1.0
+    shares = [np.geomspace(0.5 / MOST_SWINGS, 1.0, 129), np.linspace(0.5 / MOST_SWINGS, 1.0, 129),
+              1.0 - 10.0 ** -np.arange(3.0, 13.0)]  # fmt: skip
+    if field.name == "friction" and scene.end_time is None and not any(EFFECTS[e].turns for e in scene.called):
+        shares = [np.ones(1)]  # with less it never rests
+    creeps = "speed" in law_depends(scene.friction)  # with more it creeps, which takes long to follow
+    if alone and not creeps and (float(np.asarray(scene.initial_velocity)) != 0.0 or field.name != "friction"):
+        shares.append(np.geomspace(1.0, 1e3, 61))
+    if "shaking" in scene.called or not alone:  # it moves what would stand
+        shares.append(np.linspace(1.0, max(3.0 / limit, 2.0), 81))
+    return limit * np.concatenate(shares)
+
+
 # --- one number, one observation -------------------------------------------------------------------------------------
 
 
-def roots(sample: Sampler, values: Floats, wanted: float) -> list[float]:
+def roots(space: Space) -> list[float]:
     """All values at which an outcome is as wanted: every stretch that may hold one is divided, all of them at once.
 
     That is where the outcome passes it, where the motion changes its kind near it, and where the outcome turns back
     next to it.
     """
-    rows, found = values[None, :], list[float]()
+    rows, found, wanted = space.ranges[0][None, :], list[float](), float(space.seen[0])
     for _ in range(ROUNDS):
-        y, kind = (a.reshape(rows.shape) for a in sample(rows.ravel()))
+        y, kind = (a.reshape(rows.shape) for a in space.sampled(rows.reshape(1, -1)))
         left, right = _worth_a_look(rows, y - wanted, kind, abs(wanted))
         fine = right - left <= 4 * EPS * np.maximum(np.abs(left), np.abs(right))
         found += left[fine].tolist() + right[fine].tolist()
@@ -114,7 +232,7 @@ def roots(sample: Sampler, values: Floats, wanted: float) -> list[float]:
         rows = left[:, None] + (right - left)[:, None] * np.linspace(0.0, 1.0, PARTS + 1)
         rows[:, -1] = right
     ends = np.unique(found)
-    miss = np.abs(sample(ends)[0] - wanted) if found else ends
+    miss = np.abs(space.sampled(ends[None])[0][0] - wanted) if found else ends
     ends, miss = ends[miss <= MET * abs(wanted)], miss[miss <= MET * abs(wanted)]
     apart = np.flatnonzero(np.diff(ends) > MET * np.abs(ends[1:])) + 1
     both = zip(np.split(ends, apart), np.split(miss, apart), strict=True)
@@ -135,11 +253,11 @@ def _worth_a_look(x: Floats, miss: Floats, kind: Kinds, wanted: float) -> tuple[
     return (np.concatenate([left[passes], x[:, :-2][turns]]), np.concatenate([right[passes], x[:, 2:][turns]]))
 
 
-def extreme(sample: Sampler, values: Floats, sign: float) -> float:
-    """Where the greatest (sign 1) or least (sign -1) outcome is found."""
-    best = (-math.inf, math.nan)
+def extreme(space: Space, sign: float) -> float:
+    """Where the greatest (sign 1) or least (sign -1) outcome is found; NaN where no motion counts."""
+    best, values = (-math.inf, math.nan), space.ranges[0]
     for _ in range(ROUNDS):
-        y = np.nan_to_num(sign * sample(values)[0], nan=-math.inf)
+        y = np.nan_to_num(sign * space.sampled(values[None])[0][0], nan=-math.inf)
         k = int(np.argmax(y))
         best = max(best, (float(y[k]), float(values[k])))
         values = np.linspace(values[max(k - 1, 0)], values[min(k + 1, len(values) - 1)], 2 * PARTS + 1)

@@ -53,25 +53,28 @@ def proportion(hits: Any, n: int, confidence: float) -> tuple[Any, Any]:
     return np.where(hits > 0, low, 0.0), np.where(hits < n, high, 1.0)
 
 
+def standard_error(values: Floats) -> Any:
+    """Of the mean of a few independent estimates, along the first axis."""
+    return np.std(values, axis=0, ddof=1) / math.sqrt(len(values))
+
+
 def student(values: Floats, confidence: float) -> Any:
-    """Half the width of the interval of a mean of a few independent estimates, along the first axis."""
-    count = len(values)
-    if count < 2:
+    """Half the width of the interval of that mean; NaN of a single estimate."""
+    if len(values) < 2:
         return np.full(np.shape(values)[1:], np.nan)
-    return width(confidence, count) * np.std(values, axis=0, ddof=1) / math.sqrt(count)
+    return width(confidence, len(values)) * standard_error(values)
 
 
-def pooled(a: Floats, b: Floats) -> Floats:
-    """`moments` of two sets of values together (Pebay 2008, equations 3.1)."""
-    n, m = a[0] + b[0], a[0] * b[0]
-    if not m:
-        return b if b[0] else a
-    step, p, q = b[1] - a[1], a[0] / n, b[0] / n
-    second = a[2] + b[2] + m / n * step**2
-    third = a[3] + b[3] + m / n * step**3 * (p - q) + 3 * step * (p * b[2] - q * a[2])
-    fourth = a[4] + b[4] + m / n * step**4 * (p * p - p * q + q * q)
-    fourth += 6 * step**2 * (p * p * b[2] + q * q * a[2]) + 4 * step * (p * b[3] - q * a[3])
-    return np.array([n, a[1] + q * step, second, third, fourth])
+def pooled(each: Floats) -> Floats:
+    """`moments` of several sets of values together, a row each: powers of (x - mean) + off, expanded."""
+    n, mean, second, third, fourth = each.T
+    if not n.any():
+        return each[0]
+    middle = (n @ mean) / n.sum()
+    off = mean - middle
+    second, third, fourth = (second + n * off**2, third + 3 * off * second + n * off**3,
+                             fourth + 4 * off * third + 6 * off**2 * second + n * off**4)  # fmt: skip
+    return np.array([n.sum(), middle, second.sum(), third.sum(), fourth.sum()])
 
 
 class Spread(NamedTuple):

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Mapping
-from functools import cached_property, reduce
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,6 +30,7 @@ from slipcircle.studies.statistics import (
     proportion,
     ranks,
     spread,
+    standard_error,
     student,
     width,
 )
@@ -64,8 +65,6 @@ class Study:
     seed, size : int
         With which the same numbers come again.
     confidence : float
-    counts : ndarray
-        Lanes of each `slipcircle.motion.motion.Status`.
     sensitivity : mapping
         `Indices` of each output, and of whether the mass moves, where there is more than one input.
     convergence : list of Convergence
@@ -76,13 +75,11 @@ class Study:
 
     def __init__(self, design: Design, confidence: float, results: Iterable[Result]) -> None:
         self.design, self.seed, self.size, self.confidence = design, design.seed, design.size, confidence
-        self.counts = np.zeros(len(Status), np.int64)
         self.sensitivity: Mapping[str, Indices] = {}
         self.convergence: list[Convergence] = []
         self.samples: Mapping[str, NDArray[Any]] = {}
         replicates = design.replicates
-        self._answered = np.zeros(replicates, np.int64)
-        self._moving = np.zeros(replicates, np.int64)
+        self._counts = np.zeros((replicates, len(Status)), np.int64)
         self._histograms = {n: np.zeros((replicates, BINS), np.int64) for n in OUTCOMES}
         self._moments = {n: np.zeros((replicates, 5)) for n in OUTCOMES}
         self._ends = dict.fromkeys(OUTCOMES, (math.inf, -math.inf))
@@ -107,12 +104,11 @@ class Study:
 
     def _add(self, replicate: int, result: Result) -> None:
         """Add a block up."""
-        self.counts += result["status"]
-        self._answered[replicate] += result["duration.counts"].sum()
-        self._moving[replicate] += result["moving"][0]
+        self._counts[replicate] += result["status"]
         for name in OUTCOMES:
             self._histograms[name][replicate, result[f"{name}.bins"]] += result[f"{name}.counts"]
-            self._moments[name][replicate] = pooled(self._moments[name][replicate], result[f"{name}.moments"])
+            both = np.stack([self._moments[name][replicate], result[f"{name}.moments"]])
+            self._moments[name][replicate] = pooled(both)
             ends, (low, high) = self._ends[name], result[f"{name}.ends"].tolist()
             self._ends[name] = min(ends[0], low), max(ends[1], high)
 
@@ -185,26 +181,37 @@ class Study:
         return frame.rename_axis("sample").to_xarray().set_coords(keys)
 
     @property
+    def counts(self) -> NDArray[np.int64]:
+        """Samples of each `Status`."""
+        return np.asarray(self._counts.sum(axis=0))
+
+    @property
     def n(self) -> int:
         """Samples with an answer: the others are no scenes, or failed, and are left out of what follows."""
         return int(self._answered.sum())
 
     @property
+    def _answered(self) -> NDArray[np.int64]:
+        return np.asarray(self._counts[:, ANSWERED].sum(axis=1))
+
+    @property
     def moving(self) -> Estimate:
         """Probability that the mass moves."""
-        return Estimate(*(float(x[0]) for x in self._probability(self._moving[:, None])))
+        moving = self._answered - self._counts[:, Status.STAYS]
+        return Estimate(*(float(x[0]) for x in self._probability(moving[:, None])))
 
     def quantile(self, output: str, p: float) -> Estimate:
         """A quantile of an output; its value is a sample's where they were kept, else within `BIN_ERROR` of it."""
         if not self.n:
             return Estimate(math.nan, math.nan, math.nan)
         counts, ends = self._histograms[output], self._ends[output]
-        values = self._ordered(output) if output in self.samples else None
+        if output in self.samples:
+            values = np.sort(self.samples[output][np.isin(self.samples["status"], ANSWERED)])
 
         def at(share: float) -> float:
             if not 0.0 <= share <= 1.0:
                 return math.nan
-            if values is not None:
+            if output in self.samples:
                 return float(values[max(0, math.ceil(share * self.n) - 1)])
             return float(histogram_quantile(counts.sum(axis=0), share, ends))
 
@@ -217,23 +224,19 @@ class Study:
 
     def mean(self, output: str) -> Estimate:
         """Mean of an output; what does not move counts as 0."""
-        found = self._sampled(output)
-        return self._interval(found.mean, found.mean_error)
+        return self._interval(*self._sampled(output)[:2])
 
     def std(self, output: str) -> Estimate:
         """Standard deviation of an output; what does not move counts as 0."""
-        found = self._sampled(output)
-        return self._interval(found.std, found.std_error)
+        return self._interval(*self._sampled(output)[2:])
 
     def _sampled(self, output: str) -> Spread:
         each = self._moments[output]
-        found = spread(reduce(pooled, each))
-        filled = each[each[:, 0] > 1]
-        if self.design.replicates == 1 or len(filled) < 2:
+        found, filled = spread(pooled(each)), each[each[:, 0] > 1]
+        if len(filled) < 2:
             return found
-        spreads = np.array([spread(m) for m in filled])[:, [0, 2]]
-        errors = np.std(spreads, axis=0, ddof=1) / math.sqrt(len(filled))
-        return found._replace(mean_error=float(errors[0]), std_error=float(errors[1]))
+        errors = standard_error(np.array([spread(m) for m in filled])).tolist()
+        return found._replace(mean_error=errors[0], std_error=errors[2])
 
     def _interval(self, value: float, error: float) -> Estimate:
         half = error * width(self.confidence, self.design.replicates)
@@ -272,10 +275,6 @@ class Study:
         counts = self._histograms[output].sum(axis=0)
         filled = np.flatnonzero(counts)
         return np.stack([edges()[filled], edges()[filled + 1], counts[filled]], axis=1)
-
-    def _ordered(self, output: str) -> Floats:
-        answered = np.isin(self.samples["status"], ANSWERED)
-        return np.sort(self.samples[output][answered])
 
     def _probability(self, hits: NDArray[np.int64]) -> tuple[Floats, Floats, Floats]:
         """Probabilities and their intervals from how often, (replicates, ...)."""
