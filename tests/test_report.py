@@ -161,14 +161,16 @@ def test_inputs_of_a_file_and_of_a_scene_without_one() -> None:
     assert found["friction.peak_deg"][1] == "deg"
     assert found["shaking.amplitude_g"][:2] == ("0.1", "g")
     assert found["arc.radius_m"] == ("normal: mean 1490, std 10", "m", "radius of the slip circle", "the map")
-    slip = {"law": "linear", "peak": 0.4, "residual": 0.2, "length": 1.0}
+    rate = {"law": "rate_weakening", "peak": 1.0, "residual": 0.5, "velocity": 0.1}
+    slip = {"law": "linear", "peak": 0.4, "residual": 0.2, "length": 1.0, "rate": rate}
     effects = {
         "cohesion": {"cohesion": 1e3},
         "shaking": {"horizontal": Series(np.array([0.0, 1.0]), np.array([0.0, 0.1]))},
     }
     shown = {i.path: i[1:3] for i in inputs(Scene(vaiont.arc, slip, effects, end_time=9.0))}
     wanted = {"radius": ("1492.6", "m"), "friction.length": ("1.0", "m"), "cohesion.cohesion": ("1000.0", "Pa"),
-              "shaking.peak": ("0.1", ""), "end_time": ("9.0", "s")}  # fmt: skip
+              "friction": ("linear", ""), "friction.rate.velocity": ("0.1", "m/s"), "end_time": ("9.0", "s"),
+              "shaking.horizontal": ("2 samples from 0 to 1 s", "")}  # fmt: skip
     assert wanted.items() <= shown.items()
 
 

@@ -147,8 +147,10 @@ def test_tornado_is_what_a_small_change_does() -> None:
         assert bars[key] == pytest.approx(other - m.run_out, rel=1e-3)
     assert [*map(abs, bars.values())] == sorted(map(abs, bars.values()), reverse=True)
     assert "cohesion.cohesion_kPa = 3 ± 1 %" in ticks(studyplots.tornado(found, ax=drawn()))
-    with pytest.raises(ValueError, match="tornado: changes: the scene has no friction"):
+    with pytest.raises(ValueError, match=r"changes = 'friction': must be one of friction\.angle_deg"):
         studyplots.tornado(found, "run_out", {"friction": 0.1})
+    with pytest.raises(ValueError, match="output = 'speed': must be one of reach, run_out, peak_velocity, duration"):
+        studyplots.exceedance(found("two"), "speed")
     assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
     words = ticks(studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn()))
     assert {"ground.points_m.2.y = 35 ± 0.1", "circle.radius_m = 28.64 ± 1 %"} <= {*words}

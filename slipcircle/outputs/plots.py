@@ -19,6 +19,7 @@ from slipcircle.outputs.plotstyle import (
     axis,
     empty,
     ending,
+    known,
     legend,
     lines,
     mark,
@@ -53,6 +54,7 @@ def history(motion: Motion, what: str = "velocity", ax: Any = None, brief: bool 
     Besides the friction stands the one at which the mass would stand still where it is. A brief one stands beside
     another, which says what the marks are and when.
     """
+    known("history: what", what, HISTORIES)
     ax = axis(ax)
     symbol, curves = HISTORIES[what]
     quantity, columns = HISTORY[what], drawn(motion)

@@ -1,6 +1,6 @@
 """What all pictures share: the palette, numbers and units as they are shown, the legend above the axis."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from slipcircle.motion.motion import Motion
@@ -45,6 +45,12 @@ def axis(ax: Any = None, size: tuple[float, float] = (7.0, 4.5)) -> Any:
     except ImportError as error:
         raise missing() from error
     return pyplot.subplots(figsize=size, layout="constrained")[1]
+
+
+def known(what: str, given: str, choice: Iterable[str]) -> None:
+    """Refuse what is none of the things that can be drawn."""
+    if given not in choice:
+        raise ValueError(f"{what} = {given!r}: must be one of {', '.join(choice)}")
 
 
 def missing() -> ImportError:

@@ -7,9 +7,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from slipcircle.scene.friction import RATE_LAWS
+from generated.effects import EFFECTS, LAWS
+from slipcircle.base.series import Pulse, Series
+from slipcircle.scene.friction import RATE_LAWS, law_parts
 from slipcircle.scene.keys import SLOPING, Key, tables_of
-from slipcircle.scene.numbers import by_name
+from slipcircle.scene.numbers import by_name, numbers_in
 from slipcircle.scene.scene import Scene
 
 
@@ -24,15 +26,11 @@ class Input(NamedTuple):
 
 
 def inputs(scene: Scene, file: str | None = None) -> list[Input]:
-    """The inputs of a scene: as its file has them, with its comments; without a file its numbers, in SI units.
+    """The inputs of a scene: as its file has them, with its comments; without a file in SI units.
 
     What is uncertain says so.
     """
-    if file is None:
-        known = by_name(scene)
-        found = [Input(name, _shown(value), known[name].si) for name, value in scene.numbers.items()]
-    else:
-        found = [*_of_file(file)]
+    found = [*(_of_scene(scene) if file is None else _of_file(file))]
     drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name)}
     for k, known_by in enumerate(found):
         if known_by.path in drawn:
@@ -87,13 +85,37 @@ def comments(file: str) -> dict[str, str]:
     return found
 
 
+def _of_scene(scene: Scene) -> Iterator[Input]:
+    """Numbers of the section, then what laws and effects were given, by their declarations, and where it ends."""
+    known, of_arc = by_name(scene), numbers_in(scene.arc)
+    for name in ("initial_velocity", *of_arc):
+        yield Input(name, _shown(scene.numbers[name]), known[name].si)
+    for name, coefficient in (scene.arc.given or {}).items():
+        yield Input(f"given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
+    laws = [("friction" + ".rate" * k, n, LAWS.get(n), own) for k, (n, own) in enumerate(law_parts(scene.friction))]
+    for path, name, declared, given in (*laws, *((e, "yes", EFFECTS[e], own) for e, own in scene.called.items())):
+        if name == "constant":
+            yield Input(path, _shown(given["coefficient"]), "", "friction coefficient, tan(phi)")
+            continue
+        yield Input(path, name, "", declared.help if declared else "Python function of slip")
+        for p in declared.parameters if declared else ():
+            if p.name in given:
+                yield Input(f"{path}.{p.name}", _shown(given[p.name]), p.unit, p.help)
+    end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
+    yield Input("end_time", *end, "time of the end")
+
+
 def _shown(value: Any) -> str:
     """A value in full; of a long list its ends, of a distribution its name and numbers."""
     if isinstance(value, Mapping):
         return f"{value['distribution']}: " + ", ".join(f"{k} {v}" for k, v in value.items() if k != "distribution")
     if isinstance(value, str):
         return value
+    if isinstance(value, Series):
+        return f"{len(value.time)} samples from {value.time[0]:g} to {value.time[-1]:g} s"
     if isinstance(value, bool):
         return str(value).lower()
+    if callable(value):  # a pulse, or the water level of a section
+        return repr(value) if isinstance(value, Pulse) else "of the section's water level"
     texts = [repr(x) for x in np.ravel(value).tolist()]
     return ", ".join(texts if len(texts) <= 12 else [*texts[:3], "...", *texts[-3:], f"({len(texts)} numbers)"])

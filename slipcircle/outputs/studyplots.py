@@ -4,14 +4,14 @@ Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of 
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.outputs.plotstyle import AREAS, LINES, axis, empty, legend, lines, mark, number
+from slipcircle.outputs.plotstyle import AREAS, LINES, axis, empty, known, legend, lines, mark, number
 from slipcircle.scene.numbers import number_in
 from slipcircle.studies.motions import motions
 
@@ -34,7 +34,7 @@ def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool
 
     On a logarithmic axis, where what is rare shows, it stands beside the linear one, which has the legend.
     """
-    _check(found)
+    _check(found, output, OUTCOMES)
     ax, unit = axis(ax), OUTCOMES[output].unit
     ax.set(xlabel=_label(output), ylabel="probability of at least as much (–)", ylim=(-0.02, 1.02))
     ax.grid(alpha=0.3)
@@ -61,7 +61,7 @@ def exceedance(found: "Study", output: str = "reach", ax: Any = None, rare: bool
 
 def indices(found: "Study", output: str = "reach", ax: Any = None, named: bool = True) -> Any:
     """The sensitivity indices of an output: what share of its variance each unknown explains, with confidence."""
-    _check(found)
+    _check(found, output, (*OUTCOMES, "moves"))
     if output not in found.sensitivity:
         raise ValueError("indices: this ensemble has none: give it two uncertain numbers and base points at least")
     keys, of = [u.key for u in found.design.inputs.values()], found.sensitivity[output]
@@ -102,8 +102,9 @@ def tornado(
     ``{"friction.angle_deg": 2.0}``, and only these are drawn; by default each angle by 1 degree, each coordinate by
     0.1 m, all else by 1 %. ``named`` tells whether the axis has a legend.
     """
-    if unknown := set(changes or ()) - {key.key for key in table.keys.values()}:
-        raise ValueError(f"tornado: changes: the scene has no {', '.join(unknown)}")
+    known("tornado: output", output, table.outputs)
+    for changed in changes or ():
+        known("tornado: changes", changed, [key.key for key in table.keys.values()])
     bars = []
     for name, by_si in zip(table.parameters, table.values[list(table.outputs).index(output)], strict=True):
         key = table.keys[name]
@@ -138,6 +139,7 @@ def tornados(found: "Sensitivity", figure: Any) -> None:
 
 def response(found: "Study", output: str = "reach", ax: Any = None) -> Any:
     """An output over the first number of a grid; of a second one, a curve for each of its values."""
+    known("response: output", output, OUTCOMES)
     levels, keys = found.design.levels, [u.key for u in found.design.inputs.values()]
     check_grid([len(x) for x in levels])
     ax = axis(ax)
@@ -225,6 +227,7 @@ def _label(output: str) -> str:
     return f"{OUTCOMES[output].label} ({OUTCOMES[output].unit})"
 
 
-def _check(found: "Study") -> None:
+def _check(found: "Study", output: str, choice: Iterable[str]) -> None:
+    known("Study: output", output, choice)
     if found.design.method == "grid":
         raise ValueError("Study: values on a grid have no probability; draw samples of uncertain numbers")

@@ -183,7 +183,7 @@ def _range(scene: Scene, field: Number, alone: bool) -> Floats:
     }
     if field.name in ranges:
         values = ranges[field.name]
-    elif field.name.startswith("friction") and (field.tangent or not field.unit):
+    elif field.name.startswith("friction") and ".rate." not in field.name and (field.tangent or not field.unit):
         values = _frictions(scene, field, alone)
     elif own is None:
         raise ValueError(f"backanalyse: field = {field.key!r}: give bounds, as the scene has no value of it")
