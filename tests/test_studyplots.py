@@ -149,8 +149,8 @@ def test_tornado_is_what_a_small_change_does() -> None:
     assert "cohesion.cohesion_kPa = 3 ± 1 %" in ticks(studyplots.tornado(found, ax=drawn()))
     with pytest.raises(ValueError, match=r"changes = 'friction': must be one of friction\.angle_deg"):
         studyplots.tornado(found, "run_out", {"friction": 0.1})
-    with pytest.raises(ValueError, match="output = 'speed': must be one of reach, run_out, peak_velocity, duration"):
-        studyplots.exceedance(found("two"), "speed")
+    with pytest.raises(ValueError, match="output = 'speed': must be one of peak_velocity, run_out, duration, reach"):
+        studyplots.tornado(found, "speed")
     assert "does not move" in studyplots.tornado(motion("still").sensitivity(), ax=drawn()).texts[0].get_text()
     words = ticks(studyplots.tornado(solve(load("real-slope")).sensitivity(), ax=drawn()))
     assert {"ground.points_m.2.y = 35 ± 0.1", "circle.radius_m = 28.64 ± 1 %"} <= {*words}
