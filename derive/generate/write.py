@@ -2,7 +2,9 @@
 
 import difflib
 import hashlib
+import os
 import re
+import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -142,9 +144,15 @@ def write(wanted: dict[str, str], folder: Path = FOLDER) -> list[str]:
             (folder / name).unlink()
             continue
         (folder / name).parent.mkdir(exist_ok=True)
-        temporary = folder / f".{Path(name).name}.tmp"  # what a killed run has left goes with the unwanted
-        temporary.write_text(wanted[name], encoding="utf-8", newline="\n")
-        temporary.replace(folder / name)
+        handle, temporary = tempfile.mkstemp(dir=folder, prefix=".", suffix=".tmp")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+                file.write(wanted[name])
+            os.chmod(temporary, 0o644)
+            os.replace(temporary, folder / name)
+        except BaseException:
+            Path(temporary).unlink(missing_ok=True)
+            raise
     return changed
 
 
