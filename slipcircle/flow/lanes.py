@@ -36,21 +36,23 @@ def walked(bound: Bound, closed: bool = False, samples: Samples | None = None, l
         walker(bound.program, bound.tables, cells, samples, log)
         if cells[its.STATUS].max(initial=0.0) < its.TOO_LONG:
             return cells
-        long = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS) & (cells[its.OMEGA] > 0.0)
-        if np.any(long):
+        many = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS)
+        long = np.flatnonzero(many & (cells[its.OMEGA] > 0.0))
+        while long.size:
             from slipcircle.flow import stiff  # only here
 
-            stiff.walk(bound.program, bound.tables, cells, samples, log, np.flatnonzero(long))
-        needs = cells[its.STATUS] == its.NEED
-        if not np.any(needs):
+            stiff.walk(bound.program, bound.tables, cells, samples, log, long)
+            long = long[cells[its.STATUS, long] == its.NEED]
+            if long.size:
+                bound.lengthen(cells[:, long])
+        needs = np.flatnonzero(cells[its.STATUS] == its.NEED)
+        if not needs.size:
             return cells
-        if needs.size > 1:  # one of them finds out how far the function is asked for
-            first = np.flatnonzero(needs)[:1]
-            one = bound._replace(cells=bound.cells[:, first], tables=[t.lanes(first) for t in bound.tables])
-            walked(one, closed)
-            bound.tables[:] = [one.tables[k] if k in bound.functions else t for k, t in enumerate(bound.tables)]
-        else:
-            bound.lengthen(cells)
+        one = cells[:, needs[:1]]  # walks on from where it is, to find out how far the function is asked for
+        while one[its.STATUS, 0] == its.NEED:
+            bound.lengthen(one)
+            one[its.OMEGA], one[its.STATUS] = one[its.DIRECTION] * one[its.OMEGA], its.START
+            engine().walk(bound.program, [t.lanes(needs[:1]) for t in bound.tables], one)
         cells = None
         if log is not None:
             log.clear()
