@@ -68,7 +68,11 @@ def engine(name: str, workers: int | None = None, scheduler: str | None = None) 
         from concurrent.futures import ProcessPoolExecutor  # only here, as it loads much
         from multiprocessing import get_context
 
-        with _stopping(ProcessPoolExecutor(workers, mp_context=get_context("spawn"))) as pool:
+        deaf = signal.SIGINT, signal.SIG_IGN
+        with _stopping(ProcessPoolExecutor(workers, get_context("spawn"), signal.signal, deaf)) as pool:
+            with _uninterrupted():  # workers inherit it: this process ends them, and they print no traceback
+                for _ in range(workers):
+                    pool.submit(int)
             yield pool
     elif name == "dask":
         try:
@@ -107,6 +111,19 @@ def _stopping(pool: Executor) -> Iterator[Executor]:
         pool.shutdown(wait=bool(ended), cancel_futures=True)
         raise
     pool.shutdown(cancel_futures=True)
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Without Ctrl-C, where signals can be held back."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 @contextmanager
