@@ -319,16 +319,18 @@ def _cost(options: argparse.Namespace) -> Answer:
         files.write(options.csv, costtext.table_csv(found))
     for path in options.plot:
         files.write(path, pictures.render(partial(costplot.overview, found), costplot.size(found), path))
+    beside = machine()
     return Answer(
-        lambda: {"machine": machine(), "rows": [costtext.record(row) for row in found]},
-        costtext.parts(found, machine()),
+        lambda: {"machine": beside, "rows": [costtext.record(row) for row in found]},
+        costtext.parts(found, beside),
     )
 
 
 def _info(_: argparse.Namespace) -> Answer:
     from slipcircle.outputs.info import facts
 
-    return Answer(facts, [Part([], list(facts().items()))])
+    found = facts()
+    return Answer(lambda: found, [Part([], list(found.items()))])
 
 
 if __name__ == "__main__":

@@ -108,11 +108,7 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
     program = join(*joined)
     time_scale, radius, weights = plain(arc.time_scale), plain(arc.radius), arc.weights
     given: dict[str, Any] = weights._asdict()
-    scales = {
-        "half_angle": arc.half_angle, "gravity": arc.gravity, "reference_stress": arc.reference_stress,
-        "Theta": arc.dimensionless.moment_of_inertia, "radius": radius,
-        "density": plain(arc.unit_weight) / plain(arc.gravity), "cover": weights.cover,
-    }  # fmt: skip
+    scales = scales_of(arc)
     pieces: dict[str, tuple[tables.Data, Any, Any]] = {}  # by name: data, scale, factor
     functions: dict[str, Callable[[Any], Any]] = {}
     for effect in effects:
@@ -153,6 +149,15 @@ def bind(arc: Arc | Section, called: Mapping[str, Mapping[str, Any]], friction: 
         cells[slot.cells + its.SCALE], cells[slot.cells + its.SCALED_BY] = scale, factor
     places = {k: functions[slot.name] for k, slot in enumerate(program.tables) if slot.name in functions}
     return Bound(program, data, cells, time_scale, places, joined)
+
+
+def scales_of(arc: Arc | Section) -> dict[str, Any]:
+    """The numbers of an arc by which parameters of effects are made dimensionless, SI."""
+    return {
+        "half_angle": arc.half_angle, "gravity": arc.gravity, "reference_stress": arc.reference_stress,
+        "Theta": arc.dimensionless.moment_of_inertia, "radius": plain(arc.radius),
+        "density": plain(arc.unit_weight) / plain(arc.gravity), "cover": arc.weights.cover,
+    }  # fmt: skip
 
 
 def turns(effects: Iterable[str]) -> bool:

@@ -16,7 +16,7 @@ from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
-from slipcircle.flow.bind import turns, under_water
+from slipcircle.flow.bind import scales_of, turns, under_water
 from slipcircle.flow.lanes import Lanes
 from slipcircle.flow.tables import Data, of_law
 from slipcircle.records.forcing import factor
@@ -91,12 +91,7 @@ class Seeds:
         return self.one(name) / float(at) if float(at) else self.one(name) * 0.0
 
     def _effects(self) -> None:
-        arc: Any = self.lanes.arc
-        scales = {
-            "half_angle": float(arc.half_angle), "gravity": float(arc.gravity), "radius": float(arc.radius),
-            "reference_stress": float(arc.reference_stress), "Theta": float(arc.dimensionless.moment_of_inertia),
-            "density": float(arc.unit_weight) / float(arc.gravity), "cover": float(arc.weights.cover),
-        }  # fmt: skip
+        scales = {name: float(value) for name, value in scales_of(self.lanes.arc).items()}
         for effect, given in self.lanes.called.items():
             own = {p.name: given.get(p.name, 0.0) for p in EFFECTS[effect].parameters if p.kind == "number"}
             numbers = {n: float(v) for n, v in own.items() if not callable(v)}

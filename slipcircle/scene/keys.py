@@ -284,7 +284,7 @@ def schema() -> dict[str, Any]:
             for name, kind in DISTRIBUTIONS.items()}  # fmt: skip
 
     def defined(name: str, table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
-        defs[name] = _told(table, more)
+        defs[name] = _schema_of_table(table, more)
         return {"$ref": f"#/$defs/{name}"}
 
     given = defined("given", tables["arc.given"])
@@ -292,8 +292,8 @@ def schema() -> dict[str, Any]:
     laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
     inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
     inner |= {name: defined(name, tables[name]) for name in EFFECTS}
-    inner |= {name: _told(table) for name, table in SLOPING.items()}
-    found = _told(tables[""], inner)
+    inner |= {name: _schema_of_table(table) for name, table in SLOPING.items()}
+    found = _schema_of_table(tables[""], inner)
     found["required"] = ["friction"]
     found["oneOf"] = [
         {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in SLOPING]}},
@@ -302,8 +302,8 @@ def schema() -> dict[str, Any]:
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
 
 
-def _told(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
-    keys = {k: _value(key) for k, key in table.keys.items()}
+def _schema_of_table(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+    keys = {k: _schema_of_key(key) for k, key in table.keys.items()}
     found = _object(keys | dict(more), table.title, [k for k, key in table.keys.items() if key.required])
     needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
     needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
@@ -316,7 +316,7 @@ def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> d
             "additionalProperties": False}  # fmt: skip
 
 
-def _value(key: Key) -> dict[str, Any]:
+def _schema_of_key(key: Key) -> dict[str, Any]:
     """What a key may hold; a number may be uncertain, unless it is fixed."""
     number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
     many = {"type": "array", "items": number}

@@ -7,12 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.scene.numbers import (
-    DIP,
-    by_key,
-    fields_with,
-    numbers_in,
-)
+from slipcircle.scene.numbers import DIP, by_key, fields_with, numbers_in
 from slipcircle.scene.scene import Scene
 from slipcircle.scene.search import critical
 from slipcircle.scene.section import Section
