@@ -344,6 +344,7 @@ from slipcircle import load, solve
 for name in ("newmark-pulse", "vaiont-heated", "vaiont-rate", "vaiont-frozen", "wet-slope"):
     m = solve(load(name)); m.at([0, 1]); m.energy; m.error_estimate
 loaded = {name.partition(".")[0] for name in set(sys.modules) - bare - set(hidden)} - sys.stdlib_module_names
+assert "slipcircle.outputs.plots" not in sys.modules  # nothing was drawn
 from slipcircle.motion import solver
 solver.motion_of = None  # so that nothing can be computed
 print(json.dumps([done, sorted(loaded), [told(line) for line in needs]]))

@@ -10,7 +10,6 @@ from typing import Any
 
 from slipcircle.base import files
 from slipcircle.motion.motion import Motion
-from slipcircle.outputs import plots, sectionplot, studyplots
 from slipcircle.outputs.plotstyle import missing
 
 _KINDS = ("png", "svg", "pdf", "jpg")
@@ -66,30 +65,35 @@ def _played(animation: Any) -> bytes:
 
 def _stacked(motions: Sequence[Motion], figure: Any) -> None:
     """The overviews of motions, one above the other."""
+    from slipcircle.outputs import plots
+
     parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=[plots.size(m)[1] for m in motions])[:, 0]
     for motion, part in zip(motions, parts, strict=True):
         plots.overview(motion, part)
 
 
-# What draws which finding on an empty figure, and on how many inches.
-_PICTURES: Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]] = {
-    "motions": (_stacked, lambda x: (14.0, sum(plots.size(m)[1] for m in x))),
-    "slide": (lambda x, figure: plots.animate(x[0], figure, _FRAMES), lambda _: (7.0, 5.5)),
-    "section": (lambda x, figure: plots.section(x, figure.add_subplot()), lambda _: (8.0, 6.0)),
-    "histories": (lambda x, figure: plots.histories(x, figure.subplots(2, 2).T.ravel()), lambda _: (11.0, 6.5)),
-    "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),
-    "shaking": (lambda x, figure: plots.shaking(x, figure.add_subplot()), lambda _: (8.0, 3.0)),
-    "study": (studyplots.overview, studyplots.size),
-    "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
-    "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
-    "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
-    "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
-}
+def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
+    """What draws which finding on an empty figure, and on how many inches; loaded only where something is drawn."""
+    from slipcircle.outputs import plots, sectionplot, studyplots
+
+    return {
+        "motions": (_stacked, lambda x: (14.0, sum(plots.size(m)[1] for m in x))),
+        "slide": (lambda x, figure: plots.animate(x[0], figure, _FRAMES), lambda _: (7.0, 5.5)),
+        "section": (lambda x, figure: plots.section(x, figure.add_subplot()), lambda _: (8.0, 6.0)),
+        "histories": (lambda x, figure: plots.histories(x, figure.subplots(2, 2).T.ravel()), lambda _: (11.0, 6.5)),
+        "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),
+        "shaking": (lambda x, figure: plots.shaking(x, figure.add_subplot()), lambda _: (8.0, 3.0)),
+        "study": (studyplots.overview, studyplots.size),
+        "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
+        "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
+        "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
+        "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
+    }
 
 
 def picture(what: str, found: Any, path: str) -> bytes:
-    """One of `_PICTURES` of what was found, as a file by its name; of motions as a gif, the first slide itself."""
-    draw, size = _PICTURES["slide" if path.lower().endswith("gif") else what]
+    """One of `_drawings` of what was found, as a file by its name; of motions as a gif, the first slide itself."""
+    draw, size = _drawings()["slide" if path.lower().endswith("gif") else what]
     return render(partial(draw, found), size(found), path)
 
 
