@@ -70,11 +70,13 @@ def derive_all(anew: bool = False, trials: int | None = None) -> dict[str, str]:
 
 _JSON = {"json": "a list of objects on stdout"}
 COMMANDS = {
-    "verify": ("judge every numbered equation, table entry and appendix of the paper",
-               _JSON | {"markdown": "a page for a colleague"}),
+    "verify": (
+        "judge every numbered equation, table entry and appendix of the paper",
+        _JSON | {"markdown": "a page for a colleague"},
+    ),
     "hard": ("the hard cases: error of the printed form beside ours", _JSON),
     "prove": ("prove the error bounds of the kernels again, from their certificates alone", {}),
-}  # fmt: skip
+}
 
 
 def main(argv: list[str] | None = None) -> int:

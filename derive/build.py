@@ -16,8 +16,17 @@ from pathlib import Path
 FOLDER = Path(__file__).resolve().parent.parent / "generated"
 # Vector loops need three of them: no errno from sqrt, pieces that are not used may raise a flag (cleared later), and no
 # branches made of comparisons. The last two are worth a tenth of the time: many chains of operations side by side.
-FLAGS = ("-O3", "-fPIC", "-fno-fast-math", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math",
-         "-fno-thread-jumps", "-fschedule-insns", "-fsched-pressure")  # fmt: skip
+FLAGS = (
+    "-O3",
+    "-fPIC",
+    "-fno-fast-math",
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-fno-thread-jumps",
+    "-fschedule-insns",
+    "-fsched-pressure",
+)
 # The walk is compiled once for every kind of processor, and once for the module. It proves nothing bit by bit: a
 # product and a sum may be one operation.
 WALK = ("-ffp-contract=fast", "-fvisibility=hidden", "-Wno-psabi")

@@ -23,35 +23,69 @@ if getattr(generated, "__project__", None) != "slipcircle":
 from slipcircle.base import VERSION
 
 if TYPE_CHECKING:
-    from slipcircle.files.scenefile import load
-    from slipcircle.motion.motion import Motion
-    from slipcircle.motion.plan import Plan, plan
-    from slipcircle.motion.solver import solve
-    from slipcircle.motion.states import Energy, State, Status
-    from slipcircle.scene.arc import Arc
-    from slipcircle.scene.scene import Scene
-    from slipcircle.scene.search import Critical, critical
-    from slipcircle.scene.section import Section
-    from slipcircle.scene.stability import Slope
-    from slipcircle.scene.weights import Dimensionless
-    from slipcircle.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
-    from slipcircle.studies.ensemble import ensemble, grid
-    from slipcircle.studies.study import Study
+    from slipcircle.core.motion.motion import Motion
+    from slipcircle.core.motion.plan import Plan, plan
+    from slipcircle.core.motion.solver import solve
+    from slipcircle.core.motion.states import Energy, State, Status
+    from slipcircle.core.scene.arc import Arc
+    from slipcircle.core.scene.scene import Scene
+    from slipcircle.core.scene.section import Section
+    from slipcircle.core.scene.weights import Dimensionless
+    from slipcircle.workbench.files.scenefile import load
+    from slipcircle.workbench.stability.search import Critical, critical
+    from slipcircle.workbench.stability.stability import Slope
+    from slipcircle.workbench.studies.backanalysis import BackAnalysis, Unattainable, backanalyse
+    from slipcircle.workbench.studies.ensemble import ensemble, grid
+    from slipcircle.workbench.studies.study import Study
 
 __version__ = VERSION
 # Each is loaded when it is asked for: where it is.
 _PLACES = {
-    "Arc": "scene.arc", "BackAnalysis": "studies.backanalysis", "Critical": "scene.search",
-    "Dimensionless": "scene.weights", "Energy": "motion.states", "Motion": "motion.motion", "Plan": "motion.plan",
-    "Scene": "scene.scene", "Section": "scene.section", "Slope": "scene.stability", "State": "motion.states",
-    "Status": "motion.states", "Study": "studies.study", "Unattainable": "studies.backanalysis",
-    "backanalyse": "studies.backanalysis", "critical": "scene.search", "ensemble": "studies.ensemble",
-    "grid": "studies.ensemble", "load": "files.scenefile", "plan": "motion.plan", "solve": "motion.solver",
-}  # fmt: skip
+    "Arc": "core.scene.arc",
+    "BackAnalysis": "workbench.studies.backanalysis",
+    "Critical": "workbench.stability.search",
+    "Dimensionless": "core.scene.weights",
+    "Energy": "core.motion.states",
+    "Motion": "core.motion.motion",
+    "Plan": "core.motion.plan",
+    "Scene": "core.scene.scene",
+    "Section": "core.scene.section",
+    "Slope": "workbench.stability.stability",
+    "State": "core.motion.states",
+    "Status": "core.motion.states",
+    "Study": "workbench.studies.study",
+    "Unattainable": "workbench.studies.backanalysis",
+    "backanalyse": "workbench.studies.backanalysis",
+    "critical": "workbench.stability.search",
+    "ensemble": "workbench.studies.ensemble",
+    "grid": "workbench.studies.ensemble",
+    "load": "workbench.files.scenefile",
+    "plan": "core.motion.plan",
+    "solve": "core.motion.solver",
+}
 __all__ = [
-    "Arc", "BackAnalysis", "Critical", "Dimensionless", "Energy", "Motion", "Plan", "Scene", "Section", "Slope",
-    "State", "Status", "Study", "Unattainable", "backanalyse", "critical", "ensemble", "grid", "load", "plan", "solve",
-]  # fmt: skip
+    "Arc",
+    "BackAnalysis",
+    "Critical",
+    "Dimensionless",
+    "Energy",
+    "Motion",
+    "Plan",
+    "Scene",
+    "Section",
+    "Slope",
+    "State",
+    "Status",
+    "Study",
+    "Unattainable",
+    "backanalyse",
+    "critical",
+    "ensemble",
+    "grid",
+    "load",
+    "plan",
+    "solve",
+]
 
 
 def __getattr__(name: str) -> Any:

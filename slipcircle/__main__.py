@@ -21,15 +21,15 @@ from typing import TypeVar
 
 import slipcircle
 from slipcircle import Motion, Scene, load, plan, solve
-from slipcircle.base import files
-from slipcircle.files.scenefile import critical_of_file, find, shipped
-from slipcircle.motion.quantities import OUTCOMES, plain, record, shown
-from slipcircle.outputs import pictures, tables
-from slipcircle.outputs.options import times
-from slipcircle.outputs.tables import Answer, Part, say
-from slipcircle.outputs.trace import csv
-from slipcircle.scene.stability import METHODS
-from slipcircle.scene.variation import other_way
+from slipcircle.core.motion.quantities import OUTCOMES, plain, record, shown
+from slipcircle.workbench.common import files
+from slipcircle.workbench.files.scenefile import critical_of_file, find, shipped
+from slipcircle.workbench.files.variation import other_way
+from slipcircle.workbench.outputs import pictures, tables
+from slipcircle.workbench.outputs.options import times
+from slipcircle.workbench.outputs.tables import Answer, Part, say
+from slipcircle.workbench.outputs.trace import csv
+from slipcircle.workbench.stability.stability import METHODS
 
 T = TypeVar("T")
 SILENT = 5.0  # s, at most
@@ -136,7 +136,7 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     def study(name: str, said: str) -> argparse.ArgumentParser:
         added = command(name, None, said)
         if name in argv:  # no other command needs what it loads
-            loaded = import_module(f"slipcircle.outputs.{name}")
+            loaded = import_module(f"slipcircle.workbench.outputs.{name}")
             loaded.arguments(added)
             added.set_defaults(work=loaded.run)
         return added
@@ -150,12 +150,23 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     run = command("run", _run, "solve scenes and print their motion side by side")
     run.add_argument("scenes", nargs="+", metavar="SCENE", help=which)
     run.add_argument("--verbose", action="store_true", help="all numbers, the arc's coefficients too")
-    run.add_argument("--polarities", action="store_true", help="each shaken scene also with its horizontal shaking "
-                     "turned around, and the mean of both")  # fmt: skip
-    writes(run, f"section, motion and energy{pictured}, and the slide itself as .gif; may be given more than once",
-           report=reviewed, csv="the motion over time, in SI units and full precision")  # fmt: skip
-    run.add_argument("--times", type=times, metavar="FROM:TO:STEP", help="times of --csv in s, by default 401 even "
-                     "ones from start to end: 0:60:1")  # fmt: skip
+    run.add_argument(
+        "--polarities",
+        action="store_true",
+        help="each shaken scene also with its horizontal shaking turned around, and the mean of both",
+    )
+    writes(
+        run,
+        f"section, motion and energy{pictured}, and the slide itself as .gif; may be given more than once",
+        report=reviewed,
+        csv="the motion over time, in SI units and full precision",
+    )
+    run.add_argument(
+        "--times",
+        type=times,
+        metavar="FROM:TO:STEP",
+        help="times of --csv in s, by default 401 even ones from start to end: 0:60:1",
+    )
     planned = command("plan", _plan, "how a scene will be solved, and what that costs")
     what = planned.add_mutually_exclusive_group(required=True)
     what.add_argument("scene", nargs="?", metavar="SCENE", help=which)
@@ -163,12 +174,20 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     planned.add_argument("--ladder", action="store_true", help="solve with the effects added one by one")
     writes(planned, f"the ladder{pictured}")
     swept = study("sweep", "a scene on a grid of values, or for samples of its uncertain numbers")
-    writes(swept, f"exceedance curves and which unknown matters, or a grid of one or two numbers{pictured}",
-           report=reviewed, csv="one table of all results",
-           npz="all results as NumPy arrays, the samples where kept")  # fmt: skip
+    writes(
+        swept,
+        f"exceedance curves and which unknown matters, or a grid of one or two numbers{pictured}",
+        report=reviewed,
+        csv="one table of all results",
+        npz="all results as NumPy arrays, the samples where kept",
+    )
     slope = command("search", _search, "the critical circle of a slope, and its factors of safety by three methods")
-    slope.add_argument("scenes", nargs="+", metavar="SLOPE", help="a scene that ships, by name, or the path of a TOML "
-                       "file with [ground] and soil")  # fmt: skip
+    slope.add_argument(
+        "scenes",
+        nargs="+",
+        metavar="SLOPE",
+        help="a scene that ships, by name, or the path of a TOML file with [ground] and soil",
+    )
     slope.add_argument("--method", choices=METHODS, help="whose least factor is looked for; default bishop")
     writes(slope, f"the section, the circle and the factors over centres{pictured}")
     back = study("backanalyse", "the friction, or another number, that explains an observed motion")
@@ -178,8 +197,9 @@ def _parser(argv: Sequence[str]) -> argparse.ArgumentParser:
     for one in (swept, back, slopes):
         one.add_argument("scene", metavar="SCENE", help=which)
     schema = command("schema", _schema, "what a scene file may say: every effect, law, key and unit")
-    schema.add_argument("--text", dest="json", action="store_false",
-                        help="for people; by default a JSON Schema, for editors")  # fmt: skip
+    schema.add_argument(
+        "--text", dest="json", action="store_false", help="for people; by default a JSON Schema, for editors"
+    )
     cost = command("cost", _cost, "measure here what each way to compute something costs, and its error")
     cost.add_argument("functions", nargs="*", metavar="NAME", help="a function or solver; by default all")
     writes(cost, f"error against time and error over alpha{pictured}", csv="every row in full precision")
@@ -217,7 +237,7 @@ def _run(options: argparse.Namespace) -> Answer:
     for path in options.plot:
         made[path] = pictures.picture("motions", motions, path)
     if options.report:
-        from slipcircle.outputs.report import report
+        from slipcircle.workbench.outputs.report import report
 
         made[options.report] = report(motions, sources, options.line).encode()
     for path, content in made.items():
@@ -263,13 +283,12 @@ def _plan(options: argparse.Namespace) -> Answer:
     found = vars(chosen) | {"scene": chosen.scene.name}
     if not options.ladder:
         return Answer(lambda: [found], [tables.plan_part(chosen)])
-    from slipcircle.studies.ladder import ladder
+    from slipcircle.workbench.studies.ladder import ladder
 
     rungs = _speaking_of(chosen.scene, ladder)
     pictures.write(options.plot, "ladder", rungs)
     return Answer(
-        lambda: [found | {"ladder": [asdict(r) for r in rungs]}],
-        [tables.ladder_part(rungs, chosen.scene.name)],
+        lambda: [found | {"ladder": [asdict(r) for r in rungs]}], [tables.ladder_part(rungs, chosen.scene.name)]
     )
 
 
@@ -304,15 +323,15 @@ def _sensitivity(options: argparse.Namespace) -> Answer:
 
 
 def _schema(_: argparse.Namespace) -> Answer:
-    from slipcircle.outputs.guide import guide
-    from slipcircle.scene.keys import schema
+    from slipcircle.workbench.files.keys import schema
+    from slipcircle.workbench.outputs.guide import guide
 
     return Answer(schema, [guide()])
 
 
 def _cost(options: argparse.Namespace) -> Answer:
-    from slipcircle.cost import cost, costplot, costtext
-    from slipcircle.outputs.info import machine
+    from slipcircle.workbench.cost import cost, costplot, costtext
+    from slipcircle.workbench.outputs.info import machine
 
     found = cost.measure(options.functions or cost.NAMES, partial(print, file=sys.stderr, flush=True))
     if options.csv:
@@ -321,13 +340,12 @@ def _cost(options: argparse.Namespace) -> Answer:
         files.write(path, pictures.render(partial(costplot.overview, found), costplot.size(found), path))
     beside = machine()
     return Answer(
-        lambda: {"machine": beside, "rows": [costtext.record(row) for row in found]},
-        costtext.parts(found, beside),
+        lambda: {"machine": beside, "rows": [costtext.record(row) for row in found]}, costtext.parts(found, beside)
     )
 
 
 def _info(_: argparse.Namespace) -> Answer:
-    from slipcircle.outputs.info import facts
+    from slipcircle.workbench.outputs.info import facts
 
     found = facts()
     return Answer(lambda: found, [Part([], list(found.items()))])

@@ -77,7 +77,9 @@ def refused(asked: Callable[..., tuple[int, str, str]]) -> Callable[..., str]:
 @pytest.fixture
 def unseen(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pictures cost most of the time; where they are not what is tested, they are empty."""
-    monkeypatch.setattr("slipcircle.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>")
+    monkeypatch.setattr(
+        "slipcircle.workbench.outputs.pictures.render", lambda *_: b"<svg xmlns='http://www.w3.org/2000/svg'/>"
+    )
 
 
 def columns(table: str) -> dict[str, list[str]]:

@@ -10,8 +10,8 @@ import oracle
 import taylor
 from strips import integrals
 
-from slipcircle.cost import sections
-from slipcircle.cost.scenes import ANSWERS, CASES, scene
+from slipcircle.workbench.cost import sections
+from slipcircle.workbench.cost.scenes import ANSWERS, CASES, scene
 
 
 def texts(name: str, friction: float) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ import sympy as sp
 from flint import arb, arb_series, ctx
 
 from derive.flow.operations import OPERATIONS, n
-from slipcircle.flow.program import Program, join
+from slipcircle.core.flow.program import Program, join
 
 ORDER = 7
 PRECISION = 360  # bits

@@ -25,9 +25,9 @@ from typing import Any
 from generated.effects import LAWS
 from slipcircle.__main__ import main
 from slipcircle.base import VERSION
-from slipcircle.files.scenefile import find, shipped
-from slipcircle.scene.keys import tables_of
-from slipcircle.scene.stability import METHODS
+from slipcircle.workbench.files.keys import tables_of
+from slipcircle.workbench.files.scenefile import find, shipped
+from slipcircle.workbench.stability.stability import METHODS
 
 SECONDS = 5.0
 SIZES = (0, -1, 1, 5e-324, 1e-300, 1e-100, 1e-12, 1e-6, 1e-3, 0.5, 3, 45, 89.999, 90, 180, 271, 1e3, 1e6, 1e9, 1e12,

@@ -19,7 +19,7 @@ import numpy as np
 from fuzz_scenes import toml
 
 from slipcircle import Scene, Section, load
-from slipcircle.scene.ground import circle_through
+from slipcircle.core.scene.ground import circle_through
 
 Data = dict[str, Any]
 KEYS = {"ground": "ground.points_m", "unit_weight": "ground.unit_weight_kN_m3", "gravity": "ground.gravity_m_s2",

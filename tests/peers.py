@@ -28,8 +28,8 @@ from numpy.typing import NDArray
 import generated
 from derive.declare.quantities import RESISTANCE
 from derive.declare.symbols import alpha
-from slipcircle.cost.cost import interleaved
-from slipcircle.outputs.info import machine
+from slipcircle.workbench.cost.cost import interleaved
+from slipcircle.workbench.outputs.info import machine
 
 Floats = NDArray[np.float64]
 SIZES = (10_000, 1_000_000)

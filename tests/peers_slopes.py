@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import differential_evolution
 
-from slipcircle.scene.search import Search, critical
-from slipcircle.scene.stability import METHODS, Slope
+from slipcircle.workbench.stability.search import Search, critical
+from slipcircle.workbench.stability.stability import METHODS, Slope
 
 
 class Case(NamedTuple):

@@ -12,8 +12,8 @@ from contextlib import ExitStack
 from dataclasses import replace
 
 from slipcircle import ensemble, load
-from slipcircle.outputs.info import machine
-from slipcircle.studies.engines import engine, forecast
+from slipcircle.workbench.outputs.info import machine
+from slipcircle.workbench.studies.engines import engine, forecast
 
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
 SIZE, LARGE = 65536, 262144  # samples of a block

@@ -10,7 +10,7 @@ from itertools import pairwise
 from flint import acb, arb, ctx
 from oracle import exact
 
-from slipcircle.scene.circles import MEASURES
+from slipcircle.core.scene.circles import MEASURES
 
 BITS = 220
 Point = tuple[float, float]

@@ -20,7 +20,7 @@ from mpmath import mpf
 import slipcircle
 from generated import cells as its
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.flow.bind import Bound
+from slipcircle.core.flow.bind import Bound
 
 DATA = references.FILE.read_bytes()
 ROWS: list[dict[str, Any]] = json.loads(DATA)

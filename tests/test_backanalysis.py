@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import minimize
 
 from slipcircle import Arc, Scene, Unattainable, backanalyse, grid, load, solve
-from slipcircle.studies.backanalysis import FITTED, ROOT
+from slipcircle.workbench.studies.backanalysis import FITTED, ROOT
 
 VAIONT = load("vaiont")
 WET = load("wet-slope")

@@ -19,7 +19,7 @@ import generated
 import slipcircle
 from slipcircle import State, load, solve
 from slipcircle import __main__ as line
-from slipcircle.files.scenefile import find, shipped
+from slipcircle.workbench.files.scenefile import find, shipped
 
 ROOT = Path(__file__).parents[1]
 NAMES = ["vaiont-as-printed", "vaiont-frozen"]
@@ -344,8 +344,8 @@ from slipcircle import load, solve
 for name in ("newmark-pulse", "vaiont-heated", "vaiont-rate", "vaiont-frozen", "wet-slope"):
     m = solve(load(name)); m.at([0, 1]); m.energy; m.error_estimate
 loaded = {name.partition(".")[0] for name in set(sys.modules) - bare - set(hidden)} - sys.stdlib_module_names
-assert "slipcircle.outputs.plots" not in sys.modules  # nothing was drawn
-from slipcircle.motion import solver
+assert "slipcircle.workbench.outputs.plots" not in sys.modules  # nothing was drawn
+from slipcircle.core.motion import solver
 solver.motion_of = None  # so that nothing can be computed
 print(json.dumps([done, sorted(loaded), [told(line) for line in needs]]))
 """

@@ -19,9 +19,9 @@ from mpmath import mpf
 
 from generated._compiled import LEVELS
 from generated.tiers import BOUNDS
-from slipcircle.cost import cost, costtext, reference, scenes, sections, ways
-from slipcircle.cost.cost import Row
-from slipcircle.outputs import pictures, tables
+from slipcircle.workbench.cost import cost, costtext, reference, scenes, sections, ways
+from slipcircle.workbench.cost.cost import Row
+from slipcircle.workbench.outputs import pictures, tables
 
 SEEN = (1e-100, 1e-8, 1e-4, 0.3, 0.80, 1.55, float(np.nextafter(np.pi / 2, 0)), float(np.pi / 2))
 MEASURED = "weight_moment_amplitude"
@@ -283,7 +283,7 @@ def test_the_command(asked: Any, said: Any, tmp_path: Path, monkeypatch: pytest.
 
 def test_the_picture(rows: list[Row]) -> None:
     pytest.importorskip("matplotlib")
-    from slipcircle.cost import costplot
+    from slipcircle.workbench.cost import costplot
 
     both = [*rows, *judged(*RACE[:3])]
     drawn = pictures.render(lambda figure: costplot.overview(both, figure), costplot.size(both), "svg").decode()

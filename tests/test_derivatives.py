@@ -20,7 +20,7 @@ from flint import arb, ctx
 
 import slipcircle
 from slipcircle import Arc, Motion, Scene, load, solve
-from slipcircle.studies.motions import derivatives, motions
+from slipcircle.workbench.studies.motions import derivatives, motions
 
 EXACT = ("peak_velocity", "run_out", "duration")  # outputs of which 40 digits are known
 

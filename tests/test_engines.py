@@ -19,13 +19,13 @@ import numpy as np
 import pytest
 
 from slipcircle import Scene, ensemble, load, solve
-from slipcircle.base.files import write
 from slipcircle.base.series import Series
-from slipcircle.studies import engines, export
-from slipcircle.studies.design import Design, Result
-from slipcircle.studies.engines import Progress, engine, forecast, stored
-from slipcircle.studies.ensemble import grid
-from slipcircle.studies.study import Study
+from slipcircle.workbench.common.files import write
+from slipcircle.workbench.studies import engines, export
+from slipcircle.workbench.studies.design import Design, Result
+from slipcircle.workbench.studies.engines import Progress, engine, forecast, stored
+from slipcircle.workbench.studies.ensemble import grid
+from slipcircle.workbench.studies.study import Study
 
 ROOT = Path(__file__).parents[1]
 ANGLE = {"distribution": "normal", "mean": 10, "std": 1}
@@ -276,7 +276,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
     def lost(*_: Any) -> None:
         raise gone
 
-    monkeypatch.setattr("slipcircle.outputs.sweep._compute", lost)
+    monkeypatch.setattr("slipcircle.workbench.outputs.sweep._compute", lost)
     told = refused("sweep vaiont --grid friction.angle_deg=8,10")
     assert "a worker died; with --resume FOLDER it could continue" in told
 
@@ -285,7 +285,7 @@ def test_a_failing_block_is_no_silence(monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(design: Design, index: int) -> Result:
         raise MemoryError(f"block {index}")
 
-    monkeypatch.setattr("slipcircle.studies.engines.run_block", fails)
+    monkeypatch.setattr("slipcircle.workbench.studies.engines.run_block", fails)
     with ThreadPoolExecutor(2) as pool, pytest.raises(MemoryError, match="block"):
         ensemble(SCENE, 100, 1, pool)
 

@@ -14,15 +14,15 @@ from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.base.series import Series
-from slipcircle.files.scenefile import load as read
-from slipcircle.motion.quantities import OUTCOMES
-from slipcircle.motion.states import Status
-from slipcircle.scene.keys import schema
-from slipcircle.studies import export
-from slipcircle.studies.ensemble import grid
-from slipcircle.studies.sampling import monte_carlo
-from slipcircle.studies.statistics import BIN_ERROR, moments, spread
-from slipcircle.studies.study import Study
+from slipcircle.core.motion.quantities import OUTCOMES
+from slipcircle.core.motion.states import Status
+from slipcircle.workbench.files.keys import schema
+from slipcircle.workbench.files.scenefile import load as read
+from slipcircle.workbench.studies import export
+from slipcircle.workbench.studies.ensemble import grid
+from slipcircle.workbench.studies.sampling import monte_carlo
+from slipcircle.workbench.studies.statistics import BIN_ERROR, moments, spread
+from slipcircle.workbench.studies.study import Study
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 VAIONT = load("vaiont")

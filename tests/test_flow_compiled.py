@@ -10,9 +10,9 @@ import pytest
 import slipcircle
 from generated import cells as its
 from slipcircle.base.series import Pulse, Series
-from slipcircle.flow import compiled, walk
-from slipcircle.flow.bind import Bound, bind
-from slipcircle.flow.program import Log, Samples
+from slipcircle.core.flow import compiled, walk
+from slipcircle.core.flow.bind import Bound, bind
+from slipcircle.core.flow.program import Log, Samples
 
 pytestmark = pytest.mark.skipif(compiled.module() is None, reason="no compiled walk here")
 

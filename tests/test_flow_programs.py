@@ -15,8 +15,8 @@ from derive.declare import effects as declared
 from derive.declare.effects import EFFECTS, LAMBDA, LAWS, MU, OMEGA, SLIP, THETA, VALUE, Effect, Law, Parameter
 from derive.flow import emit, fragments, operations
 from generated import cells, flow, series
-from slipcircle.flow.link import RESULTS
-from slipcircle.flow.program import Program, join
+from slipcircle.core.flow.link import RESULTS
+from slipcircle.core.flow.program import Program, join
 
 CASES = random.Random(7).sample(list(flow_oracle.cases()), 60)
 

@@ -28,7 +28,7 @@ from derive.judge.paper import CLAIMS
 from generated import tiers
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
-from slipcircle.outputs.report import ASSUMED
+from slipcircle.workbench.outputs.report import ASSUMED
 
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -104,7 +104,7 @@ def printed(notebook: Any, cell_id: str) -> str:
 
 @each_notebook
 def test_outputs_are_those_of_a_fresh_run(path: Path) -> None:
-    quick = f"from slipcircle.cost import cost\nvars(cost).update({QUICK})"  # no test is about how long something takes
+    quick = f"from slipcircle.workbench.cost import cost\nvars(cost).update({QUICK})"
     kept, fresh = stored(path.name), run(path, quick)
     stale = "stale; to store fresh outputs: ./run python tests/test_notebooks.py"
     for old, new in zip(kept.cells, fresh.cells, strict=True):

@@ -21,7 +21,7 @@ from conftest import columns
 from flint import arb, arb_series, ctx
 
 from slipcircle import load, solve
-from slipcircle.outputs.trace import csv, telling_times
+from slipcircle.workbench.outputs.trace import csv, telling_times
 
 KEYS: dict[str, tuple[str, Callable[[float], Any]]] = {  # of a scene file, and its unit's number from the SI one
     "pressure": ("pressure_kPa", lambda x: x / 1e3), "cohesion": ("cohesion_kPa", lambda x: x / 1e3),

@@ -11,9 +11,9 @@ import pytest
 from generated.effects import EFFECTS
 from slipcircle import Scene, load, plan, solve
 from slipcircle.base.series import Series
-from slipcircle.motion.plan import CLOSED_IN_TIME, FLOW
-from slipcircle.scene.variation import other_way
-from slipcircle.studies.ladder import ladder
+from slipcircle.core.motion.plan import CLOSED_IN_TIME, FLOW
+from slipcircle.workbench.files.variation import other_way
+from slipcircle.workbench.studies.ladder import ladder
 
 ARC = load("vaiont").arc
 SOFTENING = {"law": "exponential", "peak": 0.4, "residual": 0.2, "length": 2.0}

@@ -17,10 +17,10 @@ from matplotlib.text import Text
 
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.base.series import Pulse
-from slipcircle.outputs import plots, plotstyle
-from slipcircle.outputs.trace import csv
-from slipcircle.outputs.trace import drawn as trace
-from slipcircle.studies.ladder import ladder
+from slipcircle.workbench.outputs import plots, plotstyle
+from slipcircle.workbench.outputs.trace import csv
+from slipcircle.workbench.outputs.trace import drawn as trace
+from slipcircle.workbench.studies.ladder import ladder
 
 matplotlib.use("agg")
 

@@ -21,8 +21,8 @@ from generated._compiled import LEVEL, LEVELS
 from generated.effects import EFFECTS
 from generated.tiers import BOUNDS
 from slipcircle import Motion, Unattainable, backanalyse, load, solve
-from slipcircle.outputs import plots
-from slipcircle.studies.ladder import ladder
+from slipcircle.workbench.outputs import plots
+from slipcircle.workbench.studies.ladder import ladder
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"

@@ -10,8 +10,8 @@ import pytest
 
 from slipcircle import Scene, load, solve
 from slipcircle.base.series import Pulse, Series
-from slipcircle.records import recordfiles
-from slipcircle.records.records import read_pore_pressure, read_record
+from slipcircle.workbench.records import recordfiles
+from slipcircle.workbench.records.records import read_pore_pressure, read_record
 
 AT2 = """PEER NGA STRONG MOTION DATABASE RECORD
 Nowhere 1/1/1999, Station Zero, 090

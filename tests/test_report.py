@@ -16,15 +16,15 @@ import numpy as np
 import pytest
 
 from slipcircle import Motion, Scene, load, solve
-from slipcircle.base import files
 from slipcircle.base.series import Series
-from slipcircle.files.scenefile import find
-from slipcircle.motion.quantities import RESULTS
-from slipcircle.motion.quantities import record as record_of
-from slipcircle.outputs import pictures
-from slipcircle.outputs.info import facts
-from slipcircle.outputs.provenance import comments, inputs
-from slipcircle.outputs.report import report
+from slipcircle.core.motion.quantities import RESULTS
+from slipcircle.core.motion.quantities import record as record_of
+from slipcircle.workbench.common import files
+from slipcircle.workbench.files.scenefile import find
+from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.info import facts
+from slipcircle.workbench.outputs.provenance import comments, inputs
+from slipcircle.workbench.outputs.report import report
 
 COMMAND = "slipcircle run wet-slope --report report.html"
 

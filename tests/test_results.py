@@ -15,8 +15,8 @@ import generated
 import slipcircle
 from slipcircle import Arc, Motion, Scene, Status, Study, ensemble, kernels, load, solve
 from slipcircle.base.kinds import Array
-from slipcircle.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, shown, to_error
-from slipcircle.studies.ensemble import grid
+from slipcircle.core.motion.quantities import HISTORY, OUTCOMES, RESULTS, digits_left, shown, to_error
+from slipcircle.workbench.studies.ensemble import grid
 
 VAIONT = load("vaiont")
 MANY_OF: Scene = VAIONT  # which may hold arrays

@@ -15,9 +15,9 @@ import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load, plan, solve
 from slipcircle.base.series import Pulse
-from slipcircle.files.scenefile import load as read
-from slipcircle.files.scenefile import shipped
-from slipcircle.scene.arc import QUANTITIES
+from slipcircle.core.scene.arc import QUANTITIES
+from slipcircle.workbench.files.scenefile import load as read
+from slipcircle.workbench.files.scenefile import shipped
 
 FOLDER = Path(slipcircle.__file__).parent / "scenes"
 ARC = Arc(800.0, 3.8, 5.0, 21e3)
@@ -93,10 +93,7 @@ CHANGES: list[tuple[dict[str, Any], str]] = [
     ({"effects": ["sinking"]}, "effects: 'sinking' is unknown; known are "),
     ({"effects": {"centripetal": {"mass": 1.0}}}, "effects.centripetal: 'mass' is unknown; known are none"),
     ({"effects": {"centripetal": None}}, "effects.centripetal = None: must be a mapping of parameters"),
-    (
-        {"effects": {"cohesion": {"cohesion": 1e30}}},
-        "cohesion = 1e+30: must be shear strength without",
-    ),
+    ({"effects": {"cohesion": {"cohesion": 1e30}}}, "cohesion = 1e+30: must be shear strength without"),
     *(({"friction": friction, "effects": effects}, said) for friction, effects, said in REFUSED),
 ]
 

@@ -13,9 +13,9 @@ import pytest
 import slipcircle
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Scene, load
-from slipcircle.files.scenefile import load as read
-from slipcircle.outputs.guide import guide
-from slipcircle.scene.keys import schema, tables_of
+from slipcircle.workbench.files.keys import schema, tables_of
+from slipcircle.workbench.files.scenefile import load as read
+from slipcircle.workbench.outputs.guide import guide
 
 jsonschema: Any = import_module("jsonschema")  # comes with nbformat, untyped
 FOLDER = Path(slipcircle.__file__).parent / "scenes"

@@ -14,11 +14,11 @@ from test_section_motion import GROUND
 from test_section_water import LEVEL
 
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
-from slipcircle.motion.states import Status
-from slipcircle.scene.numbers import fields_with, numbers_in
-from slipcircle.studies.engines import engine
-from slipcircle.studies.ensemble import grid
-from slipcircle.studies.motions import motions
+from slipcircle.core.motion.states import Status
+from slipcircle.workbench.files.numbers import fields_with, numbers_in
+from slipcircle.workbench.studies.engines import engine
+from slipcircle.workbench.studies.ensemble import grid
+from slipcircle.workbench.studies.motions import motions
 
 TURNING: Any = {"rotation": {}, "centripetal": {}, "cohesion": {"cohesion": 3e3}}
 SLOPE: dict[str, Any] = {"ground": GROUND, "centre": [30.5, 53.6], "radius": 28.4, "unit_weight": 20e3}

@@ -13,7 +13,7 @@ import taylor
 
 from generated import cells as its
 from slipcircle import Motion, Scene, Section, solve
-from slipcircle.flow import compiled, walk
+from slipcircle.core.flow import compiled, walk
 
 GAMMA, SEED = 20e3, section_references.SEED
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]

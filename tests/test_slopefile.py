@@ -12,9 +12,9 @@ import pytest
 from conftest import columns
 
 import slipcircle
-from slipcircle.files.scenefile import critical_of_file
-from slipcircle.outputs.guide import guide
-from slipcircle.scene.search import Critical
+from slipcircle.workbench.files.scenefile import critical_of_file
+from slipcircle.workbench.outputs.guide import guide
+from slipcircle.workbench.stability.search import Critical
 
 ACADS = """\
 note = "Giam and Donald 1989"

@@ -10,11 +10,11 @@ from flint import arb
 from strips import integrals
 
 from generated import kernels
-from slipcircle.scene import circles
-from slipcircle.scene.arc import Arc
-from slipcircle.scene.circles import MEASURES
-from slipcircle.scene.ground import circle_through, circle_touching, simple_slope
-from slipcircle.scene.section import Section
+from slipcircle.core.scene import circles
+from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.circles import MEASURES
+from slipcircle.core.scene.ground import circle_through, circle_touching, simple_slope
+from slipcircle.core.scene.section import Section
 
 LENGTHS = {"radial_x": ("radial_x", "radial_y"), "radial_y": ("radial_x", "radial_y"),
            "moment_x": ("moment_x", "moment_y"), "moment_y": ("moment_x", "moment_y")}  # fmt: skip

@@ -8,11 +8,11 @@ import numpy as np
 import peers_slopes
 import pytest
 
-from slipcircle.scene import circles
-from slipcircle.scene.ground import circle_through
-from slipcircle.scene.search import Search, critical
-from slipcircle.scene.section import Section
-from slipcircle.scene.stability import METHODS, Slope, factors
+from slipcircle.core.scene import circles
+from slipcircle.core.scene.ground import circle_through
+from slipcircle.core.scene.section import Section
+from slipcircle.workbench.stability.search import Search, critical
+from slipcircle.workbench.stability.stability import METHODS, Slope, factors
 
 
 def tangent(degrees: float) -> float:

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from slipcircle.base.distributions import DISTRIBUTIONS, distribution_of
-from slipcircle.studies.sampling import latin, monte_carlo, sobol
-from slipcircle.studies.statistics import (
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS, distribution_of
+from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol
+from slipcircle.workbench.studies.statistics import (
     BIN_ERROR,
     BINS,
     bins,

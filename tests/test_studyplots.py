@@ -14,9 +14,9 @@ from test_plots import canvas, clashes, drawn, legend, motion
 from test_report import rows, tree
 
 from slipcircle import Study, backanalyse, ensemble, load, solve
-from slipcircle.outputs import plots, studyplots
-from slipcircle.outputs.report import study_report
-from slipcircle.studies.ensemble import grid
+from slipcircle.workbench.outputs import plots, studyplots
+from slipcircle.workbench.outputs.report import study_report
+from slipcircle.workbench.studies.ensemble import grid
 
 ANGLE = {"friction.angle_deg": {"distribution": "normal", "mean": 24, "std": 2}}
 WATER = {"pore_pressure.ratio": {"distribution": "triangular", "low": 0, "mode": 0.3, "high": 0.5}}
@@ -235,6 +235,6 @@ def test_every_study_has_a_report(name: str) -> None:
 def test_what_cannot_be_written_is_said_before_the_work(
     more: str, told: str, tmp_path: Path, refused: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("slipcircle.outputs.sweep._compute", lambda *_: pytest.fail("computed"))
+    monkeypatch.setattr("slipcircle.workbench.outputs.sweep._compute", lambda *_: pytest.fail("computed"))
     assert told in refused("sweep vaiont", more.replace("{}", str(tmp_path)))
     assert not list(tmp_path.iterdir())

@@ -31,7 +31,7 @@ SHORT = {
     **{f"{f[0]}{x[-1]}": f"{f}(theta_{x})" for x in "12" for f in ("sin", "cos")},
     "sa": "sin(alpha)",
     "ca": "cos(alpha)",
-}  # fmt: skip
+}
 
 PRINTED_I = """
 -{1}/{2} (-s1 sa c2^2 + c1 ca c2^2 + c1 sa s2 c2 + s1 ca s2 c2 - sa ca^2 s1 - 2 ca^3 c1^2 c2 + sa ca^2 s2 + 2 ca^4
@@ -195,14 +195,20 @@ def simplify(appendix: Appendix) -> Proof:
     rest = sp.factor(trig_normal(form.xreplace({_A1: 0, _A2: 0})))
     line = sp.factor(factor * total + rest)
     of = integrand(line)
-    return Proof(line, of, (
-        Step("read the mended print", "every bracket has its partner", printed),
-        Step(f"the two arctanh together are {total}", f"(X_1 + X_2)/(1 + X_1 X_2) cancels to {total.args[0]}", total),
-        Step(f"both have the factor {factor}", "the derivatives by both cancel to one form, free of both", factor),
-        Step(f"without them {rest} is left", "cancels to it", rest),
-        Step("together, factored", "the form is linear in the two arctanh", line),
-        Step(f"it is the double integral of {of}", "found by differentiating it twice by alpha", line),
-    ))  # fmt: skip
+    return Proof(
+        line,
+        of,
+        (
+            Step("read the mended print", "every bracket has its partner", printed),
+            Step(
+                f"the two arctanh together are {total}", f"(X_1 + X_2)/(1 + X_1 X_2) cancels to {total.args[0]}", total
+            ),
+            Step(f"both have the factor {factor}", "the derivatives by both cancel to one form, free of both", factor),
+            Step(f"without them {rest} is left", "cancels to it", rest),
+            Step("together, factored", "the form is linear in the two arctanh", line),
+            Step(f"it is the double integral of {of}", "found by differentiating it twice by alpha", line),
+        ),
+    )
 
 
 def real_arithmetic_fails(appendix: Appendix) -> sp.Rel:

@@ -149,10 +149,7 @@ def _guarded(y: sp.Symbol) -> sp.Expr:
 
 
 # y = 1 + b G where z <= 1, so that phi = log1p(b G)/b loses nothing as t -> 0 or b -> 0.
-_ROTATION = {
-    _G: _near((Y - 1) / b),
-    _PHI_Y: _piece(_Y, 1 + b * _G),
-}
+_ROTATION = {_G: _near((Y - 1) / b), _PHI_Y: _piece(_Y, 1 + b * _G)}
 _ROTATION_RESULT = _piece(
     (_K * _piece(t, sp.Integer(0)) + sp.log(_PHI_Y)) / _piece(b, sp.Integer(1)),
     _G * Remainder(log1p, 1, _piece(sp.Integer(0), sp.Max(b * _G, -1 + sp.Rational(1, 2**53)))),
@@ -164,27 +161,52 @@ _ARREST = (a, b, omega_0)
 _RIDE = (*_ARREST, t)
 
 FORMS = (
-    MotionForm("frozen_angular_velocity", _RIDE, _COMMON,
-               _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), _near(Y_RATE / b)) / _Y),
-               "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)", "3.20",
-               "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity."),
-    MotionForm("frozen_rotation", _RIDE, _COMMON | _ROTATION,
-               _alive(_PHI_Y, _ROTATION_RESULT),
-               "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)", "4.3",
-               "Rotation of the paper's motion, for any sign of a and b and any initial velocity."),
-    MotionForm("frozen_angular_acceleration", _RIDE, _COMMON | _DECAY,
-               _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2),
-               "(a - b omega_0**2)/y**2 with y = exp(b phi)", "3.16",
-               "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity."),
-    MotionForm("frozen_arrest_time", _ARREST, {},
-               omega_0 / _BRAKE * Remainder(sp.atan, 1, omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))),
-               "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)", "3.20",
-               "Time at which a braked motion stands still."),
-    MotionForm("frozen_arrest_rotation", _ARREST, {},
-               omega_0 * (omega_0 / _BRAKE / 2) * Remainder(log1p, 1, omega_0 * (omega_0 / _BRAKE) * b),
-               "phi = ln(1 + b omega_0**2/(-a))/(2 b)", "4.3",
-               "Rotation at which a braked motion stands still."),
-)  # fmt: skip
+    MotionForm(
+        "frozen_angular_velocity",
+        _RIDE,
+        _COMMON,
+        _alive(_Y, _piece((_P - _M * _Q) / (2 * _piece(b, sp.Integer(1))), _near(Y_RATE / b)) / _Y),
+        "omega = (omega_0 + a T)/(1 + b omega_0 T), T = tanh(k t)/k, k = sqrt(a b)",
+        "3.20",
+        "Angular velocity of the paper's motion, for any sign of a and b and any initial velocity.",
+    ),
+    MotionForm(
+        "frozen_rotation",
+        _RIDE,
+        _COMMON | _ROTATION,
+        _alive(_PHI_Y, _ROTATION_RESULT),
+        "phi = ln(cosh(k t) + b omega_0 sinh(k t)/k)/b, k = sqrt(a b)",
+        "4.3",
+        "Rotation of the paper's motion, for any sign of a and b and any initial velocity.",
+    ),
+    MotionForm(
+        "frozen_angular_acceleration",
+        _RIDE,
+        _COMMON | _DECAY,
+        _alive(_Y, _piece(_P * _M / _piece(b, sp.Integer(1)), a - b * omega_0**2) * _D**2),
+        "(a - b omega_0**2)/y**2 with y = exp(b phi)",
+        "3.16",
+        "Angular acceleration of the paper's motion, for any sign of a and b and any initial velocity.",
+    ),
+    MotionForm(
+        "frozen_arrest_time",
+        _ARREST,
+        {},
+        omega_0 / _BRAKE * Remainder(sp.atan, 1, omega_0 * (sp.sqrt(b) / sp.sqrt(_BRAKE))),
+        "t = arctan(omega_0 sqrt(b/(-a)))/sqrt(-a b)",
+        "3.20",
+        "Time at which a braked motion stands still.",
+    ),
+    MotionForm(
+        "frozen_arrest_rotation",
+        _ARREST,
+        {},
+        omega_0 * (omega_0 / _BRAKE / 2) * Remainder(log1p, 1, omega_0 * (omega_0 / _BRAKE) * b),
+        "phi = ln(1 + b omega_0**2/(-a))/(2 b)",
+        "4.3",
+        "Rotation at which a braked motion stands still.",
+    ),
+)
 
 
 def prove_forms() -> list[str]:

@@ -64,9 +64,7 @@ def _half_angle(expression: sp.Expr) -> sp.Expr:
     return sp.Add(*(sp.factor(sp.cancel(c)) * r for r, c in _by_remainder(expression).items()))
 
 
-RULES: dict[str, Callable[[sp.Expr], sp.Expr]] = {
-    "angle": _bare_angle, "artanh": _artanh, "half angle": _half_angle,
-}  # fmt: skip
+RULES: dict[str, Callable[[sp.Expr], sp.Expr]] = {"angle": _bare_angle, "artanh": _artanh, "half angle": _half_angle}
 
 
 @cache

@@ -27,13 +27,21 @@ from derive.declare.symbols import alpha, r, theta
 REACH, NODES = sp.Rational(1, 4), 10
 # What is integrated over r and theta: of the area, of the two inertias, and of the weights as vectors.
 WEIGHTS = {
-    "area": r, "polar": r**2, "inertia": r**3,
-    "radial_x": r * sp.cos(theta), "radial_y": r * sp.sin(theta),
-    "moment_x": r**2 * sp.cos(theta), "moment_y": r**2 * sp.sin(theta),
-}  # fmt: skip
+    "area": r,
+    "polar": r**2,
+    "inertia": r**3,
+    "radial_x": r * sp.cos(theta),
+    "radial_y": r * sp.sin(theta),
+    "moment_x": r**2 * sp.cos(theta),
+    "moment_y": r**2 * sp.sin(theta),
+}
 # The paper's moments among them, and what they become as the mass turns by phi: J cos(phi) - slope sin(phi).
-MEANS = {"polar_moment": ("polar", 1), "moment_of_inertia": ("inertia", 1),
-         "radial_weight": ("radial_y", -1), "weight_moment": ("moment_x", -1)}  # fmt: skip
+MEANS = {
+    "polar_moment": ("polar", 1),
+    "moment_of_inertia": ("inertia", 1),
+    "radial_weight": ("radial_y", -1),
+    "weight_moment": ("moment_x", -1),
+}
 SLOPES = {"radial_weight": ("radial_x", 1), "weight_moment": ("moment_y", -1)}
 
 X, Y, E_X, E_Y, ANGLE, G = sp.symbols("x y e_x e_y angle g", real=True)
@@ -93,10 +101,15 @@ def closed() -> tuple[sp.Expr, ...]:
     r1, r2 = sp.sqrt(X**2 + Y**2), sp.sqrt(x2**2 + y2**2)
     below_1 = 1 - sp.Rational(1, 2**53)  # a centre on the edge: p L = 0 for every finite L
     at = {
-        _LOG: 2 * sp.atanh(sp.Min(d / (r1 + r2), below_1)), _rho(_T1): r1, _rho(_T2): r2,
-        _P: (X * E_Y - Y * E_X) / d, _T1: (X * E_X + Y * E_Y) / d, _T2: (x2 * E_X + y2 * E_Y) / d,
-        _TAU[0]: E_X / d, _TAU[1]: E_Y / d,
-    }  # fmt: skip
+        _LOG: 2 * sp.atanh(sp.Min(d / (r1 + r2), below_1)),
+        _rho(_T1): r1,
+        _rho(_T2): r2,
+        _P: (X * E_Y - Y * E_X) / d,
+        _T1: (X * E_X + Y * E_Y) / d,
+        _T2: (x2 * E_X + y2 * E_Y) / d,
+        _TAU[0]: E_X / d,
+        _TAU[1]: E_Y / d,
+    }
     found = []
     for name, triangle in triangles().items():
         n, direction = _split(WEIGHTS[name])
@@ -104,8 +117,7 @@ def closed() -> tuple[sp.Expr, ...]:
         if direction == 1:
             ring = sector.subs(theta, ANGLE)
         else:  # cosines and sines of the ends
-            ends = [sector.subs({sp.cos(theta): a / b, sp.sin(theta): c / b})
-                    for a, c, b in ((X, Y, r1), (x2, y2, r2))]  # fmt: skip
+            ends = [sector.subs({sp.cos(theta): a / b, sp.sin(theta): c / b}) for a, c, b in ((X, Y, r1), (x2, y2, r2))]
             ring = ends[1] - ends[0]
         found.append(ring - triangle.subs(_T2 - _T1, d).subs(at, simultaneous=True))
     return tuple(found)

@@ -21,14 +21,19 @@ from derive.code.operations import Floats
 def plain(variant: Variant) -> Record:
     """What is certified of a variant, as plain data: floats in hexadecimal, no bounds yet."""
     operations = [
-        ["call", list(op.args), op.kind] if op.kind in ("log", "exponent", "significand")
+        ["call", list(op.args), op.kind]
+        if op.kind in ("log", "exponent", "significand")
         else [op.kind, list(op.args), op.value.hex() if isinstance(op.value, float) else op.value]
         for op in variant.program.ops
-    ]  # fmt: skip
+    ]
     record: Record = {
-        "kernel": variant.kernel, "definition": list(variant.definition), "tier": variant.tier, "form": variant.form,
-        "output": variant.program.outputs[0], "operations": operations,
-    }  # fmt: skip
+        "kernel": variant.kernel,
+        "definition": list(variant.definition),
+        "tier": variant.tier,
+        "form": variant.form,
+        "output": variant.program.outputs[0],
+        "operations": operations,
+    }
     return record | {"assumptions": assumptions(record), "sha256": digest(record)}
 
 

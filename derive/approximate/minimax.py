@@ -100,8 +100,9 @@ def minimax(
     with ctx.workprec(BITS):
         start, last, times = (0, logs[1], logs[0]) if logs else (1, below, [-f for f in samples.values])
         powers = [[*accumulate([x] * max(above, last), operator.mul, initial=arb(1))] for x in samples.points]
-        basis = [[*row[: above + 1], *(t * p for p in row[start : last + 1])]
-                 for row, t in zip(powers, times, strict=True)]  # fmt: skip
+        basis = [
+            [*row[: above + 1], *(t * p for p in row[start : last + 1])] for row, t in zip(powers, times, strict=True)
+        ]
         count, unknowns, matrix = len(samples.points), len(basis[0]) + 1, arb_mat(basis)
         chosen = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
         under = [arb(1)] * count
@@ -115,8 +116,10 @@ def minimax(
                 if below:
                     under = [horner([arb(1), *found[above + 1 :]], x).mid() for x in samples.points]
             fitted = (matrix * arb_mat([[c] for c in found])).entries()
-            errors = [(w * (p - f) / u).mid()
-                      for p, f, w, u in zip(fitted, samples.values, samples.weights, under, strict=True)]  # fmt: skip
+            errors = [
+                (w * (p - f) / u).mid()
+                for p, f, w, u in zip(fitted, samples.values, samples.weights, under, strict=True)
+            ]
             worst = max(abs(float(e)) for e in errors)
             best = min(best, (worst, found), key=operator.itemgetter(0))
             if worst <= 1.02 * abs(float(level)):

@@ -73,14 +73,18 @@ def agree(kernel: Kernel) -> int:
     for closed, statement in zip(kernel.closed, kernel.definition, strict=True):
         for k, (found, right) in enumerate(zip(at_zero(closed), truth.at_zero(statement), strict=True)):
             if found != right:
-                raise ProofError(f"{kernel.name}: coefficient of alpha^{k} in the checker's definition {statement}",
-                                 found, right)  # fmt: skip
+                raise ProofError(
+                    f"{kernel.name}: coefficient of alpha^{k} in the checker's definition {statement}", found, right
+                )
         for x in (0.25, 0.75, 1.25, HALF_PI):
             with truth.working(GUARD):
                 here, there = arb(evaluate(closed, arb(x))), truth.value([statement], arb(x))
                 if not abs(here / there - 1) < arb(2) ** -200:
-                    raise ProofError(f"{kernel.name}: value at {x} by the checker's definition {statement}",
-                                     here.str(20, radius=False), there.str(20, radius=False))  # fmt: skip
+                    raise ProofError(
+                        f"{kernel.name}: value at {x} by the checker's definition {statement}",
+                        here.str(20, radius=False),
+                        there.str(20, radius=False),
+                    )
     return len(kernel.closed) * (truth.TERMS + 5)
 
 

@@ -48,14 +48,23 @@ Line = tuple[Fraction, Fraction]  # values of an affine function of alpha at bot
 # What an operation computes, of balls or of series, and its derivatives by its operands, None for 1, from its value
 # and these.
 VALUE: dict[str, Callable[..., Any]] = {
-    "fma": lambda a, b, c: a * b + c, "mul": operator.mul, "add": operator.add, "sub": operator.sub,
-    "div": operator.truediv, "neg": operator.neg, "log": lambda a: a.log(),
-}  # fmt: skip
+    "fma": lambda a, b, c: a * b + c,
+    "mul": operator.mul,
+    "add": operator.add,
+    "sub": operator.sub,
+    "div": operator.truediv,
+    "neg": operator.neg,
+    "log": lambda a: a.log(),
+}
 SLOPES: dict[str, Callable[..., tuple[Any, ...]]] = {
-    "fma": lambda y, a, b, c: (b, a, None), "mul": lambda y, a, b: (b, a), "add": lambda y, a, b: (None, None),
-    "sub": lambda y, a, b: (None, -1), "div": lambda y, a, b: (1 / b, -y / b), "neg": lambda y, a: (-1,),
+    "fma": lambda y, a, b, c: (b, a, None),
+    "mul": lambda y, a, b: (b, a),
+    "add": lambda y, a, b: (None, None),
+    "sub": lambda y, a, b: (None, -1),
+    "div": lambda y, a, b: (1 / b, -y / b),
+    "neg": lambda y, a: (-1,),
     "log": lambda y, a: (1 / a,),
-}  # fmt: skip
+}
 
 
 def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:

@@ -31,8 +31,9 @@ class Function:
     tiers: Mapping[str, Program] = field(default_factory=dict)  # a kernel of alpha: what NumPy runs at each tier
 
 
-PYTHON = Language("python", "{name} = {text}", lambda x: "np.nan" if x != x else repr(x),
-                  "horner({x}, ({coefficients}))")  # fmt: skip
+PYTHON = Language(
+    "python", "{name} = {text}", lambda x: "np.nan" if x != x else repr(x), "horner({x}, ({coefficients}))"
+)
 TEMPLATES = Path(__file__).resolve().parent / "templates"
 HELPERS = runpy.run_path(str(TEMPLATES / "_evaluate.py"))
 
@@ -63,10 +64,16 @@ class PythonText:
 
 
 _OUT = ("out", "ndarray, optional", "Where the result goes.")
-_WHERE = ("where", "array_like of bool, optional",
-          "Lanes to compute; others keep what `out` holds (NaN without `out`).")  # fmt: skip
-_ACCURACY = ("accuracy", "float, optional", "Relative error to meet: the cheapest tier that is proved to meet it, or "
-             "a ValueError. By default the best tier.")  # fmt: skip
+_WHERE = (
+    "where",
+    "array_like of bool, optional",
+    "Lanes to compute; others keep what `out` holds (NaN without `out`).",
+)
+_ACCURACY = (
+    "accuracy",
+    "float, optional",
+    "Relative error to meet: the cheapest tier that is proved to meet it, or a ValueError. By default the best tier.",
+)
 
 
 def numpydoc(
@@ -79,9 +86,25 @@ def numpydoc(
 ) -> str:
     """The docstring of a function; parameters are named, typed and described."""
     listed = [line for name, kind, words in parameters for line in (f"{name} : {kind}", f"    {words}")]
-    lines = [f'"""{summary}', "", formula, "", "Parameters", "----------", *listed,
-             "", "Returns", "-------", returns[0], f"    {returns[1]}", "", "Notes", "-----", *notes,
-             '"""']  # fmt: skip
+    lines = [
+        f'"""{summary}',
+        "",
+        formula,
+        "",
+        "Parameters",
+        "----------",
+        *listed,
+        "",
+        "Returns",
+        "-------",
+        returns[0],
+        f"    {returns[1]}",
+        "",
+        "Notes",
+        "-----",
+        *notes,
+        '"""',
+    ]
     return "".join(f"{_fill(f'    {line}'.rstrip(), width)}\n" for line in lines)
 
 
@@ -92,12 +115,14 @@ def function(f: Function, text: PythonText) -> str:
         f.summary,
         f.formula,
         [*((n, "array_like", words) for n, words in f.parameters), _OUT, _WHERE, *[_ACCURACY] * bool(f.tiers)],
-        ("ndarray or scalar", f"{f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays "
-         "float32."),
+        (
+            "ndarray or scalar",
+            f"{f.returns} Broadcast shape of the arguments; scalars in, scalar out; float32 stays float32.",
+        ),
         f"Domain: {f.domain}; elsewhere NaN and NumPy's ``invalid`` flag.",
         f"Accuracy: {f.accuracy}",
         f"Source: {f.equation}. Operations: {operations(p.operations())}.",
-    )  # fmt: skip
+    )
     if f.tiers:  # a kernel of alpha: the text of each tier, and a function that leaves the choice to `_compiled`
         bodies = {tier: identifier(p.name, "" if tier == "best" else tier) for tier in f.tiers}
         texts = "".join(f"{text.body(of, bodies[tier], 'xp')}\n\n" for tier, of in f.tiers.items())
@@ -210,8 +235,9 @@ _ITEM = re.compile(r"""(?:'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|[^'",]|,(?! ))+(?:
 
 def wrapped(text: str) -> str:
     """The text with lines of at most 120 columns: longer ones, calls and data, break after commas and in strings."""
-    return "\n".join("\n".join(_wrap(line)) if len(line) > 120 and '"""' not in line else line
-                     for line in text.split("\n"))  # fmt: skip
+    return "\n".join(
+        "\n".join(_wrap(line)) if len(line) > 120 and '"""' not in line else line for line in text.split("\n")
+    )
 
 
 def _wrap(line: str) -> list[str]:

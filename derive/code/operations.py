@@ -98,6 +98,7 @@ OPERATIONS = {
     "abs": Operation("{space}.abs({0})", "fabs({0})", np.abs),
     "exponent": Operation("", "exponent_of({0})", exponent),
     "significand": Operation("", "significand_of({0})", significand),
-} | {x: Operation(f"{{space}}.{x}({{0}})", "", getattr(np, x)) for x in (
-    "sin", "cos", "tan", "exp", "expm1", "log", "log1p", "arctan", "arctanh", "tanh", "cosh", "sinh", "sign")
-}  # fmt: skip
+} | {
+    x: Operation(f"{{space}}.{x}({{0}})", "", getattr(np, x))
+    for x in ("sin", "cos", "tan", "exp", "expm1", "log", "log1p", "arctan", "arctanh", "tanh", "cosh", "sinh", "sign")
+}

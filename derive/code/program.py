@@ -20,10 +20,22 @@ from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Sel
 from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
-    sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log", sp.atan: "arctan", sp.atanh: "arctanh",
-    sp.tanh: "tanh", sp.cosh: "cosh", sp.sinh: "sinh", sp.Abs: "abs", sp.sign: "sign", log1p: "log1p", expm1: "expm1",
+    sp.sin: "sin",
+    sp.cos: "cos",
+    sp.tan: "tan",
+    sp.exp: "exp",
+    sp.log: "log",
+    sp.atan: "arctan",
+    sp.atanh: "arctanh",
+    sp.tanh: "tanh",
+    sp.cosh: "cosh",
+    sp.sinh: "sinh",
+    sp.Abs: "abs",
+    sp.sign: "sign",
+    log1p: "log1p",
+    expm1: "expm1",
     Exp: "exp",
-}  # fmt: skip
+}
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,16 +65,25 @@ PASSED = {
     "SLOWER": "into the one before",
     "STOOD": "a standstill",
 }
-NOTES = {
-    "BEGINS": "a phase",
-    "STANDS": "still",
-    "LIFTS": "off",
-    "LANDS": "again",
-}
+NOTES = {"BEGINS": "a phase", "STANDS": "still", "LIFTS": "off", "LANDS": "again"}
 KINDS = ("slip", "speed", "time", "rotation")  # what a table is a function of
 # Registers and cells of a program that the walk reads.
-ROLES = ("x", "omega", "net", "normal", "upright", "cell_drive", "cell_drive_scale", "cell_normal0", "cell_f0",
-         "cell_p0", "cell_ps0", "cell_driving", "cell_resisting", "cell_mu")  # fmt: skip
+ROLES = (
+    "x",
+    "omega",
+    "net",
+    "normal",
+    "upright",
+    "cell_drive",
+    "cell_drive_scale",
+    "cell_normal0",
+    "cell_f0",
+    "cell_p0",
+    "cell_ps0",
+    "cell_driving",
+    "cell_resisting",
+    "cell_mu",
+)
 # Of a lane, breaks of what changes with time left out. A step that changes the speed by less than a share is held short
 # by what decays at once (the motion is stiff): it counts for many.
 LIMITS = {"MOST_STEPS": 200_000, "STIFF_STEP": 20, "MOST_TURNS": 2000}
@@ -104,9 +113,13 @@ def python() -> str:
 
 def c() -> dict[str, str]:
     """The same for the compiled walk, and the members of the struct of a program's roles, by their mark there."""
-    rows = [[f"{prefix}{x}{f' = {start}' * (start > 0 and not k)}" for k, x in enumerate(names)]
-            for _, prefix, start, names in NUMBERED]  # fmt: skip
+    rows = [
+        [f"{prefix}{x}{f' = {start}' * (start > 0 and not k)}" for k, x in enumerate(names)]
+        for _, prefix, start, names in NUMBERED
+    ]
     rows += [[f"OF_{x.upper()}" for x in KINDS], [f"{x} = {y}" for x, y in LIMITS.items()]]
     enums = (f"enum {{ {', '.join(row)} }};\n" for row in rows)
-    return {"CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
-            "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n"}  # fmt: skip
+    return {
+        "CELLS": "".join((*enums, *(f"#define {x} {y}\n" for x, y in SHARES.items()))),
+        "ROLES": f"    int32_t {', '.join(x.removeprefix('cell_') for x in ROLES)};\n",
+    }

@@ -33,18 +33,23 @@ Tangents = tuple[tuple[str, ...], tuple[tuple[object, ...], ...]]
 def module(effects: Sequence[Effect] = EFFECTS, laws: Sequence[Law] = LAWS) -> str:
     """The module's text."""
     cells = {name: repr((("d", "a", "b", "e"), of_cell(means))) for name, (means, _, _) in SCALARS.items()}
-    registers = {name: repr(((*map(str, (*o.results, *o.arguments, *o.numbers)),), of_series(o)))
-                 for name, o in OPERATIONS.items()}  # fmt: skip
+    registers = {
+        name: repr(((*map(str, (*o.results, *o.arguments, *o.numbers)),), of_series(o)))
+        for name, o in OPERATIONS.items()
+    }
     parts = {name: _fragment(f) for name, f in fragments(effects, laws).items()}
     kinked = {law.name: _pieces(law) for law in laws if law.kinks}
     blocks = (
         ("numbers that every scene gives", "INPUTS", {x: repr(y) for x, y in INPUTS.items()}),
-        ("laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
-         "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]", kinked),
+        (
+            "laws of slip in pieces: their scale, where pieces begin over it, and their polynomials in what is beyond",
+            "PIECES: dict[str, tuple[str, tuple[float, ...], Callable[..., Any]]]",
+            kinked,
+        ),
         ("operations that make the tangent of a cell", "CELL_TANGENTS: dict[str, Tangents]", cells),
         ("operations that make the tangents of a register", "SERIES_TANGENTS: dict[str, Tangents]", registers),
         ("parts of programs", "FRAGMENTS: dict[str, Fragment]", parts),
-    )  # fmt: skip
+    )
     text = [_HEAD.format(fragment=inspect.getsource(Fragment))]
     for comment, name, rows in blocks:
         lines = "".join(f"    {x!r}: {row},\n" for x, row in rows.items())
@@ -95,8 +100,13 @@ def of_cell(means: sp.Expr) -> Template:
 # What a derivative is made of, as registers, and the operation that makes one which is not there.
 _s, _v, _x, _e, _z, _p, _l, _h = (cell(x) for x in "svxezplh")
 _KNOWN = {
-    sp.cos(_x): 1 - _v, sp.sin(_x): _s, sp.exp(_z): _e, (1 + _z) ** POWER: _p, sp.log(1 + _z): _l, 1 / (1 + _z): _h,
-}  # fmt: skip
+    sp.cos(_x): 1 - _v,
+    sp.sin(_x): _s,
+    sp.exp(_z): _e,
+    (1 + _z) ** POWER: _p,
+    sp.log(1 + _z): _l,
+    1 / (1 + _z): _h,
+}
 _HELPERS = {_l: ("log", "l", "z"), _h: ("rec", "h", "*.h_less_1", "z")}
 
 

@@ -184,8 +184,11 @@ def rotation(effect: declared.Effect) -> Fragment:
         low.cells[str(seen(q))] = sign(q) * (q * sp.cos(ROTATION) - slope * sp.sin(ROTATION))
     low.turn(series("x"), ONE, ONE)
     low.put("lin", "upright", str(seen(PRESS)), low.sum(position()[PRESS][1]))
-    words = [f"({effect.equation}) {effect.help}", *declared.formulas(effect),
-             "q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes"]  # fmt: skip
+    words = [
+        f"({effect.equation}) {effect.help}",
+        *declared.formulas(effect),
+        "q(psi - x) = q - q vers x - q' sin x, of J_theta, J_r and their slopes",
+    ]
     return low.fragment(words, {})
 
 

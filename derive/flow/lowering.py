@@ -182,8 +182,11 @@ class Lowering:
         """Base, size of the base's terms, and increment of what is added to a quantity."""
         base, increment = self.split(e)
         base, scale = self.base(e, base)
-        return (self.cell(base, f"{self.name}.{quantity}"), self.cell(scale, f"{self.name}.{quantity}_size"),
-                self.sum(increment))  # fmt: skip
+        return (
+            self.cell(base, f"{self.name}.{quantity}"),
+            self.cell(scale, f"{self.name}.{quantity}_size"),
+            self.sum(increment),
+        )
 
     def base(self, e: sp.Expr, direct: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """A base and the size of its terms; of what depends on slip, the better of two forms."""
@@ -197,9 +200,15 @@ class Lowering:
         better = size(other), size(direct)
         return Select(better[1] * (1 + sp.Rational(1, 2**40)), better[0], direct, other), sp.Min(*better)
 
-    def fragment(self, words: Iterable[str], adds: Mapping[str, sp.Expr], inputs: Iterable[str] = (),
-                 optional: Iterable[str] = (), states: Mapping[str, sp.Expr] | None = None,
-                 table: tuple[str, str, str, int] | None = None) -> Fragment:  # fmt: skip
+    def fragment(
+        self,
+        words: Iterable[str],
+        adds: Mapping[str, sp.Expr],
+        inputs: Iterable[str] = (),
+        optional: Iterable[str] = (),
+        states: Mapping[str, sp.Expr] | None = None,
+        table: tuple[str, str, str, int] | None = None,
+    ) -> Fragment:
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
         rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())
@@ -218,8 +227,11 @@ class Lowering:
                 names[index] = str(op.value) if op.kind == "input" else f"={op.value!r}"
             else:
                 names[index] = next((n for n, i in outputs.items() if i == index), f"{self.name}.t{index}")
-        operations = [(op.kind, names[i], *(names[j] for j in op.args))
-                 for i, op in enumerate(p.ops) if op.kind not in ("input", "const")]  # fmt: skip
+        operations = [
+            (op.kind, names[i], *(names[j] for j in op.args))
+            for i, op in enumerate(p.ops)
+            if op.kind not in ("input", "const")
+        ]
         return (*operations, *(("set", n, names[i]) for n, i in outputs.items() if names[i] != n))
 
 

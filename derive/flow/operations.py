@@ -47,19 +47,49 @@ OPERATIONS = {
         Operation("mul", (D,), (A, B), (A * B,), (A[0] * B[0],), (_sum(A[k] * B[n - k], 0),)),
         Operation("sqr", (D,), (A,), (A**2,), (A[0] ** 2,), (_sum(A[k] * A[n - k], 0),)),
         Operation("tim", (Q,), (A,), (_t * sp.Derivative(A, _t),), (sp.Integer(0),), (n * A[n],)),
-        Operation("turn", (S, V), (Q, X), (sp.sin(X), 1 - sp.cos(X)), (sp.sin(X[0]), 2 * sp.sin(X[0] / 2) ** 2),
-                  ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n)),
-        Operation("exp", (E, M), (Q, Z), (sp.exp(Z), sp.exp(Z) - 1), (sp.exp(Z[0]), expm1(Z[0])),
-                  (_sum(Q[k] * E[n - k]) / n, E[n])),
-        Operation("rec", (H, M), (Z,), (1 / (1 + Z), 1 / (1 + Z) - 1), (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
-                  (-H[0] * _sum(Z[k] * H[n - k]), H[n])),
-        Operation("log", (L,), (Z,), (sp.log(1 + Z),), (log1p(Z[0]),),
-                  ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),)),
-        Operation("pow", (P, M), (Z,), ((1 + Z) ** POWER, (1 + Z) ** POWER - 1),
-                  (expm1(POWER * log1p(Z[0])) + 1, expm1(POWER * log1p(Z[0]))),
-                  (_sum((POWER * k - (n - k)) * Z[k] * P[n - k]) / n / (1 + Z[0]), P[n]), (POWER,)),
+        Operation(
+            "turn",
+            (S, V),
+            (Q, X),
+            (sp.sin(X), 1 - sp.cos(X)),
+            (sp.sin(X[0]), 2 * sp.sin(X[0] / 2) ** 2),
+            ((Q[n] - _sum(Q[k] * V[n - k])) / n, _sum(Q[k] * S[n - k]) / n),
+        ),
+        Operation(
+            "exp",
+            (E, M),
+            (Q, Z),
+            (sp.exp(Z), sp.exp(Z) - 1),
+            (sp.exp(Z[0]), expm1(Z[0])),
+            (_sum(Q[k] * E[n - k]) / n, E[n]),
+        ),
+        Operation(
+            "rec",
+            (H, M),
+            (Z,),
+            (1 / (1 + Z), 1 / (1 + Z) - 1),
+            (1 / (1 + Z[0]), -Z[0] / (1 + Z[0])),
+            (-H[0] * _sum(Z[k] * H[n - k]), H[n]),
+        ),
+        Operation(
+            "log",
+            (L,),
+            (Z,),
+            (sp.log(1 + Z),),
+            (log1p(Z[0]),),
+            ((Z[n] - _sum(k * L[k] * Z[n - k], 1, n - 1) / n) / (1 + Z[0]),),
+        ),
+        Operation(
+            "pow",
+            (P, M),
+            (Z,),
+            ((1 + Z) ** POWER, (1 + Z) ** POWER - 1),
+            (expm1(POWER * log1p(Z[0])) + 1, expm1(POWER * log1p(Z[0]))),
+            (_sum((POWER * k - (n - k)) * Z[k] * P[n - k]) / n / (1 + Z[0]), P[n]),
+            (POWER,),
+        ),
     )
-}  # fmt: skip
+}
 
 
 def prove(order: int = 6) -> list[str]:
@@ -118,15 +148,26 @@ def first(
 
 # Operations on cells: what they make of a, b and e, in C over vectors of lanes, and in NumPy.
 _a, _b, _e = sp.symbols("a b e", real=True)
-_CALLS = {"sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "exp": sp.exp, "expm1": expm1, "log": sp.log, "log1p": log1p,
-          "sqrt": sp.sqrt}  # fmt: skip
+_CALLS = {
+    "sin": sp.sin,
+    "cos": sp.cos,
+    "tan": sp.tan,
+    "exp": sp.exp,
+    "expm1": expm1,
+    "log": sp.log,
+    "log1p": log1p,
+    "sqrt": sp.sqrt,
+}
 SCALARS: dict[str, tuple[sp.Expr, str, str]] = {
-    "add": (_a + _b, "a + b", "np.add"), "sub": (_a - _b, "a - b", "np.subtract"),
-    "mul": (_a * _b, "a * b", "np.multiply"), "div": (_a / _b, "a / b", "np.divide"), "neg": (-_a, "-a", "np.negative"),
+    "add": (_a + _b, "a + b", "np.add"),
+    "sub": (_a - _b, "a - b", "np.subtract"),
+    "mul": (_a * _b, "a * b", "np.multiply"),
+    "div": (_a / _b, "a / b", "np.divide"),
+    "neg": (-_a, "-a", "np.negative"),
     **{x: (call(_a), f"IN(map)({x}, a)", f"np.{x}") for x, call in _CALLS.items()},
     "abs": (Select(_a, 0, -_a, _a), "IN(choose)(a < 0.0, -a, a)", "np.abs"),
     "min": (Select(_a, _b, _a, _b), "IN(choose)(a < b, a, b)", "np.minimum"),
     "max": (Select(_a, _b, _b, _a), "IN(choose)(a < b, b, a)", "np.maximum"),
     "less": (Select(_a, _b, 1, 0), "IN(choose)(a < b, (V){0} + 1.0, (V){0})", "_less"),
     "select": (Select(0, _a, _b, _e), "IN(choose)(a > 0.0, b, e)", "_select"),
-}  # fmt: skip
+}

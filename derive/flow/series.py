@@ -188,8 +188,10 @@ _SCALARS: dict[str, Any] = {{
 def _numpy_sum(s: _Sum) -> list[str]:
     name, last = f"sum{s.name}", f"n - {s.short}" if s.short else "n"
     if s.symmetric:
-        return [f"{name} = 2.0 * _over({s.a}, {s.a}, n, {s.first}, (n - 1) // 2)",
-                f"{name} += {s.a}[n // 2] ** 2 if n % 2 == 0 else 0.0"]  # fmt: skip
+        return [
+            f"{name} = 2.0 * _over({s.a}, {s.a}, n, {s.first}, (n - 1) // 2)",
+            f"{name} += {s.a}[n // 2] ** 2 if n % 2 == 0 else 0.0",
+        ]
     first = f"{s.weight}{s.a}[: n + 1]" if s.weight else s.a
     total = f"{name} = _over({first}, {s.b}, n, {s.first}, {last})"
     return ["k = np.arange(n + 1.0)[:, None]", total] if s.weight else [total]
@@ -199,8 +201,11 @@ def _numpy_function(o: Operation) -> str:
     series = [*o.results, *_read(o)]
     start, step = _body(o, "", "np.{}({})", "0.0", "")
     names = ", ".join(f"{x}_: int" for x in (*o.results, *o.arguments, *o.numbers))
-    lines = [f"def _{o.name}(r: Floats, c: Floats, n: int, {names}) -> None:", f'    """{_means(o)}."""',
-             f"    {', '.join(map(str, series))} = {', '.join(f'r[{x}_]' for x in series)}"]  # fmt: skip
+    lines = [
+        f"def _{o.name}(r: Floats, c: Floats, n: int, {names}) -> None:",
+        f'    """{_means(o)}."""',
+        f"    {', '.join(map(str, series))} = {', '.join(f'r[{x}_]' for x in series)}",
+    ]
     lines += [f"    {x} = c[{x}_]" for x in o.numbers]
     lines += ["    if n == 0:", *(f"        {x}" for x in start), "    else:"]
     lines += [f"        {x}" for s in _sums(o).values() for x in _numpy_sum(s)]

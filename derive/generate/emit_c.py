@@ -75,8 +75,10 @@ class CText:
             kind = "short" if sum(counts.values()) + DIVISION * counts["div"] <= SHORT else "whole"
             return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
         at, *outputs = pieces
-        parts = [Part(f"{name}_{side}", without_dead(replace(program, outputs=(output,))))
-                 for side, output in zip(("near", "far"), outputs, strict=True)]  # fmt: skip
+        parts = [
+            Part(f"{name}_{side}", without_dead(replace(program, outputs=(output,))))
+            for side, output in zip(("near", "far"), outputs, strict=True)
+        ]
         where = (f"/* alpha < {at} */\n", f"/* alpha >= {at}, in b = pi/2 - alpha */\n")
         text = "".join(words + self.body(part.name, part.program) for words, part in zip(where, parts, strict=True))
         text += self.body(name, program, parts)
@@ -108,8 +110,11 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
     loops = [f"LOOP(double, {identifier(k, t)}, FORM, LEVEL)" for k, t in tiers if t != "float32"]
     loops += [f"LOOP(float, {name}, FORM, LEVEL)" for name in single.values()]
     floats = {(k, "best"): f"(void *){name}_##LEVEL##_float" for k, name in single.items()}
-    ufuncs = [f'{{"{k}", "{t}", {{{floats.get((k, t), "NULL")}, (void *){identifier(k, t)}_##LEVEL##_double}}}},'
-              for k, t in tiers if t != "float32"]  # fmt: skip
+    ufuncs = [
+        f'{{"{k}", "{t}", {{{floats.get((k, t), "NULL")}, (void *){identifier(k, t)}_##LEVEL##_double}}}},'
+        for k, t in tiers
+        if t != "float32"
+    ]
     table = ["static Ufunc ufuncs_##LEVEL[] = {", *ufuncs, "{NULL, NULL, {NULL, NULL}}};"]
     filled = {
         "HALF_PI": HALF_PI.hex(),
@@ -117,12 +122,13 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
         "END_float": END["float"].hex(),
         "LAST_double": pattern(HALF_PI, "double"),
         "LAST_float": pattern(HALF_PI, "float"),
-        "POLYNOMIALS": "".join(f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n"
-                               for n in range(2, MOST)),
+        "POLYNOMIALS": "".join(
+            f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST)
+        ),
         "BODIES": f"#ifndef NO_FMA\n{bodies['fused']}#endif\n\n{bodies['plain']}",
         "LOOPS": _macro("LOOPS", loops),
         "UFUNCS": _macro("UFUNCS", table),
-    }  # fmt: skip
+    }
     text = TEMPLATE.read_text(encoding="utf-8")
     for name, value in filled.items():
         text = text.replace(f"@{name}@", value)

@@ -41,17 +41,30 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # In its fitted tiers, or in its stable form where nothing is fitted (yet).
         symbol, tiers = x.kernel[1] if isinstance(x, Moment) else x.symbol, _tiers(name)
-        found.append(Function(
-            tiers.get("best") or program(name, ("alpha",), form, let=_CLIP), f"{symbol}: {x.help}, dimensionless.",
-            f"{symbol} = {formulas[name]}", f"eq. ({x.equation}) of {PAPER}", (_ALPHA,), f"{symbol}.", _ALPHA_DOMAIN,
-            _ALPHA_INSIDE, (0.0,), _accuracy(name, [r for r in proved if r["kernel"] == name]), tiers,
-        ))  # fmt: skip
+        found.append(
+            Function(
+                tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
+                f"{symbol}: {x.help}, dimensionless.",
+                f"{symbol} = {formulas[name]}",
+                f"eq. ({x.equation}) of {PAPER}",
+                (_ALPHA,),
+                f"{symbol}.",
+                _ALPHA_DOMAIN,
+                _ALPHA_INSIDE,
+                (0.0,),
+                _accuracy(name, [r for r in proved if r["kernel"] == name]),
+                tiers,
+            )
+        )
     friction = _of_ends(
-        "limit_friction", _LIMIT, "weight_moment_per_radial_weight",
+        "limit_friction",
+        _LIMIT,
+        "weight_moment_per_radial_weight",
         "mu_eq: friction coefficient at limit equilibrium.",
         "mu_eq = J_theta/J_r = (C_theta/C_r) tan(psi); negative where gravity turns the mass clockwise.",
-        "3.21", ACCURACY,
-    )  # fmt: skip
+        "3.21",
+        ACCURACY,
+    )
     return [*found, *(_weight(derive(m)) for m in MOMENTS if m.amplitude), friction]
 
 
@@ -66,8 +79,11 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
         return ACCURACY
     bounds: dict[tuple[str, str], float] = {(r["tier"], r["form"]): r["bound"] for r in proved}
     plain = bounds["best", "plain"]
-    cheap = "".join(f"; accuracy={tier}: {bound:.3g} relative" for (tier, form), bound in bounds.items()
-                    if form == "fused" and tier[0] == "1")  # fmt: skip
+    cheap = "".join(
+        f"; accuracy={tier}: {bound:.3g} relative"
+        for (tier, form), bound in bounds.items()
+        if form == "fused" and tier[0] == "1"
+    )
     single = f"; float32: {bounds['float32', 'fused']:.3g} ulp" if ("float32", "fused") in bounds else ""
     return (
         f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
@@ -169,11 +185,15 @@ def _weight(d: Derivation) -> Function:
     """J_r or J_theta."""
     m, (name, symbol) = d.moment, d.moment.kernel
     return _of_ends(
-        m.name, _carried(d), name, f"{m.symbol}: {m.help}, dimensionless.",
+        m.name,
+        _carried(d),
+        name,
+        f"{m.symbol}: {m.help}, dimensionless.",
         f"{m.symbol} = {symbol}(alpha) {d.direction}, alpha = (theta_2 - theta_1)/2, "
         "psi = 3 pi/2 - (theta_1 + theta_2)/2.",
-        m.equation, f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
-    )  # fmt: skip
+        m.equation,
+        f"the error of {name} in NumPy plus 2 ulp of the amplitude (sampled only: no certificate).",
+    )
 
 
 def motion() -> list[Function]:
@@ -186,12 +206,20 @@ def motion() -> list[Function]:
         domain = ", ".join(f"{x} {limit}" for x, limit in limits.items())
         finite = {x: f"np.isfinite({x})" for x in names}
         inside = " & ".join(f"(({x} {limits[x]}.0) & {y})" if x in limits else y for x, y in finite.items())
-        found.append(Function(
-            program(form.name, names, form.result, let=form.let), form.summary, form.formula,
-            f"eq. ({form.equation}) of {PAPER}", tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
-            "Dimensionless.", domain + (", until the solution runs to infinity" if ride else ""), inside,
-            (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0), dynamics.ACCURACY,
-        ))  # fmt: skip
+        found.append(
+            Function(
+                program(form.name, names, form.result, let=form.let),
+                form.summary,
+                form.formula,
+                f"eq. ({form.equation}) of {PAPER}",
+                tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
+                "Dimensionless.",
+                domain + (", until the solution runs to infinity" if ride else ""),
+                inside,
+                (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0),
+                dynamics.ACCURACY,
+            )
+        )
     return found
 
 
@@ -212,11 +240,16 @@ def printed() -> list[tuple[Program, str]]:
         (program("weight_moment_amplitude", one, sp.Rational(2, 3) * (s - s * c**2)), "(3.13), integrated"),
         (program("resistance_factor", one, factor), "(3.14)"),
         (program("dynamic_coefficient", one, moment / factor), "(2.24) with (2.19)"),
-        *((program(f"appendix_{x.name}", ("theta_1", "theta_2", "alpha"), parse(x)),
-           f"Appendix {x.name}, brackets repaired") for x in APPENDICES),
+        *(
+            (
+                program(f"appendix_{x.name}", ("theta_1", "theta_2", "alpha"), parse(x)),
+                f"Appendix {x.name}, brackets repaired",
+            )
+            for x in APPENDICES
+        ),
         (program("angular_velocity", ("a", "b", "t"), velocity), "(3.20), misprint mended, from rest"),
         (program("rotation", ("a", "b", "t"), rotation), "(4.3), from rest"),
-    ]  # fmt: skip
+    ]
 
 
 def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
@@ -238,11 +271,20 @@ def laws() -> list[tuple[Program, str]]:
 
 def effects_module() -> str:
     """The runtime half of the effects: plain data."""
-    return _EFFECTS_HEAD + "\n".join([
-        f"LIMITS = {LIMITS!r}  # between which what has a unit lies", "",
-        "LAWS = {", *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS), "}", "",
-        "EFFECTS = {", *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS), "}", "",
-    ])  # fmt: skip
+    return _EFFECTS_HEAD + "\n".join(
+        [
+            f"LIMITS = {LIMITS!r}  # between which what has a unit lies",
+            "",
+            "LAWS = {",
+            *(f"    {law.name!r}: {_effect(law, 'Law')}," for law in LAWS),
+            "}",
+            "",
+            "EFFECTS = {",
+            *(f"    {e.name!r}: {_effect(e, 'Effect')}," for e in EFFECTS),
+            "}",
+            "",
+        ]
+    )
 
 
 def _effect(e: Effect | Law, kind: str) -> str:

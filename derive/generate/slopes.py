@@ -66,7 +66,9 @@ _TEXTS = {
         "Strength is this over `bishop_lever`.",
     ),
     "bishop_lever": (
-        "m_alpha of Bishop's simplified method.", "cos(beta) - sin(beta) mu/F.", "Below 0.05 the method is of no use."
+        "m_alpha of Bishop's simplified method.",
+        "cos(beta) - sin(beta) mu/F.",
+        "Below 0.05 the method is of no use.",
     ),
     "bishop_normal": (
         "Effective normal stress of Bishop's simplified method, over gamma R.",
@@ -83,7 +85,7 @@ _TEXTS = {
         "Integral of the sine of a point's angle from straight below the centre, over a strip.",
         "Its integral over the arc is dJ_r/dpsi.",
     ),
-}  # fmt: skip
+}
 
 
 def module() -> str:

@@ -45,21 +45,24 @@ def files(proved: list[Record]) -> dict[str, str]:
         "kernels.py": emit.module("Moments, weights and quotients of the arc, from their definitions.", kernels),
         "laws.py": emit.plain_module("The friction laws that have a formula.", laws),
         "motion.py": emit.module(
-            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.", motion),
+            "The frozen slide under constant friction: angular velocity, rotation, acceleration, arrest.", motion
+        ),
         "_flow.c": c_walk,
         "_kernels.c": c_source,
         "printed.py": emit.raw_module(
             "The paper's own forms, as printed, for comparison only: they cancel and overflow.",
-            [(p, f"{source}, as printed") for p, source in functions.printed()]),
+            [(p, f"{source}, as printed") for p, source in functions.printed()],
+        ),
         "series.py": series.numpy_text(digest_of(c_walk)),
         "slopes.py": slopes.module(),
         "stable.py": emit.raw_module(
             "The kernels' forms without cancellation, each proved equal to its closed form, for comparison only.",
-            functions.stable_programs(closed)),
+            functions.stable_programs(closed),
+        ),
         "tiers.py": tiers_module(proved, digest_of(c_source)),
         "__init__.py": _package([f.program.name for f in kernels]),
         "py.typed": "",
-    }  # fmt: skip
+    }
     texts |= certificates.files(proved)
     texts = {name: emit.wrapped(text) if name.endswith(".py") else text for name, text in texts.items()}
     return {name: header(name, text) + text for name, text in sorted(texts.items())}

@@ -156,10 +156,12 @@ CASES = (
     HardCase("frozen_rotation", (0.1, 0.3, 0.0, 1e-7), "t -> 0: the logarithm of nearly 1"),
     HardCase("frozen_rotation", (0.1, 0.3, 0.0, 1.4e-10), "an end after 1e-9 s"),
     HardCase("frozen_rotation", (2.0, 0.5, 0.0, 1.4e8), "an end after 1e9 s: cosh(kt) overflows"),
-    HardCase("frozen_angular_acceleration", (1e30, 1e-30, 0.0, 360.0),
-             "exp(-2kt) underflows, a exp(-2kt) does not"),
-    HardCase("frozen_angular_acceleration", (2.0, 0.7, -1.690308502489062, 8.451542547285166),
-             "thrown up-slope, turning at t: its start near -sqrt(a/b) hardly matters"),
+    HardCase("frozen_angular_acceleration", (1e30, 1e-30, 0.0, 360.0), "exp(-2kt) underflows, a exp(-2kt) does not"),
+    HardCase(
+        "frozen_angular_acceleration",
+        (2.0, 0.7, -1.690308502489062, 8.451542547285166),
+        "thrown up-slope, turning at t: its start near -sqrt(a/b) hardly matters",
+    ),
     HardCase("frozen_arrest_time", (-0.1, 0.0, 0.2), "b = 0: arctan(0)/0"),
     HardCase("frozen_arrest_rotation", (-0.1, 0.3, 1e-8), "arrest within the first microsecond"),
     HardCase("frozen_arrest_time", (-1e-200, 1e-200, 1.0), "a b underflows, its root does not"),
@@ -167,7 +169,7 @@ CASES = (
     HardCase("drive", (1.2, 0.41919999999999996, 0.4192), "friction an ulp below its limit"),
     HardCase("drive", (1.2, 0.4192 * (1 - 1e-12), 0.4192), "friction just below its limit"),
     HardCase("drive", (1.2, 0.41920000000000007, 0.4192), "friction an ulp above its limit"),
-)  # fmt: skip
+)
 
 
 def measured() -> list[Result]:
@@ -195,8 +197,11 @@ def report(form: Literal["text", "json"]) -> str:
         # JSON has no inf and no NaN.
         words = {x: x.naive_error if math.isfinite(x.naive_error) else _short(x.naive_error) for x in results}
         return json.dumps([x._asdict() | {"naive_error": words[x]} for x in results], indent=2)
-    lines = ["Relative error of the printed form, and of ours (also in units of the last place).", "",
-             f"{'printed':>9} {'ours':>8} {'ulp':>6}   input"]  # fmt: skip
+    lines = [
+        "Relative error of the printed form, and of ours (also in units of the last place).",
+        "",
+        f"{'printed':>9} {'ours':>8} {'ulp':>6}   input",
+    ]
     for name, group in groupby(results, key=lambda x: x.function):
         lines += ["", name]
         for x in group:

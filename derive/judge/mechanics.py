@@ -153,11 +153,23 @@ def names() -> dict[str, Any]:
     shared = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
     shared += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
     functions = {f.__name__: f for f in (sigma, omega_of, mu_of, a_of, b_of, body, body_star)}
-    return {x.name: x for x in shared} | functions | {
-        "lam": LEVER, "A": polar / LEVER, "gamma": rho * g, "f": DEPTH, "sigma_ref": rho * g * DEPTH, "chord": CHORD,
-        "J_r": j_r, "J_theta": j_theta, "J_r0": j_r.subs(turn, 0), "J_theta0": j_theta.subs(turn, 0),
-        "phi": dimensional()["phi"],
-    }  # fmt: skip
+    return (
+        {x.name: x for x in shared}
+        | functions
+        | {
+            "lam": LEVER,
+            "A": polar / LEVER,
+            "gamma": rho * g,
+            "f": DEPTH,
+            "sigma_ref": rho * g * DEPTH,
+            "chord": CHORD,
+            "J_r": j_r,
+            "J_theta": j_theta,
+            "J_r0": j_r.subs(turn, 0),
+            "J_theta0": j_theta.subs(turn, 0),
+            "phi": dimensional()["phi"],
+        }
+    )
 
 
 @cache

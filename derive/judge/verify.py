@@ -296,8 +296,19 @@ def _text(judged: Sequence[Row]) -> str:
 
     simply = [x for x in judged if x.verdict in SIMPLY]
     rules = [textwrap.fill(f"{verdict}: {rule}", 100, subsequent_indent="    ") for verdict, rule in VERDICTS.items()]
-    return "\n".join([*map(told, simply), "", "What does not simply hold:", *map(told, failing(judged)), "",
-                      "By these rules:", *rules, "", textwrap.fill(f"{counts(judged)}.", 100)])  # fmt: skip
+    return "\n".join(
+        [
+            *map(told, simply),
+            "",
+            "What does not simply hold:",
+            *map(told, failing(judged)),
+            "",
+            "By these rules:",
+            *rules,
+            "",
+            textwrap.fill(f"{counts(judged)}.", 100),
+        ]
+    )
 
 
 def _markdown(judged: Sequence[Row]) -> str:
@@ -307,7 +318,22 @@ def _markdown(judged: Sequence[Row]) -> str:
         return ["| " + " | ".join(x) + " |" for x in (head, ["---"] * len(KEYS), *cells)]
 
     rules = [f"* *{verdict}*: {rule}." for verdict, rule in VERDICTS.items()]
-    return "\n".join(["# The slip-circle paper, judged against its own definitions", "",
-                      "Every verdict below was computed, by these rules:", "", *rules, "", f"{counts(judged)}.", "",
-                      "## What does not simply hold", "", *table(failing(judged)), "",
-                      "## All claims", "", *table(judged)])  # fmt: skip
+    return "\n".join(
+        [
+            "# The slip-circle paper, judged against its own definitions",
+            "",
+            "Every verdict below was computed, by these rules:",
+            "",
+            *rules,
+            "",
+            f"{counts(judged)}.",
+            "",
+            "## What does not simply hold",
+            "",
+            *table(failing(judged)),
+            "",
+            "## All claims",
+            "",
+            *table(judged),
+        ]
+    )

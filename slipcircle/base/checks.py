@@ -54,8 +54,13 @@ def mistakes(fields: Mapping[str, ArrayLike], bounds: Mapping[str, Bounds], one:
     return found
 
 
-_KINDS = {"text": "a text", "flag": "True or False", "number": "a number", "list": "a list of numbers",
-          "series": "a function of time, a Series or a Pulse"}  # fmt: skip
+_KINDS = {
+    "text": "a text",
+    "flag": "True or False",
+    "number": "a number",
+    "list": "a list of numbers",
+    "series": "a function of time, a Series or a Pulse",
+}
 
 
 def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable[Any]) -> list[str]:
@@ -70,8 +75,13 @@ def parameter_mistakes(path: str, given: Mapping[str, Any], parameters: Iterable
             words = f"{p.help}{sign.get(min(p.lower, 0.0), '')} ({p.unit})"
             found += [f"{path}.{m}" for m in mistakes(given, {name: (p.lower, p.upper, words)})]
         elif name in given:
-            right = {"number": False, "list": False, "series": hasattr(value, "kinks"), "flag": isinstance(value, bool),
-                     "text": isinstance(value, str | int | PathLike)}  # fmt: skip
+            right = {
+                "number": False,
+                "list": False,
+                "series": hasattr(value, "kinks"),
+                "flag": isinstance(value, bool),
+                "text": isinstance(value, str | int | PathLike),
+            }
             if not right.get(p.kind, value in p.kind.split("|")):
                 allowed = _KINDS.get(p.kind) or f"one of {p.kind.replace('|', ', ')}"
                 found.append(f"{path}.{name} = {value!r}: must be {allowed}: {p.help}")

@@ -1,7 +1,7 @@
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
- * program (`slipcircle.flow.program`) says how the series of the motion follow from them. Lanes walk side by side in
+ * program (`slipcircle.core.flow.program`) says how the series of the motion follow from them. Lanes walk side by side in
  * vectors, as many as the processor takes, each with its own step, phase and piece of every table; one that has come to its end makes room
  * for the next in the queue. No operation mixes lanes, so that a lane's bits depend neither on its neighbours nor on
  * its place. All of a lane is in its cells: the walk may be left after any step and taken up again.
@@ -107,7 +107,7 @@ static int read_program(Walk *w, const Py_buffer *program)
 static const char words[] = "walk(program, tables, cells, order, begin, end, budget, times, outputs, notes, level)\n--\n\n"
     "Walk the lanes from `begin` to `end`, columns of `cells`, which change in place, for `budget` steps of a vector\n"
     "at most. Returns how many lanes have not come to their end (call again), and how many notes there are.\n\n"
-    "`program` are integers (see `slipcircle.flow.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
+    "`program` are integers (see `slipcircle.core.flow.compiled`); each of `tables` is (breaks, coefficients, jumps, terms,\n"
     "across, sine, open); `order` is the highest of the lanes'. States are read off at `times`, (samples, 1 or lanes),\n"
     "into `outputs`, (4 + further states, samples, lanes), or nowhere where `times` is empty; events of the first lane\n"
     "are written into `notes`, (rows, 4), and what has no room there is left out.\n\n"

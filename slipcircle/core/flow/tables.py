@@ -1,0 +1,220 @@
+"""Functions in pieces, as the flow walks them: laws by table, records, pulses, and functions given in Python."""
+
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.polynomial import Chebyshev, Polynomial
+from numpy.typing import ArrayLike, NDArray
+
+from generated.flow import PIECES
+
+Floats = NDArray[np.float64]
+
+
+class Data(NamedTuple):
+    """A function in pieces: piece k begins at ``breaks[k]``, with ``coefficients[k]`` in powers of what is beyond it.
+
+    The first piece holds before its break too, the last one for ever. ``jumps`` are what a function of time leaps by on
+    entering a piece. A ``sine`` has amplitude, rate and phase for coefficients. Of an ``open`` table, that of a Python
+    function, the last piece is not known yet.
+    """
+
+    breaks: Floats  # (pieces), or of rotations (pieces, lanes)
+    coefficients: Floats  # (pieces, terms), or (pieces, terms, lanes)
+    jumps: Floats
+    sine: bool = False
+    open: bool = False
+
+    def lanes(self, which: Any) -> "Data":
+        """For some of the lanes."""
+        if self.coefficients.ndim < 3:
+            return self
+        own = self.breaks[:, which] if self.breaks.ndim == 2 else self.breaks
+        return self._replace(breaks=own, coefficients=self.coefficients[..., which])
+
+    def begins(self, piece: NDArray[np.intp]) -> Floats:
+        """Where each lane's piece begins."""
+        return np.asarray(self.breaks[piece, np.arange(piece.size)] if self.breaks.ndim == 2 else self.breaks[piece])
+
+    def entered(self, places: Floats, upwards: Any) -> NDArray[np.intp]:
+        """The pieces that places belong to; a break to the piece beyond, in the direction of travel."""
+        breaks = self.breaks if self.breaks.ndim == 2 else self.breaks[:, None]
+        passed = (breaks < places) | ((breaks == places) & upwards)
+        return np.maximum(np.count_nonzero(passed, axis=0) - 1, 0)
+
+    def polynomial(self, piece: NDArray[np.intp]) -> Floats:
+        """Coefficients of each lane's piece, (terms, lanes)."""
+        if self.coefficients.ndim == 3:
+            return np.asarray(self.coefficients[piece, :, np.arange(piece.size)].T)
+        return np.asarray(self.coefficients[piece].T)
+
+
+def of_law(name: str, parameters: Mapping[str, ArrayLike]) -> Data:
+    """A law of slip that is given in pieces, over its scale."""
+    _, breaks, polynomials = PIECES[name]
+    rows = polynomials(**{n: np.asarray(value, dtype=np.float64) for n, value in parameters.items()})
+    found = np.array(np.broadcast_arrays(*(c for row in rows for c in row)))
+    return Data(np.array(breaks), found.reshape(len(rows), -1, *found.shape[1:]), np.zeros(len(rows)))
+
+
+def lines(places: Floats, values: Floats, before: float, after: float) -> Data:
+    """Straight lines between samples, and what holds before the first and after the last."""
+    slope = np.diff(values) / np.diff(places)
+    breaks = np.concatenate([[places[0] - 1.0], places])
+    heights = np.concatenate([[before], values[:-1], [after]])
+    slopes = np.concatenate([[0.0], slope, [0.0]])
+    jumps = np.zeros_like(heights)
+    jumps[1], jumps[-1] = values[0] - before, after - values[-1]
+    return Data(breaks, np.stack([heights, slopes], axis=1), jumps)
+
+
+def waves(start: float, duration: float, amplitude: float, rate: float) -> Data:
+    """A sine from its start to its end, and nothing before and after."""
+    coefficients = np.array([[0.0, 0.0, 0.0], [amplitude, rate, 0.0], [0.0, 0.0, 0.0]])
+    return Data(np.array([start - 1.0, start, start + duration]), coefficients, np.zeros(3), sine=True)
+
+
+def monotone(places: Floats, values: Floats, smooth_start: bool = False) -> Data:
+    """Monotone cubic interpolation (Fritsch and Carlson 1980), the last value beyond, smoothly.
+
+    Slopes inside are weighted harmonic means (Fritsch and Butland 1984); the first is the parabola's through three
+    points, limited, or 0.
+    """
+    step, secant = np.diff(places), np.diff(values) / np.diff(places)
+    slope = np.zeros_like(values)
+    if places.size > 2:
+        first, second = 2 * step[1:] + step[:-1], step[1:] + 2 * step[:-1]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            mean = (first + second) / (first / secant[:-1] + second / secant[1:])
+        slope[1:-1] = np.where(secant[:-1] * secant[1:] > 0.0, mean, 0.0)
+    if not smooth_start:
+        slope[0] = secant[0] if places.size == 2 else _first_slope(step[0], step[1], secant[0], secant[1])
+    bend, twist = (3 * secant - 2 * slope[:-1] - slope[1:]) / step, (slope[:-1] + slope[1:] - 2 * secant) / step**2
+    pieces = np.stack([values[:-1], slope[:-1], bend, twist], axis=1)
+    return Data(places, np.vstack([pieces, [values[-1], 0.0, 0.0, 0.0]]), np.zeros(places.size))
+
+
+def _first_slope(near: float, next_: float, first: float, second: float) -> float:
+    """One-sided slope at the table's start that keeps the interpolation monotone."""
+    slope = ((2 * near + next_) * first - near * second) / (near + next_)
+    if slope * first <= 0.0:
+        return 0.0
+    return float(min(slope, 3 * first, key=abs) if first * second <= 0.0 else slope)
+
+
+def of_speed(speeds: Floats, values: Floats) -> Data:
+    """Monotone cubics in the logarithm of the speed, the end values beyond: pieces begin at speeds, the first at 0."""
+    found = monotone(np.log(speeds), values, smooth_start=True)
+    first = np.array([[values[0], 0.0, 0.0, 0.0]])
+    breaks = np.concatenate([[0.0], speeds])
+    return Data(breaks, np.vstack([first, found.coefficients]), np.zeros(breaks.size))
+
+
+# --- functions known by their values ---------------------------------------------------------------------------------
+
+TERMS = 8  # of a piece
+_NODES = np.cos(np.pi * (np.arange(TERMS) + 0.5) / TERMS)
+# T_0 to T_7 by powers of 1 + x, what is beyond a piece's left end over half its length.
+_POWERS = np.array(
+    [Chebyshev.basis(k)(Polynomial([-1.0, 1.0])).coef.tolist() + [0.0] * (TERMS - 1 - k) for k in range(TERMS)]
+).T
+WIDEST = 0.2  # of a piece, where no derivative is greater than the function's size: (0.1)^8/(2^7 8!) is 2e-15 of it
+
+
+def turning(function: Callable[[Any], Any], kinks: Floats, least: Floats, most: Floats) -> Data:
+    """A function of the rotation that is a sum of 1, phi, sin phi and cos phi between kinks, by interpolation.
+
+    Parameters
+    ----------
+    function : callable
+        Takes rotations, (..., lanes), rad.
+    kinks : ndarray
+        (kinks, lanes), increasing.
+    least, most : ndarray
+        Between which it is asked for, (lanes,); beyond, it is a constant.
+    """
+    inner = np.concatenate([[least], np.clip(kinks, least, most), [most]])
+    edges = [inner[:1]]
+    for first, second in pairwise(inner):
+        count = int(np.ceil((second - first).max() / WIDEST))  # none, where kinks coincide
+        share = np.arange(1, count + 1)[:, None] / max(count, 1)
+        edges.append(np.where(share < 1.0, first + share * (second - first), second))
+    breaks = np.concatenate(edges)
+    half = np.diff(breaks, axis=0) / 2
+    values = function(breaks[:-1, None] + half[:, None] * (1.0 + _NODES[:, None]))
+    # First the coefficients of Chebyshev, which fall, so that the powers' great numbers do not cancel.
+    chebyshev = np.linalg.inv(np.cos(np.outer(np.arccos(_NODES), np.arange(TERMS)))) @ values
+    with np.errstate(divide="ignore", invalid="ignore"):
+        terms = _POWERS @ chebyshev / half[:, None] ** np.arange(TERMS)[:, None]
+    terms = np.where(half[:, None] > 0.0, terms, 0.0)
+    last = np.zeros_like(terms[:1])
+    last[0, 0] = function(most)
+    return Data(breaks, np.concatenate([terms, last]), np.zeros(len(breaks)))
+
+
+_CHECK = np.cos(np.pi * np.arange(2 * TERMS + 1) / (2 * TERMS))
+CLOSE = 1e-13
+NARROWEST = 2.0**-40
+
+
+def sampled(function: Callable[[Any], Any], end: float, known: Data | None = None) -> Data:
+    """A Python function of slip up to an end, on from a known table; right to 1e-13 of its greatest value.
+
+    Raises
+    ------
+    ValueError
+        Where it gives no numbers, negative ones, another shape than that of its argument, or is not smooth enough to
+        be followed: says where.
+    """
+    breaks, pieces, left = list[float](), list[Floats](), 0.0
+    if known:
+        *breaks, left = known.breaks.tolist()
+        pieces = [*known.coefficients[:-1]]
+    width = end - left
+    while left < end:
+        width = min(width, end - left)
+        half = width / 2
+        asked = left + half * (1.0 + np.concatenate([_NODES, _CHECK]))
+        values = _values(function, asked)
+        cheb = np.polynomial.chebyshev.chebfit(_NODES, values[:TERMS], TERMS - 1)
+        far = np.abs(np.polynomial.chebyshev.chebval(_CHECK, cheb) - values[TERMS:]).max()
+        if far > CLOSE * np.abs(values).max():
+            width = half
+            if width < NARROWEST * end:
+                raise ValueError(
+                    f"friction: the function changes too sharply near {left:.17g} to be followed; give a law by "
+                    "name or a table whose kinks are known"
+                )
+            continue
+        poly = np.polynomial.chebyshev.cheb2poly(cheb)
+        # From [-1, 1] to powers of what is beyond the left end.
+        local = np.polynomial.Polynomial(poly)(np.polynomial.Polynomial([-1.0, 1.0 / half])).coef
+        breaks.append(left)
+        pieces.append(np.pad(local, (0, TERMS - local.size)))
+        left += width
+        width *= 2
+    return Data(np.array([*breaks, end]), np.array([*pieces, pieces[-1]]), np.zeros(len(breaks) + 1), open=True)
+
+
+def _values(function: Callable[[Any], Any], asked: Floats) -> Floats:
+    """What a user's function gives, checked."""
+    try:
+        found = np.asarray(function(asked))
+        if found.dtype.kind == "c":
+            raise ValueError("complex numbers")
+        found = found.astype(np.float64)
+    except Exception as error:  # whatever it does, what is wrong is the function
+        said = f"must take an array of numbers and return one; it says {type(error).__name__}: {error}"
+        raise ValueError(f"friction: {said}") from error
+    if found.ndim == 0:
+        found = np.full(asked.shape, float(found))
+    if found.shape != asked.shape:
+        said = f"returns shape {found.shape} for an argument of shape {asked.shape}: must be alike"
+        raise ValueError(f"friction: {said}")
+    bad = ~np.isfinite(found) | (found < 0.0)
+    if np.any(bad):
+        k = int(np.argmax(bad))
+        raise ValueError(f"friction({float(asked[k]):.6g}) = {float(found[k])!r}: must be a number of at least 0")
+    return found

@@ -1,0 +1,331 @@
+"""The walk of lanes through their motion, in NumPy: step, event, phase, rest; the same as `generated/_flow.c`.
+
+One round makes one step of every lane: of a moving one along its Taylor series, of a resting one to the next break of
+what changes with time. Events are roots of the series that the step has anyway.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from generated import cells as its
+from slipcircle.base.checks import EPS
+from slipcircle.core.flow.columns import Columns
+from slipcircle.core.flow.polynomials import divided, first_root, increment, shifted, value
+from slipcircle.core.flow.program import Log, Program, Samples
+from slipcircle.core.flow.rest import Resting
+from slipcircle.core.flow.tables import Data
+
+Floats = NDArray[np.float64]
+
+
+def walk(
+    program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None = None, log: Log | None = None
+) -> None:
+    """Walk every lane until it rests, ends or fails; ``cells`` holds where it begins and, then, where it is.
+
+    Parameters
+    ----------
+    program : Program
+    tables : sequence of Data
+        For each table of the program.
+    cells : ndarray
+        (cells, lanes), changed in place. The status of each lane says how it ended.
+    samples : Samples, optional
+        What to read off on the way.
+    log : list, optional
+        Takes the events of the first lane: kind, time, rotation, direction.
+    """
+    live = np.flatnonzero(cells[its.STATUS] <= its.RESTING)
+    with np.errstate(all="ignore"):
+        while live.size:
+            here = [t.lanes(live) for t in tables]
+            lanes = Walker(program, here, np.ascontiguousarray(cells[:, live]), samples, live, log)
+            rounds = 0
+            while True:
+                lanes.round()
+                rounds += 1
+                going = lanes.c[its.STATUS] <= its.RESTING
+                if np.count_nonzero(going) <= live.size // 2 or rounds == 10_000:
+                    break
+            cells[:, live] = lanes.c
+            live = live[going]
+
+
+def begin(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """Base the phase that would begin where each lane is, in the direction set; its registers there, without walking.
+
+    Parameters
+    ----------
+    program, tables, cells
+        As `walk` takes them; the cells of a phase are filled in place.
+
+    Returns
+    -------
+    ndarray
+        (registers, lanes).
+    """
+    lanes = Columns(program, tables, cells, None, np.arange(cells.shape[1]))
+    with np.errstate(all="ignore"):
+        lanes.find_pieces()
+        lanes.base()
+    return registers(program, tables, cells)
+
+
+def registers(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
+    """Registers where lanes are within their phases, (registers, lanes)."""
+    with np.errstate(all="ignore"):
+        return Columns(program, tables, cells, None, np.arange(cells.shape[1]))._series(0)[0][:, 0]
+
+
+class Walker(Resting):
+    """Lanes on their way, which this class steps."""
+
+    stiff_step: float = its.STIFF_STEP
+
+    def round(self) -> None:
+        status = self.c[its.STATUS].copy()
+        self.on(status == its.START, "start")
+        self.on(status == its.MOVING, "step")
+        self.on(status == its.RESTING, "wait")
+        c = self.c
+        lost = ~np.isfinite(c[its.TIME] + c[its.X] + c[its.OMEGA] + c[its.ROTATION])
+        c[its.STATUS, lost & (c[its.STATUS] <= its.RESTING)] = its.FAILED
+        most = np.where(c[its.OMEGA] > 0.0, its.MOST_STEPS, 2 * its.MOST_STEPS)  # at rest it can wait
+        long = (c[its.STEPS] > most) | ((c[its.TURNS] > its.MOST_TURNS) & (len(self.timed) == 0))
+        c[its.STATUS, long & (c[its.STATUS] <= its.RESTING)] = its.TOO_LONG
+
+    def start(self) -> None:
+        """A lane that moves at first begins its first phase; one that rests is asked whether it stays."""
+        c = self.c
+        c[its.DIRECTION] = np.sign(c[its.OMEGA])
+        c[its.OMEGA] = np.abs(c[its.OMEGA])
+        self.find_pieces()
+        self.on(c[its.OMEGA] > 0.0, "begin")
+        self.on(c[its.OMEGA] == 0.0, "decide")
+
+    # --- motion -------------------------------------------------------------------------------------------------------
+
+    def step(self) -> None:
+        """One step of lanes that move, up to their next event."""
+        c, p = self.c, self.program
+        order = int(c[its.ORDER].max())
+        r, last = self._series(order)
+        x, omega, net = (r[p.roles[n]] for n in ("x", "omega", "net"))
+        limit = np.minimum(self._break(), c[its.END_TIME])
+        room = limit - c[its.TIME]
+        states = [register for _, register, _ in p.states]
+        h = self._length(r, last, states)
+        early = last < c[its.ORDER]
+        h = np.where(early, room, np.minimum(h, room))
+        h = np.where(np.isfinite(h), h, self._far(r))
+        at_limit = h >= room
+        tau, event = self._events(r, h)
+        at_limit &= event < 0
+        self._peak(net, x, omega, tau)
+        self._read(c[its.TIME], np.where(at_limit, limit, c[its.TIME] + tau), (x, omega, net, r))
+        stiff = (np.abs(net[0]) * tau < its.STIFF_CHANGE * omega[0]) & (event < 0)
+        c[its.STEPS] += np.where(stiff, self.stiff_step, 1.0) * ~at_limit  # a record takes as many as it has samples
+        for cell, register, _ in p.states:
+            c[cell] += increment(r[register], tau)
+        for k in self.timed:
+            slot = p.tables[k]
+            rise = increment(r[slot.register], tau)
+            c[slot.cells + its.INC] += rise
+            c[slot.cells + its.WAY] += np.abs(rise)
+        c[its.TIME] = np.where(at_limit, limit, c[its.TIME] + tau)
+        self.settle(event, value(net, tau), at_limit)
+
+    def settle(self, event: NDArray[np.intp], rate: Floats, at_limit: Any) -> None:
+        """What follows from where a step has ended: an event, a break of what changes with time, the end."""
+        c, p = self.c, self.program
+        c[its.PASSED] = its.NOTHING
+        self.on(event == 0, "stand")
+        if 1 <= event.max(initial=-1):
+            lifting = event == 1
+            c[its.LIFTED, lifting] = 1.0 - c[its.LIFTED, lifting]
+            self._lift_time(lifting & (c[its.LIFTED] > 0.0))
+            if lifting[0] and c[its.LIFTED, 0] == 0.0:
+                self._note(its.LANDS)
+            kinks = event >= 1
+            part, rates = self.part(kinks), rate[kinks]
+            part.kink(event[kinks], rates)
+            if part is not self:
+                c[:, kinks] = part.c
+            c[its.PASSED, lifting] = its.LIFT
+        c[its.STATUS, event == 99] = its.UPRIGHT
+        going = c[its.STATUS] == its.MOVING
+        self.on(going, "look", rate[going])
+        ends = at_limit & going & (c[its.TIME] >= c[its.END_TIME])
+        self.on(ends, "end", rate[ends])
+        leaps = self._pass_breaks(at_limit & ~ends & going)
+        if np.any(leaps) and p.roles["normal"] >= 0:
+            self.on(leaps, "leapt")
+
+    def end(self, rate: Floats) -> None:
+        """What is asked for ends while it moves."""
+        c = self.c
+        c[its.STATUS] = its.ENDED
+        c[its.END_ROTATION] = c[its.ROTATION] + c[its.DIRECTION] * c[its.X]
+        c[its.END_OMEGA], c[its.END_RATE] = c[its.DIRECTION] * c[its.OMEGA], c[its.DIRECTION] * rate
+        self._reach()
+
+    def _far(self, r: Floats) -> Floats:
+        """The end of a step where the motion is a polynomial, of degree two at most as a rule: past its standstill."""
+        c = self.c
+        w0, w1 = r[self.program.roles["omega"], :2]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            stop = np.where(w1 < 0.0, -2.0 * w0 / w1, np.inf)
+        return np.where(np.isfinite(stop) & (stop > 0.0), stop, 1e3 + 0.0 * c[its.TIME])
+
+    def _events(self, r: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
+        """The first event within the step and its time: 0 standstill, 1 lift-off or landing, 2.. tables, 99 upright."""
+        c, p = self.c, self.program
+        omega = r[p.roles["omega"]]
+        # From rest its first root is now: divide by the time as often as it is zero.
+        w = omega
+        for _ in range(3):
+            w = divided(w, w[0] == 0.0)
+        found, which = first_root(w, h), np.zeros(h.shape, dtype=np.intp)
+        # It rests at once where its drive vanished to rounding or points backwards.
+        found = np.where((w[0] < 0.0) | ((w[0] == 0.0) & (value(omega, h) == 0.0)), 0.0, found)
+
+        def later(k: int, series: Floats, passed: Any = False) -> None:
+            nonlocal found, which
+            at = first_root(divided(series, passed), h)
+            which = np.where(at < found, k, which)
+            found = np.minimum(found, at)
+
+        if (normal := p.roles["normal"]) >= 0:
+            later(1, r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0), c[its.PASSED] == its.LIFT)
+        if (upright := p.roles.get("upright", -1)) >= 0:
+            later(99, r[upright])
+        for k, slot in enumerate(p.tables):
+            if slot.kind == "time":
+                continue
+            ahead = -(omega if slot.kind == "speed" else r[p.roles["x"]])
+            bound = np.where(np.isfinite(c[slot.cells + its.UPPER]), c[slot.cells + its.UPPER], 1e300)
+            ahead[0] += bound
+            later(2 + 2 * k, ahead, (c[its.PASSED] == its.SLOWER) & (slot.kind == "speed"))
+            if slot.kind == "speed":
+                back = omega.copy()
+                back[0] -= c[slot.cells + its.LOWER]
+                back[0] = np.where(c[slot.cells + its.LOWER] > 0.0, back[0], 1e300)
+                later(3 + 2 * k, back, c[its.PASSED] == its.FASTER)
+        none = ~np.isfinite(found)
+        return np.where(none, h, found), np.where(none, -1, which)
+
+    def stand(self) -> None:
+        """At a standstill: where it is now, and whether it stays."""
+        c = self.c
+        c[its.ROTATION] += c[its.DIRECTION] * c[its.X]
+        c[its.SLIP] += c[its.X]
+        c[its.X] = c[its.OMEGA] = 0.0
+        c[its.PASSED] = its.STOOD
+        c[its.REST_SINCE] = c[its.TIME]
+        self._note(its.STANDS)
+        self._reach()
+        self.on(c[its.FIRST_ONLY] == 0.0, "decide")
+        self.on(c[its.FIRST_ONLY] > 0.0, "_carried")
+
+    def _carried(self) -> None:
+        """A mass that nothing brings to rest stops its walk at the first standstill where that is so."""
+        c, roles = self.c, self.program.roles
+        c[its.DIRECTION] = 1.0
+        self.base()
+        p0, ps0 = c[roles["cell_p0"]], c[roles["cell_ps0"]]
+        most = np.hypot(p0, ps0)
+        carried = ~self._changes() & (c[roles["cell_normal0"]] + (most - p0) <= its.CARRIED * most)
+        never = (c[its.FIRST_ONLY] == 1.0) | carried
+        c[its.STATUS, never] = its.STOPPED
+        self.on(never, "rest")
+        self.on(~never, "decide")
+
+    def kink(self, event: NDArray[np.intp], rate: Floats) -> None:
+        """Base the phase anew where it enters a piece of a table, or is lifted or lands."""
+        c, p = self.c, self.program
+        roles = p.roles
+        drive, scale = c[roles["cell_drive"]].copy(), c[roles["cell_drive_scale"]].copy()
+        c[its.ROTATION] += c[its.DIRECTION] * c[its.X]
+        c[its.SLIP] += c[its.X]
+        for k, slot in enumerate(p.tables):
+            if slot.kind == "time":
+                continue
+            at, data = slot.cells, self.tables[k]
+            up, down = event == 2 + 2 * k, event == 3 + 2 * k
+            if slot.kind == "rotation":
+                edge = data.begins(c[at + its.PIECE].astype(np.intp) + (up & (c[its.DIRECTION] > 0.0)))
+                c[its.ROTATION] = np.where(up, edge, c[its.ROTATION])
+            elif slot.kind == "slip":
+                c[at + its.PIECE, up] += 1.0
+                edge = data.breaks[c[at + its.PIECE].astype(np.intp)]
+                c[its.SLIP] = np.where(up, edge / c[at + its.SCALE], c[its.SLIP])
+            else:
+                c[its.OMEGA] = np.where(up, c[at + its.UPPER], np.where(down, c[at + its.LOWER], c[its.OMEGA]))
+                c[at + its.PIECE] += up * 1.0 - down * 1.0
+                c[its.PASSED] = np.where(up, its.FASTER, np.where(down, its.SLOWER, c[its.PASSED]))
+            if data.open:
+                c[its.STATUS, up & (c[at + its.PIECE] == len(data.breaks) - 1)] = its.NEED
+        timed = [p.tables[k].cells + its.PIECE for k in self.timed]
+        before = c[timed]
+        self.base()
+        scale[np.any(c[timed] != before, axis=0)] = np.inf  # at a break of a function of time, which may leap there
+        self._carry(rate, drive, scale)
+
+    def _carry(self, rate: Floats, drive: Floats, scale: Floats) -> None:
+        """The drive anew or carried on through the event, whichever is known better."""
+        c, roles = self.c, self.program.roles
+        net = self._series(0)[0][roles["net"], 0]
+        fresh, own = c[roles["cell_drive"]], c[roles["cell_drive_scale"]]
+        carried = scale + EPS * (np.abs(rate) + np.abs(net - fresh) + np.abs(drive))
+        better = carried < own
+        c[roles["cell_drive"]] = np.where(better, fresh + (rate - net), fresh)
+        c[roles["cell_drive_scale"]] = np.where(better, carried, own)
+
+    def leapt(self) -> None:
+        """Where what presses has leapt, whether the mass is lifted is decided again."""
+        c = self.c
+        lifted = self._series(0)[0][self.program.roles["normal"], 0] < 0.0
+        other = lifted != (c[its.LIFTED] > 0.0)
+        self._lift_time(other & lifted)
+        c[its.LIFTED] = lifted
+
+        self.on(other, "rebase")
+
+    def rebase(self) -> None:
+        """The phase goes on from where it is."""
+        c = self.c
+        c[its.ROTATION] += c[its.DIRECTION] * c[its.X]
+        c[its.SLIP] += c[its.X]
+        self.base()
+
+    # --- the greatest speed -------------------------------------------------------------------------------------------
+
+    def _peak(self, net: Floats, x: Floats, omega: Floats, tau: Floats) -> None:
+        """The greatest speed, where the rate falls through zero inside the step."""
+        series = divided(net, net[0] == 0.0)
+        at = np.where(series[0] > 0.0, first_root(series, tau), np.inf)
+        rises = (series[0] < 0.0) & (series[1] > 0.0)
+        if np.any(rises):  # it falls at first, and may rise to a peak beyond a trough
+            k = np.flatnonzero(rises)
+            up = first_root(-series[:, k], tau[k])
+            again = np.isfinite(up)
+            if np.any(again):
+                k, up = k[again], up[again]
+                moved = shifted(series[:, k], up)[1:]
+                later = first_root(moved, np.maximum(tau[k] - up, 0.0))
+                at[k] = np.where(moved[0] > 0.0, up + later, np.inf)
+        k = np.flatnonzero(np.isfinite(at))
+        if k.size:
+            c = self.c
+            speed, gone, rate = value(np.stack([omega[:, k], x[:, k], net[:, k]], axis=1), at[k])
+            time = c[its.TIME, k] + at[k]
+            better = speed > np.abs(c[its.PEAK_OMEGA, k])
+            self._set_peak(k[better], time[better], gone[better], speed[better], rate[better])
+
+    def _set_peak(self, k: Any, time: Any, gone: Any, speed: Any, rate: Any) -> None:
+        c = self.c
+        c[its.PEAK_TIME, k], c[its.PEAK_ROTATION, k] = time, c[its.ROTATION, k] + c[its.DIRECTION, k] * gone
+        c[its.PEAK_OMEGA, k], c[its.PEAK_RATE, k] = c[its.DIRECTION, k] * speed, c[its.DIRECTION, k] * rate

@@ -1,0 +1,125 @@
+"""How a scene will be solved. A plan depends on which effects and which law a scene has, never on their values."""
+
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from generated.effects import EFFECTS
+from slipcircle.base.checks import raise_all
+from slipcircle.core.flow.bind import order
+from slipcircle.core.flow.program import Program, join
+from slipcircle.core.scene.friction import law_depends, law_names
+from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
+
+DEFAULT_ACCURACY = 1e-9
+CLOSED_IN_TIME = "closed form in time"
+FLOW = "Taylor series in time, events as their roots"
+WORDS = {"speed": "the speed"}
+STEPS = 8  # that a motion typically takes
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The way to a scene's motion.
+
+    Attributes
+    ----------
+    scene : Scene
+    effects, left_out : tuple of str
+        Effects used, and known effects that the scene does not call for.
+    law : str
+        The friction law.
+    method, why : str
+        What is done, in words, and what asks for it.
+    fragments : tuple of str
+        The parts of `generated.flow` that the scene's program is joined of.
+    operations : str
+        On series, by kind, of one step.
+    cost : int
+        Floating-point operations that a solution typically takes.
+    accuracy : float
+        Relative error that was asked for.
+    """
+
+    scene: Scene
+    effects: tuple[str, ...]
+    left_out: tuple[str, ...]
+    law: str
+    method: str
+    why: str
+    fragments: tuple[str, ...]
+    operations: str
+    cost: int
+    accuracy: float
+
+
+def plan(scene: Scene, accuracy: float | None = None) -> Plan:
+    """Choose how to solve a scene: in closed form where the paper's holds, else by its flow program.
+
+    Parameters
+    ----------
+    scene : Scene
+    accuracy : float, optional
+        Relative error asked for; by default the scene's own, or 1e-9.
+
+    Raises
+    ------
+    ValueError
+        If the accuracy is not between 0 and 1, or for what is no scene.
+    """
+    checked(scene, "plan")
+    wanted = accuracy if accuracy is not None else scene.accuracy if scene.accuracy is not None else DEFAULT_ACCURACY
+    if accuracy is not None and not (isinstance(accuracy, float) and 0.0 < accuracy < 1.0):
+        raise_all("plan", accuracy_mistakes(accuracy))
+    called = scene.called
+    moving = tuple((e, n) for e, given in called.items() for n, value in given.items() if callable(value))
+    return Plan(scene, **_choice(tuple(called), scene_laws(scene), moving, wanted), accuracy=wanted)
+
+
+def scene_laws(scene: Scene) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The names of a scene's laws, and what they depend on."""
+    return law_names(scene.friction), law_depends(scene.friction)
+
+
+@cache
+def _choice(called: tuple[str, ...], laws: Any, moving: tuple[tuple[str, str], ...], accuracy: float) -> dict[str, Any]:
+    """What a plan is made of but for the scene's values, so that it is chosen once."""
+    effects, (names, depends) = tuple(e for e in EFFECTS if e in called), laws
+    own = [(e, p) for e in effects for p in EFFECTS[e].parameters if (e, p.name) in moving]
+    program = join(effects, names, tuple(p.symbol for _, p in own))
+    timed = [e for e, p in own if p.kind == "series"]
+    reasons = [
+        f"{e} {'turns the mass' if EFFECTS[e].turns else f'depends on {WORDS.get(x, x)}'}"
+        for e in effects
+        for x in EFFECTS[e].depends_on
+        if x != "speed squared" and (x != "time" or e in timed)
+    ]
+    reasons += [f"{e} depends on time" for e in dict.fromkeys(timed) if "time" not in EFFECTS[e].depends_on]
+    reasons += [f"{e} depends on the rotation" for e, p in own if p.kind == "rotation"]
+    reasons += [f"friction depends on {WORDS.get(x, x)}" for x in depends]
+    terms = order(accuracy)
+    return {
+        "effects": effects,
+        "left_out": tuple(e for e in EFFECTS if e not in effects),
+        "law": " times ".join(names),
+        "method": FLOW if reasons else CLOSED_IN_TIME,
+        "why": "; ".join(reasons),
+        "fragments": ("gravity", *effects, *names, "balance"),
+        "operations": counted(program),
+        "cost": STEPS * flops(program, terms) if reasons else 50,
+    }
+
+
+def counted(program: Program) -> str:
+    """The operations on series of one step, by kind."""
+    kinds = [op[0] for op in program.series]
+    return ", ".join(f"{kinds.count(k)} {k}" for k in sorted(set(kinds)))
+
+
+def flops(program: Program, order: int) -> int:
+    """Floating-point operations of one step: products take as many terms as their coefficient has factors."""
+    total = 0
+    for kind, *rest in program.series:
+        each = {"lin": 2 * len(rest[-1]) if kind == "lin" else 0, "sqr": order, "turn": 4 * order, "tim": 1, "ramp": 0}
+        total += (order + 1) * each.get(kind, 2 * order)
+    return total

@@ -1,0 +1,138 @@
+"""From a scene to its motion, or to the motions of its lanes."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from generated.cells import MOST_TURNS
+from generated.effects import EFFECTS
+from slipcircle.base.kinds import Numbers
+from slipcircle.core.flow.lanes import BLOCK, Lanes
+from slipcircle.core.motion.motion import KEPT, Motion, kept
+from slipcircle.core.motion.plan import CLOSED_IN_TIME, Plan, plan
+from slipcircle.core.motion.states import Status
+from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.files.variation import unchecked
+
+STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
+
+
+def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Numbers]:
+    """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
+
+    Parameters
+    ----------
+    scene : Scene
+    accuracy : float, optional
+        Relative error asked for; by default the scene's own, or 1e-9.
+
+    Returns
+    -------
+    Motion
+        Its attributes are arrays of the scene's broadcast shape where the scene has arrays: ``Motion[float]`` or
+        ``Motion[Array]`` to a type checker, as the numbers that the scene was made of.
+
+    Raises
+    ------
+    ValueError
+        If a single scene never rests and has no end time, turns over, or overflows; of an ensemble, such lanes say so
+        by their status.
+
+    Notes
+    -----
+    Friction opposes the motion and never drives it. At a standstill the mass stays if the drive is at most the
+    resistance, and turns back if not, or starts again when shaking, water or friction has changed enough. A mass that
+    nothing brings to rest (no friction, or none that presses on the slip surface, and no cohesion) is followed to its
+    first standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
+    """
+    chosen = plan(scene, accuracy)
+    motion: Motion[Numbers] = motion_of(chosen)
+    if not scene.shape:
+        _refuse(motion)
+    return motion
+
+
+def motion_of(chosen: Plan, invalid: Any = False) -> Motion:
+    """The motion that a plan leads to, or its status where there is none; some lanes may be no scenes."""
+    lanes, single = lanes_of(chosen, invalid), not chosen.scene.shape
+    log: list[Any] = []
+    if lanes.count <= BLOCK:
+        return Motion(chosen, lanes, kept(lanes.solve(log if single else None), single), log)
+    found = np.empty((len(KEPT), lanes.count))
+    for which, part in lanes.parts():
+        found[:, which] = part.solve()[list(KEPT)]
+    return Motion(chosen, lanes, dict(zip(KEPT, found, strict=True)), log)
+
+
+def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
+    """The lanes of a scene, flat."""
+    scene, closed = chosen.scene, chosen.method == CLOSED_IN_TIME
+    if not scene.shape:
+        end = np.inf if scene.end_time is None else scene.end_time
+        return Lanes(
+            scene.arc, scene.called, scene.friction, scene.initial_velocity, end, chosen.accuracy, closed, 1, invalid
+        )
+    count = math.prod(scene.shape)
+
+    def flat(given: Any, axes: int = 0) -> Any:
+        if np.ndim(given) <= axes:
+            return given
+        value = np.asarray(given, np.float64)
+        own = value.shape[value.ndim - axes :]
+        return value if value.shape == (count, *own) else np.broadcast_to(value, (*scene.shape, *own)).reshape(-1, *own)
+
+    numbers = scene.numbers
+    arc = unchecked(scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()})
+    called = {
+        e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
+    }
+    law = scene.friction
+    if isinstance(law, Mapping):
+        law = {n: flat(v) if f"friction.{n}" in numbers else v for n, v in law.items()}
+        if isinstance(rate := law.get("rate"), Mapping):
+            law["rate"] = {n: flat(v) if f"friction.rate.{n}" in numbers else v for n, v in rate.items()}
+    elif not callable(law):
+        law = flat(law)
+    end = np.inf if scene.end_time is None else flat(scene.end_time)
+    return Lanes(arc, called, law, flat(scene.initial_velocity), end, chosen.accuracy, closed, count, invalid)
+
+
+def _refuse(motion: Motion) -> None:
+    """A single scene without an answer."""
+    scene, status = motion.plan.scene, motion.status
+    speed = float(np.asarray(scene.initial_velocity))
+    if math.isfinite(motion.run_out + motion.outcomes["peak_velocity"] + speed * speed):
+        return  # without an answer they are NaN
+    asked = f"initial_velocity = {scene.initial_velocity!r}, end_time = {scene.end_time!r}"
+    turns = any(EFFECTS[e].turns for e in motion.plan.effects)
+    if status == Status.UPRIGHT:
+        time = motion.stopped_at
+        raise ValueError(
+            f"initial_velocity = {scene.initial_velocity!r}, friction: the chord stands upright after {time:.6g} s and "
+            "the mass would hang over, which this method cannot follow; give an earlier end_time or a lower velocity"
+        )
+    stands = "shaking" in motion.plan.effects and not motion.factor_of_safety < 1.0  # but for what shakes it
+    overflows = status == Status.FAILED and not stands and scene.end_time is None and speed * speed < math.inf
+    if not turns and (status == Status.ENDLESS or overflows):
+        raise ValueError(
+            "end_time: this slide never rests, as its geometry is frozen; add rotation, or give end_time in s"
+        )
+    if status == Status.ENDLESS and motion.turnings < 20 and (brake := motion.brake) > STRONGEST:
+        raise ValueError(
+            f"friction, drag: they brake too strongly to be followed: the speed falls by e in 1/q of a radian, q = "
+            f"{brake:.2g}, at most {STRONGEST:.0e} can be; give a greater xi or less friction"
+        )
+    if status == Status.ENDLESS and motion.turnings < 20:
+        raise ValueError(
+            "end_time: this mass creeps to its rest, ever more slowly as what resists falls with the speed, or trembles"
+            f" on: it has not rested after {motion.stopped_at:.3g} s; give end_time in s"
+        )
+    if status == Status.ENDLESS:
+        times = min(motion.turnings, MOST_TURNS)
+        raise ValueError(
+            f"end_time = {scene.end_time!r}: this mass turns back {times} times and more without resting; give an "
+            "earlier end in s"
+        )
+    raise ValueError(f"{asked}: the motion overflows; give a lower velocity or an earlier end")

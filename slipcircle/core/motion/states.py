@@ -1,0 +1,108 @@
+"""What a motion is told in: what became of it, its state and its energy at a time, its phases."""
+
+from collections.abc import Callable
+from dataclasses import InitVar, dataclass, field
+from enum import IntEnum
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated import cells as its
+
+
+class Status(IntEnum):
+    """What became of a scene."""
+
+    RESTS = 0  #: it moved, and came to rest without turning back
+    STAYS = 1  #: it does not move
+    MOVING = 2  #: it still moves at its end time, or nothing ever brings it to rest: then to its first standstill
+    TURNED = 3  #: it turned back at least once, and came to rest
+    UPRIGHT = 4  #: no answer: the chord stands upright and the mass would hang over
+    ENDLESS = 5  #: no answer: it never rests, or turns back too often
+    FAILED = 6  #: no answer: its numbers overflow
+    INVALID = 7  #: its numbers are no scene
+
+    @property
+    def reason(self) -> str:
+        """Why there is no answer; empty where there is one."""
+        return _REASONS.get(self.name, "")
+
+
+_REASONS = {
+    "UPRIGHT": "the chord stands upright, and the mass would hang over",
+    "ENDLESS": "it never rests, or turns back too often",
+    "FAILED": "its numbers overflow",
+    "INVALID": "its numbers are no scene, such as an angle below its bound, or a circle that misses the ground",
+}
+
+ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
+# What becomes of a lane that the walk leaves so; one that moved.
+BECOMES = np.full(its.NEED + 1, Status.FAILED, np.int8)
+BECOMES[[its.ARRESTED, its.ENDED, its.STOPPED, its.UPRIGHT, its.TOO_LONG]] = (
+    Status.RESTS,
+    Status.MOVING,
+    Status.MOVING,
+    Status.UPRIGHT,
+    Status.ENDLESS,
+)
+
+
+@dataclass(frozen=True)
+class State:
+    """The motion at one time, or at an array of times; positive down-slope.
+
+    Attributes
+    ----------
+    time, rotation, angular_velocity, velocity, displacement, acceleration, normal_stress
+        s, rad, rad/s, m/s and m along the arc, m/s^2 along the arc, Pa (mean over the arc, water included; computed
+        when it is first asked for).
+    """
+
+    time: Any
+    rotation: Any
+    angular_velocity: Any
+    velocity: Any
+    displacement: Any
+    acceleration: Any
+    normal_stress: Any = field(init=False)
+    stress: InitVar[Callable[[], Any]] = field(kw_only=True)
+
+    def __post_init__(self, stress: Callable[[], Any]) -> None:
+        object.__setattr__(self, "_stress", stress)
+
+    def __getattr__(self, name: str) -> Any:
+        """What is not there yet: the stress, which most have no use for and which takes the program to compute."""
+        if name != "normal_stress":
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        object.__setattr__(self, name, self._stress())
+        return self.normal_stress
+
+
+@dataclass(frozen=True)
+class Energy:
+    """The energy balance from the start to one time or several, J.
+
+    Attributes
+    ----------
+    kinetic_start, kinetic_end, work, dissipation
+        Kinetic energies, work of gravity and shaking, and what all resistance took, integrated beside the motion.
+    """
+
+    kinetic_start: Any
+    kinetic_end: Any
+    work: Any
+    dissipation: Any
+
+    @property
+    def residual(self) -> Any:
+        """Work of gravity - change of kinetic energy - dissipation."""
+        return self.work - (self.kinetic_end - self.kinetic_start) - self.dissipation
+
+
+class Phase(NamedTuple):
+    """A stretch of motion in one direction, between two standstills: its times, s, where it begins, and which way."""
+
+    start: float
+    end: float
+    rotation: float
+    direction: int

@@ -1,0 +1,255 @@
+"""The failed section: a circular arc, its chord, and the mass between them."""
+
+from __future__ import annotations  # so that a signature says ArrayLike
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, overload
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from generated import kernels
+from slipcircle.base.checks import EPS, INFINITY, Bounds, Fault, complaint, mistakes, raise_all, shape_mistakes, two_sum
+from slipcircle.base.kinds import Array, Numbers
+from slipcircle.core.scene.weights import Dimensionless, Mass, Weights
+
+ARC_BOUNDS: Mapping[str, Bounds] = {
+    "radius": (1e-6, 1e20, "a positive length in m"),
+    "theta_1": (-1e3, 1e3, "a finite angle in rad"),
+    "theta_2": (-1e3, 1e3, "a finite angle in rad"),
+    "unit_weight": (1e-3, 1e6, "a positive unit weight in N/m^3"),  # 1000 kN/m^3 are more than gold weighs
+    "gravity": (1e-6, 1e6, "a positive acceleration in m/s^2"),
+    "width": (1e-6, 1e9, "a positive length in m"),
+}
+QUANTITIES = tuple(ARC_BOUNDS)
+GRAVITY, WIDTH = 9.81, 1.0  # by default
+
+
+# What `Arc(given=...)` holds; the other coefficients are their quotients.
+GIVEN: Mapping[str, Bounds] = {f.name: (0.0, INFINITY, "a positive number") for f in fields(Dimensionless)[:5]} | {
+    "weight_moment": (-INFINITY, INFINITY, "a finite number")
+}
+
+
+@dataclass(frozen=True)
+class Arc(Mass, Generic[Numbers]):
+    """A circular slip surface with the mass above it, closed by its chord.
+
+    Parameters
+    ----------
+    radius : float or array_like
+        R, m.
+    theta_1, theta_2 : float or array_like
+        Polar angles of the arc's ends about its centre, rad, counterclockwise from the horizontal (x axis);
+        3 pi/2 is straight below the centre.
+    unit_weight : float or array_like
+        N/m^3.
+    gravity : float or array_like, optional
+        m/s^2.
+    width : float or array_like, optional
+        Length perpendicular to the section, m.
+    given : mapping, optional
+        Dimensionless coefficients (``GIVEN``) to be taken as they are instead of computed, all of them: to repeat a
+        calculation from its printed table. They belong to the initial position.
+
+    Raises
+    ------
+    ValueError
+        For values out of bounds, theta_2 <= theta_1, an opening above 180 degrees, or a mass that presses on nothing
+        (its weight has no component towards the arc). Lists every mistake.
+
+    Notes
+    -----
+    Symbols and equation numbers are the paper's. Fields may be arrays; results have their broadcast shape. Either
+    facing: dip, J_theta and its quotients, motions, velocities and shaking are all positive down-slope, whichever way
+    that turns. Only a J_theta in ``given`` has the sense of the angles, and so tells the facing.
+    """
+
+    radius: Numbers | float
+    theta_1: Numbers | float
+    theta_2: Numbers | float
+    unit_weight: Numbers | float
+    gravity: Numbers | float = GRAVITY
+    width: Numbers | float = WIDTH
+    given: Mapping[str, float] | None = None
+    quantities: ClassVar[Mapping[str, int]] = dict.fromkeys(QUANTITIES, 0)  # what scenes vary, each without axes
+    rounding: ClassVar[float] = 4 * EPS  # that each of the `weights` may have, relative
+
+    if TYPE_CHECKING:  # one array makes an ensemble
+
+        @overload
+        def __init__(
+            self: Arc[float],
+            radius: float,
+            theta_1: float,
+            theta_2: float,
+            unit_weight: float,
+            gravity: float = ...,
+            width: float = ...,
+            given: Mapping[str, float] | None = None,
+        ) -> None: ...
+        @overload
+        def __init__(
+            self: Arc[Array],
+            radius: ArrayLike,
+            theta_1: ArrayLike,
+            theta_2: ArrayLike,
+            unit_weight: ArrayLike,
+            gravity: ArrayLike = ...,
+            width: ArrayLike = ...,
+            given: Mapping[str, float] | None = None,
+        ) -> None: ...
+        def __init__(self, *given: Any, **named: Any) -> None: ...
+
+    def __post_init__(self) -> None:
+        values = {name: getattr(self, name) for name in ARC_BOUNDS}
+        shape = np.broadcast_shapes
+        found = mistakes(values, ARC_BOUNDS) or shape_mistakes(values)
+        found = found or complaint(self.faults(), shape(np.shape(self.theta_1), np.shape(self.theta_2)))
+        given: Any = self.given
+        if not isinstance(given, Mapping | None):
+            found.append(f"given = {given!r}: must be a mapping of coefficients, or None")
+        elif self.given is not None:
+            found += [f"given: {n!r} is missing" for n in GIVEN if n not in self.given]
+            found += [f"given: {n!r} is unknown; known are {', '.join(GIVEN)}" for n in self.given if n not in GIVEN]
+            bounds = {n: b for n, b in GIVEN.items() if n in self.given}
+            found += [f"given: {m}" for m in mistakes(self.given, bounds, one=bounds)]
+            object.__setattr__(self, "given", dict(self.given))
+        raise_all("Arc", found)
+
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no arcs, or press on nothing."""
+        ends = np.broadcast_arrays(np.asarray(self.theta_1), np.asarray(self.theta_2))
+        one, two = (np.degrees(np.ravel(end)) for end in ends)
+        with np.errstate(invalid="ignore"):
+            weight = np.ravel(kernels.radial_weight(*ends))
+        turns = np.any(np.abs(ends[0]) > 4 * np.pi)  # 12.6 rad are more than anybody turns, and few degrees
+        asked = "; theta_1 and theta_2 are in rad: were they in degrees?" if turns else ""
+        yield (
+            np.ravel(ends[1] <= ends[0]),
+            lambda k: f"theta_2 = {two[k]:.10g} deg: must be above theta_1 = {one[k]:.10g} deg; swap them?",
+        )
+        yield (
+            np.isnan(weight),
+            lambda k: f"theta_2 - theta_1 = {two[k] - one[k]:.10g} deg: must be at most 180 deg{asked}",
+        )
+        yield (
+            weight <= 0.0,
+            lambda k: (
+                f"theta_1 = {one[k]:.10g} deg, theta_2 = {two[k]:.10g} deg: it presses on nothing; "
+                f"the middle of the arc must lie between 180 and 360 deg, below its centre{asked}"
+            ),
+        )
+
+    @cached_property
+    def half_angle(self) -> Any:
+        """alpha, half the opening angle (1.1), rad."""
+        return np.subtract(self.theta_2, self.theta_1) / 2
+
+    @cached_property
+    def dip(self) -> Any:
+        """psi, the dip of the chord, rad, positive down-slope."""
+        return self.facing * self._lean
+
+    @cached_property
+    def _lean(self) -> Any:
+        """The dip in the sense of the angles: negative where the chord falls to the left."""
+        return 1.5 * np.pi - np.add(self.theta_1, self.theta_2) / 2
+
+    @cached_property
+    def facing(self) -> Any:
+        """1 where gravity turns the mass counterclockwise, to the right; -1 where it turns it to the left."""
+        moment = self._lean if self.given is None else self.given["weight_moment"]
+        return np.where(np.asarray(moment) < 0.0, -1.0, 1.0)[()]
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        """Coefficients of the equation of motion, from the arc or as given."""
+        if self.given is not None:
+            g = {**self.given, "weight_moment": self.facing * self.given["weight_moment"]}
+            return Dimensionless(
+                **g,
+                static_normal_stress=g["radial_weight"] / g["resistance_factor"],
+                limit_friction=g["weight_moment"] / g["radial_weight"],
+                radial_weight_per_inertia=g["radial_weight"] / g["moment_of_inertia"],
+                polar_moment_per_inertia=g["resistance_factor"] * g["dynamic_coefficient"] / g["moment_of_inertia"],
+            )
+        alpha = self.half_angle
+        # Quotients come from reduced functions, so that thin arcs do not underflow.
+        dynamic = kernels.dynamic_coefficient(alpha)
+        per_inertia = self.press()
+        polar_per_inertia = kernels.polar_moment_per_inertia(alpha)
+        return Dimensionless(
+            moment_of_inertia=kernels.moment_of_inertia(alpha),
+            radial_weight=kernels.radial_weight(self.theta_1, self.theta_2),
+            weight_moment=self.facing * kernels.weight_moment(self.theta_1, self.theta_2),
+            resistance_factor=kernels.resistance_factor(alpha),
+            dynamic_coefficient=dynamic,
+            # J_r/lambda = (J_r/Theta*) (A Theta*/I_p*), by lambda A = I_p*
+            static_normal_stress=per_inertia * dynamic / polar_per_inertia,
+            limit_friction=self.facing * kernels.limit_friction(self.theta_1, self.theta_2),
+            radial_weight_per_inertia=per_inertia,
+            polar_moment_per_inertia=polar_per_inertia,
+        )
+
+    @cached_property
+    def amplitudes_per_inertia(self) -> tuple[Any, Any]:
+        """C_theta/Theta* and C_r/Theta*, of which the weights over Theta* are made at any dip."""
+        alpha, dip = self.half_angle, self.dip
+        if self.given is not None and dip != 0.0:  # J_theta = C_theta sin(psi), J_r = C_r cos(psi)
+            press = self.dimensionless.radial_weight_per_inertia
+            return self.dimensionless.limit_friction * press / np.sin(dip), press / np.cos(dip)
+        return kernels.weight_moment_per_inertia(alpha), kernels.radial_weight_per_inertia(alpha)
+
+    @cached_property
+    def weights(self) -> Weights:
+        """What the balance needs; r_u is a share of the static normal stress."""
+        d, (weight, radial), press = self.dimensionless, self.amplitudes_per_inertia, self.press()
+        limit = d.limit_friction
+        return Weights(
+            limit * press,
+            weight * (press / radial),
+            press,
+            -radial * (limit * press / weight),
+            press / d.static_normal_stress,
+            d.polar_moment_per_inertia,
+            limit,
+            1.0,
+        )
+
+    def press(self) -> Any:
+        """J_r/Theta* at the start."""
+        if self.given is not None:
+            return self.dimensionless.radial_weight_per_inertia
+        ends = (np.asarray(theta, dtype=np.float64) for theta in (self.theta_1, self.theta_2))
+        total, lost = two_sum(*ends)  # a steep dip shows the rounding of theta_m; cos(psi) = -sin(theta_m)
+        return self.amplitudes_per_inertia[1] * -(np.sin(total / 2) + np.cos(total / 2) * (lost / 2))
+
+    @cached_property
+    def polar_moment(self) -> Any:
+        """I_p, polar surface moment of inertia (2.16), m^3."""
+        d = self.dimensionless
+        return np.power(self.radius, 3.0) * (d.resistance_factor * d.dynamic_coefficient)
+
+    @cached_property
+    def moment_of_inertia(self) -> Any:
+        """Theta, mass moment of inertia about the centre (3.1), kg m^2."""
+        density = np.divide(self.unit_weight, self.gravity)
+        return np.multiply(self.width, density) * np.power(self.radius, 4.0) * self.dimensionless.moment_of_inertia
+
+    @cached_property
+    def weight_moment(self) -> Any:
+        """Moment of the weight about the centre (3.7), N m."""
+        return np.multiply(self.width, self.unit_weight) * np.power(self.radius, 3.0) * self.dimensionless.weight_moment
+
+    @cached_property
+    def depth(self) -> Any:
+        """f, the largest depth of the mass below its chord (2.12), m."""
+        return self.sagitta
+
+    @cached_property
+    def limit_friction_angle(self) -> Any:
+        """Friction angle at limit equilibrium (3.21), rad."""
+        return np.arctan(self.dimensionless.limit_friction)

@@ -1,0 +1,244 @@
+"""A scene: the arc, its friction, the effects that it calls for, how it starts and when it ends."""
+
+from __future__ import annotations  # so that a signature says ArrayLike
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from generated.effects import EFFECTS, LAWS
+from slipcircle.base.checks import INFINITY, Bounds, mistakes, parameter_mistakes, raise_all, shape_mistakes
+from slipcircle.base.kinds import Array, Numbers
+from slipcircle.base.series import Pulse, Series
+from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.forcing import factor, resolved
+from slipcircle.core.scene.friction import law_mistakes, law_parts
+from slipcircle.core.scene.section import Section
+from slipcircle.workbench.files.numbers import numbers_in, uncertain_numbers
+
+if TYPE_CHECKING:
+    from slipcircle.workbench.stability.search import Critical
+
+One = float | str | Series | Pulse | Mapping[str, float | str]  # what a parameter is in one scene
+ACCURACY: Bounds = (0.0, 1.0, "a relative error between 0 and 1, such as 1e-9")
+
+
+@dataclass(frozen=True)
+class Scene(Generic[Numbers]):
+    """What is to be simulated, and nothing else: an effect that is not named is neither computed nor paid for.
+
+    Where fields are arrays (the arc's too, and the parameters of effects and laws), it is an ensemble of their
+    broadcast shape. Tables and given coefficients are no such fields.
+
+    Parameters
+    ----------
+    arc : Arc or Section
+        The failed section.
+    friction : float or array_like, mapping, or callable
+        Friction coefficient mu = tan(phi) (1.14); or a law of slip by name with its parameters,
+        ``{"law": "exponential", "peak": 0.42, "residual": 0.18, "length": 2.0}``, lengths in m; or a function of the
+        accumulated slip in m, which takes and returns arrays, also of slips beyond the run-out. Laws of speed and of
+        time go by name as well, and ``"rate": {...}`` in a law of slip multiplies it by a law of speed.
+    effects : mapping or iterable of str, optional
+        Effects by name, each with its parameters: ``{"centripetal": {}}``, or names alone where none has any. What
+        changes with time is a `slipcircle.base.series.Series` or `Pulse`, or what such are made of: a pulse by
+        name, a record's file, or a list with its times.
+    initial_velocity : float or array_like, optional
+        Velocity along the arc at the start, m/s, positive down-slope.
+    end_time : float or array_like, optional
+        s; by default until the mass rests.
+    accuracy : float, optional
+        Relative error that is asked for; the call's own wins.
+    name, note : str, optional
+        What the scene is, and where its numbers come from.
+    uncertain : mapping, optional
+        Numbers known by a distribution, which `ensemble` draws; `solve` takes the scene's own. Keys as in a scene file,
+        ``"friction.angle_deg"`` or ``"circle.radius_m"``, or SI names as in ``numbers``, ``"friction"``; values are
+        frozen distributions of scipy.stats, or ``{"distribution": "normal", "mean": 10, "std": 1}``, in the key's unit.
+    stability : Critical, optional
+        Factors of safety of the section's circle, and how it was found; the motion does not depend on it.
+
+    Notes
+    -----
+    To a type checker a ``Scene[float]`` is one scene, whose `solve` is a ``Motion[float]``, and a ``Scene[Array]`` an
+    ensemble; ``scene: Scene = load("vaiont")`` is either, so that ``replace`` may put arrays into it.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake with its field, its value and what is allowed.
+    """
+
+    arc: Arc[Numbers] | Section
+    friction: Numbers | float | Mapping[str, Numbers | One | Sequence[float]] | Callable[[Any], Any]
+    effects: Mapping[str, Mapping[str, Numbers | One | Sequence[float]]] | Iterable[str] = field(default_factory=dict)
+    initial_velocity: Numbers | float = 0.0
+    end_time: Numbers | float | None = None
+    accuracy: float | None = None
+    name: str = ""
+    note: str = ""
+    uncertain: Mapping[str, Any] = field(default_factory=dict)
+    stability: Critical | None = None
+
+    if TYPE_CHECKING:  # numbers alone make one scene, an array an ensemble; a mapping of who knows what, either
+
+        @overload
+        def __init__(
+            self: Scene[float],
+            arc: Arc[float],
+            friction: float | Mapping[str, One] | Callable[[Any], Any],
+            effects: Mapping[str, Mapping[str, One]] | Iterable[str] = ...,
+            initial_velocity: float = ...,
+            end_time: float | None = None,
+            accuracy: float | None = None,
+            name: str = ...,
+            note: str = ...,
+            uncertain: Mapping[str, Any] = ...,
+            stability: Critical | None = None,
+        ) -> None: ...
+        @overload
+        def __init__(
+            self: Scene[Array], arc: Arc | Section, friction: NDArray[Any] | Sequence[float], *more: Any, **named: Any
+        ) -> None: ...
+        @overload
+        def __init__(self: Scene[Array], arc: Arc[Array], *more: Any, **named: Any) -> None: ...
+        @overload
+        def __init__(
+            self: Scene[Any],
+            arc: Arc | Section,
+            friction: float | Mapping[str, Any] | Callable[[Any], Any],
+            effects: Mapping[str, Mapping[str, Any]] | Iterable[str] = ...,
+            initial_velocity: ArrayLike = ...,
+            end_time: ArrayLike | None = None,
+            accuracy: float | None = None,
+            name: str = ...,
+            note: str = ...,
+            uncertain: Mapping[str, Any] = ...,
+            stability: Critical | None = None,
+        ) -> None: ...
+        def __init__(self, *given: Any, **named: Any) -> None: ...
+
+    def __post_init__(self) -> None:
+        effects, found = _named(self.effects)
+        object.__setattr__(self, "effects", effects)
+        bounds: dict[str, Bounds] = {"initial_velocity": (-INFINITY, INFINITY, "a velocity in m/s")}
+        if self.end_time is not None:
+            bounds["end_time"] = (0.0, INFINITY, "a positive time in s, or None to run until the mass rests")
+        known = isinstance(self.arc, Arc | Section)
+        found += [] if known else [f"arc = {self.arc!r}: must be an Arc or a Section"]
+        if isinstance(self.arc, Section):
+            found += [f"arc: {self.arc.no_motion}"] if self.arc.no_motion else []
+            if self.arc.level is not None and "ratio" in effects.get("pore_pressure", {}):
+                found.append(
+                    "effects.pore_pressure.ratio: cannot be combined with the level of the section, which "
+                    "says the pore pressure already; leave one out"
+                )
+        found += mistakes({n: getattr(self, n) for n in bounds}, bounds) + accuracy_mistakes(self.accuracy)
+        found += law_mistakes(self.friction)
+        if known and self.arc.given is not None and any(EFFECTS[e].turns for e in effects if e in EFFECTS):
+            found.append(
+                "arc.given: belongs to the initial position and cannot be combined with rotation; leave one out"
+            )
+        gravity = np.unique(self.arc.gravity).tolist() if known else []
+        for name, parameters in effects.items():
+            if said := _effect_mistakes(name, parameters):
+                found += said
+            elif "record" in parameters and (len(gravity) > 1 or {"gravity", "arc.gravity_m_s2"} & {*self.uncertain}):
+                found.append(
+                    "arc.gravity: must be one number with a record, which is read over gravity; give "
+                    "effects.shaking.horizontal as a Series over gravity instead"
+                )
+            else:
+                try:
+                    effects[name] = resolved(name, parameters, max(gravity, default=9.81))
+                except ValueError as error:
+                    found.append(str(error))
+        found += [] if found else shape_mistakes({n: v for n, v in self.numbers.items() if np.ndim(v)})
+        uncertain: Any = self.uncertain
+        if not isinstance(uncertain, Mapping):
+            found.append(f"uncertain = {uncertain!r}: must be a mapping from numbers to their distributions")
+        elif self.uncertain and not found:
+            drawn, found = uncertain_numbers(self)
+            object.__setattr__(self, "uncertain", drawn)
+        raise_all(f"Scene {self.name}".rstrip(), found)
+
+    @property
+    def called(self) -> Mapping[str, Mapping[str, Any]]:
+        """Effects by name, each with its parameters, however they were given; and the water level of a section."""
+        assert isinstance(self.effects, dict)
+        if not isinstance(self.arc, Section) or self.arc.level is None:
+            return self.effects
+        return self.effects | {
+            "pore_pressure": {**self.effects.get("pore_pressure", {}), "level": self.arc.mean_pressure}
+        }
+
+    @cached_property
+    def numbers(self) -> Mapping[str, ArrayLike]:
+        """All that may be arrays, by name: ``radius``, ``ground.3.y``, ``friction.peak``, ``cohesion.cohesion``, ..."""
+        found = numbers_in(self.arc)
+        law = self.friction
+        if isinstance(law, Mapping):
+            for path, (name, own) in zip(("friction", "friction.rate"), law_parts(law), strict=False):
+                tables = LAWS[name].parameters[0].kind == "list"
+                found |= {f"{path}.{n}": value for n, value in own.items() if not tables}
+        elif not callable(law):
+            found["friction"] = law
+        found["initial_velocity"] = self.initial_velocity
+        if self.end_time is not None:
+            found["end_time"] = self.end_time
+        known = {e: {p.name for p in EFFECTS[e].parameters if p.kind in ("number", "series")} for e in self.called}
+        shaken = self.called.get("shaking", {})
+        if isinstance(record := shaken.get("horizontal"), Series):  # its peak and its scale stand for each other
+            share = factor("shaking", shaken, "horizontal")
+            found |= {"shaking.scale": share, "shaking.peak": share * record.greatest}
+        return found | {
+            f"{e}.{n}": value
+            for e, given in self.called.items()
+            for n, value in given.items()
+            if n in known[e] and not callable(value)
+        }
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """The broadcast shape of all fields: () for one scene, anything else for an ensemble."""
+        return np.broadcast_shapes(*(np.shape(value) for value in self.numbers.values() if np.ndim(value)))
+
+
+def accuracy_mistakes(accuracy: Any) -> list[str]:
+    """A sentence if it is given, and no relative error."""
+    one = accuracy if np.ndim(accuracy) == 0 else str(accuracy)
+    return [] if accuracy is None else mistakes({"accuracy": one}, {"accuracy": ACCURACY})
+
+
+def checked(scene: Any, what: str) -> Scene:
+    """A scene, if it is one; what was to be done with it is named if not."""
+    if not isinstance(scene, Scene):
+        asked = f"load({scene!r})" if isinstance(scene, str) else "load(name)"
+        raise ValueError(f"{what}: scene = {scene!r}: must be a Scene; {asked} gives that of a file, or one that ships")
+    return scene
+
+
+def _named(effects: Any) -> tuple[dict[str, dict[str, Any]], list[str]]:
+    """Effects by name, each with its parameters, and a sentence for what is no such thing."""
+    if isinstance(effects, str) or not isinstance(effects, Iterable):
+        return {}, [f"effects = {effects!r}: must be a list of names, or a mapping from names to parameters"]
+    given = effects if isinstance(effects, Mapping) else {e: {} for e in effects}
+    found = [
+        f"effects.{name} = {parameters!r}: must be a mapping of parameters, {{}} where there are none"
+        for name, parameters in given.items()
+        if not isinstance(parameters, Mapping)
+    ]
+    return {str(e): dict(parameters) for e, parameters in given.items() if isinstance(parameters, Mapping)}, found
+
+
+def _effect_mistakes(name: str, parameters: Mapping[str, Any]) -> list[str]:
+    if name not in EFFECTS:
+        return [f"effects: {name!r} is unknown; known are {', '.join(EFFECTS)}"]
+    effect = EFFECTS[name]
+    lacks = effect.any_of and not {*effect.any_of} & {*parameters}
+    found = [f"effects.{name}: one of {', '.join(effect.any_of)} is missing"] if lacks else []
+    return found + parameter_mistakes(f"effects.{name}", parameters, effect.parameters)

@@ -1,0 +1,401 @@
+"""The failed section of a real slope: a ground, a circle, a water level, and the mass between ground and arc."""
+
+from __future__ import annotations  # so that a signature says ArrayLike
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, fields
+from functools import cached_property
+from itertools import chain
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from slipcircle.base.checks import Fault, complaint, raise_all
+from slipcircle.core.scene import circles
+from slipcircle.core.scene.circles import Cut, Floats
+from slipcircle.core.scene.faults import faults, unmoved
+from slipcircle.core.scene.ground import field_mistakes, line_faults
+from slipcircle.core.scene.weights import Dimensionless, Mass, Weights
+
+
+class Journey(NamedTuple):
+    """Where a rotation brings the mass, m and rad."""
+
+    toe: Any
+    run_out: Any
+    fall: Any
+    travel_angle: Any
+
+    @property
+    def toe_x(self) -> Any:
+        return self.toe[..., 0][()]
+
+    @property
+    def toe_y(self) -> Any:
+        return self.toe[..., 1][()]
+
+
+@dataclass(frozen=True)
+class Section(Mass):
+    """A slip circle through a ground of straight edges, with the mass between ground and arc.
+
+    Parameters
+    ----------
+    ground : array_like
+        Points from left to right, (..., V, 2), x and y in m; equal x is a vertical scarp.
+    centre : array_like
+        Of the circle, (..., 2), m.
+    radius : float or array_like
+        m.
+    unit_weight : float or array_like
+        N/m^3.
+    gravity, width : float or array_like, optional
+        m/s^2; length across the section, m.
+    between : pair of float, optional
+        x between which the stretch lies that is meant, or its middle, where the circle cuts off several.
+    level : array_like, optional
+        Points of the water level from left to right, (..., W, 2), m; beyond its ends it goes on horizontally.
+    water_unit_weight : float
+        N/m^3.
+    base : float, optional
+        y of a firm layer below which no circle goes, m.
+
+    Raises
+    ------
+    ValueError
+        Lists every mistake, one sentence each: a circle that misses the ground, several stretches and none chosen,
+        points out of order, a centre below the ground, a pond, ...
+
+    Notes
+    -----
+    Ground, centre, radius and level may be arrays with leading axes; results have their broadcast shape. Angles are
+    measured from straight below the centre. Either facing: the mass faces the way in which gravity turns it, ``entry``
+    is its upper end, and positive means down-slope throughout. Moments to about 1e-14 (of J_r, J_theta: of their
+    vector's length) for the coordinates as they are given, however thin the mass.
+    """
+
+    ground: ArrayLike
+    centre: ArrayLike
+    radius: ArrayLike
+    unit_weight: ArrayLike
+    gravity: ArrayLike = 9.81
+    width: ArrayLike = 1.0
+    between: tuple[float, float] | None = None
+    level: ArrayLike | None = None
+    water_unit_weight: float = 9810.0
+    base: float | None = None
+    # What scenes vary, with the axes of one section.
+    quantities: ClassVar[Mapping[str, int]] = {
+        "ground": 2,
+        "centre": 1,
+        "radius": 0,
+        "unit_weight": 0,
+        "gravity": 0,
+        "width": 0,
+        "level": 2,
+    }
+    rounding: ClassVar[float] = 1e-14
+    given: ClassVar[None] = None
+
+    def __post_init__(self) -> None:
+        raise_all("Section", field_mistakes(vars(self), self.quantities) or complaint(faults(self), self.shape))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Section) and all(
+            np.array_equal(value, getattr(other, f.name)) for f in fields(self) for value in [getattr(self, f.name)]
+        )
+
+    # --- the stretch -------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def shape(self) -> tuple[int, ...]:
+        """Of the results."""
+        level = () if self.level is None else np.shape(self.level)[:-2]
+        return np.broadcast_shapes(np.shape(self.radius), np.shape(self.centre)[:-1], np.shape(self.ground)[:-2], level)
+
+    @cached_property
+    def _circle(self) -> tuple[Floats, Floats, Floats]:
+        """Ground, centre and radius with one axis of lanes."""
+        return (
+            self._lines(self.ground),
+            np.broadcast_to(np.asarray(self.centre, dtype=np.float64), (*self.shape, 2)).reshape(-1, 2),
+            np.broadcast_to(np.asarray(self.radius, dtype=np.float64), self.shape).reshape(-1),
+        )
+
+    def _lines(self, points: Any) -> Floats:
+        """Lines with one axis of lanes; of one for all that is 1."""
+        points = np.asarray(points, dtype=np.float64)
+        if points.ndim > 2:
+            points = np.broadcast_to(points, (*self.shape, *points.shape[-2:]))
+        return points.reshape(-1, *points.shape[-2:])
+
+    @cached_property
+    def _cut(self) -> Cut:
+        return circles.cut(*self._circle)
+
+    @cached_property
+    def _candidates(self) -> tuple[Any, Any, Any, Any, Any]:
+        """Lane, number and both x of the stretches that may be meant; and which circles hold an end of the ground."""
+        _, centre, radius = self._circle
+        lane, number, held = circles.stretches(self._cut)
+        left, right = (centre[lane, 0] + radius[lane] * end[0] for end in circles.ends(self._cut.only(lane), number))
+        if self.between is not None:
+            blur, (low, high) = 1e-9 * radius[lane], self.between
+            keep = (left >= low - blur) & (right <= high + blur)
+            without = np.bincount(lane, keep, len(radius))[lane] == 0
+            keep |= without & (left + right >= 2 * low) & (left + right <= 2 * high)
+            lane, number, left, right = lane[keep], number[keep], left[keep], right[keep]
+            held = np.zeros(len(held), dtype=bool)
+        return lane, number, left, right, held
+
+    @cached_property
+    def _ends(self) -> tuple[Floats, Floats]:
+        """The left and the right end of the arc from the centre, over R."""
+        return circles.ends(self._cut, self._candidates[1])
+
+    @cached_property
+    def _mine(self) -> Any:
+        return self._cut.stretch == self._candidates[1][:, None]
+
+    @cached_property
+    def _moments(self) -> dict[str, Floats]:
+        return circles.moments(self._cut, self._mine)
+
+    def _shaped(self, values: Any) -> Any:
+        """Values by lane in the shape of the results; a number where there are no arrays."""
+        values = np.asarray(values)
+        return values.reshape((*self.shape, *values.shape[1:]))[()]
+
+    # --- geometry ----------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _facing(self) -> Floats:
+        (_, y1), (_, y2) = self._ends
+        by_weight = -np.sign(self._moments["moment_x"])
+        return np.where(by_weight != 0.0, by_weight, np.where(y1 < y2, -1.0, 1.0))
+
+    @cached_property
+    def facing(self) -> Any:
+        """1 where gravity turns the mass to the right, -1 to the left."""
+        return self._shaped(self._facing)
+
+    @cached_property
+    def _angles(self) -> tuple[Floats, Floats]:
+        """Of both ends from straight below the centre, left to right."""
+        (x1, y1), (x2, y2) = self._ends
+        return np.arctan2(x1, -y1), np.arctan2(x2, -y2)
+
+    @cached_property
+    def _chord(self) -> Floats:
+        """From the left to the right end, over R, (2, n)."""
+        return np.stack([np.where(self._mine, e, 0.0).sum(axis=1) for e in (self._cut.e_x, self._cut.e_y)])
+
+    @cached_property
+    def chord(self) -> Any:
+        """Its length, m."""
+        return self._shaped(np.hypot(*self._chord)) * self.radius
+
+    @cached_property
+    def half_angle(self) -> Any:
+        """alpha, half the opening angle of the arc, rad."""
+        sine = np.minimum(np.hypot(*self._chord) / 2, 1.0)
+        whole = self._angles[1] - self._angles[0]
+        small = np.where(whole <= np.pi, np.arcsin(sine), np.pi - np.arcsin(sine))
+        return self._shaped(np.where(sine > 0.7, whole / 2, small))  # each where it keeps its digits
+
+    @cached_property
+    def dip(self) -> Any:
+        """psi, the dip of the chord, rad, positive down-slope."""
+        return self._shaped(np.arctan2(-self._facing * self._chord[1], self._chord[0]))
+
+    def _end(self, way: float) -> Any:
+        """The left end where the mass faces this way, else the right."""
+        _, centre, radius = self._circle
+        left, right = (centre + radius[:, None] * end.T for end in self._ends)
+        return self._shaped(np.where((self._facing == way)[:, None], left, right))
+
+    @cached_property
+    def entry(self) -> Any:
+        """Upper end of the slip surface, x and y in m."""
+        return self._end(1.0)
+
+    @cached_property
+    def exit(self) -> Any:
+        """Lower end of the slip surface: the toe at the start, x and y in m."""
+        return self._end(-1.0)
+
+    @cached_property
+    def area(self) -> Any:
+        """Of the section, m^2."""
+        return self._shaped(self._moments["area"]) * np.square(self.radius)
+
+    @cached_property
+    def mass_per_metre(self) -> Any:
+        """kg/m."""
+        return self.area * np.divide(self.unit_weight, self.gravity)
+
+    @cached_property
+    def centroid(self) -> Any:
+        """Of the mass, x and y in m."""
+        _, centre, radius = self._circle
+        m = self._moments
+        return self._shaped(centre + np.stack([m["moment_x"], m["moment_y"]], 1) * (radius / m["area"])[:, None])
+
+    @cached_property
+    def arc_length(self) -> Any:
+        """m."""
+        return 2 * self.half_angle * self.radius
+
+    @cached_property
+    def depth(self) -> Any:
+        """The greatest thickness of the mass, from the arc towards the centre, m."""
+        return self._shaped(circles.thickness(self._cut, self._mine)) * self.radius
+
+    @cached_property
+    def mean_cover(self) -> Any:
+        """Mean over the arc of the height of the ground above it, m: times r_u and the unit weight, a mean pressure."""
+        integral, _ = circles.heads(self._cut, self._mine)
+        first, last = self._angles
+        return self._shaped(integral(first, last) / (last - first)) * self.radius
+
+    # --- mechanics ---------------------------------------------------------------------------------------------------
+
+    def faults(self) -> Iterator[Fault]:
+        """Lanes that are no sections, or do not move."""
+        levels = () if self.level is None else line_faults("level", self._level)
+        return chain(line_faults("ground", self._circle[0]), levels, faults(self), unmoved(self))
+
+    @cached_property
+    def no_motion(self) -> str | None:
+        """Why the method gives no motion, if it does not."""
+        return next(iter(complaint(unmoved(self), self.shape)), None)
+
+    @cached_property
+    def moments(self) -> dict[str, Any]:
+        """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
+        m, way = self._moments, self._facing
+        found = {
+            "moment_of_inertia": m["inertia"],
+            "polar_moment": m["polar"],
+            "radial_weight": -m["radial_y"],
+            "weight_moment": -way * m["moment_x"],
+            "radial_weight_slope": way * m["radial_x"],
+            "weight_moment_slope": -m["moment_y"],
+        }
+        return {name: self._shaped(value) for name, value in found.items()}
+
+    @cached_property
+    def dimensionless(self) -> Dimensionless:
+        """Coefficients of the equation of motion, positive down-slope; lambda = 2 alpha f/R (3.14)."""
+        m, alpha = self.moments, self.half_angle
+        theta, radial, factor = m["moment_of_inertia"], m["radial_weight"], 4 * alpha * np.sin(alpha / 2) ** 2
+        return Dimensionless(
+            theta,
+            radial,
+            m["weight_moment"],
+            factor,
+            m["polar_moment"] / factor,
+            radial / factor,
+            m["weight_moment"] / radial,
+            radial / theta,
+            m["polar_moment"] / theta,
+        )
+
+    @cached_property
+    def weights(self) -> Weights:
+        """What the balance needs; r_u is a share of the weight of the soil above, gamma h, in the mean over the arc."""
+        m, d = self.moments, self.dimensionless
+        theta = d.moment_of_inertia
+        cover = self.mean_cover / (self.sagitta * d.static_normal_stress)
+        return Weights(
+            d.weight_moment / theta,
+            m["weight_moment_slope"] / theta,
+            d.radial_weight_per_inertia,
+            m["radial_weight_slope"] / theta,
+            d.resistance_factor / theta,
+            d.polar_moment_per_inertia,
+            d.limit_friction,
+            cover,
+        )
+
+    # --- water -------------------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _level(self) -> Floats:
+        return self._lines(self.level)
+
+    @cached_property
+    def _water(self) -> tuple[Callable[[Any, Any], Any], Floats]:
+        return circles.wet(self._level, *self._circle[1:])[1:]
+
+    def mean_pressure(self, rotation: Any = 0.0) -> Any:
+        """Mean pore pressure on the arc under the mass after a rotation, Pa.
+
+        The level stays in space while the mass turns through it; elementary between the ``pressure_kinks``.
+
+        Parameters
+        ----------
+        rotation : float or array_like
+            rad, positive down-slope, (...,) in front of the shape of the section.
+        """
+        if self.level is None:
+            return 0.0 * np.add(rotation, np.zeros(self.shape))
+        integral, _ = self._water
+        first, last = self._angles
+        turn = np.asarray(rotation, dtype=np.float64)
+        turn = np.broadcast_to(turn, np.broadcast_shapes(turn.shape, self.shape))
+        turned = turn.reshape(*turn.shape[: turn.ndim - len(self.shape)], -1) * self._facing
+        mean = integral(first + turned, last + turned) / (last - first)
+        return (mean.reshape(turn.shape) * np.multiply(self.radius, self.water_unit_weight))[()]
+
+    @cached_property
+    def pressure_kinks(self) -> Any:
+        """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
+        if self.level is None:
+            return self._shaped(np.empty((len(self._facing), 0)))
+        _, kinks = self._water
+        turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
+        return self._shaped(np.sort(turns, axis=1))
+
+    @cached_property
+    def surface(self) -> Floats:
+        """The ground over the mass of one section, from its left to its right end, m."""
+        ends = np.array(sorted([tuple(self.entry), tuple(self.exit)]))
+        ground = np.asarray(self.ground, dtype=np.float64)
+        inner = ground[(ground[:, 0] > ends[0, 0]) & (ground[:, 0] < ends[1, 0])]
+        return np.concatenate([ends[:1], inner, ends[1:]])
+
+    def drowned(self, *rotations: float) -> float:
+        """How far below the water level the ground over one section's mass comes, where it is deepest, m."""
+        deepest, level = 0.0, np.asarray(self.level, dtype=np.float64)
+        for rotation in rotations if self.level is not None else ():
+            points = self.placed(self.surface, rotation)
+            (x, y), (dx, dy) = points[:-1].T, np.diff(points, axis=0).T
+            with np.errstate(divide="ignore", invalid="ignore"):
+                share = (level[:, :1] - x) / dx  # of each edge, where a vertex of the level is
+            depth = np.where((share > 0.0) & (share < 1.0), level[:, 1:] - (y + share * dy), 0.0)
+            deepest = max(deepest, depth.max(), (np.interp(points[:, 0], *level.T) - points[:, 1]).max())
+        return float(deepest)
+
+    # --- where it goes -----------------------------------------------------------------------------------------------
+
+    def placed(self, points: Any, rotation: Any) -> Any:
+        """Points (..., 2) of the mass after a rotation, m."""
+        turn = np.multiply(rotation, self.facing)
+        x, y = np.moveaxis(np.subtract(points, self.centre), -1, 0)
+        turned = np.stack(
+            np.broadcast_arrays(x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)), -1
+        )
+        return np.asarray(self.centre) + turned
+
+    def journey(self, rotation: Any) -> Journey:
+        """Toe, its horizontal run-out, fall of the centroid, and travel angle: of the centroid's way, fall over run."""
+        toe, centroid = self.placed(self.exit, rotation), self.placed(self.centroid, rotation)
+        way = centroid - self.centroid
+        return Journey(
+            toe,
+            (toe - self.exit)[..., 0] * self.facing,
+            -way[..., 1],
+            np.arctan2(-way[..., 1], way[..., 0] * self.facing),
+        )

@@ -1,0 +1,104 @@
+"""Distributions that a scene file may name: SciPy's, by the parameters that engineers give them."""
+
+import math
+from collections.abc import Callable, Mapping
+from difflib import get_close_matches
+from typing import Any, NamedTuple
+
+_FAR = 30.0  # standard deviations: what lies beyond has no probability in float64
+
+
+def statistics() -> Any:
+    """SciPy's distributions, loaded when the first one is asked for."""
+    try:
+        from scipy import stats
+    except ImportError as error:
+        raise ImportError("distributions need SciPy: pip install 'slipcircle[scenes]'") from error
+    return stats
+
+
+class Distribution(NamedTuple):
+    """A distribution: its parameters, all needed, SciPy's frozen one of them, and what they have to obey."""
+
+    help: str
+    parameters: tuple[str, ...]
+    frozen: Callable[..., Any]
+    rules: Mapping[str, Callable[[Mapping[str, float]], bool]]
+
+
+def _lognormal(mean: float, std: float) -> Any:
+    """By the moments of the number itself: its logarithm has the variance log(1 + (std/mean)^2)."""
+    variance = math.log1p((std / mean) ** 2)
+    return statistics().lognorm(math.sqrt(variance), scale=mean * math.exp(-variance / 2))
+
+
+def _truncated(mean: float, std: float, low: float, high: float) -> Any:
+    return statistics().truncnorm((low - mean) / std, (high - mean) / std, mean, std)
+
+
+_SPREAD = {"std must be above 0": lambda g: g["std"] > 0.0}
+_ORDER = {"high must be above low": lambda g: g["high"] > g["low"]}
+DISTRIBUTIONS: Mapping[str, Distribution] = {
+    "normal": Distribution("Gaussian", ("mean", "std"), lambda mean, std: statistics().norm(mean, std), _SPREAD),
+    "lognormal": Distribution(
+        "its logarithm is normal; mean and std are the number's own",
+        ("mean", "std"),
+        _lognormal,
+        _SPREAD | {"mean must be above 0": lambda g: g["mean"] > 0.0},
+    ),
+    "uniform": Distribution("", ("low", "high"), lambda low, high: statistics().uniform(low, high - low), _ORDER),
+    "triangular": Distribution(
+        "",
+        ("low", "mode", "high"),
+        lambda low, mode, high: statistics().triang((mode - low) / (high - low), low, high - low),
+        _ORDER | {"mode must be from low to high": lambda g: g["low"] <= g["mode"] <= g["high"]},
+    ),
+    "truncated_normal": Distribution(
+        "normal between low and high; mean and std are those before truncation",
+        ("mean", "std", "low", "high"),
+        _truncated,
+        _SPREAD
+        | _ORDER
+        | {
+            f"low and high must hold values within {_FAR:g} std of the mean": lambda g: (
+                g["low"] < g["mean"] + _FAR * g["std"] and g["high"] > g["mean"] - _FAR * g["std"]
+            )
+        },
+    ),
+}
+
+
+def distribution_of(given: Mapping[str, Any]) -> Any:
+    """SciPy's frozen distribution of a mapping such as ``{"distribution": "normal", "mean": 10, "std": 1}``."""
+    numbers = {k: float(v) for k, v in given.items() if k != "distribution"}
+    return DISTRIBUTIONS[given["distribution"]].frozen(**numbers)
+
+
+def distribution_mistakes(given: Mapping[str, Any], limits: tuple[float, float]) -> list[str]:
+    """A sentence for each mistake in a distribution whose numbers should stay within limits."""
+    name = given.get("distribution")
+    if name is None:
+        return ["distribution: is missing: one of " + ", ".join(DISTRIBUTIONS)]
+    if name not in DISTRIBUTIONS:
+        asked = "".join(f"; did you mean {n}?" for n in get_close_matches(str(name), DISTRIBUTIONS, 1))
+        return [f"distribution = {name!r}: must be one of {', '.join(DISTRIBUTIONS)}{asked}"]
+    kind, rest = DISTRIBUTIONS[name], {k: v for k, v in given.items() if k != "distribution"}
+    found = [f"{k}: is missing" for k in kind.parameters if k not in rest]
+    found += [f"{k}: is unknown; known are {', '.join(kind.parameters)}" for k in rest if k not in kind.parameters]
+    for k, v in rest.items():
+        if k in kind.parameters and (isinstance(v, bool) or not isinstance(v, int | float) or not math.isfinite(v)):
+            found.append(f"{k} = {v!r}: must be a finite number")
+    if found or (found := [rule for rule, holds in kind.rules.items() if not holds(rest)]):
+        return found
+    distribution = distribution_of(given)
+    low, high = map(float, distribution.support())
+    # The ends of a normal distribution have no meaning: samples out of bounds are counted instead.
+    least = min(limits[0], 0.0) if limits[0] < 1.0 else limits[0]
+    if math.isfinite(low) and low < least:
+        found.append(f"reaches down to {low:g}, and must stay above {least:g}")
+    if math.isfinite(high) and high > limits[1]:
+        found.append(f"reaches up to {high:g}, and must stay below {limits[1]:g}")
+    middle = float(distribution.median())
+    if not found and not limits[0] <= middle <= limits[1]:
+        found.append(f"its median {middle:g} must be between {limits[0]:g} and {limits[1]:g}")
+    return found

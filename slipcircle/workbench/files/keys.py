@@ -1,0 +1,408 @@
+"""Tables and keys of a scene file: what each number is called there, its unit, and what it may be.
+
+They follow from the declarations in `generated.effects`, so that a new effect or law needs nothing here.
+"""
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
+from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
+from slipcircle.core.scene.friction import RATE_LAWS, may_have_rate
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.stability.stability import METHODS
+
+ROUGHEST = 10.0  # friction coefficient that no soil has: more was an angle
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of a scene, as people name it and as the scene has it."""
+
+    key: str = ""  # a scene file's key, or the name
+    name: str = ""  # in `Scene.numbers`
+    unit: str = ""  # of the key
+    low: float = -math.inf  # open bounds, in the key's unit
+    high: float = math.inf
+    closed: bool = False  # whether the lower one is allowed as well
+    per_unit: float = 1.0  # SI units in the key's unit
+    tangent: bool = False  # whether the key is the angle of a coefficient, in degrees
+    si: str = ""  # unit of the name
+
+    @property
+    def plain(self) -> "Number":
+        """The same in SI units, by its name."""
+        low, high = float(self.to_si(self.low)), float(self.to_si(self.high))
+        return Number(self.name, self.name, self.si, low, high, self.closed, si=self.si)
+
+    def to_si(self, values: Any) -> Any:
+        """Values in the key's unit as the scene has them."""
+        return np.tan(np.deg2rad(values)) if self.tangent else np.asarray(values) * self.per_unit
+
+    def from_si(self, values: Any) -> Any:
+        """Values of the scene in the key's unit."""
+        return np.rad2deg(np.arctan(values)) if self.tangent else np.asarray(values) / self.per_unit
+
+    def slope(self, value: float) -> float:
+        """Derivative of what the scene has by the key's value."""
+        return math.radians(1.0 + math.tan(math.radians(value)) ** 2) if self.tangent else self.per_unit
+
+    def holds(self, values: Any) -> Any:
+        """Which values are finite and within the bounds."""
+        least = values >= self.low if self.closed else values > self.low
+        return least & (values < self.high) & (abs(values) < math.inf)
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """The bounds that it has: gt or ge, and lt."""
+        low, high = {"ge" if self.closed else "gt": self.low}, {"lt": self.high}
+        return (low if self.low > -math.inf else {}) | (high if self.high < math.inf else {})
+
+
+class Key(NamedTuple):
+    """A key of a scene file: the argument that it stands for, and what it is and may be.
+
+    ``kind`` is "text", "flag", "number", "fixed" (a number that no scene varies), "list" (of numbers), "series" (a
+    number or a list), "pair" and "points" (of two numbers), or words: "this|that".
+    """
+
+    name: str
+    title: str
+    allowed: str = "text"
+    required: bool = False
+    kind: str = "text"
+    number: Number = Number()
+
+    def wrong(self, value: Any) -> list[tuple[str, Any]]:
+        """What is wrong with a value: places in a list, "" for the value itself, and what stands there."""
+        if isinstance(value, list) and self.kind in ("list", "series"):
+            return [(f"[{k}]", v) for k, v in enumerate(value) if not self._number(v)]
+        if isinstance(value, list) and self.kind == "points" and len(value) > 1:
+            return [(f"[{k}]", v) for k, v in enumerate(value) if not self._pair(v)][:1]
+        right = dict.fromkeys(("number", "fixed", "series"), self._number(value)) | {
+            "text": isinstance(value, str),
+            "flag": isinstance(value, bool),
+            "pair": self._pair(value),
+            "list": False,
+            "points": False,
+        }
+        return [] if right.get(self.kind, value in self.kind.split("|")) else [("", value)]
+
+    def convert(self, value: Any) -> Any:
+        """A right value as an argument, in SI units."""
+        if self.kind == "points":
+            return np.array(value)
+        if self.kind == "pair":
+            return float(value[0]), float(value[1])
+        if self.kind not in ("number", "fixed", "list", "series"):
+            return value
+        return [self.convert(v) for v in value] if isinstance(value, list) else float(self.number.to_si(value))
+
+    def _number(self, value: Any) -> bool:
+        return isinstance(value, int | float) and not isinstance(value, bool) and bool(self.number.holds(value))
+
+    def _pair(self, value: Any) -> bool:
+        return isinstance(value, list) and len(value) == 2 and all(map(self._number, value))
+
+
+class Table(NamedTuple):
+    """A table of a scene file; exactly one key of each of ``one_of`` is needed, at least one of ``any_of``.
+
+    Of ``sets`` of keys all of one and none of the others.
+    """
+
+    title: str
+    keys: Mapping[str, Key]
+    one_of: tuple[tuple[str, ...], ...] = ()
+    any_of: tuple[str, ...] = ()
+    required: bool = False
+    sets: tuple[tuple[str, ...], ...] = ()
+
+
+def _declare(
+    name: str,
+    key: str,
+    unit: str,
+    help: str,
+    lower: float = 0.0,
+    upper: float = INFINITY,
+    per_unit: float = 1.0,
+    optional: bool = False,
+    kind: str = "number",
+) -> Parameter:
+    return Parameter(name, unit, lower, upper, help, key, per_unit, "", lambda value, scales: value, optional, kind)
+
+
+_TEXT = {"name": Key("name", "name of the scene, by default the file's"), "note": Key("note", "source of the numbers")}
+_TOP = (
+    _declare(
+        "initial_velocity",
+        "initial_velocity_m_s",
+        "m/s",
+        "velocity along the arc at the start, positive down-slope, by default 0",
+        -LIMITS["m/s"][1],
+        LIMITS["m/s"][1],
+        optional=True,
+    ),
+    _declare(
+        "end_time", "end_time_s", "s", "time of the end, by default when the mass rests", *LIMITS["s"], optional=True
+    ),
+    _declare("accuracy", "accuracy", "", "relative error asked for", 0.0, 1.0, 1.0, True, "fixed"),
+)
+_ARC = tuple(
+    _declare(name, key, unit, help, *ARC_BOUNDS[name][:2], per_unit, ", by default " in help)
+    for name, key, unit, per_unit, help in (
+        ("radius", "radius_m", "m", 1.0, "radius of the slip circle"),
+        ("theta_1", "theta_1_deg", "rad", math.pi / 180, "polar angle of the arc's first end; 270 is below the centre"),
+        ("theta_2", "theta_2_deg", "rad", math.pi / 180, "polar angle of the arc's second end, above the first"),
+        ("unit_weight", "unit_weight_kN_m3", "N/m^3", 1e3, "unit weight"),
+        ("gravity", "gravity_m_s2", "m/s^2", 1.0, f"gravity, by default {GRAVITY}"),
+        ("width", "width_m", "m", 1.0, f"length across the section, by default {WIDTH}"),
+    )
+)
+_GIVEN = [_declare(n, n, "", f"{n.replace('_', ' ')}, dimensionless", *b[:2], kind="fixed") for n, b in GIVEN.items()]
+
+
+def _number(p: Parameter, title: str, unit: str = "", required: bool = False, tangent: bool = False) -> Key:
+    """The key of a number, of a list of them or of either, with the parameter's bounds in the file's unit."""
+    of = Number(p.key, p.name, unit, per_unit=p.per_unit, tangent=tangent, si=p.unit)
+    closed = p.lower == -5e-324  # bounds are open, and zero is allowed
+    of = replace(of, low=0.0 if closed else float(of.from_si(p.lower)), high=float(of.from_si(p.upper)), closed=closed)
+    if p.key.endswith("_deg") and not p.unit and not tangent:
+        of = replace(of, high=ROUGHEST)  # which is not told: who meets it gave an angle
+    least, most = ARC_BOUNDS[p.name][:2] if p.name in ARC_BOUNDS else LIMITS.get(p.unit, (0.0, INFINITY))
+    told = dict(of.limits)  # of what only a wrong unit passes the sign is enough
+    if p.lower in (least, -most):
+        told = {"gt": 0.0} if p.lower > 0.0 else {}
+    told.pop("lt", None)
+    if p.upper < most or tangent:
+        told["lt"] = of.high
+    said = {"gt": "above", "ge": "at least", "lt": "below"}
+    words = " and ".join(f"{said[k]} {v:g}" for k, v in told.items())
+    one, many = (" ".join(filter(None, [n, words, unit and f"({unit})"])) for n in ("a number", "a list of numbers"))
+    allowed = {"list": many, "series": f"{one}, or {many}"}.get(p.kind, one)
+    return Key(p.name, title, allowed, required, p.kind, of)
+
+
+def _keys(p: Parameter) -> dict[str, Key]:
+    """The keys of a parameter; friction has two, for its angle and for the coefficient itself."""
+    words = {"flag": "true or false", "text": "text"}.get(p.kind, f"one of {p.kind.replace('|', ', ')}")
+    if not p.key:
+        return {}
+    if p.kind in ("flag", "text") or "|" in p.kind:
+        return {p.key: Key(p.name, p.help, words, not p.optional, p.kind)}
+    if not p.unit and p.key.endswith("_deg"):
+        angle = _number(p, f"{p.help}, as an angle", "deg", tangent=True)
+        return {p.key: angle, p.name: _number(p, p.help)}
+    unit = p.unit
+    if p.per_unit != 1.0:  # the key tells it, such as kN_m3 for N/m^3, but not what stands between
+        between = iter(re.findall("[/ ]", p.unit))
+        unit = re.sub("_", lambda _: next(between, " "), p.key.removeprefix(f"{p.name}_"))
+    return {p.key: _number(p, p.help, unit, not p.optional)}
+
+
+def _table(
+    title: str, parameters: Iterable[Parameter], more: Mapping[str, Key] = {}, any_of: tuple[str, ...] = ()
+) -> Table:
+    keys = {p: _keys(p) for p in parameters}
+    pairs = tuple(tuple(pair) for p, pair in keys.items() if len(pair) > 1 and not p.optional)
+    needed = tuple(k for p, pair in keys.items() if p.name in any_of for k in pair)
+    return Table(title, dict(more) | {k: key for pair in keys.values() for k, key in pair.items()}, pairs, needed)
+
+
+def law_table(name: str, known: tuple[str, ...] = tuple(LAWS)) -> Table:
+    law = Key("law", "friction law", f"one of {', '.join(known)}", name != "constant", name)
+    return _table(LAWS[name].help, LAWS[name].parameters, {"law": law})
+
+
+def tables_of(law: str, rate: str = RATE_LAWS[0]) -> dict[str, Table]:
+    """Every table that a scene file may have, by its path."""
+    by_rate = {"friction.rate": law_table(rate, RATE_LAWS)._replace(title="law of speed that multiplies that of slip")}
+    return {
+        "": _table("a scene of slipcircle", _TOP, _TEXT),
+        "arc": _table("the failed section", _ARC)._replace(required=True),
+        "arc.given": _table("coefficients of the equation of motion, taken as they are", _GIVEN),
+        "friction": law_table(law)._replace(title="friction on the slip surface", required=True),
+        **(by_rate if may_have_rate(law) else {}),
+        **{name: _table(effect.help, effect.parameters, any_of=effect.any_of) for name, effect in EFFECTS.items()},
+    }
+
+
+# --- real slopes -----------------------------------------------------------------------------------------------------
+
+
+def _length(name: str, help: str, lower: float = 0.0) -> Parameter:
+    return _declare(name, f"{name}_m", "m", help, lower, LIMITS["m"][1], 1.0, True, "fixed")
+
+
+def _weight(help: str, optional: bool = False) -> Parameter:
+    return _declare("unit_weight", "unit_weight_kN_m3", "N/m^3", help, 0.0, 1e5, 1e3, optional, "fixed")
+
+
+def _points(name: str, title: str) -> dict[str, Key]:
+    key = "points_m" if name == "ground" else f"{name}_m"
+    return {key: Key(name, title, "a list of points, [[x, y], [x, y], ...] (m)", kind="points")}
+
+
+def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
+    return {f"{name}_m": Key(name, title, f"two numbers, {form} (m)", kind="pair")}
+
+
+_UPRIGHT = _declare(
+    "angle",
+    "angle_deg",
+    "rad",
+    "its angle, at most 90",
+    0.0,
+    math.nextafter(math.pi / 2, 2.0),
+    math.pi / 180,
+    True,
+    "fixed",
+)
+SLOPING: Mapping[str, Table] = {  # in place of an arc
+    "ground": _table(
+        "a real slope, in place of [arc]",
+        [
+            _length("height", "height of a simple slope between level ground"),
+            _UPRIGHT,
+            _length("run", "its horizontal length", -5e-324),
+            _weight("unit weight of the soil"),
+            *(replace(p, kind="fixed") for p in _ARC[-2:]),
+            _length("base", "y of a firm layer below which no circle goes", -INFINITY),
+        ],
+        _points("ground", "points of the surface from left to right"),
+    )._replace(required=True, sets=(("points_m",), ("height_m", "angle_deg"), ("height_m", "run_m"))),
+    "circle": _table(
+        'its slip circle: given, or looked for by critical = "bishop"',
+        [
+            _length("radius", "radius"),
+            _length("depth", "depth of the circle below the chord of these points"),
+            _length("touching", "y of the level that the circle through these points touches", -INFINITY),
+        ],
+        _pair("centre", "centre of the circle", "[x, y]")
+        | _points("through", "two points of the circle")
+        | _pair("between", "x between which the stretch of ground lies that is meant")
+        | {
+            "critical": Key(
+                "critical",
+                "method by which the critical circle is looked for",
+                f"one of {', '.join(METHODS)}",
+                kind="|".join(METHODS),
+            )
+        },
+    )._replace(
+        required=True,
+        sets=(
+            ("centre_m", "radius_m"),
+            ("through_m", "radius_m"),
+            ("through_m", "depth_m"),
+            ("through_m", "touching_m"),
+            ("critical",),
+        ),
+    ),
+    "water": _table(
+        "its water level, in place of r_u",
+        [_weight("unit weight of water, by default 9.81", True)],
+        _points("level", "points of the level from left to right"),
+    ),
+    "search": _table(
+        "what limits the search for the critical circle",
+        [
+            _length("depth", "least thickness of the mass, against skins", -5e-324),
+            _declare(
+                "k_h",
+                "k_h",
+                "",
+                "horizontal acceleration as a share of g, positive down-slope",
+                -1.0,
+                1.0,
+                1.0,
+                True,
+                "fixed",
+            ),
+        ],
+        _pair("entry", "x of the upper end") | _pair("exit", "x of the lower end"),
+    ),
+}
+
+
+# --- the JSON Schema of a scene file, for editors --------------------------------------------------------------------
+
+_LIMITS = {"gt": "exclusiveMinimum", "ge": "minimum", "lt": "exclusiveMaximum"}
+_DISTRIBUTIONS = [{"$ref": f"#/$defs/{name}"} for name in DISTRIBUTIONS]
+
+
+def schema() -> dict[str, Any]:
+    """The JSON Schema (draft 2020-12) of a scene file: with an arc, or with a ground and a circle in its place."""
+    tables = tables_of("constant")
+    defs = {
+        name: _object(
+            {"distribution": {"const": name}} | {k: {"type": "number"} for k in kind.parameters},
+            f"{name} distribution, in the key's unit; {kind.help}".rstrip("; "),
+            ["distribution", *kind.parameters],
+        )
+        for name, kind in DISTRIBUTIONS.items()
+    }
+
+    def defined(name: str, table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+        defs[name] = _schema_of_table(table, more)
+        return {"$ref": f"#/$defs/{name}"}
+
+    given = defined("given", tables["arc.given"])
+    rates = {"anyOf": [defined(f"rate_{law}", law_table(law, RATE_LAWS)) for law in RATE_LAWS]}
+    laws = [defined(f"friction_{law}", law_table(law), {"rate": rates} if may_have_rate(law) else {}) for law in LAWS]
+    inner = {"arc": defined("arc", tables["arc"], {"given": given}), "friction": {"anyOf": laws}}
+    inner |= {name: defined(name, tables[name]) for name in EFFECTS}
+    inner |= {name: _schema_of_table(table) for name, table in SLOPING.items()}
+    found = _schema_of_table(tables[""], inner)
+    found["required"] = ["friction"]
+    found["oneOf"] = [
+        {"required": ["arc"], "not": {"anyOf": [{"required": [t]} for t in SLOPING]}},
+        {"required": ["ground", "circle"], "not": {"required": ["arc"]}},
+    ]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found, "$defs": defs}
+
+
+def _schema_of_table(table: Table, more: Mapping[str, Any] = {}) -> dict[str, Any]:
+    keys = {k: _schema_of_key(key) for k, key in table.keys.items()}
+    found = _object(keys | dict(more), table.title, [k for k, key in table.keys.items() if key.required])
+    needs: list[Any] = [{"oneOf": [{"required": [k]} for k in pair]} for pair in table.one_of]
+    needs += [{"anyOf": [{"required": [k]} for k in table.any_of]}] if table.any_of else []
+    needs += [{"oneOf": [{"required": list(keys)} for keys in table.sets]}] if table.sets else []
+    return found | ({"allOf": needs} if needs else {})
+
+
+def _object(properties: Mapping[str, Any], title: str, required: list[str]) -> dict[str, Any]:
+    return {
+        "type": "object",
+        "title": title,
+        "properties": dict(properties),
+        "required": required,
+        "additionalProperties": False,
+    }
+
+
+def _schema_of_key(key: Key) -> dict[str, Any]:
+    """What a key may hold; a number may be uncertain, unless it is fixed."""
+    number: dict[str, Any] = {"type": "number"} | {_LIMITS[k]: v for k, v in key.number.limits.items()}
+    many = {"type": "array", "items": number}
+    pair = many | {"minItems": 2, "maxItems": 2}
+    either = [number, *_DISTRIBUTIONS]
+    kinds: dict[str, dict[str, Any]] = {
+        "text": {"type": "string"},
+        "flag": {"type": "boolean"},
+        "number": {"anyOf": either},
+        "fixed": number,
+        "list": many,
+        "series": {"anyOf": [*either, many]},
+        "pair": pair,
+        "points": {"type": "array", "items": pair, "minItems": 2},
+    }
+    words = key.kind.split("|")
+    choice = {"const": key.kind} if len(words) == 1 else {"enum": words}
+    return kinds.get(key.kind, choice) | {"title": key.title, "description": key.allowed}

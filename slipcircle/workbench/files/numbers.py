@@ -1,0 +1,201 @@
+"""The numbers of a scene that may vary: found by their keys in a scene file, in its units, and put into scenes.
+
+A grid, an uncertain number, a back-analysis and a derivative name a number in the same way: by its key
+(``friction.angle_deg``), or in SI units by its name in `Scene.numbers` (``friction``). A coordinate has the key of the
+list that it stands in, the number of its point from 0, and x or y: ``ground.points_m.3.y``, in SI units ``ground.3.y``.
+"""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
+from difflib import get_close_matches
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from generated.effects import EFFECTS
+from slipcircle.core.scene.friction import law_names
+from slipcircle.core.scene.ground import FAR
+from slipcircle.workbench.common.distributions import distribution_mistakes, distribution_of
+from slipcircle.workbench.files.keys import Number as Number
+from slipcircle.workbench.files.keys import Table, tables_of
+
+
+def numbers(tables: Mapping[str, Table]) -> dict[str, Number]:
+    """The numbers that tables of a scene file have, by key."""
+    found = {}
+    for path, table in tables.items():
+        for k, key in table.keys.items():
+            if key.kind in ("number", "series"):
+                constant = (path, key.name) == ("friction", "coefficient")
+                name = key.name if path in ("", "arc") else "friction" if constant else f"{path}.{key.name}"
+                shown = f"{path}.{k}".lstrip(".")
+                found[shown] = replace(key.number, key=shown, name=name)
+    return found
+
+
+DIP = Number("arc.dip_deg", "dip", "deg", 0.0, 90.0, True, np.pi / 180, si="rad")  # down-slope; both ends turn
+_POINTS = {"centre": "circle.centre_m", "ground": "ground.points_m", "level": "water.level_m"}  # where files have them
+_RULE = "a point's coordinate by its number from 0, such as ground.points_m.3.y"
+
+
+@lru_cache(maxsize=256)
+def _names(field: str, shape: tuple[int, ...]) -> dict[str, tuple[Any, ...]]:
+    return (
+        {".".join((field, *map(str, at[:-1]), "xy"[at[-1]])): at for at in np.ndindex(shape)} if shape else {field: ()}
+    )
+
+
+def places(arc: Any, field: str) -> dict[str, tuple[Any, ...]]:
+    """The numbers of one of its fields: each by its name, with its place in the axes of one section."""
+    value, axes = getattr(arc, field), arc.quantities[field]
+    return {} if value is None else _names(field, np.shape(value)[-axes:] if axes else ())
+
+
+def lengths(arc: Any) -> set[str]:
+    """The coordinates and radii of a section, which are as large as it is far from the origin, or flat."""
+    return {n for field in ("radius", *_POINTS) for n in places(arc, field)} if "ground" in arc.quantities else set()
+
+
+def numbers_in(arc: Any) -> dict[str, Any]:
+    """The numbers of an arc or a section by name: each a number, or an array of one a lane."""
+    found: dict[str, Any] = {}
+    for field in arc.quantities:
+        value = getattr(arc, field)
+        lanes = np.asarray(value)
+        found |= {name: lanes[(..., *at)] if at else value for name, at in places(arc, field).items()}
+    return found
+
+
+def fields_with(arc: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The fields of an arc or a section that change with other values of its numbers."""
+    found: dict[str, Any] = {}
+    for field, axes in arc.quantities.items():
+        own = places(arc, field)
+        given = {name: at for name, at in own.items() if name in values}
+        if given and not axes:
+            found[field] = values[field]
+        elif given:
+            held = np.asarray(getattr(arc, field), dtype=np.float64)
+            lanes = () if len(given) == len(own) else held.shape[:-axes]  # those of what stays
+            lanes = np.broadcast_shapes(lanes, *(np.shape(values[name]) for name in given))
+            found[field] = np.empty((*lanes, *held.shape[-axes:]))
+            if len(given) < len(own):
+                found[field][...] = held
+            for name, at in given.items():
+                found[field][(..., *at)] = values[name]
+    return found
+
+
+def by_key(scene: Any) -> dict[str, Number]:
+    """The numbers that a scene with its friction and arc may have, by their keys."""
+    arc, (law, *rate) = scene.arc, law_names(scene.friction)
+    known = numbers(tables_of("constant" if law == "callable" else law, *rate))
+    if law == "callable":
+        known = {k: n for k, n in known.items() if not n.name.startswith("friction")}
+    if "ground" not in arc.quantities:
+        return known | {DIP.key: DIP}
+    found = {}
+    for k, n in known.items():  # a slope's file has what an arc has in other tables
+        if n.name in arc.quantities:
+            k = k.replace("arc.", "circle." if n.name == "radius" else "ground.")
+        if not k.startswith("arc."):
+            found[k] = replace(n, key=k)
+    for field, key in _POINTS.items():
+        names = {key + name.removeprefix(field): name for name in places(arc, field)}
+        found |= {k: Number(k, name, "m", -FAR, FAR, si="m") for k, name in names.items()}
+    return found
+
+
+def by_name(scene: Any) -> dict[str, Number]:
+    """The same by their names: of two keys, as friction has, the angle's, but of what multiplies it the number's."""
+    found = reversed(by_key(scene).values())
+    return {n.name: n for n in found if not (n.tangent and n.name.startswith("friction.rate."))}
+
+
+def number_in(scene: Any, path: str) -> Number:
+    """A number of a scene by its key or its name, whether the scene has a value of it or not; its chord's dip too."""
+    known = by_key(scene)
+    only = [k for k in known if path in EFFECTS and k.startswith(f"{path}.")]
+    path = only[0] if len(only) == 1 else path  # of an effect with one number
+    if path in known:
+        return known[path]
+    for n in known.values():
+        if n.name == path and not n.tangent:  # a friction has two keys, its angle and itself
+            return n.plain
+    near = get_close_matches(path, known, 1)
+    asked = "".join(f"; did you mean {n}?" + f" {_RULE}" * n.startswith((*_POINTS.values(),)) for n in near)
+    raise ValueError(f"{path}: is no number of a scene{asked or '; known are ' + listed(known)}")
+
+
+def listed(keys: Collection[str]) -> str:
+    """Keys in words, those of points by their rule."""
+    plain = [k for k in keys if not k.startswith((*_POINTS.values(),))]
+    return ", ".join([*plain, *([_RULE] if len(plain) < len(keys) else [])])
+
+
+@dataclass(frozen=True)
+class Uncertain:
+    """A number that is known by its distribution, as a scene file has it, or SciPy's frozen one; in the key's unit."""
+
+    number: Number
+    given: Any
+
+    @property
+    def key(self) -> str:
+        return self.number.key
+
+    @cached_property
+    def distribution(self) -> Any:
+        """SciPy's."""
+        return distribution_of(self.given) if isinstance(self.given, Mapping) else self.given
+
+    def drawn(self, p: Any) -> Any:
+        """Quantiles, in the number's unit."""
+        found = self.distribution
+        return (found.ppf if hasattr(found, "ppf") else found.icdf)(p)
+
+    @property
+    def moments(self) -> tuple[float, float]:
+        """Mean and standard deviation, in the number's unit."""
+        found = self.distribution
+        return float(found.mean()), float((found.std if hasattr(found, "std") else found.standard_deviation)())
+
+    @property
+    def record(self) -> dict[str, Any]:
+        """As JSON holds it."""
+        if isinstance(self.given, Mapping):
+            return {"key": self.key} | dict(self.given)
+        d = self.given
+        if not hasattr(d, "kwds"):
+            return {"key": self.key, "distribution": repr(d)}
+        said = [*map(repr, map(float, d.args)), *(f"{k}={float(v)!r}" for k, v in sorted(d.kwds.items()))]
+        return {"key": self.key, "distribution": f"scipy.stats.{d.dist.name}({', '.join(said)})"}
+
+
+def uncertain_numbers(scene: Any) -> tuple[dict[str, Uncertain], list[str]]:
+    """Uncertain numbers by their names in `Scene.numbers`, and a sentence for each mistake."""
+    found: dict[str, Uncertain] = {}
+    said = []
+    for path, value in scene.uncertain.items():
+        if isinstance(value, Uncertain):
+            found[path] = value
+            continue
+        try:
+            number = number_in(scene, path)
+        except ValueError as error:
+            said.append(f"uncertain.{error}")
+            continue
+        if isinstance(value, Mapping):
+            said += [f"uncertain.{path}: {m}" for m in distribution_mistakes(value, (number.low, number.high))]
+        elif not hasattr(value, "ppf") and not hasattr(value, "icdf"):
+            said.append(
+                f"uncertain.{path} = {value!r}: must be a distribution: of scipy.stats, or a mapping such as "
+                "{'distribution': 'normal', 'mean': 10, 'std': 1}"
+            )
+        if number.name in found:
+            said.append(f"uncertain.{path}: {found[number.name].key} says the same; leave one out")
+        found[number.name] = Uncertain(number, dict(value) if isinstance(value, Mapping) else value)
+    values = scene.numbers
+    said += [f"uncertain.{u.key}: the scene has no value of it to vary" for n, u in found.items() if n not in values]
+    return found, said

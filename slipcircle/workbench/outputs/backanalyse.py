@@ -1,0 +1,85 @@
+"""`slipcircle backanalyse`: the numbers of a scene that explain an observed motion, each with its error."""
+
+import argparse
+from itertools import combinations
+from typing import Any
+
+from slipcircle.core.motion import quantities
+from slipcircle.core.motion.quantities import OUTCOMES, digits_left, shown, to_error
+from slipcircle.workbench.files.scenefile import load
+from slipcircle.workbench.outputs import options as read
+from slipcircle.workbench.outputs import pictures
+from slipcircle.workbench.outputs.tables import Answer, Part, beside
+from slipcircle.workbench.studies.backanalysis import FITTED, BackAnalysis, Solution, backanalyse
+
+# The options by outcome; each ends in its unit.
+OPTIONS = {n: f"--{n}-{q.unit}".replace("_", "-").replace("/", "-") for n, q in OUTCOMES.items()}
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    for name, option in OPTIONS.items():
+        parser.add_argument(
+            option,
+            type=read.observed,
+            dest=name,
+            metavar="X[+-S]",
+            help=f"observed {OUTCOMES[name].label}, and its standard error: 400+-20",
+        )
+    parser.add_argument(
+        "--field",
+        action="append",
+        metavar="KEY[=LOW:HIGH]",
+        help="what is looked for, a scene "
+        "file's key, by default friction.angle_deg, and between which values; several for several "
+        "observations; a point's coordinate by its number from 0: ground.points_m.3.y",
+    )
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Run the command."""
+    form = "KEY or KEY=LOW:HIGH: friction.angle_deg=5:15"
+    fields = read.by_key("field", options.field or ["friction.angle_deg"], form, read.bounds)
+    seen = {name: getattr(options, name) for name in OUTCOMES}
+    if all(value is None for value in seen.values()):
+        raise ValueError(f"backanalyse: nothing observed: give one of {', '.join(OPTIONS.values())}")
+    bounds = {key: ends for key, ends in fields.items() if ends}
+    found = backanalyse(load(options.scene), field=list(fields), bounds=bounds, **seen)
+    pictures.write(options.plot, "backanalysis", found)
+    name, columns = found.motion.plan.scene.name, [_column(found, s) for s in found.solutions]
+    heads = [f"solution {k}" for k in range(1, len(columns) + 1)] if len(columns) > 1 else [name]
+    return Answer(
+        lambda: [_record(found)],
+        [Part(["", *heads], beside(columns), note=f"by {found.method}")],
+        [f"{name}: {warning}" for warning in found.warnings],
+    )
+
+
+def _record(found: BackAnalysis) -> dict[str, Any]:
+    """As JSON holds it: null for what is not known; matrices by fields in their order."""
+    derived = ("standard_errors", "correlation")
+    solutions = [
+        vars(s) | {n: getattr(s, n) for n in derived} | {"motion": quantities.record(s.motion)} for s in found.solutions
+    ]
+    return {"scene": found.motion.plan.scene.name} | vars(found) | {"solutions": solutions}
+
+
+def _column(found: BackAnalysis, s: Solution) -> dict[str, str]:
+    """What is said of a solution, by its label."""
+    cells, errors = {}, s.standard_errors or {}
+    for name, value in s.values.items():
+        error = errors.get(name, 0.0)
+        said = f"{to_error(value, error)} +- {to_error(error, error)}" if error > 0.0 else ""
+        cells[name] = said or shown(value, digits_left(s.error_estimate))
+    if s.correlation is not None:
+        for (i, one), (j, other) in combinations(enumerate(s.values), 2):
+            cells[f"correlation of {one} and {other}"] = f"{s.correlation[i, j]:+z.3f}"
+    for name, q in OUTCOMES.items():
+        seen, sigma = found.observed.get(name, (None, None))
+        of = "" if seen is None else f" (observed {shown(seen, 6)}" + (f" +- {sigma:.2g})" if sigma else ")")
+        cells[q.heading] = shown(float(q.read(s.motion)), digits_left(s.motion.error_estimate)) + of
+    if found.method == FITTED:
+        weighed = all(sigma for _, sigma in found.observed.values())
+        free = found.degrees_of_freedom
+        cells[f"chi-square, degrees of freedom {free}" if weighed else "misfit"] = f"{s.chi_square:.3g}"
+    return cells | {"swings": f"{len(s.motion.phases) - 1}", "numerical error": f"{s.error_estimate:.1e}"}

@@ -1,0 +1,74 @@
+"""What a scene file may say, for people: every table, law and effect with its formula, keys, bounds and equation."""
+
+import textwrap
+from collections.abc import Iterator
+
+from generated.effects import EFFECTS, LAWS
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.files.keys import SLOPING, Table, tables_of
+from slipcircle.workbench.stability.stability import COMPARED, METHODS
+
+WIDTH, INDENT = 100, 28
+HEAD = """\
+A scene is a TOML file. A key ends in the unit of its number: _deg, _m, _kPa, _kN_m3, ... [arc] and
+[friction] are needed. The table of an effect calls for it, even an empty one; what no table calls
+for is neither computed nor paid for. In place of [arc], [ground] and [circle] give a real slope,
+[water] its water level; Vaiont has an [arc], as no profile of it is at hand that could be cited.
+
+The balance of momentum, dimensionless (times over sqrt(R/g), stresses over sigma_ref, which is
+unit weight R (1 - cos alpha); numbers in brackets are the paper's equations and figures):
+
+  Theta domega/dt = J_theta - sign(omega) (resistance + lambda mu sigma'),
+  sigma' = max(0, sigma - u); without effects sigma = J_r/lambda, u = resistance = 0
+
+alpha is half the opening angle, psi the dip of the chord, Theta the moment of inertia, J_r what the
+weight presses and J_theta its moment, A and lambda are (2.24) and (3.14). An effect adds to these;
+notebooks/0_the_method.ipynb derives them.
+"""
+
+
+def guide() -> str:
+    """The text, at most 100 columns wide."""
+    tables = tables_of("constant")
+    lines = [HEAD, "Above the first table", *_keys(tables[""])]
+    for path, table in ({p: tables[p] for p in ("arc", "arc.given")} | dict(SLOPING)).items():
+        lines += ["", *_title(f"[{path}]", table.title), *_keys(table)]
+    lines += ["", *_title("factors of safety", f"of a circle of a slope, by three methods. {COMPARED}")]
+    lines += [line for m, (name, said) in METHODS.items() for line in _title(f"  {m}", f"{name}: {said}")]
+    lines += ["", *_title("[friction]", "mu on the slip surface, by one of these laws")]
+    for name, law in LAWS.items():
+        lines += ["", *_title(f'  law = "{name}"', f"{law.help} ({law.equation})"), *_keys(tables_of(name)["friction"])]
+    lines += ["", *_title("[friction.rate]", "a law of speed that multiplies one of slip, with the keys of that law")]
+    for name, effect in EFFECTS.items():
+        lines += ["", *_title(f"[{name}]", f"{effect.help} ({effect.equation})")]
+        lines += [*(f"{'':{INDENT}}{f}" for f in effect.formulas), *_keys(tables[name])]
+    drawn = ", ".join(f"{name} ({', '.join(kind.parameters)})" for name, kind in DISTRIBUTIONS.items())
+    lines += [
+        "",
+        *_title(
+            "uncertain numbers",
+            'instead of a number: { distribution = "normal", mean = 10, std = 1 }, '
+            f"in the key's unit, for `slipcircle sweep`; {drawn}",
+        ),
+    ]
+    return "\n".join(lines)
+
+
+def _title(head: str, words: str) -> list[str]:
+    return textwrap.wrap(words, WIDTH, initial_indent=f"{head:<{INDENT - 1}} ", subsequent_indent=" " * INDENT)
+
+
+def _keys(table: Table) -> Iterator[str]:
+    """A line or more for each key; two of which one is needed stand together."""
+    pairs = {pair[0]: pair[1] for pair in table.one_of}
+    for k, key in table.keys.items():
+        other = pairs.get(k)
+        if other is not None:
+            words = f"{table.keys[other].title}: {key.allowed} or {table.keys[other].allowed}, needed"
+            yield from _title(f"  {k} or {other}", words)
+        elif k != "law" and k not in pairs.values():
+            yield from _title(f"  {k}", f"{key.title}: {key.allowed}{', needed' if key.required else ''}")
+    if table.any_of:
+        yield f"{'':{INDENT}}needed: {' or '.join(table.any_of)}"
+    if table.sets:
+        yield from _title("", f"needed: {', or '.join(' with '.join(keys) for keys in table.sets)}")

@@ -1,0 +1,44 @@
+"""What is installed: versions, and the digests of the generated files."""
+
+import hashlib
+import platform
+import re
+from importlib import metadata
+from pathlib import Path
+
+import generated
+import slipcircle
+from generated._compiled import LEVEL
+
+
+def facts() -> dict[str, str]:
+    """Versions of the package, Python and the libraries that it can use, what runs, digests of the generated text."""
+    kernels = "NumPy, not compiled" if LEVEL == "numpy" else f"compiled, {LEVEL}"
+    found = {
+        "slipcircle": slipcircle.__version__,
+        "python": platform.python_version(),
+        "processor": processor(),
+        "kernels": kernels,
+    }
+    for library in ("numpy", "scipy", "matplotlib", "dask", "sympy", "mpmath", "python-flint"):
+        try:
+            found[library] = metadata.version(library)
+        except metadata.PackageNotFoundError:
+            found[library] = "not installed"
+    for path in sorted(Path(str(generated.__file__)).parent.glob("*.py")):
+        found[f"generated/{path.name}"] = "sha256 " + hashlib.sha256(path.read_bytes()).hexdigest()[:16]
+    return found
+
+
+def processor() -> str:
+    """Its name; the level of the kernels tells which of its instructions are used."""
+    try:
+        named = re.search(r"^model name\s*: (.+)$", Path("/proc/cpuinfo").read_text("utf-8"), re.MULTILINE)
+    except OSError:
+        named = None
+    return named[1] if named else platform.processor() or platform.machine()
+
+
+def machine() -> str:
+    """Processor and versions, to stand beside times."""
+    return ", ".join(f"{k} {v}" for k, v in facts().items() if "/" not in k and v != "not installed")

@@ -1,0 +1,82 @@
+"""What stands behind options of the command line: times, counts, observations, and values of keys."""
+
+import argparse
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+
+MOST_TIMES = 1_000_000
+
+
+def times(text: str) -> NDArray[np.float64]:
+    """0:60:1 as times from 0 to 60 s."""
+    try:
+        first, last, step = map(float, text.split(":"))
+        count = np.floor((last - first) / step * (1 + 1e-12)) + 1
+        if not (0.0 <= first <= last and 0.0 < step and count <= MOST_TIMES):
+            raise ValueError
+    except (ValueError, ZeroDivisionError):
+        said = f"{text}: must be FROM:TO:STEP in s, such as 0:60:1, at most {MOST_TIMES} times"
+        raise argparse.ArgumentTypeError(said) from None
+    return np.asarray(first + step * np.arange(int(count)), dtype=np.float64)
+
+
+def count(text: str) -> int:
+    """1000000, or 1e6."""
+    value = float(text)
+    if value != int(value):
+        raise ValueError
+    return int(value)
+
+
+def observed(text: str) -> float | tuple[float, float]:
+    """400, or 400+-20."""
+    value, *error = text.replace("\N{PLUS-MINUS SIGN}", "+-").split("+-")
+    try:
+        return (float(value), float(error[0])) if len(error) == 1 else float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text}: must be a number, or one with its error: 400+-20") from None
+
+
+def by_key(option: str, given: Sequence[str], form: str, read: Callable[[str], Any]) -> dict[str, Any]:
+    """What stands in KEY=VALUE, by key; each key once."""
+    found: dict[str, Any] = {}
+    said = []
+    for text in given:
+        key, _, value = text.partition("=")
+        try:
+            if key in found:
+                raise ValueError
+            found[key] = read(value)
+        except ValueError:
+            said.append(f"--{option} {text}: must be {form}")
+    if said:
+        raise ValueError("; ".join(said))
+    return found
+
+
+def bounds(text: str) -> tuple[float, float] | None:
+    """LOW:HIGH, or nothing."""
+    if not text:
+        return None
+    low, high = map(float, text.split(":"))
+    return low, high
+
+
+def distribution(text: str) -> dict[str, Any]:
+    """NAME:A:B, as a scene file has it."""
+    name, *numbers = text.split(":")
+    wanted = DISTRIBUTIONS[name].parameters if name in DISTRIBUTIONS else ()
+    return {"distribution": name} | dict(zip(wanted, map(float, numbers), strict=True))
+
+
+def levels(text: str) -> NDArray[np.float64]:
+    """FROM:TO:COUNT, or A,B,C."""
+    if text.count(":") == 2:
+        first, last, number = text.split(":")
+        return np.linspace(float(first), float(last), int(number))
+    return np.array([float(v) for v in text.split(",")])

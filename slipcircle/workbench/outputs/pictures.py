@@ -1,0 +1,103 @@
+"""Pictures as bytes, for files: drawn without a display, and the same whatever the user's settings of matplotlib."""
+
+import io
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from slipcircle.core.motion.motion import Motion
+from slipcircle.workbench.common import files
+from slipcircle.workbench.outputs.plotstyle import missing
+
+_KINDS = ("png", "svg", "pdf", "jpg")
+_MOST = 20  # scenes in one picture
+_FRAMES, _SECONDS = 40, 5  # of an animation
+
+
+def check(command: str, path: str = "", scenes: int = 1) -> None:
+    """See that pictures can be drawn, and one of this file's type and of so many scenes; one scene may be animated."""
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError as error:
+        raise missing() from error
+    kind, known = Path(path).suffix[1:].lower(), (*_KINDS, *["gif"] * (command == "run"))
+    if path and kind not in known:
+        raise ValueError(f"{command}: --plot {path}: must end in one of .{', .'.join(known)}")
+    if path and scenes > (1 if kind == "gif" else _MOST):
+        most = "moves one scene" if kind == "gif" else f"shows at most {_MOST} scenes"
+        raise ValueError(f"{command}: --plot {path}: {most}; --report has room for all {scenes}")
+
+
+def render(draw: Callable[[Any], Any], size: tuple[float, float], path: str) -> bytes:
+    """What a function draws on an empty figure of a size in inches, as a file whose name ends in .png, .svg, ..."""
+    from matplotlib import rc_context, style
+    from matplotlib.figure import Figure
+
+    kind = path.rpartition(".")[2].lower()
+    # Also the names within an SVG, and its metadata, are to be the same every time.
+    with style.context("default"), rc_context({"svg.hashsalt": "slipcircle"}):
+        figure = Figure(figsize=size, dpi=70 if kind == "gif" else 120, layout="constrained")
+        drawn = draw(figure)
+        held = io.BytesIO()
+        dated = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
+        with warnings.catch_warnings():  # a name may hold letters that the font does not have
+            warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
+            if kind == "gif":
+                figure.draw_without_rendering()
+                figure.set_layout_engine("none")  # which would lay out every frame anew
+                return _played(drawn)
+            figure.savefig(held, format=kind, metadata=dated.get(kind))
+    return held.getvalue()
+
+
+def _played(animation: Any) -> bytes:
+    """An animation as a GIF."""
+    from matplotlib.animation import PillowWriter
+
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "slide.gif"
+        animation.save(path, PillowWriter(fps=_FRAMES // _SECONDS))
+        return path.read_bytes()
+
+
+def _stacked(motions: Sequence[Motion], figure: Any) -> None:
+    """The overviews of motions, one above the other."""
+    from slipcircle.workbench.outputs import plots
+
+    parts = figure.subfigures(len(motions), 1, squeeze=False, height_ratios=[plots.size(m)[1] for m in motions])[:, 0]
+    for motion, part in zip(motions, parts, strict=True):
+        plots.overview(motion, part)
+
+
+def _drawings() -> Mapping[str, tuple[Callable[[Any, Any], Any], Callable[[Any], tuple[float, float]]]]:
+    """What draws which finding on an empty figure, and on how many inches; loaded only where something is drawn."""
+    from slipcircle.workbench.outputs import plots, sectionplot, studyplots
+
+    return {
+        "motions": (_stacked, lambda x: (14.0, sum(plots.size(m)[1] for m in x))),
+        "slide": (lambda x, figure: plots.animate(x[0], figure, _FRAMES), lambda _: (7.0, 5.5)),
+        "section": (lambda x, figure: plots.section(x, figure.add_subplot()), lambda _: (8.0, 6.0)),
+        "histories": (lambda x, figure: plots.histories(x, figure.subplots(2, 2).T.ravel()), lambda _: (11.0, 6.5)),
+        "phase plane": (lambda x, figure: plots.phase_plane(x, figure.add_subplot()), lambda _: (8.0, 5.0)),
+        "shaking": (lambda x, figure: plots.shaking(x, figure.add_subplot()), lambda _: (8.0, 3.0)),
+        "study": (studyplots.overview, studyplots.size),
+        "sensitivity": (studyplots.tornados, lambda x: (8.0, len(x.distinct) * (1.6 + 0.3 * len(x.parameters)))),
+        "backanalysis": (studyplots.explained, lambda x: (2.0 + 4.5 * len(x.units), 0.6 + 3.4 * len(x.observed))),
+        "search": (sectionplot.critical_circle, lambda _: (9.0, 6.0)),
+        "ladder": (lambda x, figure: plots.ladder(x, figure.add_subplot()), lambda x: (9.0, 1.5 + 0.5 * len(x))),
+    }
+
+
+def picture(what: str, found: Any, path: str) -> bytes:
+    """One of `_drawings` of what was found, as a file by its name; of motions as a gif, the first slide itself."""
+    draw, size = _drawings()["slide" if path.lower().endswith("gif") else what]
+    return render(partial(draw, found), size(found), path)
+
+
+def write(paths: Iterable[str], what: str, found: Any) -> None:
+    """The same into files."""
+    for path in paths:
+        files.write(path, picture(what, found, path))

@@ -1,0 +1,121 @@
+"""What went into a scene, for a reviewer: every input with its unit, its meaning and the comment beside it."""
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from generated.effects import EFFECTS, LAWS
+from slipcircle.base.series import Pulse, Series
+from slipcircle.core.scene.friction import RATE_LAWS, law_parts
+from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.files.keys import SLOPING, Key, tables_of
+from slipcircle.workbench.files.numbers import by_name, numbers_in
+
+
+class Input(NamedTuple):
+    """One input: its path in the scene, its value and unit as given, what it is, and where it comes from."""
+
+    path: str
+    value: str
+    unit: str = ""
+    meaning: str = ""
+    source: str = ""
+
+
+def inputs(scene: Scene, file: str | None = None) -> list[Input]:
+    """The inputs of a scene: as its file has them, with its comments; without a file in SI units.
+
+    What is uncertain says so.
+    """
+    found = [*(_of_scene(scene) if file is None else _of_file(file))]
+    drawn = {path: u for u in scene.uncertain.values() for path in (u.key, u.number.name)}
+    for k, known_by in enumerate(found):
+        if known_by.path in drawn:
+            said = _shown({n: v for n, v in drawn[known_by.path].record.items() if n != "key"})
+            found[k] = known_by._replace(value=f"uncertain, {said}" + (f"; here {known_by.value}" * (file is None)))
+    return found
+
+
+def _of_file(file: str) -> Iterator[Input]:
+    document, said = tomllib.loads(file), comments(file)
+    law = document.get("friction", {})
+    tables = tables_of(law.get("law", "constant"), law.get("rate", {}).get("law", RATE_LAWS[0])) | dict(SLOPING)
+
+    def rows(path: str, given: Mapping[str, Any]) -> Iterator[Input]:
+        known, dot = tables[path].keys, f"{path}." if path else ""
+        for name, value in given.items():
+            where = f"{dot}{name}"
+            if where in tables:
+                if not value:
+                    yield Input(where, "yes", "", tables[where].title, said.get(where, ""))
+                yield from rows(where, value)
+            elif where not in ("name", "note"):
+                key, source = known[name], said.get(where) or said.get(path, "")
+                yield Input(where, _shown(value), _unit(key) or "g" * name.endswith("_g"), key.title, source)
+        for name, key in known.items():
+            title, _, default = key.title.partition(", by default ")
+            if default and name not in given and name != "name":
+                yield Input(f"{dot}{name}", default, _unit(key), title, "default")
+
+    yield from rows("", document)
+
+
+def _unit(key: Key) -> str:
+    """The unit that a key says it has."""
+    found = re.search(r"\(([^()]*)\)$", key.allowed)
+    return found[1] if found else ""
+
+
+def comments(file: str) -> dict[str, str]:
+    """The comments at the ends of a TOML file's lines, by the path of the key or table that stands there."""
+    found, table = {}, ""
+    for line in file.splitlines():
+        what = re.match(
+            r"""\s*(?:\[([^\[\]]+)\]|([\w-]+)\s*=\s*(?:[^"'#]|"(?:[^"\\]|\\.)*"|'[^']*')*)\s*(?:#(.*))?$""", line
+        )
+        if what is None:
+            continue
+        table = (what[1] or table).strip()
+        path = table if what[1] else f"{table}.{what[2]}".lstrip(".")
+        if what[3]:
+            found[path] = what[3].strip()
+    return found
+
+
+def _of_scene(scene: Scene) -> Iterator[Input]:
+    """Numbers of the section, then what laws and effects were given, by their declarations, and where it ends."""
+    known, of_arc = by_name(scene), numbers_in(scene.arc)
+    for name in ("initial_velocity", *of_arc):
+        yield Input(name, _shown(scene.numbers[name]), known[name].si)
+    for name, coefficient in (scene.arc.given or {}).items():
+        yield Input(f"given.{name}", _shown(coefficient), "", "coefficient of the equation of motion, as given")
+    laws = [("friction" + ".rate" * k, n, LAWS.get(n), own) for k, (n, own) in enumerate(law_parts(scene.friction))]
+    for path, name, declared, given in (*laws, *((e, "yes", EFFECTS[e], own) for e, own in scene.called.items())):
+        if name == "constant":
+            yield Input(path, _shown(given["coefficient"]), "", "friction coefficient, tan(phi)")
+            continue
+        yield Input(path, name, "", declared.help if declared else "Python function of slip")
+        for p in declared.parameters if declared else ():
+            if p.name in given:
+                yield Input(f"{path}.{p.name}", _shown(given[p.name]), p.unit, p.help)
+    end = ("when the mass rests", "") if scene.end_time is None else (_shown(scene.end_time), "s")
+    yield Input("end_time", *end, "time of the end")
+
+
+def _shown(value: Any) -> str:
+    """A value in full; of a long list its ends, of a distribution its name and numbers."""
+    if isinstance(value, Mapping):
+        return f"{value['distribution']}: " + ", ".join(f"{k} {v}" for k, v in value.items() if k != "distribution")
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Series):
+        return f"{len(value.time)} samples from {value.time[0]:g} to {value.time[-1]:g} s"
+    if isinstance(value, bool):
+        return str(value).lower()
+    if callable(value):  # a pulse, or the water level of a section
+        return repr(value) if isinstance(value, Pulse) else "of the section's water level"
+    texts = [repr(x) for x in np.ravel(value).tolist()]
+    return ", ".join(texts if len(texts) <= 12 else [*texts[:3], "...", *texts[-3:], f"({len(texts)} numbers)"])

@@ -1,0 +1,149 @@
+"""`slipcircle sweep`: a scene on a grid of values, or for samples of its uncertain numbers."""
+
+import argparse
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import BrokenExecutor, CancelledError
+from dataclasses import replace
+from typing import Any, cast
+
+import numpy as np
+
+from slipcircle.core.motion.quantities import OUTCOMES, shown, words
+from slipcircle.core.motion.states import Status
+from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.common import files
+from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.files.scenefile import find, load
+from slipcircle.workbench.outputs import options as read
+from slipcircle.workbench.outputs import pictures, studyplots
+from slipcircle.workbench.outputs.report import parts, study_report
+from slipcircle.workbench.outputs.tables import Answer, Part
+from slipcircle.workbench.studies import export
+from slipcircle.workbench.studies.design import METHODS
+from slipcircle.workbench.studies.engines import ENGINES, engine
+from slipcircle.workbench.studies.ensemble import ensemble, grid
+from slipcircle.workbench.studies.study import Study
+
+_MOST_ROWS = 60  # of a grid, on the screen
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the options."""
+    what = parser.add_mutually_exclusive_group(required=True)
+    what.add_argument("--samples", type=read.count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6")
+    what.add_argument(
+        "--grid",
+        action="append",
+        metavar="KEY=FROM:TO:COUNT",
+        help="solve at these values, or at "
+        "KEY=A,B,C; all combinations where given more than once: friction.angle_deg=8:12:41; a point's "
+        "coordinate by its number from 0: ground.points_m.3.y=20:30:5",
+    )
+    parser.add_argument(
+        "--uncertain",
+        action="append",
+        default=[],
+        metavar="KEY=NAME:A:B",
+        help="a distribution in place of the file's number: friction.angle_deg=normal:10:1",
+    )
+    parser.add_argument(
+        "--correlation",
+        action="append",
+        default=[],
+        metavar="KEY,KEY=R",
+        help="of two uncertain numbers: friction.angle_deg,cohesion.cohesion_kPa=-0.5",
+    )
+    parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default a new one, which is told")
+    parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
+    parser.add_argument("--sensitivity", type=int, metavar="N", help="base points of the sensitivity indices")
+    parser.add_argument(
+        "--block",
+        type=int,
+        metavar="N",
+        help="samples of a block, a power of two; larger ones, such "
+        "as 262144, keep more workers busy than a scheduler can otherwise serve",
+    )
+    parser.add_argument("--engine", choices=ENGINES, default=ENGINES[0], help="where to compute; default %(default)s")
+    parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
+    parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
+
+
+def run(options: argparse.Namespace) -> Answer:
+    """Compute what the options ask for, and write the files."""
+    scene = load(options.scene)
+    if options.uncertain:
+        forms = ", ".join(":".join((n, *d.parameters)) for n, d in DISTRIBUTIONS.items())
+        form = f"KEY=, each key once, and one of {forms}"
+        drawn = read.by_key("uncertain", options.uncertain, form, read.distribution)
+        others = {name: u for name, u in scene.uncertain.items() if u.key not in drawn}
+        scene = replace(scene, uncertain=others | drawn)
+    if options.report and options.grid:
+        raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
+    form = "KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as friction.angle_deg=8:12:41"
+    levels = read.by_key("grid", options.grid or [], form, read.levels)
+    if options.plot and levels:
+        studyplots.check_grid([len(x) for x in levels.values()])
+    content = find(options.scene).read_bytes()
+    try:
+        found = _compute(scene, levels, options)
+    except (BrokenExecutor, CancelledError) as error:  # processes, Dask
+        kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
+        raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
+    pictures.write(options.plot, "study", found)
+    if options.report:
+        files.write(options.report, study_report(found, content, options.line).encode())
+    head, rows, record, parts = (_of_grid if levels else _of_samples)(found)
+    if options.csv:
+        files.write(options.csv, files.table(head, rows))
+    if options.npz:
+        with files.replacing(options.npz) as file:
+            np.savez(file, **cast(dict[str, Any], export.arrays(found)))
+    return Answer(record, parts, [f"{scene.name}: {warning}" for warning in found.warnings])
+
+
+def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespace) -> Study:
+    with engine(options.engine, options.workers, options.scheduler) as executor:
+        if levels:
+            return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
+        form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
+        pairs = read.by_key("correlation", options.correlation, form, float)
+        return ensemble(
+            scene,
+            options.samples,
+            options.seed,
+            executor,
+            method=options.method,
+            sensitivity=options.sensitivity,
+            size=options.block,
+            folder=options.resume,
+            progress=sys.stderr,
+            correlation=cast(Any, {tuple(keys.split(",")): r for keys, r in pairs.items()}),
+        )
+
+
+_Told = tuple[Iterable[str], Iterable[Any], Callable[[], Any], Iterable[Part | str]]  # CSV's head and rows, and so on
+
+
+def _of_grid(found: Study) -> _Told:
+    """A row a scene: inputs in their keys' units, outputs, status, and why there is no answer."""
+    keys, name = [u.key for u in found.design.inputs.values()], found.scene.name
+    head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), "status", "reason"]
+    *columns, kinds = (values.tolist() for values in found.samples.values())
+    rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, kinds, strict=True)]
+    cells = [[*map(shown, numbers), words(s) + (f": {why}" if why else "")] for *numbers, s, why in rows]
+    table: Part | str = Part([*keys, *(q.heading for q in OUTCOMES.values()), "status"], cells, name)
+    if len(rows) > _MOST_ROWS:
+        said = ", ".join(f"{count} {words(Status(s).name)}" for s, count in enumerate(found.counts) if count)
+        table = f"{len(rows)} scenes: {said}; for every one of them give --csv FILE, --npz FILE or --json"
+    return head, rows, lambda: [{"scene": name, "rows": [dict(zip(head, row, strict=True)) for row in rows]}], [table]
+
+
+def _of_samples(found: Study) -> _Told:
+    """Every estimate of a study with its interval."""
+    head = ("table", "output", "input", "at", "value", "low", "high")
+    rows = ([None if x != x else x for x in row] for row in export.rows(found))
+
+    title = f"{found.scene.name}: {found.design.n} samples, {found.design.method}, seed {found.seed}\n"
+    return head, rows, lambda: [export.record(found)], [title, *parts(found)]

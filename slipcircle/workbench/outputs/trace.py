@@ -1,0 +1,73 @@
+"""A motion as a table over time: what the plots draw and what a CSV file holds."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.core.motion.motion import Motion
+from slipcircle.core.motion.quantities import HISTORY
+from slipcircle.core.scene.forcing import in_time
+from slipcircle.workbench.common import files
+
+Floats = NDArray[np.float64]
+
+SAMPLES = 400
+_JUMP = 1e-3  # of the greatest value, by which what is given jumps
+
+
+def trace(motion: Motion, times: Floats) -> dict[str, Floats]:
+    """The motion at times in s: each quantity of `HISTORY` as an array in SI units."""
+    return {name: q.at(motion, times) + 0.0 for name, q in HISTORY.items()}
+
+
+@lru_cache(maxsize=8)
+def drawn(motion: Motion) -> dict[str, Floats]:
+    """The motion at the times that a picture of it needs, computed once."""
+    return trace(motion, telling_times(motion))
+
+
+def even_times(motion: Motion) -> Floats:
+    """Times at even distances from the start to the end."""
+    return np.linspace(0.0, motion.duration, SAMPLES + 1) if motion.moves else np.zeros(1)
+
+
+def telling_times(motion: Motion) -> Floats:
+    """Even times, the peak, in each phase some that crowd towards both its ends, and where what is given has a kink or
+    a crest.
+
+    Where that jumps, the time just before as well.
+    """
+    if not motion.moves:
+        return np.zeros(1)
+    each = max(4, SAMPLES // len(motion.phases))
+    share = (1.0 - np.cos(np.linspace(0.0, np.pi, each + 1))) / 2
+    found: list[Any] = [even_times(motion), [float(motion.peak.time), float(motion.reach.time)]]
+    found += [p.start + (p.end - p.start) * share for p in motion.phases]
+    for function in in_time(motion.plan.scene.called).values():
+        knots = np.asarray(function.kinks)
+        before = np.nextafter(knots, -np.inf)
+        values = np.abs(function(knots))
+        jumps = np.abs(function(before) - function(knots)) > _JUMP * np.max(values, initial=0.0)
+        found += [knots, before[jumps], function.crests]
+    law = motion.plan.scene.friction
+    found += [law["time"]] if isinstance(law, Mapping) and "time" in law else []
+    return np.unique(np.clip(np.concatenate(found), 0.0, motion.duration))
+
+
+def csv(motions: Sequence[Motion], times: Floats | None = None) -> bytes:
+    """Motions over time as CSV, in full precision; of several the first column is the name.
+
+    By default at even times; else at those, in s.
+    """
+    named = ["scene"] if len(motions) > 1 else []
+
+    def rows() -> Iterator[list[Any]]:
+        for motion in motions:
+            columns = trace(motion, even_times(motion) if times is None else times)
+            for row in zip(*(c.tolist() for c in columns.values()), strict=True):
+                yield [*(motion.plan.scene.name for _ in named), *row]
+
+    return files.table([*named, *(q.head for q in HISTORY.values())], rows())

@@ -1,0 +1,175 @@
+"""Records read from files: accelerations that shake a scene, and the pore pressure in it.
+
+Signs. A scene's ``k_h`` is the *driving* acceleration over gravity, positive down-slope. In the frame of the ground the
+mass feels the opposite of what the ground does, so that ground which accelerates down-slope, which is positive for a
+record too, drives the mass up-slope: driving = -ground. Likewise ``k_v``, which
+lightens the mass, is minus the upward acceleration of the ground. A record must therefore say what it holds.
+"""
+
+from os import PathLike
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from slipcircle.base.checks import EPS, INFINITY, Bounds, mistakes, raise_all
+from slipcircle.base.series import Floats, Series, bad_sample
+from slipcircle.workbench.records.recordfiles import ACCELERATION, PORE_PRESSURE, UNITS, Found, Quantity, parse, unit_of
+
+_GAP = 1.5  # of an evenly sampled record's step
+
+
+def read_record(
+    path: str | PathLike[str],
+    *,
+    holds: Literal["ground", "driving"],
+    units: str | None = None,
+    column: int | str | None = None,
+    step: float | None = None,
+    start: float | None = None,
+    gravity: float = 9.81,
+    gaps: Literal["refuse", "linear"] = "refuse",
+) -> Series:
+    """An acceleration record as shaking: driving acceleration over gravity, zero before and after.
+
+    Reads PEER's AT2 (NPTS and DT in the header, values in g), ESM's ASCII (SAMPLING_INTERVAL_S, NDATA and UNITS in
+    the header), and tables of numbers after any header lines: separated by commas, semicolons, tabs or blanks, with a
+    column of time and one or more of acceleration, or with a fixed ``step`` one column, or values along the lines.
+    Lines that begin with #, % or ! are comments.
+
+    Parameters
+    ----------
+    path : str or path-like
+    holds : {"ground", "driving"}
+        What the file holds. Ground acceleration counts positive to the right (upwards, for a vertical record); what
+        it does to the mass is the opposite, so the values change their sign.
+    units : {"g", "%g", "m/s2", "cm/s2", "gal", "mm/s2"}, optional
+        Needed where the file does not say it.
+    column : int or str, optional
+        Which column holds the acceleration: its name in the header, or its number, from 1. Needed where there is a
+        choice.
+    step : float, optional
+        s between samples, for a file without times.
+    start : float, optional
+        Time of the first sample, s; by default the file's own, or 0.
+    gravity : float, optional
+        m/s^2, over which accelerations in other units than g are taken.
+    gaps : {"refuse", "linear"}, optional
+        What happens where samples are missing from an evenly sampled record: an error, or a straight line.
+
+    Returns
+    -------
+    Series
+
+    Raises
+    ------
+    ValueError
+        Names the file, the line, the value, what is allowed and what to do.
+    """
+    if holds not in ("ground", "driving"):
+        raise ValueError(
+            f'holds = {holds!r}: must be "ground" (acceleration of the ground) or "driving" (its opposite)'
+        )
+    raise_all(str(path), mistakes({"gravity": gravity}, {"gravity": (0.0, INFINITY, "a positive number in m/s^2")}))
+    found = _read(ACCELERATION, path, units, column, step, start, gaps)
+    factor = {"g": 1.0, "%g": 0.01}.get(found.units, UNITS[found.units] / gravity)
+    return Series(found.time, found.values * (-factor if holds == "ground" else factor) + 0.0, held=False)
+
+
+def read_pore_pressure(
+    path: str | PathLike[str],
+    *,
+    units: str | None = None,
+    column: int | str | None = None,
+    step: float | None = None,
+    start: float | None = None,
+    gaps: Literal["refuse", "linear"] = "refuse",
+) -> dict[str, Series]:
+    """A record of the pore pressure, as the effect takes it: ``{"pressure": ...}`` in Pa, or ``{"ratio": ...}``.
+
+    The first value holds before the record, the last one after it. Files are tables as `read_record` reads them.
+
+    Parameters
+    ----------
+    path : str or path-like
+    units : {"Pa", "kPa", "MPa", "ratio"}, optional
+        Needed where the file does not say it; a ratio is r_u, pore pressure over the static normal stress.
+    column, step, start, gaps
+        As for `read_record`.
+
+    Raises
+    ------
+    ValueError
+        Names the file, the line, the value, what is allowed and what to do.
+    """
+    found = _read(PORE_PRESSURE, path, units, column, step, start, gaps)
+    is_ratio = found.units == "ratio"
+    bad = np.flatnonzero((found.values < 0.0) | (is_ratio & (found.values >= 1.0)))
+    if bad.size:
+        k = int(bad[0])
+        allowed = "a ratio of at least 0 and below 1" if is_ratio else "a pressure of at least 0"
+        raise ValueError(
+            f"{path}, line {found.lines[k]}: value = {float(found.values[k])!r}: must be {allowed}; mend the value, or "
+            "check the units and the column"
+        )
+    return {"ratio" if is_ratio else "pressure": Series(found.time, found.values * PORE_PRESSURE.units[found.units])}
+
+
+_TIMES: dict[str, Bounds] = {
+    "step": (0.0, INFINITY, "a positive time in s"),
+    "start": (-5e-324, INFINITY, "a time in s, not before 0"),
+}
+
+
+def _read(
+    quantity: Quantity,
+    path: str | PathLike[str],
+    units: str | None,
+    column: int | str | None,
+    step: float | None,
+    start: float | None,
+    gaps: str,
+) -> Found:
+    """What a file holds, its samples checked, its units known."""
+    name = str(path)
+    if gaps not in ("refuse", "linear"):
+        raise ValueError(f'gaps = {gaps!r}: must be "refuse" or "linear"')
+    given = {n: v for n, v in (("step", step), ("start", start)) if v is not None}
+    raise_all(name, mistakes(given, {n: _TIMES[n] for n in given}))
+    asked = None if units is None else unit_of(units, quantity)
+    if units is not None and asked is None:
+        raise ValueError(f"{name}: units = {units!r}: must be one of {quantity.choice}")
+    found = parse(quantity, name, Path(path), column, step)
+    if found.units and asked and found.units != asked:
+        raise ValueError(
+            f"{name}: units = {units!r}, but its header says {found.units}; leave units out, or mend the header"
+        )
+    if not found.units and not asked:
+        raise ValueError(f"{name}: units are missing: its header names none; give units, one of {quantity.choice}")
+    wrong = bad_sample(found.time, found.values)
+    if wrong is None and gaps == "refuse":
+        wrong = _gap(found.time)
+    if wrong is not None:
+        raise ValueError(f"{name}, line {found.lines[wrong[0]]}: {wrong[1]}")
+    time = found.time if start is None else found.time - found.time[0] + start
+    if time[0] < 0.0:
+        raise ValueError(
+            f"{name}, line {found.lines[0]}: time = {float(time[0])!r} s: must not be before 0, when the scene starts; "
+            "give start, the time of the first sample in s"
+        )
+    return found._replace(time=time, units=asked or found.units)
+
+
+def _gap(time: Floats) -> tuple[int, str] | None:
+    """The sample after a gap in a record that is otherwise evenly sampled; what is uneven has no gaps."""
+    steps = np.diff(time)
+    usual = float(np.median(steps))
+    even = np.abs(steps - usual) <= 0.01 * usual + 8 * EPS * time[-1]
+    wide = np.flatnonzero(steps > _GAP * usual)
+    if steps.size < 8 or not wide.size or np.count_nonzero(even) < 0.9 * steps.size:
+        return None
+    k = int(wide[0]) + 1
+    return k, (
+        f"time = {float(time[k])!r} s comes {float(steps[k - 1]):.6g} s after the sample before, where the step is "
+        f'{usual:.6g} s: samples are missing; fill them in, or give gaps = "linear" for a straight line'
+    )

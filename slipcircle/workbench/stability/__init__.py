@@ -1,0 +1,1 @@
+"""Factors of safety of given circles, and the search for the critical one."""

@@ -1,0 +1,88 @@
+"""The effect ladder: a scene solved with its effects added one by one, so that each shows what it changes and costs."""
+
+import math
+from dataclasses import dataclass, replace
+from functools import partial
+from statistics import median
+from time import process_time
+from timeit import timeit
+
+from slipcircle.core.motion.motion import Motion
+from slipcircle.core.motion.plan import plan
+from slipcircle.core.motion.solver import solve
+from slipcircle.core.scene.scene import Scene
+from slipcircle.core.scene.section import Section
+
+_PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
+
+
+@dataclass(frozen=True)
+class Rung:
+    """One step of the ladder."""
+
+    added: str  # the effect added in this step, "" for none
+    effects: tuple[str, ...]  # all of this step
+    method: str  # how it was solved
+    seconds: float  # that a solution took here, the median
+    cost: int  # floating-point operations that a solution typically takes
+    peak_velocity: float  # m/s
+    run_out: float  # m
+    duration: float  # s
+    arrested: bool  # whether it rests at the end
+    difference: float  # to the fullest scene: the largest of peak velocity, run-out and duration, relative
+
+
+def ladder(scene: Scene) -> list[Rung]:
+    """Solve a scene with its effects added in the order of what they change, most first.
+
+    Seen from the fullest scene, each step down leaves out the effect without which the motion stays closest to the
+    fullest's. A step that would never rest is followed as long as the fullest scene takes.
+    """
+    full = solve(scene)
+    chosen, order, motions = full.plan.effects, list[str](), [full]
+    while chosen:
+        without = [(e, _solved(scene, tuple(x for x in chosen if x != e), full)) for e in reversed(chosen)]
+        least, motion = min(without, key=lambda found: _distance(found[1], full))
+        chosen = tuple(e for e in chosen if e != least)
+        order.insert(0, least)
+        motions.insert(0, motion)
+    return [
+        _rung(added, tuple(order[:k]), motion, full)
+        for k, (added, motion) in enumerate(zip(["", *order], motions, strict=True))
+    ]
+
+
+def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
+    """The motion with some of the effects; where it never rests, or turns over, as long as the fullest takes."""
+    arc = scene.arc
+    if isinstance(arc, Section) and "pore_pressure" not in effects:
+        arc = replace(arc, level=None)  # the water level is what calls for it
+    given = {e: scene.called[e] for e in effects if e in scene.effects}
+    part = replace(scene, arc=arc, effects=given, uncertain={}, stability=None)
+    try:
+        return solve(part)
+    except ValueError:
+        return solve(replace(part, end_time=full.duration or 1.0))
+
+
+def _distance(motion: Motion, full: Motion) -> float:
+    pairs = [(float(m.peak.velocity), m.run_out, m.duration) for m in (motion, full)]
+    return max(abs(a - b) / abs(b) if b else (math.inf if a else 0.0) for a, b in zip(*pairs, strict=True))
+
+
+def _rung(added: str, effects: tuple[str, ...], motion: Motion, full: Motion) -> Rung:
+    taken = list[float]()
+    while len(taken) < 5 and sum(taken) < _PATIENCE:
+        taken.append(timeit(partial(solve, motion.plan.scene), timer=process_time, number=1))
+    return Rung(
+        added,
+        effects,
+        motion.plan.method,
+        median(taken),
+        plan(motion.plan.scene).cost,
+        float(motion.peak.velocity),
+        motion.run_out,
+        motion.duration,
+        motion.arrested,
+        _distance(motion, full),
+    )

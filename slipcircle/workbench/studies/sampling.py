@@ -1,0 +1,47 @@
+"""Points of the unit cube: Monte Carlo, scrambled Sobol sequences, Latin hypercubes.
+
+Any stretch of a sequence is a pure function of its seed and its place, so that blocks may be drawn anywhere and in any
+order, and that a longer run begins with the points of a shorter one (but for Latin hypercubes, which are made whole).
+Monte Carlo needs NumPy alone; the others are SciPy's.
+"""
+
+import warnings
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from slipcircle.workbench.common.distributions import statistics
+
+Floats = NDArray[np.float64]
+MOST_LATIN = 2**24
+_LOWEST, _HIGHEST = 2.0**-54, 1.0 - 2.0**-53  # 0 and 1 have no quantile
+
+
+def _seeded(seed: int, stream: tuple[int, ...]) -> np.random.SeedSequence:
+    return np.random.SeedSequence(seed, spawn_key=stream)
+
+
+def monte_carlo(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
+    """Random points ``start`` to ``start + count``, an array (dimensions, count); start a multiple of 4.
+
+    The counter of Philox is set to the place: it gives four numbers a step.
+    """
+    generator = np.random.Philox(_seeded(seed, stream)).advance(start * dimensions // 4)
+    points = np.random.Generator(generator).random((count, dimensions)).T
+    return np.maximum(points, _LOWEST)
+
+
+@lru_cache(4)
+def latin(seed: int, count: int, dimensions: int) -> Floats:
+    """A Latin hypercube, (dimensions, count): each coordinate has one point in each of ``count`` equal strata."""
+    points = statistics().qmc.LatinHypercube(dimensions, rng=_seeded(seed, (3,))).random(count)
+    return np.clip(np.ascontiguousarray(points.T), _LOWEST, _HIGHEST)
+
+
+def sobol(seed: int, stream: tuple[int, ...], start: int, count: int, dimensions: int) -> Floats:
+    """Points ``start`` to ``start + count`` of a scrambled Sobol sequence (Owen 1998), (dimensions, count)."""
+    sequence = statistics().qmc.Sobol(dimensions, rng=_seeded(seed, stream))
+    with warnings.catch_warnings(action="ignore", category=UserWarning):  # that some counts are not balanced
+        points = (sequence.fast_forward(start) if start else sequence).random(count)
+    return np.clip(np.ascontiguousarray(points.T), _LOWEST, _HIGHEST)
