@@ -6,17 +6,14 @@ known end is "beyond", "beyond" and infinite.
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.motion.states import Status
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR, Estimate
-
-if TYPE_CHECKING:
-    from slipcircle.workbench.studies.study import Study
 
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)
 HEAD = ("table", "output", "input", "at", "value", "low", "high")
@@ -32,7 +29,7 @@ class Row(NamedTuple):
     estimate: Estimate
 
 
-def estimates(study: "Study") -> Iterator[Row]:
+def estimates(study: Any) -> Iterator[Row]:
     """Every estimate of a study."""
     yield Row("probability of moving", "moves", "", math.nan, study.moving)
     for method, failure in study.failure.items():
@@ -57,7 +54,7 @@ def estimates(study: "Study") -> Iterator[Row]:
         yield Row("95 % quantile after n", "reach", "", c.n, c.upper)
 
 
-def _grouped(study: "Study") -> dict[tuple[str, str], list[Row]]:
+def _grouped(study: Any) -> dict[tuple[str, str], list[Row]]:
     """The same by table and output; a pair that there is none of is not among them."""
     found = dict[tuple[str, str], list[Row]]()
     for row in estimates(study):
@@ -65,12 +62,12 @@ def _grouped(study: "Study") -> dict[tuple[str, str], list[Row]]:
     return found
 
 
-def rows(study: "Study") -> list[list[Any]]:
+def rows(study: Any) -> list[list[Any]]:
     """The same as rows of one CSV file, under `HEAD`."""
     return [[table, output, key, _cell(at), *map(_cell, e)] for table, output, key, at, e in estimates(study)]
 
 
-def record(study: "Study") -> dict[str, Any]:
+def record(study: Any) -> dict[str, Any]:
     """As JSON holds it: SI units but for inputs."""
     design, groups = study.design, _grouped(study)
     outputs = {}
@@ -126,7 +123,7 @@ _CONVERGENCE = {  # the key in JSON of each table over the number of samples
 }
 
 
-def arrays(study: "Study") -> dict[str, NDArray[Any]]:
+def arrays(study: Any) -> dict[str, NDArray[Any]]:
     """Everything as arrays by name: quantiles and curves as rows of (at, value, low, high), bins, samples.
 
     Means, standard deviations and probabilities as (value, low, high), the linear ones as (mean, standard deviation).

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.quantities import DIGITS, shown
+from slipcircle.base.text import DIGITS, shown
 from slipcircle.workbench.common.distributions import statistics
 
 Floats = NDArray[np.float64]
