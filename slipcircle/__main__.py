@@ -21,8 +21,9 @@ from typing import TypeVar
 
 import slipcircle
 from slipcircle import Motion, Scene, load, plan, solve
-from slipcircle.core.motion.quantities import OUTCOMES, plain, record, shown
+from slipcircle.base.text import shown
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.quantities import OUTCOMES, plain, record
 from slipcircle.workbench.files.scenefile import critical_of_file, find, shipped
 from slipcircle.workbench.files.variation import other_way
 from slipcircle.workbench.outputs import pictures, tables

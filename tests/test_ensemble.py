@@ -14,8 +14,8 @@ from scipy import stats
 
 from slipcircle import Scene, backanalyse, ensemble, load, solve
 from slipcircle.base.series import Series
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.motion.states import Status
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.keys import schema
 from slipcircle.workbench.files.scenefile import load as read
 from slipcircle.workbench.studies import export

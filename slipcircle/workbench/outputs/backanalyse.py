@@ -4,8 +4,9 @@ import argparse
 from itertools import combinations
 from typing import Any
 
-from slipcircle.core.motion import quantities
-from slipcircle.core.motion.quantities import OUTCOMES, digits_left, shown, to_error
+from slipcircle.base.text import digits_left, shown
+from slipcircle.workbench.common import quantities
+from slipcircle.workbench.common.quantities import OUTCOMES, to_error
 from slipcircle.workbench.files.scenefile import load
 from slipcircle.workbench.outputs import options as read
 from slipcircle.workbench.outputs import pictures

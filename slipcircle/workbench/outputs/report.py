@@ -13,12 +13,13 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, plan
-from slipcircle.core.motion.quantities import OUTCOMES, RESULTS, Quantity, plain, record, results, shown, words
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.friction import law_names
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
+from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, record, results, words
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import work

@@ -9,11 +9,12 @@ from typing import Any, cast
 
 import numpy as np
 
-from slipcircle.core.motion.quantities import OUTCOMES, shown, words
+from slipcircle.base.text import shown
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.scene import Scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
+from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.files.scenefile import find, load
 from slipcircle.workbench.outputs import options as read
 from slipcircle.workbench.outputs import pictures, studyplots

@@ -10,10 +10,11 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
+from slipcircle.base.text import shown
 from slipcircle.core.flow.program import join
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, counted
-from slipcircle.core.motion.quantities import JOURNEY, OUTCOMES, results, shown, time_text, to_error, words
+from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies.ladder import Rung

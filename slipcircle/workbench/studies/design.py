@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.motion.states import ANSWERED, Status
 from slipcircle.core.scene.scene import Scene
 from slipcircle.workbench.common.distributions import statistics
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol

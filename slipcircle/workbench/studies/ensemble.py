@@ -16,9 +16,9 @@ from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.core.motion.plan import plan
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.scene.section import Section
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, numbers_in
 from slipcircle.workbench.files.variation import along_means, value_in
 from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design

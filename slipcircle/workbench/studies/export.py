@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.motion.states import Status
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.studies.statistics import BIN_ERROR, Estimate
 
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.9, 0.95, 0.99)

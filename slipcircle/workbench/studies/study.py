@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import OUTCOMES, shown, words
-from slipcircle.core.motion.results import library
 from slipcircle.core.motion.states import ANSWERED, Status
 from slipcircle.core.scene.scene import Scene
+from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
+from slipcircle.workbench.common.quantities import OUTCOMES, words
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import Design, Result
 from slipcircle.workbench.studies.motions import motions
