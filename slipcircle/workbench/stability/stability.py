@@ -8,7 +8,7 @@ from __future__ import annotations  # so that a signature says ArrayLike
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,9 +19,6 @@ from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.ground import field_mistakes, ponds
 from slipcircle.core.scene.section import Section
 from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
-
-if TYPE_CHECKING:
-    from slipcircle.core.scene.scene import Scene
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
 METHODS: Mapping[str, tuple[str, str]] = {
@@ -120,8 +117,7 @@ class Slope:
             lowest = float(ground[:, 1].min())
             if self.base is not None and self.base > lowest:
                 found.append(
-                    f"base = {self.base:.10g}: lies above the lowest point of the ground, {lowest:.10g}; it must lie "
-                    "below the ground or touch it"
+                    f"base = {self.base:.10g}: must lie below the ground or touch it; its lowest point is {lowest:.10g}"
                 )
         raise_all("Slope", found)
 
@@ -132,7 +128,7 @@ class Slope:
         return SlopeArrays(np.asarray(self.ground)[None], level, **numbers)
 
 
-def factors_of_safety(scene: Scene[Any], k_h: ArrayLike = 0.0) -> dict[str, Floats]:
+def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:
     """Factors of safety of a section at the start of its motion, of one scene or of each scene of an ensemble.
 
     Parameters
@@ -164,8 +160,11 @@ def factors_of_safety(scene: Scene[Any], k_h: ArrayLike = 0.0) -> dict[str, Floa
     slope, arcs = _lanes(scene, section, strength, k_h)
     blocks = []
     for lanes in np.array_split(np.arange(len(arcs[0])), -(-len(arcs[0]) // _BLOCK)):
-        part = SlopeArrays(*(None if values is None else values[lanes] for values in slope))
-        blocks.append(circle_factors(part, *(values[lanes] for values in arcs)))
+        some: dict[str, Any] = {
+            name: None if values is None else values[lanes] for name, values in slope._asdict().items()
+        }
+        centre, radius, left, right = (values[lanes] for values in arcs)
+        blocks.append(circle_factors(SlopeArrays(**some), centre, radius, left, right))
     found = {name: np.concatenate([block[name] for block in blocks]) for name in blocks[0]}
     undriven = (found["facing"] == 0.0) & np.isfinite(found["negative"])
     found |= {name: np.where(undriven, np.inf, found[name]) for name in METHODS}
@@ -200,7 +199,9 @@ def soil(friction: Any, effects: Mapping[str, Mapping[str, Any]]) -> dict[str, A
     """
 
     def at_start(value: Any) -> Any:
-        return value(0.0) if callable(value) else value
+        if callable(value):
+            return value(0.0)
+        return value[0] if "time" in water and np.ndim(value) == 1 else value
 
     def at_rest(law: str, parameters: Mapping[str, Any]) -> Any:
         if law == "callable":
