@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import shown
 
 # The one palette, by role: colour (Okabe and Ito's, which the colour-blind tell apart) with dashes, a marker or a
 # hatch, which greys leave apart.

@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import HISTORY, shown
 from slipcircle.core.scene.forcing import in_time
 from slipcircle.core.scene.section import Section
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.quantities import HISTORY
 
 Floats = NDArray[np.float64]
 
