@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
 
-from slipcircle import Arc, Motion, Scene, critical, load, solve
+from slipcircle import Arc, Motion, Scene, Section, critical, load, solve
 from slipcircle.base.series import Pulse
 from slipcircle.workbench.outputs import pictures, plots, plotstyle, sectionplot
 from slipcircle.workbench.outputs.tables import motion_column
@@ -290,8 +290,9 @@ def test_the_section_says_when_and_how_far_and_that_the_circle_goes_on() -> None
     words = legend(plots.section(m, drawn((9.0, 6.0))))
     assert "peak velocity after 3.803 s and 5.393 m" in words
     assert any(w.startswith("at rest after 6.477 s and 10.41 m") for w in words)
-    ground = m.plan.scene.arc.ground
-    hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(ground))
+    section = m.plan.scene.arc
+    assert isinstance(section, Section)
+    hangs = m.journey.toe_y - np.interp(m.journey.toe_x, *np.transpose(section.ground))
     assert any(f"ends {hangs:.4g} m above the ground" in w for w in words)
     assert f"{hangs:.4g} m above the ground" in motion_column(m)["toe at the end"]
     assert "toe at the end" not in motion_column(motion("vaiont"))
@@ -305,7 +306,9 @@ def test_energies_say_of_what_width_they_are() -> None:
 
 @pytest.mark.parametrize("depth", [0.0, 5.0])
 def test_the_map_of_a_search_is_darkest_where_most_dangerous_and_whole(depth: float) -> None:
-    slope = load("real-slope").stability.slope
+    stability = load("real-slope").stability
+    assert stability is not None
+    slope = stability.slope
     found, figure = critical(slope, depth=depth), canvas((9.0, 6.0))
     sectionplot.critical_circle(found, figure)
     ax = figure.axes[0]

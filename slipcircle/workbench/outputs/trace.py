@@ -67,8 +67,9 @@ def toe_height(motion: Motion) -> float:
     section = motion.plan.scene.arc
     if not isinstance(section, Section):
         return np.nan
-    x, y = motion.journey.toe
-    return float(y - np.interp(x, *np.asarray(section.ground, dtype=np.float64).T, left=np.nan, right=np.nan))
+    toe, ground = motion.journey, np.asarray(section.ground, dtype=np.float64)
+    below = np.interp(float(toe.toe_x), ground[:, 0], ground[:, 1], left=np.nan, right=np.nan)
+    return float(toe.toe_y - below)
 
 
 def toe_words(motion: Motion) -> str:
