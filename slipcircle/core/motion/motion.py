@@ -329,19 +329,25 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
-        if not self.shape:
-            return f"<Motion {name}{self._summary()}>"
-        counts = ", ".join(f"{count} {status.lower()}" for status, count in self.count().items())
-        known = self.run_out[~np.isnan(self.run_out)]
-        span = f"{shown(known.min())} to {shown(known.max())} m" if known.size else "not known"
-        return f"<{prod(self.shape)} motions {name}{counts}; run-out {span}>"
+        if self.shape:
+            return f"<{prod(self.shape)} motions {name}{_ensemble_summary(self)}>"
+        return f"<Motion {name}{_summary(self)}>"
 
-    def _summary(self) -> str:
-        """What happened to a single mass: half a sentence."""
-        if not self.moves:
-            return f"does not move, factor of safety {shown(self.factor_of_safety)}"
-        digits = digits_left(self.error_estimate)
-        values = (self.outcomes[name] for name in ("peak_velocity", "run_out", "duration"))
-        velocity, run_out, duration = (shown(value, digits) for value in values)
-        end = "comes to rest after" if self.arrested else "still moving at"
-        return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
+
+def _summary(motion: Motion[Any]) -> str:
+    """What happened to a single mass, in half a sentence."""
+    if not motion.moves:
+        return f"does not move, factor of safety {shown(motion.factor_of_safety)}"
+    digits = digits_left(motion.error_estimate)
+    values = (motion.outcomes[name] for name in ("peak_velocity", "run_out", "duration"))
+    velocity, run_out, duration = (shown(value, digits) for value in values)
+    end = "comes to rest after" if motion.arrested else "still moving at"
+    return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
+
+
+def _ensemble_summary(motion: Motion[Any]) -> str:
+    """How many lanes ended in which way, and the range of their run-outs."""
+    counts = ", ".join(f"{count} {status.lower()}" for status, count in motion.count().items())
+    known = motion.run_out[~np.isnan(motion.run_out)]
+    span = f"{shown(known.min())} to {shown(known.max())} m" if known.size else "not known"
+    return f"{counts}; run-out {span}"

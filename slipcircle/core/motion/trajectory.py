@@ -49,6 +49,7 @@ class Trajectory:
         """The status of each lane, as a number."""
         final = self._final
         ended = final[ix.STATUS]
+        status: Any
         if self.shape:
             status = STATUS_OF_END[np.asarray(ended, np.intp)]
         else:

@@ -1,12 +1,11 @@
 """What a user should know of a single motion beside its numbers."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import Any
+
+import numpy as np
 
 from slipcircle.core.scene.section import Section
-
-if TYPE_CHECKING:
-    from slipcircle.core.motion.motion import Motion
 
 FORMAT_LIMIT = 1e-11  # estimated error below which only float64 limits what is known
 ENERGY_TOLERANCE = 1e-12  # of all energy on the way, beyond which an imbalance is reported
@@ -15,14 +14,14 @@ SUBMERGED = 1e-6  # of the radius, beyond which ground below the water level is 
 LISTED, MANY_PHASES = 3, 100  # lift-offs named one by one; phases that many times of turning back make
 
 
-def collect_warnings(motion: "Motion") -> tuple[str, ...]:
+def collect_warnings(motion: Any) -> tuple[str, ...]:
     """Sentences about lift-off, conditioning, water and swinging back; empty where all is well."""
     stability = motion.plan.scene.stability
     search = [stability.warning] if stability and stability.warning else []
     return (*search, *_lift_offs(motion), *_conditioning(motion), *_submergence(motion), *_swing(motion))
 
 
-def _lift_offs(motion: "Motion") -> Iterator[str]:
+def _lift_offs(motion: Any) -> Iterator[str]:
     times = motion.lift_off
     if len(times) > LISTED:
         more = f"{len(times) - 1} times more until {times[-1]:.6g} s"
@@ -32,7 +31,7 @@ def _lift_offs(motion: "Motion") -> Iterator[str]:
         yield f"contact lost from {time:.6g} s (lift-off)"
 
 
-def _conditioning(motion: "Motion") -> Iterator[str]:
+def _conditioning(motion: Any) -> Iterator[str]:
     """Whether the accuracy asked for is missed, and the likely cause; or else whether energy is not balanced."""
     error, accuracy = motion.error_estimate, motion.plan.accuracy
     if error > accuracy:
@@ -53,20 +52,20 @@ def _conditioning(motion: "Motion") -> Iterator[str]:
         )
 
 
-def _submergence(motion: "Motion") -> Iterator[str]:
+def _submergence(motion: Any) -> Iterator[str]:
     """Turning may bring ground below a water level, whose weight on it the method does not count."""
     section = motion.plan.scene.arc
     if not isinstance(section, Section):
         return
     depth = section.drowned(motion.reach.rotation, motion.end.rotation)
-    if depth > SUBMERGED * float(section.radius):
+    if depth > SUBMERGED * np.asarray(section.radius):
         yield (
             f"turning brings ground down to {depth:.3g} m below the water level; the weight of the water above it is "
             "not included"
         )
 
 
-def _swing(motion: "Motion") -> Iterator[str]:
+def _swing(motion: Any) -> Iterator[str]:
     if motion.swings_back:
         farthest, end = abs(motion.reach.displacement), abs(motion.run_out)
         yield (
