@@ -23,7 +23,7 @@ from slipcircle.core.motion.derivatives import Sensitivity
 from slipcircle.core.motion.seeds import Seeds
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import telling, through_vertex
+from slipcircle.core.scene.transport import active_parameters, through_vertex
 from slipcircle.workbench.files.numbers import by_name, numbers_in
 
 Floats = NDArray[np.float64]
@@ -58,7 +58,9 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
 
 def _parameters(scene: Scene) -> list[str]:
     """The names of the free parameters."""
-    arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
+    arc = (
+        active_parameters(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
+    )
     start = ("initial_velocity", *(n for n in scene.numbers if n.startswith("shaking.")))
     without = {*numbers_in(scene.arc)} - {*arc} | {n for n in start if not float(np.asarray(scene.numbers.get(n, 0.0)))}
     return [n for n in dict.fromkeys(("friction", *arc, *scene.numbers)) if n in scene.numbers and n not in without]
