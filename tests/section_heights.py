@@ -138,7 +138,8 @@ def compared(seed: int, index: int) -> Compared:
     size = float(radius) + np.abs(section.centre).max() + np.abs([section.entry, section.exit]).max()
     ends = np.stack([section.entry, section.exit])[:, None]
     on_vertex = bool(np.any(np.all(np.abs(ends - section.ground) < 1e-13 * size, axis=2)))
-    rounding = 2.0**-50 * size / float(radius) if on_vertex else 0.0
+    steep = min(abs(np.cos(float(b))) for b in (first, last))  # heights are upright
+    rounding = 2.0**-50 * size / float(radius) / steep if on_vertex else 0.0
 
     def judged(ours: float, points: Any, turn: Any, unit: Any) -> tuple[float, float]:
         mean, greatest = mean_height(_line(points, section), first + turn, last + turn)
@@ -160,11 +161,18 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=24)
     options = parser.parse_args()
     every = [compared(options.seed, k) for k in range(options.count)]
-    print(f"{len(every)} arcs, {sum(c.overhangs for c in every)} overhang; errors over the greatest height on the arc")
+    wet = sum(c.pressure[0] > 0.0 for c in every)
+    overhang = sum(c.overhangs for c in every)
+    print(
+        f"{len(every)} arcs, {wet} wet, {overhang} overhang; errors over the greatest height on the arc, and times alpha"
+    )
     for name, errors in (("pressure", [c.pressure[1] for c in every]), ("cover", [c.cover[1] for c in every])):
         worst = int(np.argmax(errors))
-        half = every[worst].section.half_angle
-        print(f"{name}: median {np.median(errors):.1e}, worst {errors[worst]:.1e} (arc {worst}, half angle {half:.3g})")
+        half = np.array([float(c.section.half_angle) for c in every])
+        print(
+            f"{name}: median {np.median(errors):.1e}, worst {errors[worst]:.1e} (arc {worst}, half angle {half[worst]:.3g}), "
+            f"worst times alpha {np.max(np.array(errors) * np.minimum(half, 1.0)):.1e}"
+        )
 
 
 if __name__ == "__main__":

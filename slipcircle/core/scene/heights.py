@@ -41,17 +41,20 @@ class HeightIntegrals(NamedTuple):
         first, last = self.reduced(first, last)
         lane, piece = np.arange(len(self.low)), np.arange(self.low.shape[1])
         begin, end = (np.maximum(np.count_nonzero(self.low <= x[..., None], axis=-1) - 1, 0) for x in (first, last))
-        before, after = self._from_low_end(first, (lane, begin)), self._from_low_end(last, (lane, end))
-        whole = self._from_low_end(self.high, ...)
+        in_first, in_last = self._part(first, last, (lane, begin)), self._part(first, last, (lane, end))
+        whole = slopes.head(self.span, self.sine, self.cosine, self.height, self.slope)
         between = (piece > begin[..., None]) & (piece < end[..., None])
-        inner = np.where(between, whole, 0.0).sum(axis=-1)
-        return np.where(begin == end, after - before, inner + (whole[lane, begin] - before) + after)
+        return in_first + np.where(begin == end, 0.0, np.where(between, whole, 0.0).sum(axis=-1) + in_last)
 
-    def _from_low_end(self, angle: Floats, of: Any) -> Any:
-        """Over pieces, or some of them, from their low ends to an angle."""
-        part = np.clip(angle, self.low[of], self.high[of]) - self.low[of]
-        part = np.where(angle >= self.high[of], self.span[of], part)
-        return slopes.head(part, self.sine[of], self.cosine[of], self.height[of], self.slope[of])
+    def _part(self, first: Floats, last: Floats, of: Any) -> Any:
+        """Over what some pieces have between two angles, from its own beginning, so that nothing cancels."""
+        low, high, sine, cosine, slope = self.low[of], self.high[of], self.sine[of], self.cosine[of], self.slope[of]
+        start, stop = np.clip(first, low, high), np.clip(last, low, high)
+        angle = np.where((start <= low) & (stop >= high), self.span[of], stop - start)
+        along, bent = np.sin(start - low), 2 * np.sin((start - low) / 2) ** 2
+        more_sine, more_cosine = cosine * along - sine * bent, -sine * along - cosine * bent
+        height = self.height[of] + slope * more_sine + more_cosine
+        return slopes.head(angle, sine + more_sine, cosine + more_cosine, height, slope)
 
     def gradient(self, first: Floats, last: Floats) -> Floats:
         """Derivatives of the integral by the vertices of the line of a single circle, ends held, (..., V, 2).
