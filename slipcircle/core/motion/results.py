@@ -13,8 +13,8 @@ from slipcircle.core.flow.lanes import Lanes
 from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.plan import Plan
 from slipcircle.core.motion.states import Status
+from slipcircle.core.scene.parameters import with_parameters
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.files.variation import scene_with
 
 _SURE = 1e-11  # an estimated error below which only the format limits what is known
 BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
@@ -76,7 +76,7 @@ class Results(Forms):
         scene = self.plan.scene
         which = np.arange(prod(self.shape)).reshape(self.shape)[index]
         varied = {n: np.broadcast_to(v, self.shape)[index] for n, v in scene.numbers.items() if np.ndim(v)}
-        plan = replace(self.plan, scene=scene_with(scene, varied))
+        plan = replace(self.plan, scene=with_parameters(scene, varied))
         lanes = self._lanes.taken(np.ravel(which))
         made: Any = type(self)
         if np.ndim(which):
@@ -92,8 +92,7 @@ class Results(Forms):
 
 def cautions(motion: Any) -> tuple[str, ...]:
     """What a user should know of a single motion; empty where all is well."""
-    stability = motion.plan.scene.stability
-    found = [stability.warning] if stability and stability.warning else list[str]()
+    found: list[str] = []
     times = motion.lift_off
     if times:
         more = f", and {len(times) - 1} times more until {times[-1]:.6g} s" if len(times) > 3 else ""

@@ -7,6 +7,7 @@ import numpy as np
 
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.scene.arc import Arc
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.plotstyle import AREAS, FORCES, HALO, LINES, axis, ending, finish, mark, number
 from slipcircle.workbench.outputs.trace import Floats
 from slipcircle.workbench.stability.search import Critical
@@ -85,7 +86,7 @@ def section(motion: Motion, ax: Any = None) -> Any:
     if turn:
         beyond = mass.ends[int(turn > 0.0)] + np.linspace(0.0, turn, 60)
         ax.plot(*mass.on_circle(beyond).T, zorder=4, label="its continuation, assumed", **LINES["help"])
-    factors = _factors(motion.plan.scene.stability)
+    factors = _factors(stability_of(motion.plan.scene))
     _scenery(
         ax, mass, soil, f"centre; $R$ = {number(mass.radius)} m{factors}", low - _MARGIN * size, high + _MARGIN * size
     )

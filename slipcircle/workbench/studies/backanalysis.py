@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from slipcircle.base.checks import EPS
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.solver import solve
+from slipcircle.core.scene.parameters import with_parameters
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.variation import scene_with
 from slipcircle.workbench.studies.inversion import (
     Bounds,
     Observed,
@@ -225,7 +225,7 @@ def _met(space: Space) -> list[Solution]:
     places = [extreme(space, sign) for sign in (-1.0, 1.0)]
     if math.isnan(places[0]):
         raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    there = [solve(scene_with(space.scene, {field.name: field.to_si(at)})) for at in places]
+    there = [solve(with_parameters(space.scene, {field.name: field.to_si(at)})) for at in places]
     least, most = ((float(motion.outcomes[name]), at) for motion, at in zip(there, places, strict=True))
     unit = OUTCOMES[name].unit
     words = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in (least, most))
@@ -274,7 +274,7 @@ def _solution(space: Space, values: Sequence[float]) -> Solution:
     """What is known of values that explain the observations, which have to tell the fields apart."""
     pairs = [*zip(space.fields, values, strict=True)]
     si = {f.name: float(f.to_si(v)) for f, v in pairs}
-    there = scene_with(space.scene, si)
+    there = with_parameters(space.scene, si)
     motion, (_, slopes) = solve(there), derivatives(there, si)
     outcomes = np.array([float(motion.outcomes[n]) for n in space.observed])
     missed = outcomes - space.seen

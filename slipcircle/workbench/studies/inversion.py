@@ -17,9 +17,9 @@ from slipcircle.core.motion.plan import plan
 from slipcircle.core.motion.solver import lanes_of
 from slipcircle.core.motion.states import ANSWERED, Status
 from slipcircle.core.scene.friction import law_depends
+from slipcircle.core.scene.parameters import DIP, parameter_value, with_parameter_arrays
 from slipcircle.core.scene.scene import Scene
-from slipcircle.workbench.files.numbers import DIP, Number, lengths, number_in
-from slipcircle.workbench.files.variation import scenes_with, value_in
+from slipcircle.workbench.files.numbers import Number, lengths, number_in
 from slipcircle.workbench.studies.motions import motions
 
 Floats = NDArray[np.float64]
@@ -186,7 +186,7 @@ def _range(scene: Scene, field: Number, alone: bool) -> Floats:
     """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
     arc = scene.arc
     stress, radius, gravity = (float(np.asarray(v)) for v in (arc.static_normal_stress, arc.radius, arc.gravity))
-    speed, own = 2 * math.sqrt(gravity * radius), value_in(scene, field.name)
+    speed, own = 2 * math.sqrt(gravity * radius), parameter_value(scene, field.name)
     near = np.concatenate([np.linspace(0.0, 1.0, 81)[:-1], 1.0 - 10.0 ** -np.arange(2.0, 13.0, 2.0)])
     theta_1, theta_2 = (float(np.asarray(scene.numbers.get(n, 0.0))) for n in ("theta_1", "theta_2"))
     ranges: Mapping[str, Floats] = {
@@ -215,7 +215,7 @@ def _range(scene: Scene, field: Number, alone: bool) -> Floats:
 
 def _frictions(scene: Scene, field: Number, alone: bool) -> Floats:
     """From so little that the mass swings to the limit, beyond which nothing moves from rest."""
-    still, _ = scenes_with(scene, {field.name: np.zeros(1)})
+    still, _ = with_parameter_arrays(scene, {field.name: np.zeros(1)})
     limit = float(lanes_of(plan(still)).statics["limit_friction"][0])
     limit = limit if 1e-6 < limit < math.inf else 1.0
     shares = [

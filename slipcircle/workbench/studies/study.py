@@ -15,6 +15,7 @@ from slipcircle.core.scene.scene import Scene
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.design import Design, Result
 from slipcircle.workbench.studies.motions import motions
@@ -297,7 +298,7 @@ class Study:
     @property
     def warnings(self) -> list[str]:
         """What to know before the numbers are used."""
-        found, stability = [], self.scene.stability
+        found, stability = [], stability_of(self.scene)
         if stability is not None and stability.method:
             of = "scene as it is given" if self.design.method == "grid" else "means"
             found.append(
