@@ -279,7 +279,7 @@ def test_a_record_scaled_to_a_peak_in_a_file(tmp_path: Path, records: Any) -> No
         ),
         ("", "", 'must say whether it holds "ground" or "driving"'),
         ("", "holds = 'ground'\npulse = 'sine'", "exclude each other"),
-        ("", "holds = 'ground'\ncycles = 2", "cycles does not belong to a record"),
+        ("", "holds = 'ground'\ncycles = 2", "shaking.cycles: does not belong to a record"),
         ("", "holds = 'ground'\nvertical_record = 'nowhere.csv'", "nowhere.csv"),
     ],
 )

@@ -150,8 +150,8 @@ def _of_grid(found: Study) -> _Told:
 
 def _of_samples(found: Study) -> _Told:
     """Every estimate of a study with its interval."""
-    head = ("table", "output", "input", "at", "value", "low", "high")
-    rows = ([None if x != x else x for x in row] for row in export.rows(found))
+    head = export.HEAD
+    rows = export.rows(found)
 
     title = f"{found.scene.name}: {found.design.n} samples, {found.design.method}, seed {found.seed}\n"
     return head, rows, lambda: [export.record(found)], [title, *parts(found)]

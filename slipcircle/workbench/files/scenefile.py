@@ -51,13 +51,12 @@ def load(name: str | PathLike[str]) -> Scene[float]:
     parts, tables = _parts(_document(source, file), file)
     if parts["stability"]:
         parts["stability"] = parts["stability"].without_map()
-    plain = {name: part for name, part in parts.items() if name != "stability"}
     try:
         _check_gravity(parts)
         parts["effects"] = with_records(parts["effects"], float(np.asarray(parts["arc"].gravity)))
-        scene: Scene[float] = SlopeScene(**parts) if parts["stability"] else Scene(**plain)
-        uncertain_numbers(scene)
-        return scene
+        stability = parts.pop("stability")
+        scene: Scene[float] = SlopeScene(**parts, stability=stability) if stability else Scene(**parts)
+        return replace(scene, uncertain=uncertain_numbers(scene)) if scene.uncertain else scene
     except ValueError as error:
         said = str(error).removeprefix(f"Scene {parts['name']}: ")
         raise ValueError(f"{file}: {_by_key(said.replace('arc.level', 'water.level_m'), tables)}") from error
