@@ -89,8 +89,6 @@ def near_limit(number: int) -> bool:
 
 def test_the_file_holds_400_scenes_of_every_kind() -> None:
     assert [row["group"] for row in ROWS] == [group for group, _ in references.names()]
-    assert {solved(k).plan.method for k in NUMBERS} == {solved(k).plan.method for k in range(400)}
-    assert len({solved(k).plan.method for k in NUMBERS}) == 2
     assert sum(near_limit(k) for k in NUMBERS) >= 20
     motions = [row["reference"] for row in ROWS]
     assert {(m["moves"], m["arrested"]) for m in motions} == {(True, True), (True, False), (False, True)}

@@ -52,7 +52,7 @@ def lanes(name: str, accuracy: float = 1e-11) -> Bound:
 
 
 def run(bound: Bound, which: Any = slice(None), **options: Any) -> Any:
-    cells = np.ascontiguousarray(bound.cells[:, which])
+    cells = np.array(bound.cells[:, which], order="C")
     compiled.walk(bound.program, bound.tables, cells, **options)
     return cells[RESULTS]
 
@@ -99,7 +99,9 @@ def test_samples_and_notes_are_those_of_numpy() -> None:
         samples = Samples(times, np.full((4, 61, LANES), np.nan))
         log: Log = []
         walker(bound.program, bound.tables, bound.cells.copy(), samples, log)
-        found.append((samples.states, [(kind, round(t, 9)) for kind, t, *_ in log if kind in (its.BEGINS, its.STANDS)]))
+        found.append(
+            (samples.states, [(k, round(t, 9)) for k, t, *_ in log if k in (its.NOTE_BEGINS, its.NOTE_STANDS)])
+        )
     states, other = found[0][0], found[1][0]
     assert np.all(np.isfinite(states))
     # The rate leaps where a sample meets a standstill or a break.

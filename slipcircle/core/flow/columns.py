@@ -276,7 +276,7 @@ class Columns:
     def _lift_time(self, mask: Any) -> None:
         c = self.c
         if mask[0]:
-            self._note(its.LIFTS)
+            self._note(its.NOTE_LIFTS)
         first = mask & np.isnan(c[its.LIFT_TIME])
         c[its.LIFT_TIME, first] = c[its.TIME, first]
 

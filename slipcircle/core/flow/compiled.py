@@ -90,6 +90,7 @@ def flat(program: Program) -> bytes:
         len(scalar),
         len(series),
         len(later),
+        int(program.autonomous),
     )
     roles = [program.roles.get(name, -1) for name in its.ROLES]
     roles = [role if name.startswith("cell_") else at[role] for name, role in zip(its.ROLES, roles, strict=True)]

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from generated import cells as its
 from slipcircle.base.checks import EPS, choose, plain
-from slipcircle.core.flow import frozen
 from slipcircle.core.flow.bind import Bound, bind
 from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
@@ -26,19 +25,12 @@ ASKED = ("pressing", "normal", "mu")  # what a program is asked for beside its s
 
 
 def walked(
-    bound: Bound,
-    closed: bool = False,
-    samples: Samples | None = None,
-    log: Log | None = None,
-    walker: Any = None,
-    cells: Any = None,
+    bound: Bound, samples: Samples | None = None, log: Log | None = None, walker: Any = None, cells: Any = None
 ) -> Floats:
     """The cells of lanes at their end, by default a copy's; from the start again where a Python function goes on."""
     walker = walker or engine().walk
     while True:
         cells = bound.start() if cells is None else cells
-        if closed:
-            frozen.walk(bound.program, bound.tables, cells, samples, log)
         walker(bound.program, bound.tables, cells, samples, log)
         if cells[its.STATUS].max(initial=0.0) < its.TOO_LONG:
             return cells
@@ -78,8 +70,6 @@ class Lanes:
     velocity, end_time : float or ndarray
         m/s, and s or infinity.
     accuracy : float
-    closed : bool
-        Whether the paper's closed form in time holds.
     count : int
         How many there are.
     invalid : ndarray of bool
@@ -92,7 +82,6 @@ class Lanes:
     velocity: Any
     end_time: Any
     accuracy: float
-    closed: bool
     count: int
     invalid: Any = False
 
@@ -150,23 +139,23 @@ class Lanes:
     def solve(self, log: Log | None = None) -> Floats:
         """The cells of all lanes at their end."""
         if self.count == 1:
-            return walked(self.bound, self.closed, None, log)
+            return walked(self.bound, None, log)
         bound = self._bind()  # of many lanes copies and what is kept cost as much as the walk
-        return walked(bound, self.closed, None, log, cells=None if bound.functions else bound.cells)
+        return walked(bound, None, log, cells=None if bound.functions else bound.cells)
 
-    def _sampled(self, bound: Bound, times: Floats, closed: bool) -> tuple[Floats, Floats]:
+    def _sampled(self, bound: Bound, times: Floats) -> tuple[Floats, Floats]:
         """As `read`, of any bound lanes; and their last cells."""
         order = np.argsort(times, kind="stable")
         at = times[order][:, None] / np.broadcast_to(bound.time_scale, (1, self.count))
         rows = np.zeros((2 + len(bound.program.states), times.size, self.count))
         found = np.full((2 + len(bound.program.states), times.size, self.count), np.nan)
-        cells = walked(bound, closed, Samples(np.ascontiguousarray(at), rows))
+        cells = walked(bound, Samples(np.ascontiguousarray(at), rows))
         found[:, order] = rows
         return found, cells
 
     def read(self, times: Floats) -> Floats:
         """Rotation, omega, its rate, slip and further states at times in s, (rows, times, lanes)."""
-        return self._sampled(self.bound, times, self.closed)[0]
+        return self._sampled(self.bound, times)[0]
 
     def stress(self, time: Any, rotation: Any, omega: Any) -> Any:
         """The mean normal stress, Pa, of each lane in one state; dimensionless numbers."""
@@ -232,12 +221,13 @@ class Lanes:
     @property
     def brake(self) -> Floats:
         """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
-        bound = self.bound
-        lanes = Columns(bound.program, bound.tables, bound.cells.copy(), None, np.arange(self.count))
-        lanes.c[its.DIRECTION] = 1.0
-        with np.errstate(all="ignore"):
-            lanes.base()
-            return 2 * frozen.brake(lanes)
+        bound, roles = self.bound, self.bound.program.roles
+        cells = bound.cells.copy()
+        cells[its.DIRECTION] = 1.0
+        engine().begin(bound.program, bound.tables, cells)
+        cells[roles["cell_drive"]], cells[its.OMEGA] = 0.0, 1.0
+        net = engine().registers(bound.program, bound.tables, cells)[roles["net"]]
+        return np.asarray(-2.0 * net)
 
     @cached_property
     def statics(self) -> dict[str, Floats]:
@@ -275,7 +265,7 @@ class Lanes:
     def energies(self, times: Floats) -> tuple[dict[str, Floats], Floats]:
         """Kinetic energy, work and dissipation at times in s, (times, lanes), and the first kinetic energy."""
         bound = self.bound.asking(("energy",))
-        rows, _ = self._sampled(bound, times, False)
+        rows, _ = self._sampled(bound, times)
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
         found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}

@@ -28,17 +28,17 @@ class Resting(Columns):
         c[its.PHASES] += 1.0
         c[its.TURNS] += c[its.LAST_WAY] * c[its.DIRECTION] < 0.0
         c[its.LAST_WAY] = c[its.DIRECTION]
-        self._note(its.BEGINS)
+        self._note(its.NOTE_BEGINS)
         self._lift_time(c[its.LIFTED] > 0.0)
         self.look(self._series(0)[0][self.program.roles["net"], 0])
 
-    def decide(self) -> None:
+    def decide(self, stopped: bool = False) -> None:
         """At a standstill: the way in which the mass moves on, if any; else it rests, or waits for another time."""
         c = self.c
         c[its.X] = c[its.OMEGA] = 0.0
         best = np.zeros(c.shape[1])
         for side in (1.0, -1.0):
-            net = self._margin(side)
+            net = self._margin(side, stopped)
             best = np.where((net > 0.0) & (best == 0.0), side, best)
         c[its.DIRECTION] = best
         self.on(best != 0.0, "begin")
@@ -49,7 +49,7 @@ class Resting(Columns):
         c[its.STATUS, still & ~waits] = its.ARRESTED
         self.on(still & ~waits, "rest")
 
-    def _margin(self, side: float) -> Floats:
+    def _margin(self, side: float, stopped: bool) -> Floats:
         """The drive less the resistance at rest, in one direction; minus infinity where it may not start that way."""
         c = self.c
         self._face(side)
@@ -58,7 +58,7 @@ class Resting(Columns):
         terms = np.abs(c[roles["cell_driving"]]) + c[roles["cell_resisting"]]
         scale = np.maximum(EPS * (terms + c[roles["cell_mu"]] * np.abs(c[roles["cell_normal0"]])), 1e-300)
         # What has just stopped does not go on the way it came: rounding must not say so.
-        allowed = self.may_start(side) & ((c[its.PASSED] != its.STOOD) | (c[its.LAST_WAY] != side))
+        allowed = self.may_start(side) & ~(stopped & (c[its.LAST_WAY] == side))
         c[its.CLOSE] = np.where(allowed, np.minimum(c[its.CLOSE], np.abs(net) / scale), c[its.CLOSE])
         return np.where(allowed, net, -np.inf)
 
@@ -120,14 +120,11 @@ class Resting(Columns):
         c[its.PASSED] = np.where(lifted, its.LIFT, its.NOTHING)
         c[its.LIFTED] = np.where(lifted, 1.0 - c[its.LIFTED], c[its.LIFTED])
         c[its.STATUS, over] = its.ARRESTED
-        self.on(over, "rest")
-        c[its.TIME] = np.where(over, c[its.TIME], until)
-        self._lift_time(lifted & (c[its.LIFTED] > 0.0))
+        c[its.STATUS, late] = its.PAUSED  # what happens after its end time decides nothing
+        c[its.TIME] = np.where(over, c[its.TIME], np.minimum(until, c[its.END_TIME]))
+        self.on(over | late, "rest")
+        self._lift_time(lifted & ~late & (c[its.LIFTED] > 0.0))
         self._pass_breaks(~starts & ~over & (c[its.TIME] >= limit))
-        ended = starts & late
-        c[its.STATUS, ended] = its.ENDED
-        self.on(ended, "rest")
-
         goes = starts & ~late
         self.on(goes, "start_again", jumps[goes])
 

@@ -89,7 +89,7 @@ class _Implicit(Walker):
         r, last = self._series(int(c[its.ORDER].max()))
         explicit = float(np.minimum(self._length(r, last, [register for _, register, _ in p.states]), 1e3)[0])
         h = 4.0 * explicit
-        first, hit, creeps = float(c[its.TIME, 0]), -1, False
+        first, hit, creeps = float(c[its.TIME, 0]), its.EVENT_NONE, False
         time, y = first, c[self.cells, 0]
         now = self._registers(np.array([time]), y[:, None])[:, 0]
         while hit < 0 and time < limit and not creeps:
@@ -126,18 +126,18 @@ class _Implicit(Walker):
     def _watched(self) -> list[tuple[int, Watched]]:
         """Events by their numbers, with what of states and registers is above zero before them."""
         roles, sign = self.program.roles, -1.0 if self.c[its.LIFTED, 0] > 0.0 else 1.0
-        found: list[tuple[int, Watched]] = [(0, lambda y, r: y[1])]
+        found: list[tuple[int, Watched]] = [(its.EVENT_STANDSTILL, lambda y, r: y[1])]
         if roles["normal"] >= 0:
-            found.append((1, lambda y, r: sign * r[roles["normal"]]))
+            found.append((its.EVENT_LIFT_OFF, lambda y, r: sign * r[roles["normal"]]))
         if roles["upright"] >= 0:
-            found.append((99, lambda y, r: r[roles["upright"]]))
+            found.append((its.EVENT_CHORD_UPRIGHT, lambda y, r: r[roles["upright"]]))
         for k, slot in enumerate(self.program.tables):
             upper, lower = (float(self.c[slot.cells + x, 0]) for x in (its.UPPER, its.LOWER))
             at = {"slip": 0, "rotation": 0, "speed": 1}.get(slot.kind)
             if at is not None and np.isfinite(upper):
-                found.append((2 + 2 * k, partial(_short_of, at, upper, 1.0)))
+                found.append((its.EVENT_BREAKPOINT + 2 * k, partial(_short_of, at, upper, 1.0)))
             if slot.kind == "speed" and lower:
-                found.append((3 + 2 * k, partial(_short_of, 1, lower, -1.0)))
+                found.append((its.EVENT_BREAKPOINT + 2 * k + 1, partial(_short_of, 1, lower, -1.0)))
         return found
 
     # --- one step -----------------------------------------------------------------------------------------------------

@@ -121,9 +121,12 @@ class Walker(Resting):
         early = last < c[its.ORDER]
         h = np.where(early, room, np.minimum(h, room))
         h = np.where(np.isfinite(h), h, self._far(r))
-        at_limit = h >= room
         tau, event = self._events(r, h)
-        at_limit &= event < 0
+        # Where the rate depends on the speed alone it never falls below zero again.
+        settled = (net[0] * tau >= -its.SETTLED * omega[0]) & np.isinf(room) & (c[its.LIFTED] == 0.0)
+        endless = settled & (event == its.EVENT_NONE) & p.autonomous
+        tau = np.where(endless, 0.0, tau)
+        at_limit = (h >= room) & (event == its.EVENT_NONE) & ~endless
         self._peak(net, x, omega, tau)
         self._read(c[its.TIME], np.where(at_limit, limit, c[its.TIME] + tau), (x, omega, net, r))
         stiff = (np.abs(net[0]) * tau < its.STIFF_CHANGE * omega[0]) & (event < 0)
@@ -136,26 +139,29 @@ class Walker(Resting):
             c[slot.cells + its.INC] += rise
             c[slot.cells + its.WAY] += np.abs(rise)
         c[its.TIME] = np.where(at_limit, limit, c[its.TIME] + tau)
+        c[its.STATUS, endless] = its.TOO_LONG
         self.settle(event, value(net, tau), at_limit)
 
     def settle(self, event: NDArray[np.intp], rate: Floats, at_limit: Any) -> None:
         """What follows from where a step has ended: an event, a break of what changes with time, the end."""
         c, p = self.c, self.program
         c[its.PASSED] = its.NOTHING
-        self.on(event == 0, "stand")
-        if 1 <= event.max(initial=-1):
-            lifting = event == 1
+        self.on(event == its.EVENT_STANDSTILL, "stand")
+        if its.EVENT_LIFT_OFF <= event.max(initial=its.EVENT_NONE):
+            lifting = event == its.EVENT_LIFT_OFF
             c[its.LIFTED, lifting] = 1.0 - c[its.LIFTED, lifting]
             self._lift_time(lifting & (c[its.LIFTED] > 0.0))
             if lifting[0] and c[its.LIFTED, 0] == 0.0:
-                self._note(its.LANDS)
-            kinks = event >= 1
+                self._note(its.NOTE_LANDS)
+            kinks = (event >= its.EVENT_LIFT_OFF) & (event != its.EVENT_CHORD_UPRIGHT)
             part, rates = self.part(kinks), rate[kinks]
             part.kink(event[kinks], rates)
             if part is not self:
                 c[:, kinks] = part.c
             c[its.PASSED, lifting] = its.LIFT
-        c[its.STATUS, event == 99] = its.UPRIGHT
+        upright = event == its.EVENT_CHORD_UPRIGHT
+        self.on(upright, "end", rate[upright])
+        c[its.STATUS, upright] = its.UPRIGHT
         going = c[its.STATUS] == its.MOVING
         self.on(going, "look", rate[going])
         ends = at_limit & going & (c[its.TIME] >= c[its.END_TIME])
@@ -181,14 +187,14 @@ class Walker(Resting):
         return np.where(np.isfinite(stop) & (stop > 0.0), stop, 1e3 + 0.0 * c[its.TIME])
 
     def _events(self, r: Floats, h: Floats) -> tuple[Floats, NDArray[np.intp]]:
-        """The first event within the step and its time: 0 standstill, 1 lift-off or landing, 2.. tables, 99 upright."""
+        """The first event within the step, and its time."""
         c, p = self.c, self.program
         omega = r[p.roles["omega"]]
         # From rest its first root is now: divide by the time as often as it is zero.
         w = omega
         for _ in range(3):
             w = divided(w, w[0] == 0.0)
-        found, which = first_root(w, h), np.zeros(h.shape, dtype=np.intp)
+        found, which = first_root(w, h), np.full(h.shape, its.EVENT_STANDSTILL, dtype=np.intp)
         # It rests at once where its drive vanished to rounding or points backwards.
         found = np.where((w[0] < 0.0) | ((w[0] == 0.0) & (value(omega, h) == 0.0)), 0.0, found)
 
@@ -199,23 +205,23 @@ class Walker(Resting):
             found = np.minimum(found, at)
 
         if (normal := p.roles["normal"]) >= 0:
-            later(1, r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0), c[its.PASSED] == its.LIFT)
+            later(its.EVENT_LIFT_OFF, r[normal] * np.where(c[its.LIFTED] > 0.0, -1.0, 1.0), c[its.PASSED] == its.LIFT)
         if (upright := p.roles.get("upright", -1)) >= 0:
-            later(99, r[upright])
+            later(its.EVENT_CHORD_UPRIGHT, r[upright])
         for k, slot in enumerate(p.tables):
             if slot.kind == "time":
                 continue
             ahead = -(omega if slot.kind == "speed" else r[p.roles["x"]])
             bound = np.where(np.isfinite(c[slot.cells + its.UPPER]), c[slot.cells + its.UPPER], 1e300)
             ahead[0] += bound
-            later(2 + 2 * k, ahead, (c[its.PASSED] == its.SLOWER) & (slot.kind == "speed"))
+            later(its.EVENT_BREAKPOINT + 2 * k, ahead, (c[its.PASSED] == its.SLOWER) & (slot.kind == "speed"))
             if slot.kind == "speed":
                 back = omega.copy()
                 back[0] -= c[slot.cells + its.LOWER]
                 back[0] = np.where(c[slot.cells + its.LOWER] > 0.0, back[0], 1e300)
-                later(3 + 2 * k, back, c[its.PASSED] == its.FASTER)
+                later(its.EVENT_BREAKPOINT + 2 * k + 1, back, c[its.PASSED] == its.FASTER)
         none = ~np.isfinite(found)
-        return np.where(none, h, found), np.where(none, -1, which)
+        return np.where(none, h, found), np.where(none, its.EVENT_NONE, which)
 
     def stand(self) -> None:
         """At a standstill: where it is now, and whether it stays."""
@@ -223,11 +229,10 @@ class Walker(Resting):
         c[its.ROTATION] += c[its.DIRECTION] * c[its.X]
         c[its.SLIP] += c[its.X]
         c[its.X] = c[its.OMEGA] = 0.0
-        c[its.PASSED] = its.STOOD
         c[its.REST_SINCE] = c[its.TIME]
-        self._note(its.STANDS)
+        self._note(its.NOTE_STANDS)
         self._reach()
-        self.on(c[its.FIRST_ONLY] == 0.0, "decide")
+        self.on(c[its.FIRST_ONLY] == 0.0, "decide", True)
         self.on(c[its.FIRST_ONLY] > 0.0, "_carried")
 
     def _carried(self) -> None:
@@ -241,7 +246,7 @@ class Walker(Resting):
         never = (c[its.FIRST_ONLY] == 1.0) | carried
         c[its.STATUS, never] = its.STOPPED
         self.on(never, "rest")
-        self.on(~never, "decide")
+        self.on(~never, "decide", True)
 
     def kink(self, event: NDArray[np.intp], rate: Floats) -> None:
         """Base the phase anew where it enters a piece of a table, or is lifted or lands."""
@@ -254,7 +259,8 @@ class Walker(Resting):
             if slot.kind == "time":
                 continue
             at, data = slot.cells, self.tables[k]
-            up, down = event == 2 + 2 * k, event == 3 + 2 * k
+            up = event == its.EVENT_BREAKPOINT + 2 * k
+            down = event == its.EVENT_BREAKPOINT + 2 * k + 1
             if slot.kind == "rotation":
                 edge = data.begins(c[at + its.PIECE].astype(np.intp) + (up & (c[its.DIRECTION] > 0.0)))
                 c[its.ROTATION] = np.where(up, edge, c[its.ROTATION])

@@ -70,7 +70,7 @@ def estimate(lanes: Lanes, cells: Mapping[int, Floats]) -> Floats:
         samples = Samples(times, np.zeros((2 + len(bound.program.states), *times.shape)))
     spread, unlike = np.zeros(1), np.asarray(cells[its.CLOSE] < UNDECIDED)
     for which in [np.arange(8)] if single else np.arange(1, 8)[:, None]:
-        other = walked(companions(bound, which, lanes.arc.rounding), lanes.closed, samples)
+        other = walked(companions(bound, which, lanes.arc.rounding), samples)
         spread = np.fmax(spread, np.fmax.reduce(np.abs(_told(other) - own) / size))
         unlike = unlike | (other[its.STATUS] != cells[its.STATUS]) | ((other[its.PHASES] > 0.0) != moves)
     if samples and moves:  # its states, too

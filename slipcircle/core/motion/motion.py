@@ -158,7 +158,13 @@ class Motion(Results, Generic[Numbers]):
 
     @property
     def arrested(self) -> Any:
-        return self._shaped(self._cells[its.STATUS] == its.ARRESTED)
+        return self._shaped(self._rests)
+
+    @property
+    def _rests(self) -> Any:
+        """Whether each lane rests at its end."""
+        status = self._cells[its.STATUS]
+        return (status == its.ARRESTED) | (status == its.PAUSED)
 
     @cached_property
     def _duration(self) -> Any:
@@ -231,19 +237,19 @@ class Motion(Results, Generic[Numbers]):
         scale, found = self._lanes.time_scale, list[float]()
         lifted, begun = False, -1.0  # as long as it is carried on through standstills it is one lift-off
         for kind, t, _, _ in self._log:
-            if kind == its.LIFTS and not lifted and begun != t:
+            if kind == its.NOTE_LIFTS and not lifted and begun != t:
                 found.append(t * scale)
-            begun = t if kind == its.BEGINS and lifted else -1.0
-            lifted = kind == its.LIFTS or (lifted and kind == its.STANDS)
+            begun = t if kind == its.NOTE_BEGINS and lifted else -1.0
+            lifted = kind == its.NOTE_LIFTS or (lifted and kind == its.NOTE_STANDS)
         return tuple(found)
 
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
         """The stretches of a single motion between its standstills."""
         scale, found = self._lanes.time_scale, list[Phase]()
-        ends = [(t * scale) for kind, t, _, _ in self._log if kind == its.STANDS]
+        ends = [(t * scale) for kind, t, _, _ in self._log if kind == its.NOTE_STANDS]
         for kind, t, rotation, direction in self._log:
-            if kind == its.BEGINS:
+            if kind == its.NOTE_BEGINS:
                 end = ends[len(found)] if len(found) < len(ends) else self._duration
                 found.append(Phase(t * scale, end, rotation, int(direction)))
         return tuple(found)
@@ -299,14 +305,16 @@ class Motion(Results, Generic[Numbers]):
     def _times(self, times: ArrayLike) -> Floats:
         raise_all("Motion.at", mistakes({"times": times}, {"times": (-5e-324, INFINITY, "times in s, not before 0")}))
         time = np.asarray(times, dtype=np.float64)
-        moving = (self._cells[its.STATUS] != its.ARRESTED) & self._answered
-        last = float(np.min(choose(moving, self._duration, np.inf)))
+        status = self._cells[its.STATUS]
+        last_of_each = choose(status == its.PAUSED, self._lanes.end_time, self._duration)
+        bounded = (status != its.ARRESTED) & self._answered
+        last = float(np.min(choose(bounded, last_of_each, np.inf)))
         late = time[time > last]
         if late.size:
             end = "the end of this motion" if self.plan.scene.end_time is None else "the scene's end_time"
             raise ValueError(
                 f"Motion.at: times = {float(late.flat[0])!r}: must be at most {end}, {last!r} s, as the mass does not "
-                "rest there"
+                "rest for good there"
             )
         return time
 
@@ -364,7 +372,7 @@ class Motion(Results, Generic[Numbers]):
         rows, first = self._lanes.energies(np.ravel(time))
         unit = self._lanes.energy_unit
         shape = (*self.shape, *time.shape)
-        stands = np.ravel(time)[:, None] >= np.where(self._cells[its.STATUS] == its.ARRESTED, self._duration, np.inf)
+        stands = np.ravel(time)[:, None] >= np.where(self._rests, self._duration, np.inf)
         rows["kinetic"] = np.where(stands, 0.0, rows["kinetic"])
         kinetic, work, lost = (np.reshape((unit * rows[k]).T, shape)[()] for k in ("kinetic", "work", "dissipation"))
         return Energy(self._shaped(np.broadcast_to(unit * first, self._lanes.count)), kinetic, work, lost)

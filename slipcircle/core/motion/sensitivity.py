@@ -254,14 +254,15 @@ class _Walk(Walker):
 
     def kink(self, event: NDArray[np.intp], rate: Floats) -> None:
         c, k = self.c, int(event[0])
-        if k == 1:
+        if k == its.EVENT_LIFT_OFF:
             normal = self.program.roles["normal"]
             falls = float(value(slopes(self.r[normal]), self.tau)[0])
             event_dot = -self.of(normal, float(self.tau[0])) / falls
         else:
-            slot, data = self.program.tables[k // 2 - 1], self.tables[k // 2 - 1]
+            number, lower = divmod(k - its.EVENT_BREAKPOINT, 2)
+            slot, data = self.program.tables[number], self.tables[number]
             scale_growth = self.seeds.tables[slot.name][0]
-            piece = int(c[slot.cells + its.PIECE, 0]) + (k % 2 == 0)
+            piece = int(c[slot.cells + its.PIECE, 0]) + (1 - lower)
             edge = data.breaks[piece] / c[slot.cells + its.SCALE, 0]
             if slot.kind == "rotation":
                 event_dot = self.none  # the pressure and its derivatives go on smoothly

@@ -38,7 +38,8 @@ _REASONS = {
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 # What becomes of a lane that the walk leaves so; one that moved.
 BECOMES = np.full(its.NEED + 1, Status.FAILED, np.int8)
-BECOMES[[its.ARRESTED, its.ENDED, its.STOPPED, its.UPRIGHT, its.TOO_LONG]] = (
+BECOMES[[its.ARRESTED, its.PAUSED, its.ENDED, its.STOPPED, its.UPRIGHT, its.TOO_LONG]] = (
+    Status.RESTS,
     Status.RESTS,
     Status.MOVING,
     Status.MOVING,

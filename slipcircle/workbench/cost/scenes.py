@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from generated import kernels
+from generated import motion as frozen_motion
 from slipcircle.base.series import Series
 from slipcircle.core.flow import compiled, walk
 from slipcircle.core.flow.lanes import walked
@@ -127,11 +128,22 @@ def ours(name: str, accuracy: float, walker: Any, mu: Any) -> Floats:
         motion = solve(asked, accuracy)
     else:
         lanes = lanes_of(chosen := plan(asked, accuracy))
-        motion = Motion(chosen, lanes, kept(walked(lanes.bound, lanes.closed, walker=walker), not asked.shape), [])
+        motion = Motion(chosen, lanes, kept(walked(lanes.bound, walker=walker), not asked.shape), [])
     return np.array([motion.outcomes[n] for n in ("run_out", "peak_velocity", "duration")]).reshape(3, -1)
 
 
 _equation = cache(Equation)
+
+
+def closed_form(name: str, mu: Any) -> Floats:
+    """By the paper's closed form in time, d(omega*)/dt* = a - b omega*^2, of a mass that slides on until its end."""
+    of, at = _equation(name), np.asarray(mu)
+    polar, end = of.polar * at, of.end or _LATEST
+    drive = of.rate(at, (0.0, 0.0))[1]
+    phi, omega = (
+        f(drive, polar, 0.0, end) for f in (frozen_motion.frozen_rotation, frozen_motion.frozen_angular_velocity)
+    )
+    return np.array(np.broadcast_arrays(*of.answer(phi, omega, end))).reshape(3, -1)
 
 
 def dop853(name: str, tolerance: float, mu: Any) -> Floats:
@@ -219,7 +231,9 @@ def subject(name: str, many: bool) -> Subject:
     """One scene, or many of one arc: ways from friction coefficients to run-out, peak velocity and duration."""
     shaken = "shaking" in CASES[name][1]
     ways = [Way(f"slipcircle, {a:.0e}", partial(ours, name, a, None), ours=True) for a in ACCURACIES]
-    if name != "closed form" and compiled.module() is not None and not (shaken and many):
+    if name == "closed form":
+        ways.append(Way("generated.motion, 1e-14", partial(closed_form, name)))
+    if compiled.module() is not None and not (shaken and many):
         ways += [
             Way(f"slipcircle, NumPy, {a:.0e}", partial(ours, name, a, walk.walk), ours=True)
             for a in ((1e-9,) if shaken else ACCURACIES[::2])
