@@ -1,5 +1,5 @@
 /* Written by `python -m derive` with SymPy 1.14.0; do not edit. */
-#define DIGEST "cec1bc7c348b9ebd33b2c2623990dea57990b01be4d7be6e599ea76eeeb17f7b"
+#define DIGEST "6c42a36e3a7846846ed99cc2d812def16cde99924bac16e4844809cb370c9985"
 /* The walk of lanes along their Taylor series.
  *
  * A lane is a column of numbers ("cells"): what its scene starts with, where its motion is, and what has come of it. A
@@ -1203,14 +1203,6 @@ static void step(Hand *h, unsigned which)
         const M nothing = from_rest & (e[0] == 0.0) & (last == 0.0); /* its drive vanished to rounding */
         TAKE(pick(lanes(ask) & ((e[0] < 0.0) | nothing), zero, at), EVENT_STANDSTILL);
     }
-    if (role->normal >= 0) {
-        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
-        const M passed = c[PASSED] == (double)LIFT;
-        if ((ask = which & suspects(normal, top - 1, tau, sign, zero, passed))) {
-            function(e, normal, top - 1, sign, zero, passed);
-            TAKE(first_zero(e, top - 1, tau, ask), EVENT_LIFT_OFF);
-        }
-    }
     if (role->upright >= 0) {
         const V *const upright = REGISTER(role->upright);
         if ((ask = which & suspects(upright, top - 1, tau, one, zero, no)))
@@ -1231,6 +1223,16 @@ static void step(Hand *h, unsigned which)
         if ((ask = which & bits(lower > 0.0) & suspects(p, top, tau, one, -lower, faster))) {
             function(e, p, top, one, -lower, faster);
             TAKE(first_zero(e, top, tau, ask), EVENT_BREAKPOINT + 2 * i + 1);
+        }
+    }
+    /* Water over a mass may change faster than its motion, for which the step was chosen: what presses is a function of
+       the position until the first other event only, and may pass zero twice beyond it. */
+    if (role->normal >= 0) {
+        const V *const normal = REGISTER(role->normal), sign = pick(c[LIFTED] > 0.0, -one, one);
+        const M passed = c[PASSED] == (double)LIFT;
+        if ((ask = which & suspects(normal, top - 1, tau, sign, zero, passed))) {
+            function(e, normal, top - 1, sign, zero, passed);
+            TAKE(first_zero(e, top - 1, tau, ask), EVENT_LIFT_OFF);
         }
     }
 

@@ -18,7 +18,7 @@ import taylor
 from mpmath import mpf
 
 import slipcircle
-from generated import cells as its
+from generated import layout as ix
 from slipcircle import Arc, Motion, Scene, load, solve
 from slipcircle.core.flow.bind import Bound
 
@@ -123,7 +123,7 @@ def test_implicit_steps_tell_the_same(part: int, monkeypatch: pytest.MonkeyPatch
 
     def spent(bound: Bound) -> Any:
         cells = begun(bound)
-        cells[its.STEPS] = its.MOST_STEPS  # of what explicit steps a lane may take
+        cells[ix.STEPS] = ix.MOST_STEPS  # of what explicit steps a lane may take
         return cells
 
     monkeypatch.setattr(Bound, "start", spent)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle.base.checks import EPS, choose, plain
 from slipcircle.core.flow.bind import Bound, bind
 from slipcircle.core.flow.columns import Columns
@@ -32,24 +32,24 @@ def walked(
     while True:
         cells = bound.start() if cells is None else cells
         walker(bound.program, bound.tables, cells, samples, log)
-        if cells[its.STATUS].max(initial=0.0) < its.TOO_LONG:
+        if cells[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
             return cells
-        many = (cells[its.STATUS] == its.TOO_LONG) & (cells[its.STEPS] > its.MOST_STEPS)
-        long = np.flatnonzero(many & (cells[its.OMEGA] > 0.0))
+        many = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
+        long = np.flatnonzero(many & (cells[ix.OMEGA] > 0.0))
         while long.size:
             from slipcircle.core.flow import stiff  # only here
 
             stiff.walk(bound.program, bound.tables, cells, samples, log, long)
-            long = long[cells[its.STATUS, long] == its.NEED]
+            long = long[cells[ix.STATUS, long] == ix.NEED]
             if long.size:
                 bound.lengthen(cells[:, long])
-        needs = np.flatnonzero(cells[its.STATUS] == its.NEED)
+        needs = np.flatnonzero(cells[ix.STATUS] == ix.NEED)
         if not needs.size:
             return cells
         one = cells[:, needs[:1]]  # walks on from where it is, to find out how far the function is asked for
-        while one[its.STATUS, 0] == its.NEED:
+        while one[ix.STATUS, 0] == ix.NEED:
             bound.lengthen(one)
-            one[its.OMEGA], one[its.STATUS] = one[its.DIRECTION] * one[its.OMEGA], its.START
+            one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
             engine().walk(bound.program, [t.lanes(needs[:1]) for t in bound.tables], one)
         cells = None
         if log is not None:
@@ -112,7 +112,7 @@ class Lanes:
     def _bind(self) -> Bound:
         found = bind(self.arc, self.called, self.friction, self.velocity, self.end_time, self.accuracy, self.count)
         if self.invalid is not False:
-            found.cells[its.STATUS, np.broadcast_to(self.invalid, self.count)] = its.FAILED
+            found.cells[ix.STATUS, np.broadcast_to(self.invalid, self.count)] = ix.FAILED
         return found
 
     @cached_property
@@ -208,10 +208,10 @@ class Lanes:
     ) -> tuple[Floats, Floats]:
         """Cells and registers at the start of a phase in given states."""
         cells = bound.cells[:, each].copy()
-        cells[its.TIME], cells[its.ROTATION], cells[its.OMEGA] = time, rotation, abs(omega)
-        cells[its.DIRECTION], cells[its.LIFTED] = side, 0.0
+        cells[ix.TIME], cells[ix.ROTATION], cells[ix.OMEGA] = time, rotation, abs(omega)
+        cells[ix.DIRECTION], cells[ix.LIFTED] = side, 0.0
         if further is not None:
-            cells[its.SLIP] = further[0]
+            cells[ix.SLIP] = further[0]
             bound.lengthen(cells)
             for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
                 cells[cell] = value
@@ -223,9 +223,9 @@ class Lanes:
         """q = 2 (lambda A mu + d)/Theta* at the start, read off the program."""
         bound, roles = self.bound, self.bound.program.roles
         cells = bound.cells.copy()
-        cells[its.DIRECTION] = 1.0
+        cells[ix.DIRECTION] = 1.0
         engine().begin(bound.program, bound.tables, cells)
-        cells[roles["cell_drive"]], cells[its.OMEGA] = 0.0, 1.0
+        cells[roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
         net = engine().registers(bound.program, bound.tables, cells)[roles["net"]]
         return np.asarray(-2.0 * net)
 
@@ -238,9 +238,9 @@ class Lanes:
         bound = self.bound.shaken()
         roles, at = bound.program.roles, bound.program.places
         c = bound.cells
-        c[its.OMEGA], c[its.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
+        c[ix.OMEGA], c[ix.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
         c[at["k_h"]], shaken = 0.0, c.copy()
-        shaken[at["k_h"]] = c[its.DIRECTION]
+        shaken[at["k_h"]] = c[ix.DIRECTION]
         engine().begin(bound.program, bound.tables, c)
         engine().begin(bound.program, bound.tables, shaken)
         driving, resisting, normal, mu, limit = (
@@ -269,4 +269,4 @@ class Lanes:
         names = [bound.program.cells[cell] for cell, _, _ in bound.program.states[2:]]
         work, lost = (rows[4 + names.index(n)] for n in ("work", "dissipation"))
         found = {"kinetic": rows[1] ** 2 / 2, "work": work, "dissipation": np.maximum(lost, 0.0)}
-        return found, bound.cells[its.OMEGA] ** 2 / 2
+        return found, bound.cells[ix.OMEGA] ** 2 / 2

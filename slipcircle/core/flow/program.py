@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from generated.cells import CELLS, TABLE
 from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
+from generated.layout import CELLS, TABLE
 from slipcircle.core.flow.link import ZERO, Linker, Operation, needed, places
 
 Floats = NDArray[np.float64]

@@ -1,6 +1,6 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: d8dae7d0fb8eac1da4758974509336c1e316b28fd55b9b54f3ee845ec218bb11
-"""Numbers that both walks know by name."""
+# sha256 of the text below: df40c758d0200f64265c32670a774517aa613756dc93eee165199ebce48ecb35
+"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""
 
 # Cells of a lane, first in every program and in this order.
 TIME = 0  # t* at the start of the next step

@@ -111,8 +111,8 @@ NUMBERED = (
 
 
 def python() -> str:
-    """The module `generated.cells`."""
-    parts = ['"""Numbers that both walks know by name."""\n\n']
+    """The module `generated.layout`."""
+    parts = ['"""Where the numbers of a lane are, and what they mean: the same in NumPy and in C."""\n\n']
     for words, prefix, start, names in NUMBERED:
         rows = "".join(f"{prefix}{x} = {k}  # {meaning}\n" for k, (x, meaning) in enumerate(names.items(), start))
         parts.append(f"# {words}.\n{rows}\n")
