@@ -1,8 +1,10 @@
 """The numbers of a section: lanes of circles, grounds and levels, derivatives, studies and back-analyses by them."""
 
 import json
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from itertools import product
+from multiprocessing import get_context
 from typing import Any
 
 import numpy as np
@@ -15,8 +17,7 @@ from test_section_water import LEVEL
 
 from slipcircle import Motion, Scene, Section, backanalyse, ensemble, load, solve
 from slipcircle.core.motion.states import Status
-from slipcircle.workbench.files.numbers import fields_with, numbers_in
-from slipcircle.workbench.studies.engines import engine
+from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 from slipcircle.workbench.studies.ensemble import grid
 from slipcircle.workbench.studies.motions import motions
 
@@ -120,29 +121,21 @@ def bits(executor: Any) -> list[bytes]:
     return [v.tobytes() for study in (found, on_grid) for v in study.samples.values()]
 
 
-@pytest.fixture(scope="module")
-def serial() -> list[bytes]:
-    return bits(None)
-
-
-@pytest.mark.parametrize("name", ["threads", "processes", "dask"])
-def test_every_engine_gives_the_same_bits(name: str, serial: list[bytes]) -> None:
-    if name == "dask":
-        distributed = pytest.importorskip("distributed")
-        with distributed.LocalCluster(
-            n_workers=1, threads_per_worker=2, processes=False, dashboard_address=":0"
-        ) as cluster, distributed.Client(cluster) as client:  # fmt: skip
-            assert bits(client.get_executor()) == serial
-        return
-    with engine(name, 2) as pool:
+def test_every_executor_gives_the_same_bits() -> None:
+    distributed = pytest.importorskip("distributed")
+    serial = bits(ThreadPoolExecutor(1))
+    assert bits(None) == serial
+    with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         assert bits(pool) == serial
+    with distributed.Client(n_workers=1, threads_per_worker=2, processes=False, dashboard_address=":0") as client:
+        assert bits(client) == serial
 
 
 # --- derivatives -----------------------------------------------------------------------------------------------------
 
 
 def moved(section: Section, name: str, to: float) -> Section:
-    return replace(section, **fields_with(section, {name: to}))
+    return replace(section, **changed_fields(section, {name: to}))
 
 
 def outputs(given: Any, name: str, to: float) -> list[arb]:
@@ -164,7 +157,7 @@ def test_derivatives_against_thirty_digits(index: int) -> None:
     """Differences of series solutions in ball arithmetic of random scenes: softening, a level, pushed up, shaken."""
     given = section_references.row(index)["scene"]
     motion = solve(section_references.scene(given))
-    found, own = motion.sensitivity(), numbers_in(motion.plan.scene.arc)
+    found, own = motion.sensitivity(), arc_numbers(motion.plan.scene.arc)
     sign = np.array([np.sign(motion.peak.velocity), 1.0, 1.0])
     size = np.abs(found.values).max(axis=1)[:3]
     for field in ("radius", "centre", "ground", "level"):
@@ -214,7 +207,7 @@ def test_derivatives_are_those_of_lanes_beside(which: str) -> None:
     scene = SCENES[which]
     found = solve(scene).sensitivity()
     skew = ("ground.2.x", "ground.3.x") if which == "a scarp" else ()  # moved to one side it overhangs
-    for name in [n for n in found.parameters if n in numbers_in(scene.arc) and n not in skew]:
+    for name in [n for n in found.parameters if n in arc_numbers(scene.arc) and n not in skew]:
         step = 1e-4 * (float(scene.arc.depth) if found.parameters[name] == "m" else found.at[name])
         y = motions(scene, {name: found.at[name] + step * np.array([1.0, -1.0, 2.0, -2.0])}, 1e-15).outcomes
         for output, row in zip(found.outputs, found.values, strict=True):

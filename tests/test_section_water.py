@@ -13,11 +13,11 @@ import section_references
 import taylor
 import test_accuracy
 
-from generated import cells as its
+from generated import layout as ix
 from slipcircle import Motion, Scene, Section, solve
 from slipcircle.core.flow import compiled, walk
 from slipcircle.core.scene import transport
-from slipcircle.workbench.files.numbers import fields_with, numbers_in
+from slipcircle.core.scene.coordinates import arc_numbers, changed_fields
 
 GAMMA, SEED = 20e3, section_references.SEED
 GROUND = [[0.0, 25.0], [30.0, 25.0], [38.0, 30.0], [50.0, 35.0], [90.0, 35.0]]
@@ -54,7 +54,7 @@ def test_a_thin_mass_lands_where_it_leaves_the_water(wide: float, friction: floa
     bound = motion._lanes.bound
     cells = bound.cells.copy()
     walk.walk(bound.program, bound.tables, cells)
-    assert cells[its.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
+    assert cells[ix.END_ROTATION] == pytest.approx(motion.end.rotation, rel=1e-10)
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -100,7 +100,7 @@ def test_water_and_ground_above_an_overhanging_arc_count() -> None:
     found = transport.section_derivatives(section, names).heights
     for name, derivative in zip(names, found, strict=True):
         other = [
-            dataclasses.replace(section, **fields_with(section, {name: numbers_in(section)[name] + h}))
+            dataclasses.replace(section, **changed_fields(section, {name: arc_numbers(section)[name] + h}))
             for h in (1e-5, -1e-5)
         ]
         slope = np.diff([2 * s.half_angle * s.mean_cover / s.radius for s in other])[0] / -2e-5
@@ -122,7 +122,7 @@ def test_energy_is_kept_and_both_walks_agree(velocity: float, effects: Any) -> N
     one, other = bound.cells.copy(), bound.cells.copy()
     walk.walk(bound.program, bound.tables, one)
     compiled.walk(bound.program, bound.tables, other)
-    for cell in (its.STATUS, its.PHASES, its.TIME, its.PEAK_OMEGA, its.END_ROTATION, its.REST_SINCE):
+    for cell in (ix.STATUS, ix.PHASES, ix.TIME, ix.PEAK_OMEGA, ix.END_ROTATION, ix.REST_SINCE):
         assert one[cell] == pytest.approx(other[cell], rel=1e-12, nan_ok=True)
 
 

@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.core.scene.coordinates import indices_of
 from slipcircle.core.scene.heights import height_integrals
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.files.numbers import places
 
 Floats = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(48)
@@ -48,8 +48,8 @@ class _Surface(NamedTuple):
 def active_parameters(section: Section) -> list[str]:
     """The numbers of a single section that its motion depends on; of the ground those of the edges above the arc."""
     vertices = _vertices_above(section)
-    ground = {n for n, at in places(section, "ground").items() if at[0] in vertices}
-    return [n for field in section.quantities for n in places(section, field) if field != "ground" or n in ground]
+    ground = {n for n, at in indices_of(section, "ground").items() if at[0] in vertices}
+    return [n for field in section.quantities for n in indices_of(section, field) if field != "ground" or n in ground]
 
 
 def _vertices_above(section: Section) -> range:
@@ -93,7 +93,7 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
     (radius,) = section._circle[2]
 
     def by_numbers(by_vertex: Floats, vertices: Floats, field: str) -> Floats:
-        known = {name: by_vertex[(..., *at)] for name, at in places(section, field).items()}
+        known: dict[str, Any] = {name: by_vertex[(..., *at)] for name, at in indices_of(section, field).items()}
         known |= {f"centre.{axis}": -by_vertex[..., k].sum(axis=-1) for k, axis in enumerate("xy")}
         known["radius"] = -(by_vertex * vertices).sum(axis=(-2, -1))
         unaffected = np.zeros(by_vertex.shape[:-2])
