@@ -15,8 +15,8 @@ from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.files.variation import unchecked
 
 Floats = NDArray[np.float64]
 # Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
@@ -95,7 +95,9 @@ class Lanes:
             return value[which] if by_lane else value
 
         given = {f.name: cut(getattr(self, f.name)) for f in fields(Lanes)}
-        arc = unchecked(self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()})
+        arc = replace_unchecked(
+            self.arc, {n: cut(getattr(self.arc, n), axes) for n, axes in self.arc.quantities.items()}
+        )
         return Lanes(**given | {"arc": arc, "count": np.arange(self.count)[which].size})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:

@@ -21,8 +21,8 @@ from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.motion.warnings import collect_warnings
+from slipcircle.core.scene.parameters import with_parameters
 from slipcircle.core.scene.section import Journey, Section
-from slipcircle.workbench.files.variation import scene_with
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
@@ -318,7 +318,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         scene = self.plan.scene
         arrays = {name: value for name, value in scene.numbers.items() if np.ndim(value)}
         chosen = {name: np.broadcast_to(value, self.shape)[index] for name, value in arrays.items()}
-        plan = replace(self.plan, scene=scene_with(scene, chosen))
+        plan = replace(self.plan, scene=with_parameters(scene, chosen))
         numbers = np.arange(prod(self.shape)).reshape(self.shape)[index]
         lanes = self._lanes.taken(np.ravel(numbers))
         if np.ndim(numbers):
