@@ -92,8 +92,8 @@ def _chain_rule(section: Section, names: Sequence[str]) -> _Chain:
     """From vertices seen from the centre, over R, to the numbers of the section: x = (x' - x_c)/R."""
     (radius,) = section._circle[2]
 
-    def by_numbers(by_vertex: Floats, vertices: Floats, field: str) -> Floats:
-        known: dict[str, Any] = {name: by_vertex[(..., *at)] for name, at in indices_of(section, field).items()}
+    def by_numbers(by_vertex: Any, vertices: Floats, field: str) -> Floats:
+        known = {name: by_vertex[(..., *at)] for name, at in indices_of(section, field).items()}
         known |= {f"centre.{axis}": -by_vertex[..., k].sum(axis=-1) for k, axis in enumerate("xy")}
         known["radius"] = -(by_vertex * vertices).sum(axis=(-2, -1))
         unaffected = np.zeros(by_vertex.shape[:-2])
