@@ -314,7 +314,7 @@ def _of_study(found: Study, planned: Plan, file: bytes | None) -> Iterable[Part 
         [[_path(key), ", ".join(f"{k} {v}" for k, v in of.items())] for key, of in drawn],
         "What is uncertain",
     )
-    ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}
+    ends = {Status(s).words: int(count) for s, count in enumerate(found.counts) if count}
     yield Part(
         [],
         [

@@ -172,7 +172,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
             time_text(1e9 * r.seconds),
             f"{r.cost}",
             *(f"{shown(getattr(r, q.name))} {q.unit}" for q in told),
-            "still moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
+            "moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
             f"{100 * r.difference:.3g} %",
         ]
         for r in rungs
