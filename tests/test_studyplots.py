@@ -164,12 +164,6 @@ def test_tornado_compares_equals() -> None:
     assert "by a standard deviation of each" in ax.get_xlabel()
     table = motion("vaiont").sensitivity()
     ax = studyplots.tornado(table, ax=drawn())
-    wanted = (
-        0.01
-        * abs(table.derivative("run_out", "friction"))
-        * (1 + table.at["friction"] ** 2)
-        * np.arctan(table.at["friction"])
-    )
     bars = dict(zip([x.partition(" = ")[0] for x in ticks(ax)], [abs(p.get_width()) for p in ax.patches], strict=False))
     mu = table.at["friction"]
     angle = 0.01 * np.arctan(mu) * (1 + mu**2)
