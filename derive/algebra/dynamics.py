@@ -35,7 +35,8 @@ def balance() -> dict[str, sp.Expr]:
     momentum = ell * rho * R**4 * theta_star * rate_star * g / R
     moment = ell * rho * g * R**3 * j_theta - R * mu * sigma_mean * ell * R * 2 * alpha
     right = sp.expand(sp.solve(momentum - moment.subs(sigma_mean, mean), rate_star)[0])
-    drive, brake = right.coeff(omega_star, 0), -right.coeff(omega_star, 2)
+    drive = right.coeff(omega_star, 0)
+    brake = -right.coeff(omega_star, 2)
     prove_zero(right - (drive - brake * omega_star**2), "(3.16)")
     return {
         "2.10": mean,

@@ -17,27 +17,38 @@ def refute(expression: sp.Expr, claim: str) -> None:
 def prove_zero(expression: sp.Expr, claim: str) -> None:
     """Raise `ProofError` unless SymPy reduces the expression to zero."""
     refute(expression, claim)
-    for reduce in (sp.expand, trig_normal, sp.simplify, lambda e: sp.simplify(e.rewrite(sp.exp).expand())):
+    for reduce in (sp.expand, trig_normal, sp.simplify, _simplify_exponentials):
         expression = reduce(expression)
         if expression == 0:
             return
     raise ProofError(claim, expression)
 
 
+def _simplify_exponentials(expression: sp.Expr) -> sp.Expr:
+    return sp.simplify(expression.rewrite(sp.exp).expand())
+
+
 def trig_normal(expression: sp.Expr) -> sp.Expr:
     """Canonical form of a rational function in sines, cosines and artanh: sin**2 -> 1 - cos**2, no sine below."""
     expression = sp.expand_trig(expression)
-    swaps = {f: sp.Dummy(str(f)) for f in sorted(expression.atoms(sp.sin, sp.cos, sp.atanh), key=sp.default_sort_key)}
-    sines = {swaps[f]: swaps[sp.cos(f.args[0])] for f in swaps if isinstance(f, sp.sin) and sp.cos(f.args[0]) in swaps}
+    functions = sorted(expression.atoms(sp.sin, sp.cos, sp.atanh), key=sp.default_sort_key)
+    unknowns = {f: sp.Dummy(str(f)) for f in functions}
+    cosine_of = {}  # the sines whose cosine occurs too
+    for f in functions:
+        cosine = sp.cos(f.args[0])
+        if isinstance(f, sp.sin) and cosine in unknowns:
+            cosine_of[unknowns[f]] = unknowns[cosine]
 
     def reduced(polynomial: sp.Expr) -> sp.Expr:
-        for sine, cosine in sines.items():
+        for sine, cosine in cosine_of.items():
             polynomial = sp.rem(polynomial, sine**2 + cosine**2 - 1, sine)
         return sp.expand(polynomial)
 
-    top, bottom = map(reduced, sp.fraction(sp.together(expression.subs(swaps))))
-    for sine in sines:
-        if bottom.has(sine):
-            mirrored = bottom.subs(sine, -sine)
-            top, bottom = reduced(top * mirrored), reduced(bottom * mirrored)
-    return sp.expand(sp.cancel(top / bottom)).subs({v: k for k, v in swaps.items()})
+    top, bottom = map(reduced, sp.fraction(sp.together(expression.subs(unknowns))))
+    for sine in cosine_of:
+        if bottom.has(sine):  # multiplied by its conjugate, it is free of this sine
+            conjugate = bottom.subs(sine, -sine)
+            top = reduced(top * conjugate)
+            bottom = reduced(bottom * conjugate)
+    back = {unknown: f for f, unknown in unknowns.items()}
+    return sp.expand(sp.cancel(top / bottom)).subs(back)

@@ -28,7 +28,8 @@ class Horner(sp.Function):
 
     def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
         x, *coefficients = self.args
-        return Horner(x, *[k * c for k, c in enumerate(coefficients)][1:]) * sp.diff(x, s)
+        slope = [k * c for k, c in enumerate(coefficients)][1:]
+        return Horner(x, *slope) * sp.diff(x, s)
 
 
 class Exp(sp.Function):
@@ -55,9 +56,14 @@ class Primitive(sp.Function):
 
 def unfold(expression: sp.Expr) -> sp.Expr:
     """Replace every primitive by its definition, Horner's schemes by polynomials, and rounding errors by zero."""
-    expression = expression.replace(Horner, lambda x, *c: sum((k * x**n for n, k in enumerate(c)), sp.Integer(0)))
+
+    def polynomial(x: sp.Expr, *coefficients: sp.Expr) -> sp.Expr:
+        return sp.Add(*(c * x**n for n, c in enumerate(coefficients)))
+
+    expression = expression.replace(Horner, polynomial)
     expression = expression.replace(RoundingError, lambda x, y: sp.Integer(0))
-    expression = expression.replace(log1p, lambda x: sp.log(1 + x)).replace(expm1, lambda x: sp.exp(x) - 1)
+    expression = expression.replace(log1p, lambda x: sp.log(1 + x))
+    expression = expression.replace(expm1, lambda x: sp.exp(x) - 1)
     return expression.replace(lambda e: isinstance(e, Primitive), lambda e: unfold(e.definition()))
 
 
@@ -80,7 +86,8 @@ class HalfTan(Primitive):
 # The Taylor series of a remainder is summed for an entire function as far as anybody asks, to pi, and for artanh up to
 # a seam; its definition is computed beyond, with the end at 1 moved into the numbers.
 ENTIRE = {f(X) for f in (sp.sin, sp.cos, sp.sinh, sp.cosh)}
-SEAM, LAST = sp.Rational(2, 5), 1 - EPS
+SEAM = sp.Rational(2, 5)
+LAST = 1 - EPS
 # A library has f under this name, accurate near 0: f(x)/x needs no series.
 FROM_ZERO = {sp.log(1 + X): log1p, sp.atan(X): sp.atan}
 
@@ -95,7 +102,9 @@ class Remainder(Primitive):
     nargs = 4
 
     def __new__(cls, f: sp.FunctionClass | sp.Lambda, n: int, x: sp.Expr, slopes: int = 0) -> "Remainder":
-        return super().__new__(cls, f if isinstance(f, sp.Lambda) else sp.Lambda(X, unfold(f(X))), n, x, slopes)
+        if not isinstance(f, sp.Lambda):
+            f = sp.Lambda(X, unfold(f(X)))
+        return super().__new__(cls, f, n, x, slopes)
 
     @property
     def parts(self) -> tuple[sp.Expr, int, sp.Expr, int]:
@@ -111,14 +120,16 @@ class Remainder(Primitive):
 
     def definition(self) -> sp.Expr:
         f, n, x, slopes = self.parts
-        result = (f - sum(c * X**k for k, c in enumerate(taylor(f)[:n]))) / X**n
+        head = sum(c * X**k for k, c in enumerate(taylor(f)[:n]))
+        result = (f - head) / X**n
         for _ in range(slopes):
             result = sp.diff(result, X) / (X if self.even else 1)
         return result.subs(X, x)
 
     def _eval_derivative(self, s: sp.Symbol) -> sp.Expr:
         f, n, x, slopes = self.args
-        return (x if self.even else 1) * Remainder(f, n, x, slopes + 1) * sp.diff(x, s)
+        slope = Remainder(f, n, x, slopes + 1)
+        return (x if self.even else 1) * slope * sp.diff(x, s)
 
     def series(self) -> list[sp.Rational]:
         """Its Taylor coefficients, in x**2 where it is even.
@@ -130,24 +141,28 @@ class Remainder(Primitive):
         terms = list(taylor(f)[n::step])
         for _ in range(slopes):
             terms = [step * k * c for k, c in enumerate(terms)][1:]
-        reach = (sp.pi if f in ENTIRE else SEAM) ** step
+        farthest = (sp.pi if f in ENTIRE else SEAM) ** step
         for count in range(1, len(terms)):
-            if abs(terms[count]) * reach**count < abs(terms[0]) * EPS / 8:
+            neglected = abs(terms[count]) * farthest**count
+            if neglected < abs(terms[0]) * EPS / 8:
                 return terms[:count]
-        raise ValueError(f"the series of {self} is too slow")
+        raise ValueError(f"the series of {self} converges too slowly")
 
     def lower(self) -> sp.Expr:
         f, n, x, slopes = self.parts
         power = 2 if self.even else 1
+        size = sp.Abs(x)
         if f in ENTIRE:
             return Horner(x**power, *self.series())
         if n == 1 and not slopes and f in FROM_ZERO:  # its limit 1 is exact to the last bit for |x| < 2**-60
-            size, tiny, one = sp.Abs(x), sp.Rational(1, 2**60), sp.Integer(1)
+            tiny = sp.Rational(1, 2**60)
+            one = sp.Integer(1)
             away = Select(size, tiny, one, x)
             return Select(size, tiny, one, FROM_ZERO[f](away) / away)
-        near, far = sp.Max(sp.Min(x, SEAM), -SEAM), sp.Min(Select(sp.Abs(x), SEAM, SEAM, x), LAST)
+        near = sp.Max(sp.Min(x, SEAM), -SEAM)
+        far = sp.Min(Select(size, SEAM, SEAM, x), LAST)
         beyond = self.func(self.args[0], n, far, slopes).definition()
-        return Select(sp.Abs(x), SEAM, Horner(near**power, *self.series()), beyond)
+        return Select(size, SEAM, Horner(near**power, *self.series()), beyond)
 
 
 @cache

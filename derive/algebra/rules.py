@@ -6,6 +6,7 @@ tau = tan(alpha/2), plus a remainder; the heads cancel by algebra, and what is l
 """
 
 import time
+from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -18,7 +19,8 @@ from derive.check.proof import ProofError
 from derive.declare.symbols import alpha
 
 TAU, _Y, _H = sp.symbols("tau y_ artanh_", real=True)
-_SINE, _COSINE = 2 * TAU / (1 + TAU**2), (1 - TAU**2) / (1 + TAU**2)
+_SINE = 2 * TAU / (1 + TAU**2)
+_COSINE = (1 - TAU**2) / (1 + TAU**2)
 # What the rules leave of the angle and of artanh: alpha**3 and tau**3 times a remainder.
 ANGLE_REST = -4 * alpha**3 * Remainder(sp.sin, 3, 2 * alpha)
 ARTANH_REST = 2 * TAU**3 * Remainder(sp.atanh, 3, TAU)
@@ -48,9 +50,11 @@ class StableForm:
 
 def _bare_angle(expression: sp.Expr) -> sp.Expr:
     """R1, on alpha where it stands alone: sin(alpha) cos(alpha) + 4 alpha^3 D(2 alpha), D(x) = (x - sin x)/x^3."""
-    kept = {f: sp.Dummy() for f in sorted(expression.atoms(sp.Function), key=sp.default_sort_key)}
-    free = expression.subs(kept).subs(alpha, sp.sin(alpha) * sp.cos(alpha) + ANGLE_REST)
-    return sp.expand(free.subs({v: k for k, v in kept.items()}))
+    functions = sorted(expression.atoms(sp.Function), key=sp.default_sort_key)
+    unknowns = {f: sp.Dummy() for f in functions}
+    back = {unknown: f for f, unknown in unknowns.items()}
+    split = expression.subs(unknowns).subs(alpha, sp.sin(alpha) * sp.cos(alpha) + ANGLE_REST)
+    return sp.expand(split.subs(back))
 
 
 def _artanh(expression: sp.Expr) -> sp.Expr:
@@ -61,7 +65,8 @@ def _artanh(expression: sp.Expr) -> sp.Expr:
 def _half_angle(expression: sp.Expr) -> sp.Expr:
     """R3: sin(alpha) = 2 tau/(1 + tau^2), cos(alpha) = (1 - tau^2)/(1 + tau^2); what cancels, cancels here."""
     expression = expression.subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
-    return sp.Add(*(sp.factor(sp.cancel(c)) * r for r, c in _by_remainder(expression).items()))
+    factors = _by_remainder(expression)
+    return sp.Add(*(sp.factor(sp.cancel(factor)) * rest for rest, factor in factors.items()))
 
 
 RULES: dict[str, Callable[[sp.Expr], sp.Expr]] = {"angle": _bare_angle, "artanh": _artanh, "half angle": _half_angle}
@@ -79,8 +84,11 @@ def stable(closed: sp.Expr) -> StableForm:
     steps = []
     heads_cancel = min(_orders(expression)) < power
     for name, rule in RULES.items():
-        start, before = time.perf_counter(), expression
-        expression = rule(before) if heads_cancel or name != "angle" else before
+        if name == "angle" and not heads_cancel:
+            continue
+        start = time.perf_counter()
+        before = expression
+        expression = rule(before)
         if expression != before:
             prove_equal(expression, before, f"rule {name}")
             operations = int(sp.count_ops(before)), int(sp.count_ops(expression))
@@ -93,67 +101,92 @@ def stable(closed: sp.Expr) -> StableForm:
 
 
 def _in_tau(expression: sp.Expr) -> sp.Expr:
-    """Over the angle, its artanh and tau: what is left of functions are remainders."""
-    return expression.subs(sp.atanh(sp.sin(alpha)), _H).subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
+    """In the angle, its artanh and tau: the only functions that remain are remainders."""
+    expression = expression.subs(sp.atanh(sp.sin(alpha)), _H)
+    return expression.subs({sp.sin(alpha): _SINE, sp.cos(alpha): _COSINE})
 
 
 def _by_remainder(expression: sp.Expr) -> dict[sp.Expr, sp.Expr]:
-    """The factors of each product of angle, artanh and remainders; they are rational in tau."""
-    found: dict[sp.Expr, sp.Expr] = {}
+    """The factor of each product of angle, artanh and remainders; factors are rational in tau."""
+    factors: dict[sp.Expr, sp.Expr] = defaultdict(lambda: sp.Integer(0))
     for term in sp.Add.make_args(sp.expand(expression)):
         factor, rest = term.as_independent(alpha, _H, Remainder)
-        found[rest] = found.get(rest, sp.Integer(0)) + factor
-    return found
+        factors[rest] += factor
+    return factors
 
 
 def _orders(expression: sp.Expr) -> list[int]:
     """With which power of alpha each term vanishes at 0."""
-    found = []
+    orders = []
     for rest, factor in _by_remainder(_in_tau(expression)).items():
         top, bottom = sp.fraction(sp.cancel(factor))
-        if top != 0:
-            own = sum(int(p.as_base_exp()[1]) for p in sp.Mul.make_args(rest) if p.as_base_exp()[0] in (alpha, _H))
-            found.append(own + _lowest(top) - _lowest(bottom))
-    return found
+        if top == 0:
+            continue
+        order = _lowest(top) - _lowest(bottom)
+        for part in sp.Mul.make_args(rest):
+            base, exponent = part.as_base_exp()
+            if base in (alpha, _H):
+                order += int(exponent)
+        orders.append(order)
+    return orders
 
 
 def _lowest(polynomial: sp.Expr) -> int:
     """Its lowest power of tau."""
-    return min(m[0] for m in sp.Poly(polynomial, TAU).monoms())
+    return min(powers[0] for powers in sp.Poly(polynomial, TAU).monoms())
 
 
 def _reduced(expression: sp.Expr, power: int) -> sp.Expr:
-    """The expression over alpha**power, for computing.
+    """The expression over alpha**power, for computing: tau**shift is (tau/alpha)**shift alpha**shift.
 
-    With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c), 1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a
-    factor, as of what vanishes at pi/2, (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    With c = cos(alpha): tau/alpha = (sin(alpha)/alpha)/(1 + c).
     """
-    c = sp.cos(alpha)
-    found = []
+    terms = []
     for rest, factor in _by_remainder(expression).items():
-        over, under = sp.fraction(sp.cancel(factor))
-        shift = _lowest(over) - _lowest(under)
-        product, ends = rest * alpha ** (shift - power) * Remainder(sp.sin, 1, alpha) ** shift, -shift
-        for part, sign in ((over, 1), (under, -1)):
-            constant, factors = sp.factor_list((part / TAU ** _lowest(part)).expand().subs(TAU, sp.sqrt(_Y)), _Y)
-            product *= constant**sign
-            for polynomial, n in factors:
-                if polynomial == _Y - 1:
-                    product, ends = product * (-2 * c) ** (sign * n), ends - sign * n
-                elif polynomial == _Y + 1:
-                    product, ends = product * sp.Integer(2) ** (sign * n), ends - sign * n
-                else:
-                    coefficients = sp.Poly(polynomial, _Y).all_coeffs()[::-1]
-                    product *= Horner(TAU**2, *coefficients) ** (sign * n)
-        found.append((product * (1 + c) ** ends).subs(TAU, HalfTan(alpha)))
-    return sp.Add(*found)
+        top, bottom = sp.fraction(sp.cancel(factor))
+        shift = _lowest(top) - _lowest(bottom)
+        product = rest * alpha ** (shift - power) * Remainder(sp.sin, 1, alpha) ** shift
+        one_plus_c = -shift  # its exponent
+        for polynomial, sign in ((top, 1), (bottom, -1)):
+            factors, exponent = _of_tau_squared(polynomial, sign)
+            product *= factors
+            one_plus_c += exponent
+        terms.append((product * (1 + sp.cos(alpha)) ** one_plus_c).subs(TAU, HalfTan(alpha)))
+    return sp.Add(*terms)
+
+
+def _of_tau_squared(polynomial: sp.Expr, sign: int) -> tuple[sp.Expr, int]:
+    """A polynomial over its lowest power of tau, to the power ``sign``, and an exponent of 1 + cos(alpha) to be added.
+
+    1/(1 + tau**2) = (1 + c)/2, and where 1 - tau**2 is a factor, as of what vanishes at pi/2,
+    (1 - tau**2)/(1 + tau**2) = c. Other polynomials in tau**2 by Horner's scheme.
+    """
+    over_lowest = (polynomial / TAU ** _lowest(polynomial)).expand()
+    product, factors = sp.factor_list(over_lowest.subs(TAU, sp.sqrt(_Y)), _Y)
+    product = product**sign
+    exponent = 0
+    for factor, n in factors:
+        n *= sign
+        if factor == _Y - 1:
+            product *= (-2 * sp.cos(alpha)) ** n
+            exponent -= n
+        elif factor == _Y + 1:
+            product *= sp.Integer(2) ** n
+            exponent -= n
+        else:
+            coefficients = sp.Poly(factor, _Y).all_coeffs()[::-1]
+            product *= Horner(TAU**2, *coefficients) ** n
+    return product, exponent
 
 
 def heads(expression: sp.Expr, orders: Mapping[sp.Expr, int]) -> sp.Expr:
     """R4: each function f(x) that is named is its Taylor terms below x**n plus x**n times a remainder; heads cancel."""
-    parts = {f: sum(c * f.args[0] ** k for k, c in enumerate(taylor(type(f)(X))[:n])) for f, n in orders.items()}
-    rests = {f: f.args[0] ** n * Remainder(type(f), n, f.args[0]) for f, n in orders.items()}
-    result = sp.expand(expression.subs({f: parts[f] + rests[f] for f in orders}))
+    split = {}
+    for f, n in orders.items():
+        x = f.args[0]
+        head = sum(c * x**k for k, c in enumerate(taylor(type(f)(X))[:n]))
+        split[f] = head + x**n * Remainder(type(f), n, x)
+    result = sp.expand(expression.subs(split))
     prove_zero(sp.expand(unfold(result) - expression), f"rule heads: {expression}")
     return result
 
@@ -167,13 +200,14 @@ def prove_equal(one: sp.Expr, other: sp.Expr, claim: str) -> None:
     prove_zero(sp.diff(sp.atanh(_SINE) - 2 * sp.atanh(TAU), TAU), "artanh(sin alpha) = 2 artanh(tan(alpha/2))")
     prove_zero(_in_tau(unfold(HalfTan(alpha).lower())) - TAU, "tan(alpha/2) as it is computed")
 
-    def plain(e: sp.Expr) -> sp.Expr:
-        e = sp.expand_trig(unfold(e)).subs(sp.tan(alpha / 2), TAU)
-        return _in_tau(e.subs(sp.atanh(TAU), _H / 2))
+    def in_tau(form: sp.Expr) -> sp.Expr:
+        form = sp.expand_trig(unfold(form)).subs(sp.tan(alpha / 2), TAU)
+        return _in_tau(form.subs(sp.atanh(TAU), _H / 2))
 
-    difference = plain(one) - plain(other)
+    difference = in_tau(one) - in_tau(other)
     refute(difference, claim)
-    prove_zero(sp.expand(sp.fraction(sp.together(difference))[0]), claim)
+    numerator, _ = sp.fraction(sp.together(difference))
+    prove_zero(sp.expand(numerator), claim)
 
 
 # --- how the moments of an arc grow with its half angle ---------------------------------------------------------------
@@ -186,10 +220,13 @@ def arc_growth(closed: Mapping[str, sp.Expr]) -> tuple[sp.Expr, ...]:
 
     From the reduced functions F/alpha**3, whose slopes are O(alpha) each: nothing cancels in thin arcs.
     """
-    inertia = stable(closed["moment_of_inertia"]).reduced
-    log_slope = sp.diff(inertia, alpha) / inertia
-    found = [sp.diff(x, alpha) / x - log_slope for x in (stable(closed[n]).reduced for n in GROWTHS)]
-    return (*found, 3 + alpha * log_slope)
+
+    def log_slope(name: str) -> sp.Expr:
+        reduced = stable(closed[name]).reduced
+        return sp.diff(reduced, alpha) / reduced
+
+    of_inertia = log_slope("moment_of_inertia")
+    return (*(log_slope(name) - of_inertia for name in GROWTHS), 3 + alpha * of_inertia)
 
 
 def prove_arc_growth(closed: Mapping[str, sp.Expr]) -> list[str]:
@@ -197,6 +234,7 @@ def prove_arc_growth(closed: Mapping[str, sp.Expr]) -> list[str]:
     claims = []
     for name, form in closed.items():
         claim = f"{name}: slope of the reduced function"
-        prove_equal(alpha**3 * sp.diff(stable(form).reduced, alpha), sp.diff(form, alpha) - 3 * form / alpha, claim)
+        reduced = alpha**3 * sp.diff(stable(form).reduced, alpha)
+        prove_equal(reduced, sp.diff(form, alpha) - 3 * form / alpha, claim)
         claims.append(claim)
     return claims

@@ -7,7 +7,7 @@ program's, of the rounded coefficients.
 
 import math
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import accumulate
@@ -21,7 +21,7 @@ from derive.check.truth import fraction, number
 BITS = 240  # of the fit; the functions themselves are evaluated with more
 GUARD = 400
 _POINTS = 16  # of the grid for each unknown coefficient
-_ROUNDS = 12
+_ROUNDS = 12  # exchanges of reference points at most
 
 Function = Callable[[arb], arb]
 
@@ -54,6 +54,7 @@ def value(closed: sp.Expr, a: arb) -> arb:
 
 
 def horner(coefficients: Sequence[arb], x: arb) -> arb:
+    """The polynomial with these coefficients, lowest first, at x."""
     return reduce(lambda total, c: total * x + c, reversed(coefficients), arb(0))
 
 
@@ -66,10 +67,10 @@ class Samples:
     weights: list[arb]
 
     def without(self, coefficient: arb) -> "Samples":
-        """(function - coefficient)/point: what is left to fit once the lowest coefficient stands."""
-        pairs = zip(self.points, self.values, strict=True)
-        values = [((f - coefficient) / x).mid() for x, f in pairs]
-        return Samples(self.points, values, [(w * x).mid() for x, w in zip(self.points, self.weights, strict=True)])
+        """(function - coefficient)/point: what is left to fit once the lowest coefficient is fixed."""
+        values = [((f - coefficient) / x).mid() for x, f in zip(self.points, self.values, strict=True)]
+        weights = [(w * x).mid() for x, w in zip(self.points, self.weights, strict=True)]
+        return Samples(self.points, values, weights)
 
 
 def sample(
@@ -77,15 +78,16 @@ def sample(
 ) -> Samples:
     """A function on Chebyshev points of [0, upper], and the weight of its error at a point and a value.
 
-    At `cluster` > 1 they are crowded further towards 0, where a logarithm ends.
+    With ``cluster`` > 1 the points are crowded further towards 0, where a logarithm is singular.
     """
     count = _POINTS * (unknowns + 1)
     with ctx.workprec(BITS):
-        middle = [(1 - (arb(2 * k + 1) / (2 * count)).cos_pi()) / 2 for k in range(count)]
-        points = [(upper * x**cluster).mid() for x in middle]
+        chebyshev = [(1 - (arb(2 * k + 1) / (2 * count)).cos_pi()) / 2 for k in range(count)]
+        points = [(upper * x**cluster).mid() for x in chebyshev]
     with ctx.workprec(GUARD):
         values = [function(x).mid() for x in points]
-        return Samples(points, values, [weight(x, f).mid() for x, f in zip(points, values, strict=True)])
+        weights = [weight(x, f).mid() for x, f in zip(points, values, strict=True)]
+    return Samples(points, values, weights)
 
 
 def minimax(
@@ -94,53 +96,83 @@ def minimax(
     """The numerator of degree `above`, the denominator 1 + ... of degree `below`, and their least largest error.
 
     With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
-    in the denominator's place. Exchange of reference points after Remez. For a rational the levelled system is solved
-    with the last denominator in the error's place, which makes it linear.
+    in the denominator's place. Exchange of reference points after Remez: at the references the errors of the levelled
+    approximant are equal in size and alternate in sign. A rational is levelled with the last denominator in the
+    error's place, which makes the system linear, and repeated.
     """
     with ctx.workprec(BITS):
-        start, last, times = (0, logs[1], logs[0]) if logs else (1, below, [-f for f in samples.values])
-        powers = [[*accumulate([x] * max(above, last), operator.mul, initial=arb(1))] for x in samples.points]
-        basis = [
-            [*row[: above + 1], *(t * p for p in row[start : last + 1])] for row, t in zip(powers, times, strict=True)
-        ]
-        count, unknowns, matrix = len(samples.points), len(basis[0]) + 1, arb_mat(basis)
-        chosen = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
-        under = [arb(1)] * count
-        best: tuple[float, list[arb]] = math.inf, []
+        basis = _basis(samples, above, below, logs)
+        matrix = arb_mat(basis)
+        count = len(basis)
+        unknowns = len(basis[0]) + 1  # the coefficients and the level
+        references = [min(count - 1, (2 * k + 1) * count // (2 * unknowns)) for k in range(unknowns)]
+        denominators = [arb(1)] * count
+        least = math.inf
+        best: list[arb] = []
         for _ in range(_ROUNDS):
             for _ in range(6 if below else 1):
-                # The approximant whose errors at the chosen points are equal and alternate.
-                rows = [[*basis[i], (-1) ** k * (under[i] / samples.weights[i]).mid()] for k, i in enumerate(chosen)]
-                right = arb_mat([[samples.values[i]] for i in chosen])
-                *found, level = (x.mid() for x in arb_mat(rows).solve(right, algorithm="approx").entries())
+                *coefficients, level = _levelled(samples, basis, references, denominators)
                 if below:
-                    under = [horner([arb(1), *found[above + 1 :]], x).mid() for x in samples.points]
-            fitted = (matrix * arb_mat([[c] for c in found])).entries()
-            errors = [
-                (w * (p - f) / u).mid()
-                for p, f, w, u in zip(fitted, samples.values, samples.weights, under, strict=True)
-            ]
+                    denominator = [arb(1), *coefficients[above + 1 :]]
+                    denominators = [horner(denominator, x).mid() for x in samples.points]
+            numerators = (matrix * arb_mat([[c] for c in coefficients])).entries()
+            errors = _errors(samples, numerators, denominators)
             worst = max(abs(float(e)) for e in errors)
-            best = min(best, (worst, found), key=operator.itemgetter(0))
+            if worst < least:
+                least = worst
+                best = coefficients
             if worst <= 1.02 * abs(float(level)):
                 break
-            chosen = _exchange(errors, chosen)
-        worst, found = best
-        second = found[above + 1 :]
-        return found[: above + 1], second if logs else [arb(1), *second], worst
+            references = _exchange(errors, references)
+        second = best[above + 1 :]
+        return best[: above + 1], second if logs else [arb(1), *second], least
 
 
-def _exchange(errors: list[arb], chosen: list[int]) -> list[int]:
+def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], int] | None) -> list[list[arb]]:
+    """What the coefficients multiply at each point: 1, x, x**2, ..., then -f x, -f x**2, ... or l, l x, ..."""
+    if logs:
+        factors, last = logs
+        first = 0
+    else:
+        factors = [-f for f in samples.values]
+        first, last = 1, below
+    rows = []
+    for x, factor in zip(samples.points, factors, strict=True):
+        powers = [*accumulate([x] * max(above, last), operator.mul, initial=arb(1))]
+        rows.append([*powers[: above + 1], *(factor * power for power in powers[first : last + 1])])
+    return rows
+
+
+def _levelled(
+    samples: Samples, basis: list[list[arb]], references: list[int], denominators: list[arb]
+) -> Iterator[arb]:
+    """Coefficients whose weighted errors at the references are equal and alternate, then this error."""
+    rows = []
+    for k, i in enumerate(references):
+        level = (denominators[i] / samples.weights[i]).mid()
+        rows.append([*basis[i], (-1) ** k * level])
+    values = arb_mat([[samples.values[i]] for i in references])
+    return (x.mid() for x in arb_mat(rows).solve(values, algorithm="approx").entries())
+
+
+def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) -> list[arb]:
+    """Weighted errors at all points; of a rational, of the linear system divided by its denominator."""
+    terms = zip(numerators, samples.values, samples.weights, denominators, strict=True)
+    return [(weight * (p - f) / q).mid() for p, f, weight, q in terms]
+
+
+def _exchange(errors: list[arb], references: list[int]) -> list[int]:
     """The largest error of every run of one sign; of too many, those at the ends go, smaller first."""
-    runs: list[int] = []
-    for i, e in enumerate(errors):
-        if not runs or (e > 0) != (errors[runs[-1]] > 0):
-            runs.append(i)
-        elif abs(e) > abs(errors[runs[-1]]):
-            runs[-1] = i
-    while len(runs) > len(chosen):
-        runs.pop(0 if abs(errors[runs[0]]) < abs(errors[runs[-1]]) else -1)
-    return runs if len(runs) == len(chosen) else chosen
+    largest: list[int] = []
+    for i, error in enumerate(errors):
+        if not largest or (error > 0) != (errors[largest[-1]] > 0):
+            largest.append(i)
+        elif abs(error) > abs(errors[largest[-1]]):
+            largest[-1] = i
+    while len(largest) > len(references):
+        first_is_smaller = abs(errors[largest[0]]) < abs(errors[largest[-1]])
+        largest.pop(0 if first_is_smaller else -1)
+    return largest if len(largest) == len(references) else references
 
 
 def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, ...], float]:
@@ -149,10 +181,10 @@ def rounded(samples: Samples, degree: int, careful: int) -> tuple[tuple[float, .
     Each of the first `careful` ones is rounded and the others fitted again; the rest are rounded together.
     """
     fitted, _, error = minimax(samples, degree)
-    found: list[float] = []
+    fixed: list[float] = []
     for k in range(careful):
-        found.append(nearest(fitted[0]))
+        fixed.append(nearest(fitted[0]))
         with ctx.workprec(BITS):
-            samples = samples.without(number(found[-1]))
+            samples = samples.without(number(fixed[-1]))
         fitted, _, _ = minimax(samples, degree - k - 1)
-    return (*found, *map(nearest, fitted)), error
+    return (*fixed, *map(nearest, fitted)), error

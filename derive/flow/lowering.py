@@ -33,16 +33,22 @@ def series(name: str, coefficient: sp.Expr = sp.Integer(1)) -> Increment:
 
 def total(*terms: tuple[sp.Expr, Increment]) -> Increment:
     """The sum of numbers times increments."""
-    found: dict[tuple[str, ...], sp.Expr] = {}
+    coefficients: dict[tuple[str, ...], sp.Expr] = {}
     for factor, increment in terms:
         for product, coefficient in increment.items():
-            found[product] = found.get(product, sp.Integer(0)) + factor * coefficient
-    return {product: c for product, c in sorted(found.items()) if c != 0}
+            before = coefficients.get(product, sp.Integer(0))
+            coefficients[product] = before + factor * coefficient
+    return {product: c for product, c in sorted(coefficients.items()) if c != 0}
 
 
 def times(a: Increment, b: Increment) -> Increment:
     """The product of two increments."""
-    return total(*((sp.Integer(1), {tuple(sorted((*p, *q))): c * d}) for p, c in a.items() for q, d in b.items()))
+    terms = []
+    for p, c in a.items():
+        for q, d in b.items():
+            product = tuple(sorted((*p, *q)))
+            terms.append((c * d, {product: sp.Integer(1)}))
+    return total(*terms)
 
 
 SLIP = cell("slip")
@@ -79,21 +85,26 @@ class Lowering:
 
     def split(self, e: sp.Expr) -> tuple[sp.Expr, Increment]:
         """Base and increment of an expression."""
-        one = sp.Integer(1)
         if e in self.moving:
             return self.moving[e]
-        inside = [x for x in e.free_symbols if x in self.moving]
-        if not any(self.moving[x][1] for x in inside):
-            return e.xreplace({x: self.moving[x][0] for x in inside}), {}
+        bases = {x: self.moving[x][0] for x in e.free_symbols if x in self.moving}
+        if not any(self.moving[x][1] for x in bases):
+            return e.xreplace(bases), {}
+        one = sp.Integer(1)
         if isinstance(e, sp.Add):
             parts = [self.split(x) for x in e.args]
-            return sp.Add(*(b for b, _ in parts)), total(*((one, d) for _, d in parts))
-        if isinstance(e, sp.Mul) or (isinstance(e, sp.Pow) and e.exp.is_Integer and e.exp > 0):
-            base, increment = one, total()
-            for b, d in map(self.split, e.args if isinstance(e, sp.Mul) else [e.base] * int(e.exp)):
-                base, increment = base * b, total((base, d), (b, increment), (one, times(increment, d)))
-            return base, increment
-        return self.function(e)
+            base = sp.Add(*(b for b, _ in parts))
+            return base, total(*((one, d) for _, d in parts))
+        power = isinstance(e, sp.Pow) and e.exp.is_Integer and e.exp > 0
+        if not power and not isinstance(e, sp.Mul):
+            return self.function(e)
+        base = one
+        increment = total()
+        for factor in [e.base] * int(e.exp) if power else e.args:
+            b, d = self.split(factor)
+            increment = total((base, d), (b, increment), (one, times(increment, d)))
+            base = base * b
+        return base, increment
 
     def function(self, e: sp.Expr) -> tuple[sp.Expr, Increment]:
         """The same of exp, log, a power, sin or cos, by the operation on the increment of its argument."""
@@ -118,23 +129,25 @@ class Lowering:
         """A factor times the last result of an operation on an increment, which is 0 where the increment is."""
         z = self.register(increment)
         self.count += 1
-        names = (f"{self.name}.{operation}{self.count}{x}" for x in ("", "_less_1"))
-        results = [name for _, name in zip(OPERATIONS[operation].results, names, strict=False)]
+        name = f"{self.name}.{operation}{self.count}"
+        results = [name, f"{name}_less_1"][: len(OPERATIONS[operation].results)]
         self.operate(operation, results, z, *map(self.cell, numbers))
         return series(results[-1], factor)
 
     def turn(self, increment: Increment, sine: sp.Expr, versine: sp.Expr) -> Increment:
         """Factors times sin and versine, 1 - cos, of an increment."""
         x = self.register(increment)
-        self.operate("turn", (f"sin({x})", f"vers({x})"), x)
-        return total((sine, series(f"sin({x})")), (versine, series(f"vers({x})")))
+        results = f"sin({x})", f"vers({x})"
+        self.operate("turn", results, x)
+        return total((sine, series(results[0])), (versine, series(results[1])))
 
     def operate(self, operation: str, results: Iterable[str], z: str, *numbers: str) -> None:
-        """Append an operation on the register z, and before it what is made of z alone, if it takes that too."""
-        own = Q in OPERATIONS[operation].arguments
-        if own:
-            self.put("tim", f"{z}.times", z)
-        self.put(operation, *results, *([f"{z}.times"] if own else []), z, *numbers)
+        """Append an operation on the register z; one that takes t dz/dt too has it made first."""
+        arguments = [z]
+        if Q in OPERATIONS[operation].arguments:
+            arguments.insert(0, f"{z}.times")
+            self.put("tim", *arguments)
+        self.put(operation, *results, *arguments, *numbers)
 
     def put(self, *operation: object) -> None:
         """Append an operation on series, once."""
@@ -156,7 +169,10 @@ class Lowering:
         result, *rest = registers
         for other in rest:
             name = f"{result}*{other}"
-            self.put("sqr", name, result) if other == result else self.put("mul", name, result, other)
+            if other == result:
+                self.put("sqr", name, result)
+            else:
+                self.put("mul", name, result, other)
             result = name
         return result
 
@@ -171,8 +187,8 @@ class Lowering:
                 return str(e)
             if e.is_Number:
                 return f"={float(e)!r}"
-            for known, there in self.cells.items():
-                if there == e:
+            for known, held in self.cells.items():
+                if held == e:
                     return known
             name = f"{self.name}.{len(self.cells)}"
         self.cells[name] = e
@@ -189,16 +205,23 @@ class Lowering:
         )
 
     def base(self, e: sp.Expr, direct: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-        """A base and the size of its terms; of what depends on slip, the better of two forms."""
+        """A base and the size of its terms; of what depends on slip, the better of two forms.
+
+        Both from terms: the formula where the phase begins, and the one at no slip and the increment since then.
+        """
         if SLIP not in e.free_symbols:
             return direct, size(direct)
-        # Both from terms: the formula where the phase begins, and the one at no slip and the increment since then.
         from_start = Lowering("start", {SLIP: (sp.Integer(0), series("slip"))})
-        start, increment = from_start.split(e.subs({x: b for x, (b, _) in self.moving.items() if x != SLIP}))
-        at = first(from_start.series, {"slip": self.moving[SLIP][0]}, from_start.cells)
-        other = sp.expand(start) + sum(c * sp.Mul(*(at[r] for r in rs)) for rs, c in increment.items())
-        better = size(other), size(direct)
-        return Select(better[1] * (1 + sp.Rational(1, 2**40)), better[0], direct, other), sp.Min(*better)
+        bases = {x: base for x, (base, _) in self.moving.items() if x != SLIP}
+        start, increment = from_start.split(e.subs(bases))
+        registers = first(from_start.series, {"slip": self.moving[SLIP][0]}, from_start.cells)
+        other = sp.expand(start)
+        for names, coefficient in increment.items():
+            other += coefficient * sp.Mul(*(registers[name] for name in names))
+        other_size = size(other)
+        direct_size = size(direct)
+        almost = direct_size * (1 + sp.Rational(1, 2**40))
+        return Select(almost, other_size, direct, other), sp.Min(other_size, direct_size)
 
     def fragment(
         self,
@@ -211,28 +234,41 @@ class Lowering:
     ) -> Fragment:
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
         added = {quantity: self.add(e, quantity) for quantity, e in adds.items() if e != 0}
-        rates = tuple((name, self.register(self.split(rate)[1])) for name, rate in (states or {}).items())
+        rates = []
+        for name, rate in (states or {}).items():
+            _, increment = self.split(rate)
+            rates.append((name, self.register(increment)))
         return Fragment(
-            tuple(words), tuple(inputs), tuple(optional), self.scalar(), tuple(self.series), added, rates, table
+            words=tuple(words),
+            inputs=tuple(inputs),
+            optional=tuple(optional),
+            scalar=self.scalar(),
+            series=tuple(self.series),
+            adds=added,
+            states=tuple(rates),
+            table=table,
         )
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:
         """The prologue: operations on cells, by names; constants are named by their value, ``=2.0``."""
-        found = sp.Tuple(*self.cells.values())
-        p = program(self.name, tuple(sorted(str(x) for x in found.free_symbols)), *found)
-        outputs = dict(zip(self.cells, p.outputs, strict=True))
-        names: dict[int, str] = {}
-        for index, op in enumerate(p.ops):
-            if op.kind in ("input", "const"):
-                names[index] = str(op.value) if op.kind == "input" else f"={op.value!r}"
+        numbers = sp.Tuple(*self.cells.values())
+        prologue = program(self.name, tuple(sorted(str(x) for x in numbers.free_symbols)), *numbers)
+        outputs = dict(zip(self.cells, prologue.outputs, strict=True))
+        first_names: dict[int, str] = {}
+        for name, index in outputs.items():
+            first_names.setdefault(index, name)
+        names: list[str] = []
+        operations = []
+        for index, op in enumerate(prologue.ops):
+            if op.kind == "input":
+                names.append(str(op.value))
+            elif op.kind == "const":
+                names.append(f"={op.value!r}")
             else:
-                names[index] = next((n for n, i in outputs.items() if i == index), f"{self.name}.t{index}")
-        operations = [
-            (op.kind, names[i], *(names[j] for j in op.args))
-            for i, op in enumerate(p.ops)
-            if op.kind not in ("input", "const")
-        ]
-        return (*operations, *(("set", n, names[i]) for n, i in outputs.items() if names[i] != n))
+                names.append(first_names.get(index, f"{self.name}.t{index}"))
+                operations.append((op.kind, names[index], *(names[j] for j in op.args)))
+        copies = [("set", name, names[i]) for name, i in outputs.items() if names[i] != name]
+        return (*operations, *copies)
 
 
 def size(e: sp.Expr) -> sp.Expr:

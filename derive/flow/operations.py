@@ -39,7 +39,8 @@ class Operation:
     numbers: tuple[sp.Symbol, ...] = ()
 
 
-D, M = sp.IndexedBase("d"), sp.IndexedBase("m")
+D = sp.IndexedBase("d")
+M = sp.IndexedBase("m")
 _t = sp.Symbol("t", real=True)  # the variable of the series: `tim` is t d/dt
 OPERATIONS = {
     o.name: o
@@ -97,26 +98,42 @@ def prove(order: int = 6) -> list[str]:
     claims = []
     for o in OPERATIONS.values():
         highest = order - 2 * len(o.numbers)  # a power of a symbol takes long
-        coefficients = {x: sp.symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
-        # About a later moment a series has other coefficients, da_i/dt = (i + 1) a_(i+1), and so has its function.
-        rates = {c[i]: (i + 1) * c[i + 1] for c in coefficients.values() for i in range(highest)} | {_t: 1}
-        if Z in o.arguments:  # 1 + z begins with a positive number
-            y, (z, *others) = sp.Symbol("y", positive=True), coefficients[Z]
-            coefficients[Z], rates[y] = (y - 1, *others), rates[z]
-        if Q in o.arguments:  # the other argument's times its order
-            coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-        known = {e: c for x, cs in coefficients.items() for e, c in zip((x, sp.Derivative(x, _t)), cs, strict=False)}
-        for x, means in zip(o.results, o.means, strict=True):
-            found = [means.xreplace(known)]
-            for i in range(highest):
-                found.append(sp.expand(sum(rate * sp.diff(found[-1], a) for a, rate in rates.items()) / (i + 1)))
-            coefficients[x] = tuple(c.subs(_t, 0) for c in found)
+        coefficients = _coefficients(o, highest)
         for i in range(highest + 1):
-            for x, start, step in zip(o.results, o.start, o.step, strict=True):
-                given = at(step.subs(n, i).doit() if i else start, coefficients)
-                prove_zero(sp.expand(unfold(given) - coefficients[x][i]), f"{o.name}: coefficient {i}")
+            for result, start, step in zip(o.results, o.start, o.step, strict=True):
+                stated = at(step.subs(n, i).doit() if i else start, coefficients)
+                prove_zero(sp.expand(unfold(stated) - coefficients[result][i]), f"{o.name}: coefficient {i}")
         claims.append(f"{o.name}: {highest + 1} coefficients")
     return claims
+
+
+def _coefficients(o: Operation, highest: int) -> dict[sp.IndexedBase, tuple[sp.Expr, ...]]:
+    """Taylor coefficients of an operation's arguments, symbols, and of its results, by differentiating its meaning.
+
+    About a later moment a series has other coefficients, da_i/dt = (i + 1) a_(i+1), and so has a function f of it,
+    whose coefficient i + 1 is df_i/dt/(i + 1).
+    """
+    coefficients = {x: sp.symbols(f"{x}_:{highest + 1}", real=True) for x in o.arguments}
+    rates = {_t: 1}
+    for a in coefficients.values():
+        rates |= {a[i]: (i + 1) * a[i + 1] for i in range(highest)}
+    if Z in o.arguments:  # 1 + z begins with a positive number
+        y = sp.Symbol("y", positive=True)
+        z, *others = coefficients[Z]
+        coefficients[Z] = (y - 1, *others)
+        rates[y] = rates[z]
+    if Q in o.arguments:  # the other argument's times its order
+        coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
+    first_two = {}
+    for x, a in coefficients.items():
+        first_two |= {x: a[0], sp.Derivative(x, _t): a[1]}
+    for result, means in zip(o.results, o.means, strict=True):
+        f = [means.xreplace(first_two)]
+        for i in range(highest):
+            rate = sum(rate * sp.diff(f[i], a) for a, rate in rates.items())
+            f.append(sp.expand(rate / (i + 1)))
+        coefficients[result] = tuple(c.subs(_t, 0) for c in f)
+    return coefficients
 
 
 def at(e: sp.Expr, coefficients: Mapping[sp.IndexedBase, Sequence[Any]]) -> sp.Expr:
@@ -128,22 +145,27 @@ def first(
     series: Iterable[Sequence[Any]], values: Mapping[str, sp.Expr], cells: Mapping[str, sp.Expr]
 ) -> dict[str, sp.Expr]:
     """Order 0 of every register that operations on series make, from that of the registers they start with."""
-    found = dict(values)
+    registers = dict(values)
 
     def number(name: str) -> sp.Expr:
-        return sp.Float(name[1:]) if name.startswith("=") else cells.get(name, sp.Symbol(name, real=True))
+        if name.startswith("="):
+            return sp.Float(name[1:])
+        return cells.get(name, sp.Symbol(name, real=True))
 
     for name, *names in series:
         if name == "lin":
             result, constant, terms = names
-            found[result] = sp.Add(number(constant) if constant else 0, *(number(c) * found[r] for c, r in terms))
+            base = number(constant) if constant else 0
+            registers[result] = sp.Add(base, *(number(c) * registers[r] for c, r in terms))
             continue
         o = OPERATIONS[name]
-        results, arguments = names[: len(o.results)], names[len(o.results) :]
-        known = {a[0]: found[x] for a, x in zip(o.arguments, arguments, strict=False)}
+        results = names[: len(o.results)]
+        arguments = names[len(o.results) :]
+        known = {a[0]: registers[x] for a, x in zip(o.arguments, arguments, strict=False)}
         known |= {a: number(x) for a, x in zip(o.numbers, arguments[len(o.arguments) :], strict=True)}
-        found |= {x: start.subs(known) for x, start in zip(results, o.start, strict=True)}
-    return found
+        for result, start in zip(results, o.start, strict=True):
+            registers[result] = start.subs(known)
+    return registers
 
 
 # Operations on cells: what they make of a, b and e, in C over vectors of lanes, and in NumPy.

@@ -27,7 +27,9 @@ SHORT = 16  # operations of a program for which it costs more to look at a block
 
 def _number(value: float) -> str:
     """Small multiples of 1/16 as everybody writes them, others to the last bit."""
-    return repr(value) if abs(value) < 16 and (16 * value).is_integer() else value.hex()
+    if abs(value) < 16 and (16 * value).is_integer():
+        return repr(value)
+    return value.hex()
 
 
 C = Language("c", "const double {name} = {text};", _number, "POLY{degree}({x}, {coefficients})")
@@ -72,7 +74,10 @@ class CText:
         pieces = seam(program)
         if not pieces:
             counts = program.operations()
-            kind = "short" if sum(counts.values()) + DIVISION * counts["div"] <= SHORT else "whole"
+            if sum(counts.values()) + DIVISION * counts["div"] <= SHORT:
+                kind = "short"
+            else:
+                kind = "whole"
             return f"{self.body(name, program)}#define {name}_KIND {kind}\n"
         at, *outputs = pieces
         parts = [
@@ -136,7 +141,9 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
 
 
 def _comment(words: str) -> str:
-    return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n" if words else ""
+    if words:
+        return "/* " + "\n * ".join(textwrap.wrap(words.replace("*/", "* /"), 112)) + " */\n"
+    return ""
 
 
 def _macro(name: str, lines: Sequence[str]) -> str:

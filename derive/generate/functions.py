@@ -40,7 +40,8 @@ def kernels(proved: Sequence[Record] = ()) -> list[Function]:
     found = []
     for x, (name, form) in zip(quantities, stable_forms(closed).items(), strict=True):
         # In its fitted tiers, or in its stable form where nothing is fitted (yet).
-        symbol, tiers = x.kernel[1] if isinstance(x, Moment) else x.symbol, _tiers(name)
+        symbol = x.kernel[1] if isinstance(x, Moment) else x.symbol
+        tiers = _tiers(name)
         found.append(
             Function(
                 tiers.get("best") or program(name, ("alpha",), form, let=_CLIP),
@@ -84,7 +85,10 @@ def _accuracy(name: str, proved: Sequence[Record]) -> str:
         for (tier, form), bound in bounds.items()
         if form == "fused" and tier[0] == "1"
     )
-    single = f"; float32: {bounds['float32', 'fused']:.3g} ulp" if ("float32", "fused") in bounds else ""
+    if ("float32", "fused") in bounds:
+        single = f"; float32: {bounds['float32', 'fused']:.3g} ulp"
+    else:
+        single = ""
     return (
         f"proved, rounding included: {bounds['best', 'fused']:.3g} ulp compiled with FMA, {plain:.3g} without, "
         f"{bounds.get(('best', 'numpy'), plain):.3g} in NumPy{cheap}{single} (certificates/{name}.json)."
@@ -96,7 +100,9 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
     known = {f.program.name: f for f in kernels}
     found = {}
     for r in proved:
-        kernel, tier, form = r["kernel"], r["tier"], r["form"]
+        kernel = r["kernel"]
+        tier = r["tier"]
+        form = r["form"]
         bound = f"{r['bound']:.3g} {'relative' if tier[0] == '1' else 'ulp'} (certificates/{kernel}.json)"
         formula = known[kernel].formula.rstrip(".")
         found[kernel, tier, form] = f"{formula}, 0 <= alpha <= pi/2, {tier}, {form}: proved within {bound}"
@@ -160,7 +166,8 @@ def prove_carried() -> list[str]:
         claims.append(f"{angle}: the sum of which {lost} is lost")
         rounded = _ENDS[angle].replace(sp.Min, lambda *x: next(y for y in x if not y.is_number))
         prove_zero(rounded - _ENDS[lost].replace(RoundingError, lambda x, y: x + y), claims[-1])
-    ratio, cotangent = sp.Function("ratio")(alpha), sp.cos(theta_m) / sp.sin(theta_m)
+    ratio = sp.Function("ratio")(alpha)
+    cotangent = sp.cos(theta_m) / sp.sin(theta_m)
     turned = [d for d in map(derive, MOMENTS) if d.moment.amplitude]
     whole = {d.moment.name: (_carried(d), d.amplitude, _direction(d)) for d in turned}
     for name, (form, kernel, direction) in (whole | {"limit_friction": (_LIMIT, ratio, cotangent)}).items():
@@ -177,13 +184,15 @@ def _of_ends(
 ) -> Function:
     """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
     made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
-    source, symbol = f"eq. ({equation}) of {PAPER}", summary.partition(":")[0]
+    source = f"eq. ({equation}) of {PAPER}"
+    symbol = summary.partition(":")[0]
     return Function(made, summary, formula, source, _ARC, f"{symbol}.", _ARC_DOMAIN, _ARC_INSIDE, (4.0, 5.0), accuracy)
 
 
 def _weight(d: Derivation) -> Function:
     """J_r or J_theta."""
-    m, (name, symbol) = d.moment, d.moment.kernel
+    m = d.moment
+    name, symbol = d.moment.kernel
     return _of_ends(
         m.name,
         _carried(d),
@@ -225,7 +234,8 @@ def motion() -> list[Function]:
 
 def printed() -> list[tuple[Program, str]]:
     """The paper's forms as it prints them, and the one-line equals of its appendices, for comparison only."""
-    c, s = sp.cos(alpha), sp.sin(alpha)
+    c = sp.cos(alpha)
+    s = sp.sin(alpha)
     half = sp.Rational(1, 2)
     moment = (2 * alpha - half * sp.sin(2 * alpha) - sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))) * c**3) / 3
     factor = RESISTANCE.form
@@ -290,7 +300,10 @@ def effects_module() -> str:
 def _effect(e: Effect | Law, kind: str) -> str:
     parameters = "".join(f"\n        {_parameter(p)}," for p in e.parameters)
     parameters += "\n    " if parameters else ""
-    more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}" if isinstance(e, Effect) else f"{e.scale!r}, {e.kinks!r}"
+    if isinstance(e, Effect):
+        more = f"{e.turns!r}, {e.any_of!r}, {formulas(e)!r}"
+    else:
+        more = f"{e.scale!r}, {e.kinks!r}"
     return f"{kind}({e.name!r}, {e.equation!r}, ({parameters}), {e.depends_on!r}, {e.help!r}, {more})"
 
 

@@ -28,7 +28,9 @@ MEND = "python -m derive"
 
 def files(proved: list[Record]) -> dict[str, str]:
     """Text of every file of `generated`, by name, each under a header with the digest of the text below it."""
-    kernels, motion, closed = functions.kernels(proved), functions.motion(), closed_forms()
+    kernels = functions.kernels(proved)
+    motion = functions.motion()
+    closed = closed_forms()
     c_source = emit_c.source(variants(), functions.comments(kernels, proved))
     c_walk = (emit.TEMPLATES / "_flow.c").read_text(encoding="utf-8")
     for mark, lines in (cells.c() | series.c()).items():
@@ -73,7 +75,9 @@ def header(name: str, text: str) -> str:
     written = f"Written by `{MEND}` with SymPy {sp.__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
-    return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n" if name.endswith(".py") else ""
+    if name.endswith(".py"):
+        return f"# {written}\n# sha256 of the text below: {digest_of(text)}\n"
+    return ""
 
 
 def digest_of(text: str) -> str:
@@ -85,7 +89,8 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
     kernels: dict[str, dict[str, dict[str, tuple[float, float | None]]]] = {}
     ulps = {"best": 2.0**-52, "float32": 2.0**-23}  # where they are the measure: the relative error of one in [1, 2)
     for record in records:
-        bound, ulp = record["bound"], ulps.get(record["tier"])
+        bound = record["bound"]
+        ulp = ulps.get(record["tier"])
         forms = kernels.setdefault(record["kernel"], {}).setdefault(record["tier"], {})
         forms[record["form"]] = (bound * ulp, bound) if ulp else (bound, None)
     lines = []
@@ -164,7 +169,8 @@ def difference(wanted: dict[str, str], folder: Path = FOLDER) -> str:
     there = present(folder) if folder.is_dir() else {}
     found = []
     for name in sorted(wanted.keys() | there.keys()):
-        old, new = there.get(name), wanted.get(name)
+        old = there.get(name)
+        new = wanted.get(name)
         if old == new:
             continue
         source = "/dev/null" if old is None else f"generated/{name}"

@@ -58,7 +58,8 @@ def _motion() -> dict[str, tuple[str, sp.Expr]]:
     """Textbook forms of the motion by name, and where they come from."""
     k = sp.sqrt(a * b)
     y = sp.cosh(k * t) + b * omega_0 * sp.sinh(k * t) / k
-    tangent, brake = sp.tanh(k * t) / k, sp.sqrt(-a * b)
+    tangent = sp.tanh(k * t) / k
+    brake = sp.sqrt(-a * b)
     return {
         "angular_velocity": ("(3.20) from motion", (omega_0 + a * tangent) / (1 + b * omega_0 * tangent)),
         "rotation": ("(4.3) from motion", sp.log(y) / b),
@@ -84,7 +85,8 @@ def forms() -> dict[str, Form]:
     ends = {alpha: (theta_2 - theta_1) / 2, theta_m: (theta_1 + theta_2) / 2}
     turned: dict[str, tuple[str, sp.Expr]] = {}
     for d in (derive(m) for m in MOMENTS if m.amplitude):
-        kernel, way = d.moment.kernel[0], d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
+        kernel = d.moment.kernel[0]
+        way = d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
         turned[d.moment.name] = found[kernel].words, way * terms[kernel]
     turned["limit_friction"] = "(3.13) over Appendix I", turned["weight_moment"][1] / turned["radial_weight"][1]
     for name, (words, form) in turned.items():
@@ -123,7 +125,8 @@ STILL = "b = 0, no centripetal stress: the general form is 0/0"
 
 def _kernels() -> Iterator[HardCase]:
     """Of each function of alpha: thin, so thin that it underflows, and where artanh is infinite."""
-    bases, quotients = [*closed_forms()], [q.name for q in QUOTIENTS]
+    bases = [*closed_forms()]
+    quotients = [q.name for q in QUOTIENTS]
     for name in (*bases, *quotients):
         points = ((1e-8, CUBE), (1e-4, CUBE), (1e-103, DENORMAL)), ((1e-200, UNDER), (5e-324, UNDER), (1e-6, CUBE))
         yield from (HardCase(name, (x,), why) for x, why in points[name in quotients])
@@ -178,14 +181,20 @@ def measured() -> list[Result]:
     ours = {p.name: p.run for p in programs} | {"drive": partial(drive, balance().scalar)}
     found = []
     for case in CASES:
-        form, arrays = forms()[case.function], [np.array(x) for x in case.arguments]
+        form = forms()[case.function]
+        arrays = [np.array(x) for x in case.arguments]
         with np.errstate(all="ignore"):
-            naive, own = float(form.program.run(*arrays)), float(ours[case.function](*arrays))
+            naive = float(form.program.run(*arrays))
+            own = float(ours[case.function](*arrays))
         with mpmath.workdps(1600):  # more than cancels; zeros are a little off zero
             of = sp.lambdify(sp.symbols(form.program.inputs, real=True), form.exact, "mpmath")
             exact = mpmath.re(of(*(mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in case.arguments)))
-            unit, error = float(np.spacing(abs(float(exact)))), abs(own - exact)
-            wrong = float(abs(naive - exact) / abs(exact)) if math.isfinite(naive) else abs(naive)
+            unit = float(np.spacing(abs(float(exact))))
+            error = abs(own - exact)
+            if math.isfinite(naive):
+                wrong = float(abs(naive - exact) / abs(exact))
+            else:
+                wrong = abs(naive)
             found.append(Result(*case, form.words, wrong, float(error / abs(exact)), float(error / unit)))
     return found
 

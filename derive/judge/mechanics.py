@@ -26,7 +26,8 @@ DEPTH = sp.simplify(R * LEVER / (2 * alpha))  # f (2.12)
 
 def basis(x: sp.Expr, y: sp.Expr) -> Pair:
     """Components along e_r and e_theta of a Cartesian vector."""
-    c, s = sp.cos(theta), sp.sin(theta)
+    c = sp.cos(theta)
+    s = sp.sin(theta)
     return sp.simplify(x * c + y * s), sp.simplify(y * c - x * s)
 
 
@@ -104,7 +105,8 @@ def scaled(f: sp.Expr) -> sp.Expr:
 @cache
 def radial() -> sp.Expr:
     """R times the integral of sigma_n over the angle: (2.1) with (1.8), (1.11), (1.12), (2.3), (2.4), over ell."""
-    weight, inertia = rho * GRAVITY[0], rho * rate(2)[0]
+    weight = rho * GRAVITY[0]
+    inertia = rho * rate(2)[0]
     return sp.expand((body(inertia * AREA) - body(weight * AREA)) / reaction()[0].coeff(sigma_n))
 
 
@@ -136,7 +138,8 @@ def dimensional() -> dict[str, sp.Expr]:
     clock = sp.sqrt(g / R)
     at = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
     turning, turned = (motion(x).subs(at, simultaneous=True) for x in ("angular_velocity", "rotation"))
-    rate, phi = sp.simplify(clock * turning), sp.simplify(turned)
+    rate = sp.simplify(clock * turning)
+    phi = sp.simplify(turned)
     return {"omega": rate, "phi": phi} | {k: (R * x).subs(c0, c1 / R) for k, x in (("v", rate), ("s", phi))}
 
 

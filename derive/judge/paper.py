@@ -90,7 +90,8 @@ _SUM = ("radial components added as scalars (2.1)",)
 _MEAN = (*_SUM, "mean stress (2.9)")
 _MOTION = (*_MEAN, "Coulomb friction, one coefficient (1.14)")
 _SOLVED = ("J_r, J_theta and friction constant", "from rest (3.19)")
-_ARC, _DIPS = (("alpha", *DOMAINS["alpha"]),), ("complex arithmetic, for dips from 0 to pi",)
+_ARC = (("alpha", *DOMAINS["alpha"]),)
+_DIPS = ("complex arithmetic, for dips from 0 to pi",)
 _EXAMPLE = (*_SOLVED, f"g = {s.GRAVITY} m/s^2")
 
 
@@ -118,7 +119,8 @@ def _notation(words: str, old: str, new: str) -> tuple[Cause, ...]:
 
 
 _W = "body(-sin(theta)*r)"
-_STRESS, _SLIP = "Integral(sigma(alpha), (alpha, 0, 2*alpha))", "integration variable that is also a limit"
+_STRESS = "Integral(sigma(alpha), (alpha, 0, 2*alpha))"
+_SLIP = "integration variable that is also a limit"
 _ONCE = ("sigma(alpha), (alpha", "sigma(u), (u")
 
 CLAIMS = (

@@ -41,7 +41,9 @@ class State:
 
     def normal(self, u: Any) -> mp.mpf:
         """The stress at u."""
-        return self.stress(u) if self.stress else self.total / (2 * s.HALF)
+        if self.stress:
+            return self.stress(u)
+        return self.total / (2 * s.HALF)
 
 
 def sum_of(f: Along) -> mp.mpf:
@@ -174,7 +176,8 @@ def exhibit(postulate: Postulate) -> mp.mpf:
     """The relative effect of a postulate, after a check that its state keeps all before it and breaks this one."""
     earlier = takewhile(lambda x: x.words != postulate.words, POSTULATES)
     with mp.workdps(30):
-        state, tiny = postulate.state(), mp.mpf(10) ** -20
+        state = postulate.state()
+        tiny = mp.mpf(10) ** -20
         broken = [x.words for x in earlier if abs(x.gap(state)) > tiny]
         if broken or abs(postulate.gap(state)) <= tiny:
             raise ProofError(postulate.alternative, f"it breaks {broken or 'nothing'}", "this postulate alone broken")

@@ -27,7 +27,8 @@ GRAVITY = "9.81"  # used by the project; the paper states no value
 
 def printed_as(digits: str) -> tuple[mp.mpf, mp.mpf, mp.mpf]:
     """A printed number, and the least and the largest value that it may stand for."""
-    printed, unit = mp.mpf(digits), mp.mpf(10) ** Decimal(digits).as_tuple().exponent
+    printed = mp.mpf(digits)
+    unit = mp.mpf(10) ** Decimal(digits).as_tuple().exponent
     low, high = (printed - unit / 2, printed + unit) if printed >= 0 else (printed - unit, printed + unit / 2)
     return printed, low, high
 
@@ -43,7 +44,8 @@ def given(name: str) -> mp.mpf:
 
 
 with mp.workdps(50):  # radians: theta_1, half the opening angle, psi, the dip of the chord
-    FIRST_END, HALF = mp.radians(given("theta_10")), mp.radians(given("theta_20") - given("theta_10")) / 2
+    FIRST_END = mp.radians(given("theta_10"))
+    HALF = mp.radians(given("theta_20") - given("theta_10")) / 2
     DIP = 3 * mp.pi / 2 - FIRST_END - HALF
     RESIDUAL = mp.tan(mp.radians(given("phi_res")))  # friction coefficient of section 4
 
@@ -119,8 +121,10 @@ def reached(name: str, as_printed: bool = False, gravity: str = GRAVITY) -> mp.m
     a = moment("radial_weight") * (limit_friction(as_printed) - RESIDUAL) / inertia
     b = factor() * dynamic(angle) * RESIDUAL / inertia
     clock = mp.sqrt(mp.mpf(gravity) / given("R"))
-    c0, c2 = mp.sqrt(a / b) * clock, mp.sqrt(a * b) * clock
-    omega, phi = c0 * mp.tanh(c2 * given("span")), c0 / c2 * mp.log(mp.cosh(c2 * given("span")))
+    c0 = mp.sqrt(a / b) * clock
+    c2 = mp.sqrt(a * b) * clock
+    omega = c0 * mp.tanh(c2 * given("span"))
+    phi = c0 / c2 * mp.log(mp.cosh(c2 * given("span")))
     found = {"c0": c0, "c1": c0 * given("R"), "c2": c2, "phi": phi, "omega*": omega / clock}
     return (found | {"v": omega * given("R"), "s": phi * given("R")})[name]
 

@@ -52,7 +52,8 @@ KEYS = Row._fields
 
 
 # How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
-_LOG, _ARTANH = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))), sp.atanh(sp.sin(alpha))
+_LOG = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2)))
+_ARTANH = sp.atanh(sp.sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
@@ -71,7 +72,8 @@ def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
         form = form.xreplace({x: sp.Symbol(f"_{x}", real=True) for x in atoms})
     ways = []
     for x in sorted(form.free_symbols, key=lambda x: x.name):
-        (low, high), size = limits(domain).get(x.name, (0, sp.oo)), sp.Symbol(x.name, positive=True)
+        low, high = limits(domain).get(x.name, (0, sp.oo))
+        size = sp.Symbol(x.name, positive=True)
         signs = [sign for sign, there in ((1, high > 0), (-1, low < 0)) if there]
         ways.append([(x, low)] if low == high else [(x, sign * size) for sign in signs])
     try:
@@ -106,7 +108,8 @@ def _integrates(form: sp.Expr, weight: sp.Expr, domain: Domain) -> bool:
 
 def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bool:
     """Whether transcribed forms are the derived ones, after the postulates were put into these."""
-    printed, derived = m.read(forms), _derived(claim)
+    printed = m.read(forms)
+    derived = _derived(claim)
     put = [pair for x in postulates for pair in x.put]
     limits = [limit for form in printed for x in form.atoms(sp.Integral) for limit in x.limits]
     return (
@@ -122,7 +125,9 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
 @cache
 def _derived(claim: Claim) -> tuple[sp.Expr, ...]:
     found = claim.definition()
-    return tuple(found) if isinstance(found, (tuple, list)) else (found,)
+    if isinstance(found, (tuple, list)):
+        return tuple(found)
+    return (found,)
 
 
 Judgement = tuple[str, str, str]  # computed, verdict, cause
@@ -219,7 +224,8 @@ def _appendix(claim: Claim) -> Judgement:
         return "nothing: it is no such integral", "wrong", f"cause not found ({error})"
     before, after = proof.operations
     computed = f"integral of {words(proof.integrand)}: {words(proof.expression)}; {before} operations -> {after}"
-    brackets, (claimed,) = _brackets(claim.subject), m.read(claim.expression)
+    brackets = _brackets(claim.subject)
+    (claimed,) = m.read(claim.expression)
     said = [brackets] if brackets else []
     if real_arithmetic_fails(claim.subject).subs(theta_m, float(s.FIRST_END + s.HALF)):
         said.append("NaN in real arithmetic here")
