@@ -35,7 +35,8 @@ def rate(order: int) -> Pair:
     """Polar components of the derivative of the position r e_r by time, with d(theta)/dt = omega (1.2)."""
     moving = sp.Function("theta")(t)
     known = ((moving.diff(t, 2), omega_dot), (moving.diff(t), omega), (moving, theta))
-    return basis(*((r * f(moving)).diff(t, order).subs(known) for f in (sp.cos, sp.sin)))
+    x, y = ((r * f(moving)).diff(t, order).subs(known) for f in (sp.cos, sp.sin))
+    return basis(x, y)
 
 
 GRAVITY: Pair = basis(sp.Integer(0), -g)
@@ -43,10 +44,15 @@ GRAVITY: Pair = basis(sp.Integer(0), -g)
 
 def reaction() -> Pair:
     """Components of the traction on the arc: pressure against the outward normal, shear against the velocity."""
-    arc = sp.Matrix([sp.cos(theta), sp.sin(theta)])
-    tangent = arc.diff(theta)
-    pressure, shear = basis(*(-sigma_n * sp.Matrix([tangent[1], -tangent[0]]) - tau_n * tangent))
+    tangent = _direction(theta).diff(theta)
+    outward = sp.Matrix([tangent[1], -tangent[0]])
+    pressure, shear = basis(*(-sigma_n * outward - tau_n * tangent))
     return pressure, shear * sp.sign(omega)
+
+
+def _direction(angle: sp.Expr) -> sp.Matrix:
+    """The unit vector at a polar angle."""
+    return sp.Matrix([sp.cos(angle), sp.sin(angle)])
 
 
 def moment_of(radius: sp.Expr, force: Pair) -> sp.Expr:
@@ -64,7 +70,7 @@ def end(start: sp.Symbol) -> sp.Expr:
     return start + sp.Integral(omega_of(r), (r, 0, t))
 
 
-AREA = sp.simplify(sp.Matrix([r * sp.cos(theta), r * sp.sin(theta)]).jacobian([r, theta]).det())  # over dr dtheta
+AREA = sp.simplify((r * _direction(theta)).jacobian([r, theta]).det())  # over dr dtheta
 ARC = sp.sqrt(sp.simplify(sum((R * f(theta)).diff(theta) ** 2 for f in (sp.cos, sp.sin))))  # over dtheta, on the circle
 STRESS_SUM = sp.Integral(sigma(u), (u, 0, 2 * alpha))  # along the arc, over the angle from its first end
 
@@ -72,24 +78,29 @@ STRESS_SUM = sp.Integral(sigma(u), (u, 0, 2 * alpha))  # along the arc, over the
 @cache
 def chord() -> sp.Expr:
     """Where the ray at theta meets the line through both ends of the arc, from collinearity."""
-    ends = [R * sp.Matrix([sp.cos(x), sp.sin(x)]) for x in (theta_1, theta_1 + 2 * alpha)]
-    ray = r * sp.Matrix([sp.cos(theta), sp.sin(theta)])
-    return sp.solve(sp.Matrix.hstack(ray - ends[0], ends[1] - ends[0]).det(), r)[0]
+    first = R * _direction(theta_1)
+    second = R * _direction(theta_1 + 2 * alpha)
+    ray = r * _direction(theta)
+    return sp.solve(sp.Matrix.hstack(ray - first, second - first).det(), r)[0]
 
 
 @cache
 def deepest() -> sp.Expr:
     """The largest R - R_1: the one stationary point, in u = theta - theta_m, and a maximum."""
     depth = R * (1 - sp.cos(alpha) / sp.cos(u))
-    places = sp.solve(sp.numer(sp.together(depth.diff(u))), u)
-    (place,) = (x for x in places if (depth.diff(u, 2).subs(u, x) / sp.cos(alpha)).is_negative)
-    return depth.subs(u, place)
+    stationary = sp.solve(sp.numer(sp.together(depth.diff(u))), u)
+    curvature = depth.diff(u, 2) / sp.cos(alpha)
+    (maximum,) = (x for x in stationary if curvature.subs(u, x).is_negative)
+    return depth.subs(u, maximum)
 
 
 def body_star(f: sp.Expr, low: sp.Expr = CHORD, high: sp.Expr = sp.Integer(1)) -> sp.Expr:
     """The double integral from the chord to the arc in r* = r/R, constants outside."""
-    parts = (term.as_independent(r, theta) for term in sp.Add.make_args(sp.expand(f)))
-    return sp.Add(*(c * sp.Integral(rest, (r, low, high), (theta, theta_1, theta_2)) for c, rest in parts))
+    result = sp.Integer(0)
+    for term in sp.Add.make_args(sp.expand(f)):
+        constant, rest = term.as_independent(r, theta)
+        result += constant * sp.Integral(rest, (r, low, high), (theta, theta_1, theta_2))
+    return result
 
 
 def body(f: sp.Expr) -> sp.Expr:
@@ -129,18 +140,19 @@ def lever() -> sp.Expr:
 @cache
 def motion(name: str) -> sp.Expr:
     """The derived motion from rest, under constant a and b."""
-    return sp.simplify(dynamics.solution()[name].subs(omega_0, 0)).subs(sp.Symbol("k", positive=True), sp.sqrt(a * b))
+    from_rest = sp.simplify(dynamics.solution()[name].subs(omega_0, 0))
+    return from_rest.subs(sp.Symbol("k", positive=True), sp.sqrt(a * b))
 
 
 @cache
 def dimensional() -> dict[str, sp.Expr]:
     """The same in dimensions (2.21), (3.9), with c2 = sqrt(a b g/R), c0 = sqrt(a/b g/R) and c1 = R c0."""
     clock = sp.sqrt(g / R)
-    at = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
-    turning, turned = (motion(x).subs(at, simultaneous=True) for x in ("angular_velocity", "rotation"))
-    rate = sp.simplify(clock * turning)
-    phi = sp.simplify(turned)
-    return {"omega": rate, "phi": phi} | {k: (R * x).subs(c0, c1 / R) for k, x in (("v", rate), ("s", phi))}
+    in_seconds = {t: t * clock, a: c0 * c2 / clock**2, b: c2 / c0}
+    velocity, rotation = (motion(x).subs(in_seconds, simultaneous=True) for x in ("angular_velocity", "rotation"))
+    rate = sp.simplify(clock * velocity)
+    phi = sp.simplify(rotation)
+    return {"omega": rate, "phi": phi, "v": (R * rate).subs(c0, c1 / R), "s": (R * phi).subs(c0, c1 / R)}
 
 
 def series(motion: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -153,26 +165,23 @@ def series(motion: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 @cache
 def names() -> dict[str, Any]:
     """The notation of the transcribed forms."""
-    shared = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
-    shared += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
-    functions = {f.__name__: f for f in (sigma, omega_of, mu_of, a_of, b_of, body, body_star)}
-    return (
-        {x.name: x for x in shared}
-        | functions
-        | {
-            "lam": LEVER,
-            "A": polar / LEVER,
-            "gamma": rho * g,
-            "f": DEPTH,
-            "sigma_ref": rho * g * DEPTH,
-            "chord": CHORD,
-            "J_r": j_r,
-            "J_theta": j_theta,
-            "J_r0": j_r.subs(turn, 0),
-            "J_theta0": j_theta.subs(turn, 0),
-            "phi": dimensional()["phi"],
-        }
-    )
+    symbols = (R, g, rho, ell, mu, polar, omega_star, rate_star, sigma_mean, theta_star, *RATES, omega, omega_dot)
+    symbols += (sigma_n, tau_n, alpha, theta, theta_1, theta_2, r, u, t, a, b)
+    notation = {x.name: x for x in symbols}
+    notation |= {f.__name__: f for f in (sigma, omega_of, mu_of, a_of, b_of, body, body_star)}
+    return notation | {
+        "lam": LEVER,
+        "A": polar / LEVER,
+        "gamma": rho * g,
+        "f": DEPTH,
+        "sigma_ref": rho * g * DEPTH,
+        "chord": CHORD,
+        "J_r": j_r,
+        "J_theta": j_theta,
+        "J_r0": j_r.subs(turn, 0),
+        "J_theta0": j_theta.subs(turn, 0),
+        "phi": dimensional()["phi"],
+    }
 
 
 @cache
