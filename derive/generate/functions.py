@@ -162,19 +162,21 @@ def _carried(d: Derivation) -> sp.Expr:
 def prove_carried() -> list[str]:
     """Prove that these are of the exact angles, to first order in what the rounding of alpha and theta_m takes."""
     claims = []
-    for angle, lost in (errors := {alpha: _DELTA, theta_m: _EPSILON}).items():
-        claims.append(f"{angle}: the sum of which {lost} is lost")
+    errors = {alpha: _DELTA, theta_m: _EPSILON}
+    for angle, error in errors.items():
+        claims.append(f"{angle}: the sum of which {error} is lost")
         rounded = _ENDS[angle].replace(sp.Min, lambda *x: next(y for y in x if not y.is_number))
-        prove_zero(rounded - _ENDS[lost].replace(RoundingError, lambda x, y: x + y), claims[-1])
-    ratio = sp.Function("ratio")(alpha)
-    cotangent = sp.cos(theta_m) / sp.sin(theta_m)
-    turned = [d for d in map(derive, MOMENTS) if d.moment.amplitude]
-    whole = {d.moment.name: (_carried(d), d.amplitude, _direction(d)) for d in turned}
-    for name, (form, kernel, direction) in (whole | {"limit_friction": (_LIMIT, ratio, cotangent)}).items():
+        prove_zero(rounded - _ENDS[error].replace(RoundingError, lambda x, y: x + y), claims[-1])
+    forms = {"limit_friction": (_LIMIT, sp.Function("ratio")(alpha), sp.cos(theta_m) / sp.sin(theta_m))}
+    for d in map(derive, MOMENTS):
+        if d.moment.amplitude:
+            forms[d.moment.name] = (_carried(d), d.amplitude, _direction(d))
+    for name, (form, kernel, direction) in forms.items():
         claims.append(f"{name}: of the exact angles, to first order")
-        carried = {x: e for x, e in errors.items() if form.has(e)}
-        difference = form.subs(_KERNEL, kernel) - (kernel * direction).subs({x: x + e for x, e in carried.items()})
-        for zero in (difference, *(sp.diff(difference, e) for e in carried.values())):
+        carried = {x: error for x, error in errors.items() if form.has(error)}
+        exact = (kernel * direction).subs({x: x + error for x, error in carried.items()})
+        difference = form.subs(_KERNEL, kernel) - exact
+        for zero in (difference, *(sp.diff(difference, error) for error in carried.values())):
             prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), sp.Integer(0), claims[-1])
     return claims
 
@@ -207,15 +209,17 @@ def _weight(d: Derivation) -> Function:
 
 def motion() -> list[Function]:
     """The motion formulas of frozen geometry."""
-    found = []
+    every = []
     for form in dynamics.FORMS:
         names = tuple(x.name for x in form.inputs)
-        ride = "t" in names
-        limits = {"t": ">= 0"} if ride else {"a": "< 0", "b": ">= 0", "omega_0": ">= 0"}
+        timed = "t" in names
+        limits = {"t": ">= 0"} if timed else {"a": "< 0", "b": ">= 0", "omega_0": ">= 0"}
         domain = ", ".join(f"{x} {limit}" for x, limit in limits.items())
-        finite = {x: f"np.isfinite({x})" for x in names}
-        inside = " & ".join(f"(({x} {limits[x]}.0) & {y})" if x in limits else y for x, y in finite.items())
-        found.append(
+        conditions = []
+        for x in names:
+            finite = f"np.isfinite({x})"
+            conditions.append(f"(({x} {limits[x]}.0) & {finite})" if x in limits else finite)
+        every.append(
             Function(
                 program(form.name, names, form.result, let=form.let),
                 form.summary,
@@ -223,42 +227,49 @@ def motion() -> list[Function]:
                 f"eq. ({form.equation}) of {PAPER}",
                 tuple((x.name, dynamics.INPUTS[x]) for x in form.inputs),
                 "Dimensionless.",
-                domain + (", until the solution runs to infinity" if ride else ""),
-                inside,
-                (1.0, 1.0, 0.0, 0.0) if ride else (-1.0, 1.0, 0.0),
+                f"{domain}, until the solution runs to infinity" if timed else domain,
+                " & ".join(conditions),
+                (1.0, 1.0, 0.0, 0.0) if timed else (-1.0, 1.0, 0.0),
                 dynamics.ACCURACY,
             )
         )
-    return found
+    return every
 
 
 def printed() -> list[tuple[Program, str]]:
     """The paper's forms as it prints them, and the one-line equals of its appendices, for comparison only."""
+    ends = ("theta_1", "theta_2", "alpha")
+    return [
+        *((program(name, ("alpha",), form), source) for name, form, source in _printed_kernels()),
+        *((program(f"appendix_{x.name}", ends, parse(x)), f"Appendix {x.name}, brackets repaired") for x in APPENDICES),
+        *((program(name, ("a", "b", "t"), form), source) for name, form, source in _printed_motion()),
+    ]
+
+
+def _printed_kernels() -> list[tuple[str, sp.Expr, str]]:
     c = sp.cos(alpha)
     s = sp.sin(alpha)
-    half = sp.Rational(1, 2)
-    moment = (2 * alpha - half * sp.sin(2 * alpha) - sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2))) * c**3) / 3
-    factor = RESISTANCE.form
+    log = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2)))
+    moment = (2 * alpha - sp.sin(2 * alpha) / 2 - log * c**3) / 3
+    inertia = (alpha - sp.sin(2 * alpha) * (1 + 2 * c**2) / 6) / 2
+    resistance = RESISTANCE.form
+    return [
+        ("polar_moment", moment, "(2.19)"),
+        ("moment_of_inertia", inertia, "(3.15)"),
+        ("radial_weight_amplitude", s - c**2 * sp.atanh(s), "Appendix I in one line"),
+        ("weight_moment_amplitude", sp.Rational(2, 3) * (s - s * c**2), "(3.13), integrated"),
+        ("resistance_factor", resistance, "(3.14)"),
+        ("dynamic_coefficient", moment / resistance, "(2.24) with (2.19)"),
+    ]
+
+
+def _printed_motion() -> list[tuple[str, sp.Expr, str]]:
     with sp.evaluate(False):
         velocity = sp.sqrt(a / b) * sp.tanh(sp.sqrt(a * b) * t)
         rotation = sp.log(sp.cosh(sp.sqrt(a * b) * t)) / b
-    one = ("alpha",)
     return [
-        (program("polar_moment", one, moment), "(2.19)"),
-        (program("moment_of_inertia", one, half * (alpha - sp.sin(2 * alpha) * (1 + 2 * c**2) / 6)), "(3.15)"),
-        (program("radial_weight_amplitude", one, s - c**2 * sp.atanh(s)), "Appendix I in one line"),
-        (program("weight_moment_amplitude", one, sp.Rational(2, 3) * (s - s * c**2)), "(3.13), integrated"),
-        (program("resistance_factor", one, factor), "(3.14)"),
-        (program("dynamic_coefficient", one, moment / factor), "(2.24) with (2.19)"),
-        *(
-            (
-                program(f"appendix_{x.name}", ("theta_1", "theta_2", "alpha"), parse(x)),
-                f"Appendix {x.name}, brackets repaired",
-            )
-            for x in APPENDICES
-        ),
-        (program("angular_velocity", ("a", "b", "t"), velocity), "(3.20), misprint mended, from rest"),
-        (program("rotation", ("a", "b", "t"), rotation), "(4.3), from rest"),
+        ("angular_velocity", velocity, "(3.20), misprint mended, from rest"),
+        ("rotation", rotation, "(4.3), from rest"),
     ]
 
 
@@ -270,13 +281,13 @@ def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
 
 def laws() -> list[tuple[Program, str]]:
     """Each friction law that has a formula."""
-    found = []
+    programs = []
     for law in LAWS:
         if law.coefficient is not None:
-            free = {x.name for x in law.coefficient.free_symbols}
-            inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in free)
-            found.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
-    return found
+            symbols = {x.name for x in law.coefficient.free_symbols}
+            inputs = tuple(x for x in ("slip", "speed", *(p.name for p in law.parameters)) if x in symbols)
+            programs.append((program(f"friction_{law.name}", inputs, law.coefficient), f"friction: {law.help}"))
+    return programs
 
 
 def effects_module() -> str:
