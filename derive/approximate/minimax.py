@@ -13,8 +13,8 @@ from functools import reduce
 from itertools import accumulate
 from typing import Any
 
-import sympy as sp
 from flint import arb, arb_mat, ctx, fmpq
+from sympy import Add, Expr, Mul, Pow, Rational, Symbol, pi
 
 from derive.check.truth import fraction, number
 
@@ -31,23 +31,23 @@ def nearest(x: arb) -> float:
     return float(fraction(x.mid()))
 
 
-def evaluate(expression: sp.Expr, x: Any) -> Any:
+def evaluate(expression: Expr, x: Any) -> Any:
     """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine."""
-    if isinstance(expression, sp.Symbol):
+    if isinstance(expression, Symbol):
         return x
-    if isinstance(expression, sp.Rational):
+    if isinstance(expression, Rational):
         return fmpq(int(expression.p), int(expression.q))
-    if expression is sp.pi:
+    if expression is pi:
         return arb.pi()
     parts = [evaluate(part, x) for part in expression.args]
-    if isinstance(expression, (sp.Add, sp.Mul)):
+    if isinstance(expression, (Add, Mul)):
         return reduce(operator.add if expression.is_Add else operator.mul, parts)
-    if isinstance(expression, sp.Pow):
+    if isinstance(expression, Pow):
         return parts[0] ** int(expression.exp)
     return getattr(parts[0], type(expression).__name__)()  # sin, cos, atanh
 
 
-def value(closed: sp.Expr, a: arb) -> arb:
+def value(closed: Expr, a: arb) -> arb:
     """A closed form at alpha, with bits to spare for what cancels."""
     with ctx.workprec(GUARD):
         return arb(evaluate(closed, a)).mid()

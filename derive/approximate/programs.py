@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import cache, reduce
 from typing import Any, NamedTuple
 
-import sympy as sp
+from sympy import Expr
 
 from derive.approximate import shapes
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, limit
@@ -77,18 +77,18 @@ class Code(Builder):
         return without_dead(Program(name, (self.argument,), tuple(self.ops), (output.place,)))
 
 
-def excess(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
+def excess(code: Code, closed: Expr, piece: Pieces) -> Value:
     """Plain: q of W = 1 + q, F = x (u + u q) times the limit. A rounded 2/3 inside W would lean to one side."""
     u = code.u
     return code.horner(u, shapes.near_fit(closed, piece.seam, piece.count, Fraction(1))) * u
 
 
-def to_limit(closed: sp.Expr, w: Value) -> Value:
+def to_limit(closed: Expr, w: Value) -> Value:
     """w times 1 or 2/3, rounded once."""
     return w if limit(closed) == 1 else w / float(1 / limit(closed))
 
 
-def near_sum(code: Code, closed: sp.Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
+def near_sum(code: Code, closed: Expr, piece: Pieces) -> tuple[Pair, Value, Value]:
     """Fused: W and what its roundings lost; d(u W)/du; and P1 = (W - c0)/u, which is nearly W'.
 
     The leading sums are S_k = c_k + u S_(k+1), and fma(S_(k+1), u, c_k - S_k) is what S_k lost.
@@ -126,7 +126,7 @@ def _even_and_odd(code: Code, u: Value, c: Sequence[float]) -> Value:
     return code.fma(u, code.fma(u, odd, even), c[0])
 
 
-def near(code: Code, closed: sp.Expr, piece: Pieces) -> Pair:
+def near(code: Code, closed: Expr, piece: Pieces) -> Pair:
     """F = x h + x h_low, h = u W."""
     u = code.u
     du = code.fma(code.x, code.x, -u)
@@ -135,7 +135,7 @@ def near(code: Code, closed: sp.Expr, piece: Pieces) -> Pair:
     return Pair(h, code.fma(u, w.low, code.fma(du, slope, code.fma(u, w.high, -h))))
 
 
-def near_value(code: Code, closed: sp.Expr, piece: Pieces) -> Value:
+def near_value(code: Code, closed: Expr, piece: Pieces) -> Value:
     """F; rounded, or underflowing, once at the end: a product with a power of x comes last."""
     if code.fused:
         h = near(code, closed, piece)
@@ -160,7 +160,7 @@ def logarithm(code: Code, b: Value) -> Value:
     return code.fma(q, bent, code.fma(code.put("exponent", b), ln2, s))
 
 
-def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
+def far(code: Code, closed: Expr, shape: Far, seam: float) -> Pair:
     """The piece near pi/2 as `FarFit` has it: the line, and what is added to it."""
     fit = shapes.far_fit(closed, shape, seam)
     b = HALF_PI - code.x
@@ -185,7 +185,7 @@ def far(code: Code, closed: sp.Expr, shape: Far, seam: float) -> Pair:
     return Pair(rise + shape.line, rest)
 
 
-def fused_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> Value:
+def fused_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
     """F1/F2, near 0 from W1/W2: one division, corrected for its rounding error and those of its parts."""
     seam = min(part.seam for part in parts)
     over, under = (fused_part(code, closed, part, seam) for closed, part in zip(forms, parts, strict=True))
@@ -195,7 +195,7 @@ def fused_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]
     return code.fma(code.fma(-q, under.low, residual), inverse, q)
 
 
-def plain_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]) -> Value:
+def plain_quotient(code: Code, forms: Sequence[Expr], parts: Sequence[Pieces]) -> Value:
     """F1/F2, near 0 from W1/W2 over their limits."""
     seam = min(part.seam for part in parts)
     same_limit = limit(forms[0]) == limit(forms[1])
@@ -211,7 +211,7 @@ def plain_quotient(code: Code, forms: Sequence[sp.Expr], parts: Sequence[Pieces]
     return values[0] / values[1]
 
 
-def fused_part(code: Code, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
+def fused_part(code: Code, closed: Expr, part: Pieces, seam: float) -> Pair:
     """W below the seam, F above it; what is lost in `low`."""
     u = code.u
     w, _, p1 = near_sum(code, closed, part)
@@ -228,7 +228,7 @@ def fused_part(code: Code, closed: sp.Expr, part: Pieces, seam: float) -> Pair:
     return Pair(code.below(seam, w.high, total), code.below(seam, w_low, lost))
 
 
-def cheap(code: Code, closed: sp.Expr, above: int, below: int) -> Value:
+def cheap(code: Code, closed: Expr, above: int, below: int) -> Value:
     """x u (numerator/denominator): one polynomial or one quotient of two over the whole domain."""
     over, under, _ = shapes.cheap_fit(closed, above, below)
     u = code.u

@@ -12,8 +12,8 @@ from functools import cache, partial
 from itertools import product
 
 import numpy as np
-import sympy as sp
 from flint import arb
+from sympy import Expr, diff
 
 from derive.approximate import certificates, shapes
 from derive.approximate.minimax import minimax
@@ -60,16 +60,16 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
     return forms
 
 
-def rises(closed: sp.Expr, seam: float) -> bool:
+def rises(closed: Expr, seam: float) -> bool:
     """Whether F grows at the seam by more than both pieces' errors from one double to the next."""
     step = math.ulp(math.nextafter(seam, 0.0))
     f = float(at(closed, arb(seam)))
-    slope = float(at(sp.diff(closed, alpha), arb(seam)))
+    slope = float(at(diff(closed, alpha), arb(seam)))
     return slope * step > 1.4 * certify.ulp(f, 53)
 
 
 @cache
-def baseline(closed: sp.Expr, seam: float) -> Far:
+def baseline(closed: Expr, seam: float) -> Far:
     """The baseline whose operations leave the least error, by an estimate of half an ulp each, over ulp(F)."""
     points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
     values = [(x, float(at(closed, arb(x)))) for x in points]
@@ -90,7 +90,7 @@ def baseline(closed: sp.Expr, seam: float) -> Far:
     return min(candidates, key=rank)
 
 
-def _baseline_error(closed: sp.Expr, far: Far, values: Sequence[tuple[float, float]]) -> float:
+def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]]) -> float:
     """Rounding errors of a baseline's operations, in ulp(F) at the worst of some points; the last one is pi/2.
 
     F = straight + (constant + bent + b**power core), each sum and product rounded once.
@@ -128,7 +128,7 @@ def started(kernel: Kernel, seam: float) -> Best:
     return tuple(pieces)
 
 
-def _least_far(closed: sp.Expr, seam: float) -> Far:
+def _least_far(closed: Expr, seam: float) -> Far:
     """The preferred baseline with the least degree that approximates, or the greatest tried."""
     for degree in range(3, 13):
         far = replace(baseline(closed, seam), degree=degree)
@@ -159,7 +159,7 @@ def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
             yield (*shape[:k], move, *shape[k + 1 :])
 
 
-def _neighbours_of_far(closed: sp.Expr, far: Far) -> Iterator[Far]:
+def _neighbours_of_far(closed: Expr, far: Far) -> Iterator[Far]:
     """Other degrees, lines, bends and scales, where the form has them."""
     about = end(closed)
     for step in (-1, 1):

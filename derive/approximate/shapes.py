@@ -14,8 +14,8 @@ from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
-import sympy as sp
 from flint import arb, ctx, fmpq, fmpq_series
+from sympy import Dummy, Expr, atanh, cos, diff, expand, expand_trig, pi
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate.minimax import GUARD, Function, Samples, evaluate, horner, minimax, nearest, rounded, sample
@@ -35,7 +35,7 @@ class Kernel:
     """A function of alpha: the closed form that SymPy derived, or two for a quotient, and what certificates call it."""
 
     name: str
-    closed: tuple[sp.Expr, ...]
+    closed: tuple[Expr, ...]
     definition: tuple[str, ...]
 
 
@@ -55,14 +55,14 @@ def kernels() -> list[Kernel]:
 
 
 @cache
-def at_zero(closed: sp.Expr) -> list[fmpq]:
+def at_zero(closed: Expr) -> list[fmpq]:
     """Taylor coefficients at 0, exactly."""
     with truth.working(GUARD):
         series = evaluate(closed, fmpq_series([0, 1]))
         return [series[k] for k in range(truth.TERMS + 1)]
 
 
-def limit(closed: sp.Expr) -> Fraction:
+def limit(closed: Expr) -> Fraction:
     """Of F/alpha**3 at 0."""
     first = at_zero(closed)[truth.CUBE]
     return Fraction(int(first.p), int(first.q))
@@ -103,17 +103,17 @@ class End:
 
 
 @cache
-def end(closed: sp.Expr) -> End:
+def end(closed: Expr) -> End:
     """Expand about pi/2: b = pi/2 - alpha and h = artanh(cos(b)), in which the form is linear."""
-    b, h = sp.Dummy("b", real=True), sp.Dummy("h", real=True)
-    in_b = closed.subs(alpha, sp.pi / 2 - b).subs(sp.atanh(sp.cos(b)), h)
-    form = sp.expand(sp.expand_trig(in_b))
+    b, h = Dummy("b", real=True), Dummy("h", real=True)
+    in_b = closed.subs(alpha, pi / 2 - b).subs(atanh(cos(b)), h)
+    form = expand(expand_trig(in_b))
     logs = form.coeff(h, 1)
     smooth = form.coeff(h, 0)
     smooth -= smooth.subs(b, 0)
     for odd in (True, False):
         sign = 1 if odd else -1
-        if all(sp.expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
+        if all(expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
             with truth.working(GUARD):
                 x = fmpq_series([0, 1])
                 first = evaluate(smooth, x)[1 if odd else 2]
@@ -181,13 +181,13 @@ def text() -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def scaled(closed: sp.Expr, wanted: Fraction) -> Function:
+def scaled(closed: Expr, wanted: Fraction) -> Function:
     """F/alpha**3 as a function of alpha**2, times what makes `wanted` its limit at 0."""
     factor = number(wanted / limit(closed))
     return lambda u: factor * at(closed, u.sqrt()) / (u * u.sqrt())
 
 
-def near_samples(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> Samples:
+def near_samples(closed: Expr, seam: float, count: int, wanted: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
         samples = sample(scaled(closed, wanted), lambda u, f: 1 / f, number(seam) ** 2, count)
@@ -195,7 +195,7 @@ def near_samples(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> 
 
 
 @cache
-def near_fit(closed: sp.Expr, seam: float, count: int, wanted: Fraction) -> tuple[float, ...]:
+def near_fit(closed: Expr, seam: float, count: int, wanted: Fraction) -> tuple[float, ...]:
     """c1, c2, ... of W = limit + u (c1 + u (c2 + ...)): F/alpha**3, or its multiple with that limit at 0."""
     samples = near_samples(closed, seam, count, wanted)
     coefficients, _ = rounded(samples, count - 1, careful=min(3, count - 1))
@@ -217,7 +217,7 @@ def logarithm_fit() -> tuple[float, tuple[float, ...]]:
 
 
 @cache
-def cheap_fit(closed: sp.Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
+def cheap_fit(closed: Expr, above: int, below: int) -> tuple[tuple[float, ...], tuple[float, ...], float]:
     """Numerator and denominator of F/alpha**3, and their relative error before rounding.
 
     A polynomial in alpha**2, or a rational in pi**2/4 - alpha**2.
@@ -231,7 +231,7 @@ def cheap_fit(closed: sp.Expr, above: int, below: int) -> tuple[tuple[float, ...
     return tuple(map(nearest, over)), tuple(map(nearest, under)), error
 
 
-def powers(closed: sp.Expr, far: Far) -> tuple[int, int]:
+def powers(closed: Expr, far: Far) -> tuple[int, int]:
     """The power of b in front of what the baseline leaves, and half the power of b in front of Q.
 
     The power rises by 2 where the baseline takes the first coefficient off and the logarithm starts no earlier.
@@ -262,7 +262,7 @@ class FarFit:
 
 
 @cache
-def far_fit(closed: sp.Expr, far: Far, seam: float) -> FarFit:
+def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
     """The piece beyond the seam: R and Q together; with Q rounded, R again."""
     about = end(closed)
     degree = far.degree
@@ -284,7 +284,7 @@ def far_fit(closed: sp.Expr, far: Far, seam: float) -> FarFit:
     return FarFit(constant, tilt, power, shift, r, q, error)
 
 
-def _constant_and_tilt(closed: sp.Expr, far: Far) -> tuple[float, float]:
+def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
     """What F exceeds the baseline by at fl(pi/2), and its slope there by b where F is even in b."""
     about = end(closed)
     with ctx.workprec(GUARD):
@@ -294,11 +294,11 @@ def _constant_and_tilt(closed: sp.Expr, far: Far) -> tuple[float, float]:
             constant = 0.0
         tilt = 0.0
         if not about.odd and about.log != 2:  # where ln(b) starts at b**2 there is no second derivative
-            tilt = -nearest(at(sp.diff(closed, alpha), at_end))
+            tilt = -nearest(at(diff(closed, alpha), at_end))
     return constant, tilt
 
 
-def _far_samples(closed: sp.Expr, far: Far, constant: float, tilt: float, seam: float) -> Samples:
+def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: float) -> Samples:
     """What R and Q have to fit, (F - the rest of `FarFit`)/b**power at w = b**2, for the least relative error of F."""
     about = end(closed)
     power, _ = powers(closed, far)

@@ -13,25 +13,52 @@ from typing import Any, TypeVar
 
 import mpmath
 import numpy as np
-import sympy as sp
 from numpy.lib.mixins import NDArrayOperatorsMixin
+from sympy import (
+    Abs,
+    Add,
+    Basic,
+    Expr,
+    Function,
+    Integer,
+    Max,
+    Min,
+    Mul,
+    N,
+    Pow,
+    Rational,
+    Symbol,
+    atan,
+    atanh,
+    cos,
+    cosh,
+    default_sort_key,
+    exp,
+    log,
+    nan,
+    sign,
+    sin,
+    sinh,
+    tan,
+    tanh,
+)
 
 from derive.algebra.remainders import Exp, Horner, Primitive, RoundingError, Select, expm1, log1p
 from derive.code.operations import OPERATIONS, two_sum
 
 CALLS = {
-    sp.sin: "sin",
-    sp.cos: "cos",
-    sp.tan: "tan",
-    sp.exp: "exp",
-    sp.log: "log",
-    sp.atan: "arctan",
-    sp.atanh: "arctanh",
-    sp.tanh: "tanh",
-    sp.cosh: "cosh",
-    sp.sinh: "sinh",
-    sp.Abs: "abs",
-    sp.sign: "sign",
+    sin: "sin",
+    cos: "cos",
+    tan: "tan",
+    exp: "exp",
+    log: "log",
+    atan: "arctan",
+    atanh: "arctanh",
+    tanh: "tanh",
+    cosh: "cosh",
+    sinh: "sinh",
+    Abs: "abs",
+    sign: "sign",
     log1p: "log1p",
     expm1: "expm1",
     Exp: "exp",
@@ -144,25 +171,25 @@ class _Lowering(Builder):
     def __init__(self, inputs: tuple[str, ...]) -> None:
         super().__init__()
         self.inputs = inputs
-        self.done: dict[sp.Basic, Value] = {sp.Symbol(x, real=True): self.put("input", value=x) for x in inputs}
+        self.done: dict[Basic, Value] = {Symbol(x, real=True): self.put("input", value=x) for x in inputs}
 
-    def const(self, value: sp.Expr) -> Value:
-        if value is sp.nan:
+    def const(self, value: Expr) -> Value:
+        if value is nan:
             return self.value(math.nan)
-        if isinstance(value, sp.Rational):
+        if isinstance(value, Rational):
             return self.value(int(value.p) / int(value.q))  # correctly rounded by Python
         with mpmath.workprec(300):
-            return self.value(mpmath.mpf(sp.N(value, 80)._mpf_))
+            return self.value(mpmath.mpf(N(value, 80)._mpf_))
 
-    def add(self, expression: sp.Basic) -> Value:
+    def add(self, expression: Basic) -> Value:
         if expression not in self.done:
             self.done[expression] = self._add(expression)
         return self.done[expression]
 
-    def _add(self, e: sp.Basic) -> Value:
-        if isinstance(e, sp.Symbol):
+    def _add(self, e: Basic) -> Value:
+        if isinstance(e, Symbol):
             raise ValueError(f"{e.name} is not an input of the program; its inputs are {', '.join(self.inputs)}")
-        if e is sp.nan or (e.is_number and not e.has(sp.Function)):
+        if e is nan or (e.is_number and not e.has(Function)):
             return self.const(e)
         if isinstance(e, RoundingError):
             return self.value(two_sum(*map(self.add, e.args))[1])
@@ -170,25 +197,25 @@ class _Lowering(Builder):
             return self.add(e.lower())
         if isinstance(e, Horner):
             return self._horner(e)
-        if isinstance(e, sp.Add):
+        if isinstance(e, Add):
             return self._sum(e)
-        if isinstance(e, sp.Mul):
+        if isinstance(e, Mul):
             return self._product(e)
-        if isinstance(e, sp.Pow):
+        if isinstance(e, Pow):
             return self._power(e.base, e.exp)
         if isinstance(e, Select):
             smaller, larger, *chosen = map(self.add, e.args)
             return self.put("select", smaller < larger, *chosen)
-        if isinstance(e, (sp.Min, sp.Max)):
-            return self._joined(type(e).__name__.lower(), sorted(e.args, key=sp.default_sort_key))
+        if isinstance(e, (Min, Max)):
+            return self._joined(type(e).__name__.lower(), sorted(e.args, key=default_sort_key))
         if type(e) in CALLS:
             return self.put(CALLS[type(e)], self.add(e.args[0]))
         raise ValueError(f"no operation for {type(e).__name__}: {e}")
 
-    def _sum(self, e: sp.Add) -> Value:
+    def _sum(self, e: Add) -> Value:
         plus = []
         minus = []
-        for x in sorted(e.args, key=sp.default_sort_key):
+        for x in sorted(e.args, key=default_sort_key):
             if x.could_extract_minus_sign():
                 minus.append(-x)
             else:
@@ -200,25 +227,25 @@ class _Lowering(Builder):
             result = result - self.add(x)
         return result
 
-    def _product(self, e: sp.Mul) -> Value:
+    def _product(self, e: Mul) -> Value:
         if e.could_extract_minus_sign():
             return -self.add(-e)
         over = []
         under = []
         powers = []
-        for x in sorted(e.args, key=sp.default_sort_key):
+        for x in sorted(e.args, key=default_sort_key):
             base, exponent = x.as_base_exp()
-            if isinstance(x, sp.Rational) and x.p == 1 and x.q & (x.q - 1):
-                under.append(sp.Integer(x.q))  # a third is a division by 3: one rounding
-            elif isinstance(x, sp.Pow) and x.exp.could_extract_minus_sign():
+            if isinstance(x, Rational) and x.p == 1 and x.q & (x.q - 1):
+                under.append(Integer(x.q))  # a third is a division by 3: one rounding
+            elif isinstance(x, Pow) and x.exp.could_extract_minus_sign():
                 under.append(1 / x)
-            elif isinstance(base, sp.Symbol) and exponent.is_Integer:
+            elif isinstance(base, Symbol) and exponent.is_Integer:
                 powers += [base] * int(exponent)
             else:
                 over.append(x)
         # Powers of an input come last, one factor at a time, so that a result underflows once or not at all.
         if not over:
-            over = [powers.pop(0) if powers else sp.Integer(1)]
+            over = [powers.pop(0) if powers else Integer(1)]
         result = self._joined("mul", over)
         if under:
             result = result / self._joined("mul", under)
@@ -226,7 +253,7 @@ class _Lowering(Builder):
             result = result * self.add(x)
         return result
 
-    def _joined(self, kind: str, parts: Sequence[sp.Expr]) -> Value:
+    def _joined(self, kind: str, parts: Sequence[Expr]) -> Value:
         """All of them by one operation, from the left."""
         return reduce(partial(self.put, kind), [self.add(x) for x in parts])
 
@@ -238,7 +265,7 @@ class _Lowering(Builder):
             result = result * x + self.const(c)
         return result
 
-    def _power(self, base: sp.Expr, exponent: sp.Expr) -> Value:
+    def _power(self, base: Expr, exponent: Expr) -> Value:
         """A power of half an integer; by squaring, as `pow` is slow and a library call."""
         if exponent.could_extract_minus_sign():
             return self.value(1.0) / self.add(base**-exponent)
@@ -261,7 +288,7 @@ class _Lowering(Builder):
 
 
 def program(
-    name: str, inputs: tuple[str, ...], *outputs: sp.Expr, let: Mapping[sp.Symbol, sp.Expr | Program] | None = None
+    name: str, inputs: tuple[str, ...], *outputs: Expr, let: Mapping[Symbol, Expr | Program] | None = None
 ) -> Program:
     """The program of SymPy expressions in the symbols that ``inputs`` names, in the order of its arguments.
 
@@ -272,7 +299,7 @@ def program(
     low = _Lowering(inputs)
     for symbol, value in (let or {}).items():
         if isinstance(value, Program):
-            known = {e.name: v for e, v in low.done.items() if isinstance(e, sp.Symbol)}
+            known = {e.name: v for e, v in low.done.items() if isinstance(e, Symbol)}
             (result,) = low.inline(value, known)
         else:
             result = low.add(value)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from itertools import chain, combinations
 
-import sympy as sp
+from sympy import Expr, Integer, Max, Min, Mul, Poly, Rational, Symbol, cos, expand, sin, sstr, sympify
 
 from derive.algebra.remainders import Select
 from derive.declare import effects as declared
@@ -23,8 +23,8 @@ INPUTS = {
 QUANTITIES = ("driving", "resisting", "pressing", "lifting")
 
 DIRECTION, ROTATION, BEGAN, GRIP = (cell(x) for x in ("DIRECTION", "ROTATION", "SLIP", "grip"))
-ONE = sp.Integer(1)
-ZERO = sp.Integer(0)
+ONE = Integer(1)
+ZERO = Integer(0)
 NORMAL = cell("normal")
 FRICTION = cell("friction")
 # In the rate of a state these count in full: there is no base to subtract.
@@ -33,17 +33,17 @@ TOTALS = {x: (ZERO, series(str(x))) for x in (NORMAL, FRICTION, MU)}
 CALLABLE = declared.Law("callable", "1.14", (), ("slip",), "a function of the slip, in pieces", degree=DEGREE)
 
 
-def seen(q: sp.Symbol) -> sp.Symbol:
+def seen(q: Symbol) -> Symbol:
     """A component of the weight where the phase begins, as it is seen in the direction of travel."""
     return cell(f"{q}_0")
 
 
-def sign(q: sp.Symbol) -> sp.Expr:
+def sign(q: Symbol) -> Expr:
     """What a component is multiplied by to be seen so: J_theta and the slope of J_r are odd in psi."""
     return DIRECTION if q in (FALL, declared.PRESS_SLOPE) else ONE
 
 
-def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
+def position() -> dict[Symbol, tuple[Expr, Increment]]:
     """The weight's components at the start of a phase and their increments; those of a frozen mass are nothing.
 
     q(psi - x) = q cos x - q' sin x, since q'' = -q by the declared derivatives: an increment of -q vers x - q' sin x.
@@ -56,7 +56,7 @@ def position() -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
     return components
 
 
-def scaled(e: sp.Expr) -> sp.Expr:
+def scaled(e: Expr) -> Expr:
     """A moment over Theta*, in the functions of the position and the parameters alone."""
     over_theta = {
         declared.J_THETA: THETA * FALL,
@@ -65,10 +65,10 @@ def scaled(e: sp.Expr) -> sp.Expr:
         declared.A: declared.POLAR / LEVEL,
         declared.OMEGA_2: OMEGA**2,
     }
-    return sp.expand(sp.expand(sp.expand(e).subs(over_theta)) / THETA)
+    return expand(expand(expand(e).subs(over_theta)) / THETA)
 
 
-def quantities(effect: declared.Effect) -> dict[str, sp.Expr]:
+def quantities(effect: declared.Effect) -> dict[str, Expr]:
     """What an effect adds to the quantities of the balance."""
     return {
         "driving": scaled(effect.fall),
@@ -78,7 +78,7 @@ def quantities(effect: declared.Effect) -> dict[str, sp.Expr]:
     }
 
 
-def odd(effect: declared.Effect) -> set[sp.Symbol]:
+def odd(effect: declared.Effect) -> set[Symbol]:
     """The parameters that change sign in a mirror, in which the drive does and nothing else, or ValueError."""
     symbols = sorted({p.symbol for p in effect.parameters if p.symbol is not None}, key=str)
     for chosen in chain.from_iterable(combinations(symbols, n) for n in range(len(symbols) + 1)):
@@ -87,17 +87,17 @@ def odd(effect: declared.Effect) -> set[sp.Symbol]:
     raise ValueError(f"{effect.name}: no signs of its parameters make its terms the same in a mirror")
 
 
-def _symmetric(effect: declared.Effect, chosen: Sequence[sp.Symbol]) -> bool:
+def _symmetric(effect: declared.Effect, chosen: Sequence[Symbol]) -> bool:
     """Whether a mirror in which these parameters change sign turns the drive round and leaves all else."""
     mirror = {x: -x for x in (FALL, declared.PRESS_SLOPE, *chosen)}
     for quantity, e in quantities(effect).items():
         mirrored = -e if quantity == "driving" else e
-        if sp.expand(e.xreplace(mirror) - mirrored) != 0:
+        if expand(e.xreplace(mirror) - mirrored) != 0:
             return False
     return True
 
 
-def moving(effect: declared.Effect | None = None) -> dict[sp.Symbol, tuple[sp.Expr, Increment]]:
+def moving(effect: declared.Effect | None = None) -> dict[Symbol, tuple[Expr, Increment]]:
     """What may change along a phase: base and increment by symbol."""
     speed = (ZERO, series("omega"))
     variables = position() | {OMEGA: speed, declared.SPEED: speed, SLIP: (BEGAN, series("x"))}
@@ -134,7 +134,7 @@ def of_effect(effect: declared.Effect) -> Fragment:
         low.cells[f"{x}_0"] = -cell(f"{x}_less")  # the state's own cell moves on along the phase
         low.put("lin", f"d{x}", f"{x}_less", (("=1.0", str(x)),))
     low.moving = {**low.moving, **TOTALS}
-    rate = sp.expand(effect.growth * OMEGA)
+    rate = expand(effect.growth * OMEGA)
     rate = rate.subs(declared.EFFECTIVE, NORMAL / LEVEL).subs(MU * NORMAL, FRICTION)
     symbols = [p for p in effect.parameters if p.symbol is not None and p.kind != "rotation"]
     of_rotation = [str(p.symbol) for p in effect.parameters if p.kind == "rotation"]
@@ -155,7 +155,7 @@ def of_law(law: declared.Law) -> Fragment:
     coefficient = law.coefficient if law.depends_on else cell("coefficient")
     if coefficient is not None and not law.kinks:
         inputs = {cell(p.name): cell(f"{law.name}.{p.name}") for p in law.parameters}
-        words.append(f"mu = {sp.sstr(coefficient)}")
+        words.append(f"mu = {sstr(coefficient)}")
         return low.fragment(words, {"mu": coefficient.xreplace(inputs)}, [str(x) for x in inputs.values()])
     value = cell(f"{law.name}.VALUE")
     (variable,) = law.depends_on
@@ -181,7 +181,7 @@ def _log_speed(law: declared.Law, low: Lowering) -> None:
     low.put("log", "log_speed", "relative_speed")
 
 
-def pieces(law: declared.Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:
+def pieces(law: declared.Law) -> tuple[list[Expr], list[list[Expr]]]:
     """Where the pieces of a law with kinks begin, over its scale, and their polynomials in what is beyond.
 
     A piece takes the branch of each minimum or maximum that holds there, so that a constant piece is the number given.
@@ -189,18 +189,18 @@ def pieces(law: declared.Law) -> tuple[list[sp.Expr], list[list[sp.Expr]]]:
     s = cell("s")
     y = cell("y")
     scale = cell(law.scale)
-    coefficient = sp.sympify(law.coefficient).subs(SLIP, s * scale)
+    coefficient = sympify(law.coefficient).subs(SLIP, s * scale)
     breaks = [ZERO, *(cell(kink) / scale for kink in law.kinks)]
     polynomials = []
     for start, end in zip(breaks, [*breaks[1:], breaks[-1] + 1], strict=True):
         middle = (start + end) / 2
 
-        def branch(e: sp.Expr, middle: sp.Expr = middle) -> sp.Expr:
+        def branch(e: Expr, middle: Expr = middle) -> Expr:
             there = e.subs(s, middle)
             return next(x for x in e.args if x.subs(s, middle) == there)
 
-        piece = coefficient.replace(lambda e: isinstance(e, (sp.Min, sp.Max)), branch)
-        beyond = sp.Poly(sp.expand(piece.subs(s, start + y)), y).all_coeffs()[::-1]
+        piece = coefficient.replace(lambda e: isinstance(e, (Min, Max)), branch)
+        beyond = Poly(expand(piece.subs(s, start + y)), y).all_coeffs()[::-1]
         polynomials.append([*beyond, *[ZERO] * (law.degree + 1 - len(beyond))])
     return breaks, polynomials
 
@@ -218,7 +218,7 @@ def rotation(effect: declared.Effect) -> Fragment:
     """The turning of the weight: its components where the phase begins, and the series that they turn by."""
     low = Lowering(effect.name, {})
     for q, slope in BY_PSI.items():
-        low.cells[str(seen(q))] = sign(q) * (q * sp.cos(ROTATION) - slope * sp.sin(ROTATION))
+        low.cells[str(seen(q))] = sign(q) * (q * cos(ROTATION) - slope * sin(ROTATION))
     low.turn(series("x"), ONE, ONE)
     low.put("lin", "upright", str(seen(PRESS)), low.sum(position()[PRESS][1]))
     words = [
@@ -254,7 +254,7 @@ def balance() -> Fragment:
     return low.fragment(words, {})
 
 
-def _drive(low: Lowering, net: sp.Expr) -> None:
+def _drive(low: Lowering, net: Expr) -> None:
     """The net moment where a phase begins, and the rounding of its terms.
 
     As long as nothing that it depends on has departed from the start it is normal (limit - mu), made of what is left
@@ -273,7 +273,7 @@ def _drive(low: Lowering, net: sp.Expr) -> None:
     drives, resists, presses, lifts = (cell(f"{x}_size") for x in QUANTITIES)
     terms = drives + resists + GRIP * mu * (presses + lifts)
     size = Select(0, cell("first"), abs(cell("drive")), terms)
-    low.cells["drive_scale"] = sp.Rational(1, 2**52) * size
+    low.cells["drive_scale"] = Rational(1, 2**52) * size
 
 
 def energy() -> Fragment:
@@ -293,5 +293,5 @@ def fragments(effects: Sequence[declared.Effect] = EFFECTS, laws: Sequence[decla
     every |= {law.name: of_law(law) for law in (*laws, CALLABLE)}
     factors = {cell(f"{x}_mu"): (cell(f"{x}_mu_0"), series(f"d{x}_mu")) for x in ("slip", "rate")}
     product = Lowering("product", factors)
-    every["product"] = product.fragment(["mu = mu(slip) mu(speed)"], {"mu": sp.Mul(*factors)})
+    every["product"] = product.fragment(["mu = mu(slip) mu(speed)"], {"mu": Mul(*factors)})
     return every | {"balance": balance(), "energy": energy()}

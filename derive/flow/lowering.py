@@ -10,33 +10,33 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-import sympy as sp
+from sympy import Add, Expr, Integer, Min, Mul, Pow, Rational, Symbol, Tuple, cos, exp, expand, log, sin
 
 from derive.algebra.remainders import Exp, Select
 from derive.code.program import program
 from derive.flow.operations import OPERATIONS, Q, first
 
 # An increment: the coefficient, a number, of each product of registers, which are named in order.
-Increment = Mapping[tuple[str, ...], sp.Expr]
-Moving = Mapping[sp.Symbol, tuple[sp.Expr, Increment]]  # base and increment by symbol
+Increment = Mapping[tuple[str, ...], Expr]
+Moving = Mapping[Symbol, tuple[Expr, Increment]]  # base and increment by symbol
 
 
-def cell(name: str) -> sp.Symbol:
+def cell(name: str) -> Symbol:
     """The symbol of a number."""
-    return sp.Symbol(name, real=True)
+    return Symbol(name, real=True)
 
 
-def series(name: str, coefficient: sp.Expr = sp.Integer(1)) -> Increment:
+def series(name: str, coefficient: Expr = Integer(1)) -> Increment:
     """The increment that a register holds."""
     return {(name,): coefficient}
 
 
-def total(*terms: tuple[sp.Expr, Increment]) -> Increment:
+def total(*terms: tuple[Expr, Increment]) -> Increment:
     """The sum of numbers times increments."""
-    coefficients: dict[tuple[str, ...], sp.Expr] = {}
+    coefficients: dict[tuple[str, ...], Expr] = {}
     for factor, increment in terms:
         for product, coefficient in increment.items():
-            before = coefficients.get(product, sp.Integer(0))
+            before = coefficients.get(product, Integer(0))
             coefficients[product] = before + factor * coefficient
     return {product: c for product, c in sorted(coefficients.items()) if c != 0}
 
@@ -47,7 +47,7 @@ def times(a: Increment, b: Increment) -> Increment:
     for p, c in a.items():
         for q, d in b.items():
             product = tuple(sorted((*p, *q)))
-            terms.append((c * d, {product: sp.Integer(1)}))
+            terms.append((c * d, {product: Integer(1)}))
     return total(*terms)
 
 
@@ -80,23 +80,23 @@ class Lowering:
     name: str
     moving: Moving
     series: list[tuple[object, ...]] = field(default_factory=list)
-    cells: dict[str, sp.Expr] = field(default_factory=dict)  # what the prologue has to compute, by name
+    cells: dict[str, Expr] = field(default_factory=dict)  # what the prologue has to compute, by name
     count: int = 0
 
-    def split(self, e: sp.Expr) -> tuple[sp.Expr, Increment]:
+    def split(self, e: Expr) -> tuple[Expr, Increment]:
         """Base and increment of an expression."""
         if e in self.moving:
             return self.moving[e]
         bases = {x: self.moving[x][0] for x in e.free_symbols if x in self.moving}
         if not any(self.moving[x][1] for x in bases):
             return e.xreplace(bases), {}
-        one = sp.Integer(1)
-        if isinstance(e, sp.Add):
+        one = Integer(1)
+        if isinstance(e, Add):
             parts = [self.split(x) for x in e.args]
-            base = sp.Add(*(b for b, _ in parts))
+            base = Add(*(b for b, _ in parts))
             return base, total(*((one, d) for _, d in parts))
-        power = isinstance(e, sp.Pow) and e.exp.is_Integer and e.exp > 0
-        if not power and not isinstance(e, sp.Mul):
+        power = isinstance(e, Pow) and e.exp.is_Integer and e.exp > 0
+        if not power and not isinstance(e, Mul):
             return self.function(e)
         base = one
         increment = total()
@@ -106,26 +106,26 @@ class Lowering:
             base = base * b
         return base, increment
 
-    def function(self, e: sp.Expr) -> tuple[sp.Expr, Increment]:
+    def function(self, e: Expr) -> tuple[Expr, Increment]:
         """The same of exp, log, a power, sin or cos, by the operation on the increment of its argument."""
-        b, d = self.split(e.base if isinstance(e, sp.Pow) else e.args[0])
+        b, d = self.split(e.base if isinstance(e, Pow) else e.args[0])
         relative = total((1 / b, d)) if b != 0 else {}
-        if isinstance(e, sp.exp):
-            return sp.exp(b), self.apply("exp", d, sp.exp(b))
-        if isinstance(e, sp.sin):
-            return sp.sin(b), self.turn(d, sp.cos(b), -sp.sin(b))
-        if isinstance(e, sp.cos):
-            return sp.cos(b), self.turn(d, -sp.sin(b), -sp.cos(b))
-        if isinstance(e, sp.log):
-            return sp.log(b), self.apply("log", relative, sp.Integer(1))
-        if isinstance(e, sp.Pow) and not e.exp.free_symbols & self.moving.keys() and relative:
+        if isinstance(e, exp):
+            return exp(b), self.apply("exp", d, exp(b))
+        if isinstance(e, sin):
+            return sin(b), self.turn(d, cos(b), -sin(b))
+        if isinstance(e, cos):
+            return cos(b), self.turn(d, -sin(b), -cos(b))
+        if isinstance(e, log):
+            return log(b), self.apply("log", relative, Integer(1))
+        if isinstance(e, Pow) and not e.exp.free_symbols & self.moving.keys() and relative:
             if e.exp == -1:
                 return 1 / b, self.apply("rec", relative, 1 / b)
-            power = b**e.exp if b == 1 or (2 * e.exp).is_Integer else Exp(e.exp * sp.log(b))
+            power = b**e.exp if b == 1 or (2 * e.exp).is_Integer else Exp(e.exp * log(b))
             return power, self.apply("pow", relative, power, e.exp)
         raise ValueError(f"no operation on series for {type(e).__name__}: {e}")
 
-    def apply(self, operation: str, increment: Increment, factor: sp.Expr, *numbers: sp.Expr) -> Increment:
+    def apply(self, operation: str, increment: Increment, factor: Expr, *numbers: Expr) -> Increment:
         """A factor times the last result of an operation on an increment, which is 0 where the increment is."""
         z = self.register(increment)
         self.count += 1
@@ -134,7 +134,7 @@ class Lowering:
         self.operate(operation, results, z, *map(self.cell, numbers))
         return series(results[-1], factor)
 
-    def turn(self, increment: Increment, sine: sp.Expr, versine: sp.Expr) -> Increment:
+    def turn(self, increment: Increment, sine: Expr, versine: Expr) -> Increment:
         """Factors times sin and versine, 1 - cos, of an increment."""
         x = self.register(increment)
         results = f"sin({x})", f"vers({x})"
@@ -180,10 +180,10 @@ class Lowering:
         """An increment as a sum of a cell times a register each."""
         return tuple((self.cell(c), self.product(registers)) for registers, c in increment.items())
 
-    def cell(self, e: sp.Expr, name: str = "") -> str:
+    def cell(self, e: Expr, name: str = "") -> str:
         """The cell that holds a number which is known where a phase begins."""
         if not name:
-            if isinstance(e, sp.Symbol):
+            if isinstance(e, Symbol):
                 return str(e)
             if e.is_Number:
                 return f"={float(e)!r}"
@@ -194,7 +194,7 @@ class Lowering:
         self.cells[name] = e
         return name
 
-    def add(self, e: sp.Expr, quantity: str) -> tuple[str, str, tuple[tuple[str, str], ...]]:
+    def add(self, e: Expr, quantity: str) -> tuple[str, str, tuple[tuple[str, str], ...]]:
         """Base, size of the base's terms, and increment of what is added to a quantity."""
         base, increment = self.split(e)
         base, scale = self.base(e, base)
@@ -204,32 +204,32 @@ class Lowering:
             self.sum(increment),
         )
 
-    def base(self, e: sp.Expr, direct: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    def base(self, e: Expr, direct: Expr) -> tuple[Expr, Expr]:
         """A base and the size of its terms; of what depends on slip, the better of two forms.
 
         Both from terms: the formula where the phase begins, and the one at no slip and the increment since then.
         """
         if SLIP not in e.free_symbols:
             return direct, size(direct)
-        from_start = Lowering("start", {SLIP: (sp.Integer(0), series("slip"))})
+        from_start = Lowering("start", {SLIP: (Integer(0), series("slip"))})
         bases = {x: base for x, (base, _) in self.moving.items() if x != SLIP}
         start, increment = from_start.split(e.subs(bases))
         registers = first(from_start.series, {"slip": self.moving[SLIP][0]}, from_start.cells)
-        other = sp.expand(start)
+        other = expand(start)
         for names, coefficient in increment.items():
-            other += coefficient * sp.Mul(*(registers[name] for name in names))
+            other += coefficient * Mul(*(registers[name] for name in names))
         other_size = size(other)
         direct_size = size(direct)
-        almost = direct_size * (1 + sp.Rational(1, 2**40))
-        return Select(almost, other_size, direct, other), sp.Min(other_size, direct_size)
+        almost = direct_size * (1 + Rational(1, 2**40))
+        return Select(almost, other_size, direct, other), Min(other_size, direct_size)
 
     def fragment(
         self,
         words: Iterable[str],
-        adds: Mapping[str, sp.Expr],
+        adds: Mapping[str, Expr],
         inputs: Iterable[str] = (),
         optional: Iterable[str] = (),
-        states: Mapping[str, sp.Expr] | None = None,
+        states: Mapping[str, Expr] | None = None,
         table: tuple[str, str, str, int] | None = None,
     ) -> Fragment:
         """The fragment of all that was lowered and of ``adds`` and of the states' rates."""
@@ -251,7 +251,7 @@ class Lowering:
 
     def scalar(self) -> tuple[tuple[str, ...], ...]:
         """The prologue: operations on cells, by names; constants are named by their value, ``=2.0``."""
-        numbers = sp.Tuple(*self.cells.values())
+        numbers = Tuple(*self.cells.values())
         prologue = program(self.name, tuple(sorted(str(x) for x in numbers.free_symbols)), *numbers)
         outputs = dict(zip(self.cells, prologue.outputs, strict=True))
         first_names: dict[int, str] = {}
@@ -271,6 +271,6 @@ class Lowering:
         return (*operations, *copies)
 
 
-def size(e: sp.Expr) -> sp.Expr:
+def size(e: Expr) -> Expr:
     """The sum of the magnitudes of an expression's terms, which its rounding error is a part of."""
-    return sp.Add(*(abs(x) for x in sp.Add.make_args(e)))
+    return Add(*(abs(x) for x in Add.make_args(e)))

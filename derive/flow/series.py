@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-import sympy as sp
+from sympy import Add, Expr, Function, Indexed, IndexedBase, Mul, Pow, Rational, Sum, Symbol, cancel
 
 from derive.flow.operations import OPERATIONS, SCALARS, Operation, k, n
 
@@ -23,14 +23,14 @@ class _Sum(NamedTuple):
     symmetric: bool
 
 
-def _sums(o: Operation) -> dict[sp.Sum, _Sum]:
+def _sums(o: Operation) -> dict[Sum, _Sum]:
     """The sums of an operation's step."""
     sums = {}
-    totals = {total for e in o.step for total in e.atoms(sp.Sum)}
+    totals = {total for e in o.step for total in e.atoms(Sum)}
     for i, total in enumerate(sorted(totals, key=str)):
         ((_, first, last),) = total.limits
-        at_k, at_rest = sorted(total.function.atoms(sp.Indexed), key=lambda x: x.indices != (k,))
-        weight = sp.cancel(total.function / (at_k * at_rest))
+        at_k, at_rest = sorted(total.function.atoms(Indexed), key=lambda x: x.indices != (k,))
+        weight = cancel(total.function / (at_k * at_rest))
         factor = "" if weight == 1 else f"{_text(weight, {})} * "
         a = str(at_k.base)
         b = str(at_rest.base)
@@ -38,33 +38,33 @@ def _sums(o: Operation) -> dict[sp.Sum, _Sum]:
     return sums
 
 
-def _text(e: sp.Expr, known: Mapping[sp.Expr, str]) -> str:
+def _text(e: Expr, known: Mapping[Expr, str]) -> str:
     """An expression as C and Python both write it."""
     if e in known:
         return known[e]
-    if isinstance(e, sp.Indexed):
+    if isinstance(e, Indexed):
         return f"{e.base}[{e.indices[0]}]"
-    if isinstance(e, sp.Symbol):
+    if isinstance(e, Symbol):
         return str(e)
-    if isinstance(e, sp.Rational):
+    if isinstance(e, Rational):
         return repr(float(e))
-    if isinstance(e, sp.Add):
+    if isinstance(e, Add):
         terms = sorted(e.args, key=lambda x: (x.could_extract_minus_sign(), str(x)))
         return f"({' + '.join(_text(x, known) for x in terms).replace('+ -', '- ')})"
-    if isinstance(e, sp.Mul):
+    if isinstance(e, Mul):
         return f"-{_text(-e, known)}" if e.could_extract_minus_sign() else _product(e, known)
-    if isinstance(e, sp.Pow):
+    if isinstance(e, Pow):
         base = _text(e.base, known)
         return f"1.0 / {base}" if e.exp == -1 else " * ".join([base] * int(e.exp))
     raise ValueError(f"no text for {e}")
 
 
-def _product(e: sp.Mul, known: Mapping[sp.Expr, str]) -> str:
+def _product(e: Mul, known: Mapping[Expr, str]) -> str:
     """Factors, then divisors; 1/n is the number `by_n`."""
     over = []
     under = ""
     for x in sorted(e.args, key=str):
-        if not (isinstance(x, sp.Pow) and x.exp == -1):
+        if not (isinstance(x, Pow) and x.exp == -1):
             over.append(_text(x, known))
         elif x.base == n:
             under += " * by_n"
@@ -75,10 +75,10 @@ def _product(e: sp.Mul, known: Mapping[sp.Expr, str]) -> str:
 
 def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[str], list[str]]:
     """Statements for order 0, functions first, and for order n, whose sums have their names."""
-    known: dict[sp.Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
-    functions = {f for e in o.start for f in e.atoms(sp.Function)}
+    known: dict[Expr, str] = {total: f"sum{s.name}" for total, s in _sums(o).items()}
+    functions = {f for e in o.start for f in e.atoms(Function)}
     start = []
-    for i, f in enumerate(sorted(functions, key=lambda f: (len(f.atoms(sp.Function)), -len(f.func.__name__), str(f)))):
+    for i, f in enumerate(sorted(functions, key=lambda f: (len(f.atoms(Function)), -len(f.func.__name__), str(f)))):
         argument = _text(f.args[0], known)
         start.append(f"{let}f{i} = {call.format(type(f).__name__.lower(), argument)}{end}")
         known[f] = f"f{i}"
@@ -86,9 +86,9 @@ def _body(o: Operation, let: str, call: str, zero: str, end: str) -> tuple[list[
     return start, [f"{x}[n] = {_text(e, known)}{end}" for x, e in zip(o.results, o.step, strict=True)]
 
 
-def _read(o: Operation) -> list[sp.IndexedBase]:
+def _read(o: Operation) -> list[IndexedBase]:
     """The series that an operation's results are made of."""
-    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(sp.Indexed)}
+    used = {x.base for e in (*o.start, *o.step) for x in e.atoms(Indexed)}
     return [x for x in o.arguments if x in used]
 
 

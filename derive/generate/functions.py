@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
+from sympy import Abs, Expr, Integer, Min, N, Rational, atanh, cos, cosh, diff, pi, sin, sqrt, tan, tanh
 
 from derive.algebra import dynamics
 from derive.algebra.appendices import APPENDICES, parse
@@ -19,7 +20,7 @@ from derive.declare.effects import EFFECTS, LAWS, LIMITS, VALUE, Effect, Law, Pa
 from derive.declare.quantities import MOMENTS, QUOTIENTS, RESISTANCE, Elementary, Moment, Quotient
 from derive.declare.symbols import a, alpha, b, t, theta_1, theta_2, theta_m
 
-HALF_PI = repr(float(sp.N(sp.pi / 2, 40)))
+HALF_PI = repr(float(N(pi / 2, 40)))
 PAPER = "the paper"
 ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 
@@ -27,7 +28,7 @@ ACCURACY = "at most 16 ulp (sampled only: no certificate)."
 _ALPHA_DOMAIN = "0 <= alpha <= pi/2 (1 + 4 eps), with the limits at both ends"
 _ALPHA_INSIDE = f"(alpha >= 0.0) & (alpha <= {HALF_PI} * (1.0 + 4.0 * eps))"
 _ALPHA = ("alpha", "Half the opening angle of the arc, rad.")
-_CLIP = {alpha: sp.Min(alpha, sp.pi / 2)}
+_CLIP = {alpha: Min(alpha, pi / 2)}
 
 
 def kernels(proved: Sequence[Record] = ()) -> list[Function]:
@@ -109,14 +110,14 @@ def comments(kernels: Iterable[Function], proved: Iterable[Record]) -> dict[tupl
     return found
 
 
-def stable_forms(closed: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+def stable_forms(closed: Mapping[str, Expr]) -> dict[str, Expr]:
     """Forms without cancellation, which the fits replace, of the base quantities and of their quotients."""
     forms = {name: stable(form) for name, form in closed.items()}
     ratios = {q.name: forms[q.numerator].reduced / forms[q.denominator].reduced for q in QUOTIENTS}
     return {name: form.form for name, form in forms.items()} | ratios
 
 
-def stable_programs(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+def stable_programs(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
     forms = stable_forms(closed).items()
     return [(program(name, ("alpha",), form, let=_CLIP), "the stable form") for name, form in forms]
 
@@ -132,31 +133,31 @@ _ARC_INSIDE = (
 # alpha and theta_m as difference and sum, with what their rounding lost.
 _DELTA, _EPSILON, _KERNEL = sp.symbols("delta epsilon kernel", real=True)
 _ENDS = {
-    alpha: sp.Min((theta_2 - theta_1) / 2, sp.pi / 2),
+    alpha: Min((theta_2 - theta_1) / 2, pi / 2),
     _DELTA: RoundingError(theta_2, -theta_1) / 2,
     theta_m: (theta_1 + theta_2) / 2,
     _EPSILON: RoundingError(theta_1, theta_2) / 2,
 }
 
 
-def _turned(function: type[sp.Function]) -> sp.Expr:
+def _turned(function: type[sp.Function]) -> Expr:
     """sin or cos of the exact theta_m, to first order in what its rounding lost."""
-    return function(theta_m) + _EPSILON * sp.diff(function(theta_m), theta_m)
+    return function(theta_m) + _EPSILON * diff(function(theta_m), theta_m)
 
 
 # (C_theta/C_r) tan(psi); alpha's rounding error is left out, as the quotient is O(1) with a slope of O(alpha).
-_LIMIT = _KERNEL * _turned(sp.cos) / _turned(sp.sin)
+_LIMIT = _KERNEL * _turned(cos) / _turned(sin)
 
 
-def _direction(d: Derivation) -> sp.Expr:
+def _direction(d: Derivation) -> Expr:
     """In theta_m."""
-    return d.direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
+    return d.direction.subs(PSI, 3 * pi / 2 - theta_m)
 
 
-def _carried(d: Derivation) -> sp.Expr:
+def _carried(d: Derivation) -> Expr:
     """J_r or J_theta with the rounding errors of alpha and theta_m carried to first order."""
     sign, direction = _direction(d).as_coeff_Mul()
-    return sign * (_KERNEL + _DELTA * stable(sp.diff(d.amplitude, alpha)).form) * _turned(type(direction))
+    return sign * (_KERNEL + _DELTA * stable(diff(d.amplitude, alpha)).form) * _turned(type(direction))
 
 
 def prove_carried() -> list[str]:
@@ -165,9 +166,9 @@ def prove_carried() -> list[str]:
     errors = {alpha: _DELTA, theta_m: _EPSILON}
     for angle, error in errors.items():
         claims.append(f"{angle}: the sum of which {error} is lost")
-        rounded = _ENDS[angle].replace(sp.Min, lambda *x: next(y for y in x if not y.is_number))
+        rounded = _ENDS[angle].replace(Min, lambda *x: next(y for y in x if not y.is_number))
         prove_zero(rounded - _ENDS[error].replace(RoundingError, lambda x, y: x + y), claims[-1])
-    forms = {"limit_friction": (_LIMIT, sp.Function("ratio")(alpha), sp.cos(theta_m) / sp.sin(theta_m))}
+    forms = {"limit_friction": (_LIMIT, sp.Function("ratio")(alpha), cos(theta_m) / sin(theta_m))}
     for d in map(derive, MOMENTS):
         if d.moment.amplitude:
             forms[d.moment.name] = (_carried(d), d.amplitude, _direction(d))
@@ -176,14 +177,12 @@ def prove_carried() -> list[str]:
         carried = {x: error for x, error in errors.items() if form.has(error)}
         exact = (kernel * direction).subs({x: x + error for x, error in carried.items()})
         difference = form.subs(_KERNEL, kernel) - exact
-        for zero in (difference, *(sp.diff(difference, error) for error in carried.values())):
-            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), sp.Integer(0), claims[-1])
+        for zero in (difference, *(diff(difference, error) for error in carried.values())):
+            prove_equal(zero.subs(dict.fromkeys(carried.values(), 0)), Integer(0), claims[-1])
     return claims
 
 
-def _of_ends(
-    name: str, form: sp.Expr, kernel: str, summary: str, formula: str, equation: str, accuracy: str
-) -> Function:
+def _of_ends(name: str, form: Expr, kernel: str, summary: str, formula: str, equation: str, accuracy: str) -> Function:
     """A function of both ends, by a form in the exact alpha and theta_m and in a kernel of the rounded alpha."""
     made = program(name, ("theta_1", "theta_2"), form, let=_ENDS | {_KERNEL: _tiers(kernel)["best"]})
     source = f"eq. ({equation}) of {PAPER}"
@@ -246,34 +245,34 @@ def printed() -> list[tuple[Program, str]]:
     ]
 
 
-def _printed_kernels() -> list[tuple[str, sp.Expr, str]]:
-    c = sp.cos(alpha)
-    s = sp.sin(alpha)
-    log = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2)))
-    moment = (2 * alpha - sp.sin(2 * alpha) / 2 - log * c**3) / 3
-    inertia = (alpha - sp.sin(2 * alpha) * (1 + 2 * c**2) / 6) / 2
+def _printed_kernels() -> list[tuple[str, Expr, str]]:
+    c = cos(alpha)
+    s = sin(alpha)
+    log = sp.log(Abs(tan(pi / 4 + alpha / 2)))
+    moment = (2 * alpha - sin(2 * alpha) / 2 - log * c**3) / 3
+    inertia = (alpha - sin(2 * alpha) * (1 + 2 * c**2) / 6) / 2
     resistance = RESISTANCE.form
     return [
         ("polar_moment", moment, "(2.19)"),
         ("moment_of_inertia", inertia, "(3.15)"),
-        ("radial_weight_amplitude", s - c**2 * sp.atanh(s), "Appendix I in one line"),
-        ("weight_moment_amplitude", sp.Rational(2, 3) * (s - s * c**2), "(3.13), integrated"),
+        ("radial_weight_amplitude", s - c**2 * atanh(s), "Appendix I in one line"),
+        ("weight_moment_amplitude", Rational(2, 3) * (s - s * c**2), "(3.13), integrated"),
         ("resistance_factor", resistance, "(3.14)"),
         ("dynamic_coefficient", moment / resistance, "(2.24) with (2.19)"),
     ]
 
 
-def _printed_motion() -> list[tuple[str, sp.Expr, str]]:
+def _printed_motion() -> list[tuple[str, Expr, str]]:
     with sp.evaluate(False):
-        velocity = sp.sqrt(a / b) * sp.tanh(sp.sqrt(a * b) * t)
-        rotation = sp.log(sp.cosh(sp.sqrt(a * b) * t)) / b
+        velocity = sqrt(a / b) * tanh(sqrt(a * b) * t)
+        rotation = sp.log(cosh(sqrt(a * b) * t)) / b
     return [
         ("angular_velocity", velocity, "(3.20), misprint mended, from rest"),
         ("rotation", rotation, "(4.3), from rest"),
     ]
 
 
-def growth(closed: Mapping[str, sp.Expr]) -> list[tuple[Program, str]]:
+def growth(closed: Mapping[str, Expr]) -> list[tuple[Program, str]]:
     """How the moments of the arc grow with alpha."""
     words = "relative slopes of C_theta, C_r, I_p*, lambda, all over Theta*, and of Theta* times alpha"
     return [(program("arc_growth", ("alpha",), *arc_growth(closed), let=_CLIP), words)]

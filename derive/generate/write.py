@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-import sympy as sp
+from sympy import Expr, __version__, degree
 
 from derive.algebra.integrate import closed_forms
 from derive.approximate import certificates
@@ -61,7 +61,7 @@ def _template(name: str) -> str:
     return (emit.TEMPLATES / name).read_text(encoding="utf-8")
 
 
-def _formulas(closed: Mapping[str, sp.Expr]) -> dict[str, str]:
+def _formulas(closed: Mapping[str, Expr]) -> dict[str, str]:
     """The modules that are programs with a docstring each."""
     growth = emit.described(functions.growth(closed))
     laws = emit.described(functions.laws())
@@ -85,7 +85,7 @@ def _formulas(closed: Mapping[str, sp.Expr]) -> dict[str, str]:
 
 def header(name: str, text: str) -> str:
     """Who writes the file, with what, and the digest of the text below, which a binary made of it carries."""
-    written = f"Written by `{MEND}` with SymPy {sp.__version__}; do not edit."
+    written = f"Written by `{MEND}` with SymPy {__version__}; do not edit."
     if name.endswith(".c"):
         return f'/* {written} */\n#define DIGEST "{digest_of(text)}"\n'
     if name.endswith(".py"):
@@ -118,12 +118,12 @@ def tiers_module(records: Iterable[Record], digest: str) -> str:
     )
 
 
-def definitions_module(closed: Mapping[str, sp.Expr]) -> str:
+def definitions_module(closed: Mapping[str, Expr]) -> str:
     """What each function of alpha is, for whoever compares it with other ways to compute it."""
     over = {name: re.sub(r"\b(sin|cos|atanh)\(", r"m.\1(", str(x).replace("alpha", "x")) for name, x in closed.items()}
     forms = [f"    {name!r}: lambda m, x: {text},\n" for name, text in over.items()]
     certified = ((m.kernel[0], m.weight) for m in MOMENTS if m.certified)
-    integrands = [f"    {name!r}: ({sp.degree(weight, r)}, {weight.has(theta)}),\n" for name, weight in certified]
+    integrands = [f"    {name!r}: ({degree(weight, r)}, {weight.has(theta)}),\n" for name, weight in certified]
     quotients = [f"    {q.name!r}: ({q.numerator!r}, {q.denominator!r}),\n" for q in QUOTIENTS]
     return (
         '"""Closed forms, integrands and quotients: what the functions of alpha are."""\n\n'

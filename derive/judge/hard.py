@@ -15,6 +15,7 @@ from typing import Any, Literal, NamedTuple
 import mpmath
 import numpy as np
 import sympy as sp
+from sympy import Expr, atan, atanh, cos, cosh, lambdify, log, pi, sin, sinh, sqrt, tanh
 
 from derive.algebra.integrate import PSI, closed_forms, derive
 from derive.algebra.prove import trig_normal
@@ -39,7 +40,7 @@ class Form(NamedTuple):
 
     words: str
     program: Program
-    exact: sp.Expr
+    exact: Expr
 
 
 class Result(NamedTuple):
@@ -54,25 +55,25 @@ class Result(NamedTuple):
     our_ulp: float
 
 
-def _motion() -> dict[str, tuple[str, sp.Expr]]:
+def _motion() -> dict[str, tuple[str, Expr]]:
     """Textbook forms of the motion by name, and where they come from."""
-    k = sp.sqrt(a * b)
-    y = sp.cosh(k * t) + b * omega_0 * sp.sinh(k * t) / k
-    tangent = sp.tanh(k * t) / k
-    brake = sp.sqrt(-a * b)
+    k = sqrt(a * b)
+    y = cosh(k * t) + b * omega_0 * sinh(k * t) / k
+    tangent = tanh(k * t) / k
+    brake = sqrt(-a * b)
     return {
         "angular_velocity": ("(3.20) from motion", (omega_0 + a * tangent) / (1 + b * omega_0 * tangent)),
-        "rotation": ("(4.3) from motion", sp.log(y) / b),
+        "rotation": ("(4.3) from motion", log(y) / b),
         "angular_acceleration": ("(3.16) from motion", (a - b * omega_0**2) / y**2),
-        "arrest_time": ("omega = 0 in (3.20)", sp.atan(b * omega_0 / brake) / brake),
-        "arrest_rotation": ("(4.3) at the arrest", sp.log(1 - b * omega_0**2 / a) / (2 * b)),
+        "arrest_time": ("omega = 0 in (3.20)", atan(b * omega_0 / brake) / brake),
+        "arrest_rotation": ("(4.3) at the arrest", log(1 - b * omega_0**2 / a) / (2 * b)),
     }
 
 
 @cache
 def forms() -> dict[str, Form]:
     """The naive form of every function: as the paper prints it, or integrated term by term."""
-    c = sp.cos(alpha)  # beside which squares of the sine are written in it
+    c = cos(alpha)  # beside which squares of the sine are written in it
     terms = {name: trig_normal(form + c) - c for name, form in closed_forms().items()}
     naive = _of_alpha(terms) | _of_ends(terms)
     for name, (words, form) in _motion().items():
@@ -83,12 +84,12 @@ def forms() -> dict[str, Form]:
     return naive
 
 
-def _of_alpha(terms: Mapping[str, sp.Expr]) -> dict[str, Form]:
+def _of_alpha(terms: Mapping[str, Expr]) -> dict[str, Form]:
     """Base quantities and quotients: the printed program where there is one, else that of the integral's terms."""
     printed = {p.name: (words, p) for p, words in functions.printed()}
     naive: dict[str, Form] = {}
 
-    def add(name: str, words: str, form: sp.Expr) -> None:
+    def add(name: str, words: str, form: Expr) -> None:
         words, naive_program = printed.get(name) or (words, program(name, ("alpha",), form))
         naive[name] = Form(words, naive_program, form)
 
@@ -100,14 +101,14 @@ def _of_alpha(terms: Mapping[str, sp.Expr]) -> dict[str, Form]:
     return naive
 
 
-def _of_ends(terms: Mapping[str, sp.Expr]) -> dict[str, Form]:
+def _of_ends(terms: Mapping[str, Expr]) -> dict[str, Form]:
     """Functions of the ends of an arc, whose half angle and middle are rounded."""
     printed = _of_alpha(terms)
-    turned: dict[str, tuple[str, sp.Expr]] = {}
+    turned: dict[str, tuple[str, Expr]] = {}
     for moment in MOMENTS:
         if moment.amplitude:
             kernel = moment.kernel[0]
-            direction = derive(moment).direction.subs(PSI, 3 * sp.pi / 2 - theta_m)
+            direction = derive(moment).direction.subs(PSI, 3 * pi / 2 - theta_m)
             turned[moment.name] = printed[kernel].words, direction * terms[kernel]
     limit_friction = turned["weight_moment"][1] / turned["radial_weight"][1]
     turned["limit_friction"] = "(3.13) over Appendix I", limit_friction
@@ -155,7 +156,7 @@ def _kernels() -> Iterator[HardCase]:
     for m in MOMENTS:
         if m.amplitude:
             yield HardCase(m.name, (4.0, 4.0 + 1e-10), THIN)
-            if forms()[m.name].exact.has(sp.atanh) and m.weight.has(sp.sin):  # else the direction is 0 there
+            if forms()[m.name].exact.has(atanh) and m.weight.has(sin):  # else the direction is 0 there
                 yield HardCase(m.name, (math.pi, 2 * math.pi), TOP)
 
 
@@ -223,7 +224,7 @@ def _exact(form: Form, arguments: tuple[float, ...]) -> mpmath.mpf:
     symbols = sp.symbols(form.program.inputs, real=True)
     with mpmath.workdps(_DIGITS):
         numbers = [mpmath.mpf(x) or mpmath.mpf(10) ** -400 for x in arguments]
-        return mpmath.re(sp.lambdify(symbols, form.exact, "mpmath")(*numbers))
+        return mpmath.re(lambdify(symbols, form.exact, "mpmath")(*numbers))
 
 
 def report(form: Literal["text", "json"]) -> str:

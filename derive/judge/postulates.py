@@ -11,7 +11,7 @@ from itertools import takewhile
 from typing import Any
 
 import mpmath as mp
-import sympy as sp
+from sympy import Expr, Integer
 
 from derive.algebra.dynamics import mu, omega_star, sigma_mean
 from derive.check.proof import ProofError
@@ -78,7 +78,7 @@ class Postulate:
     """
 
     words: str
-    put: tuple[tuple[sp.Expr, sp.Expr], ...]
+    put: tuple[tuple[Expr, Expr], ...]
     gap: Callable[[State], mp.mpf]
     alternative: str
     state: Callable[[], State]
@@ -108,7 +108,7 @@ POSTULATES = (
     ),
     Postulate(
         "radial components of different directions are added as scalars",
-        ((u, sp.Integer(0)),),
+        ((u, Integer(0)),),
         lambda x: sum_of(x.normal) / x.total - 1,
         "vector balance along the bisector",
         lambda: State(along_bisector),
@@ -126,7 +126,7 @@ POSTULATES = (
     ),
     Postulate(
         "centripetal stress neglected, for slow rotation",
-        ((omega_star, sp.Integer(0)),),
+        ((omega_star, Integer(0)),),
         lambda x: x.total / State(psi=x.psi).total - 1,
         "a mass that moves",
         lambda: State(omega=s.reached("omega*")),

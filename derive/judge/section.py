@@ -10,7 +10,7 @@ from functools import cache
 from typing import Any
 
 import mpmath as mp
-import sympy as sp
+from sympy import Expr, lambdify
 
 from derive.algebra.appendices import APPENDIX_II, simplify
 from derive.algebra.dynamics import R
@@ -58,14 +58,14 @@ def derivation(name: str) -> Derivation:
     return derive(next(m for m in MOMENTS if m.name == name))
 
 
-def value(form: sp.Expr, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:
+def value(form: Expr, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:
     """A closed form at the section, or at another half angle or dip."""
     return _function(form)(angle, psi, 3 * mp.pi / 2 - psi)
 
 
 @cache
-def _function(form: sp.Expr) -> Callable[..., mp.mpf]:
-    return sp.lambdify((alpha, PSI, theta_m), form, "mpmath")
+def _function(form: Expr) -> Callable[..., mp.mpf]:
+    return lambdify((alpha, PSI, theta_m), form, "mpmath")
 
 
 def moment(name: str, angle: Any = HALF, psi: Any = DIP) -> mp.mpf:

@@ -17,6 +17,28 @@ from typing import Any, NamedTuple
 
 import mpmath as mp
 import sympy as sp
+from sympy import (
+    Abs,
+    Derivative,
+    Expr,
+    Integral,
+    Mul,
+    Order,
+    Rational,
+    Symbol,
+    Tuple,
+    atanh,
+    default_sort_key,
+    diff,
+    exp,
+    log,
+    oo,
+    parse_expr,
+    pi,
+    sin,
+    sympify,
+    tan,
+)
 from sympy.core.function import AppliedUndef
 
 from derive.algebra.appendices import Appendix, parse, real_arithmetic_fails, repairs, simplify, unreadable
@@ -52,8 +74,8 @@ KEYS = Row._fields
 
 
 # How (2.19) writes artanh(sin alpha): of a number that is positive for every |alpha| < pi/2, and both vanish at 0.
-_LOG = sp.log(sp.Abs(sp.tan(sp.pi / 4 + alpha / 2)))
-_ARTANH = sp.atanh(sp.sin(alpha))
+_LOG = log(Abs(tan(pi / 4 + alpha / 2)))
+_ARTANH = atanh(sin(alpha))
 
 
 def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
@@ -62,14 +84,14 @@ def limits(domain: Domain) -> dict[str, tuple[Any, Any]]:
 
 
 @cache
-def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
+def vanishes(form: Expr, domain: Domain = ()) -> bool:
     """Decide whether a form is zero on a domain, for each sign of its symbols: refuted at a point, or else proved."""
-    form = sp.sympify(form).as_dummy()
-    if form.has(sp.Order):
+    form = sympify(form).as_dummy()
+    if form.has(Order):
         return False
-    for kind in (sp.Integral, sp.Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
-        atoms = sorted(form.atoms(kind), key=sp.default_sort_key)
-        form = form.xreplace({x: sp.Symbol(f"_{x}", real=True) for x in atoms})
+    for kind in (Integral, Derivative, AppliedUndef):  # what is not evaluated counts as one symbol
+        atoms = sorted(form.atoms(kind), key=default_sort_key)
+        form = form.xreplace({x: Symbol(f"_{x}", real=True) for x in atoms})
     signs = [dict(choice) for choice in product(*_choices(form, domain))]
     try:
         for choice in signs:
@@ -77,19 +99,19 @@ def vanishes(form: sp.Expr, domain: Domain = ()) -> bool:
     except ProofError:
         return False
     if form.has(_LOG):
-        slope = sp.diff(_LOG.replace(sp.Abs, lambda x: x) - _ARTANH, alpha)
-        prove_zero(sp.simplify(slope.rewrite(sp.exp)), "log tan(pi/4 + alpha/2) = artanh(sin alpha)")
+        slope = diff(_LOG.replace(Abs, lambda x: x) - _ARTANH, alpha)
+        prove_zero(sp.simplify(slope.rewrite(exp)), "log tan(pi/4 + alpha/2) = artanh(sin alpha)")
         form = form.subs(_LOG, _ARTANH)
     for choice in signs:
         prove_zero(form.subs(choice), "a printed form")
     return True
 
 
-def _choices(form: sp.Expr, domain: Domain) -> Iterator[list[tuple[sp.Symbol, Any]]]:
+def _choices(form: Expr, domain: Domain) -> Iterator[list[tuple[Symbol, Any]]]:
     """For each symbol: its one value, or a positive symbol with each sign that its domain allows."""
     for x in sorted(form.free_symbols, key=lambda x: x.name):
-        low, high = limits(domain).get(x.name, (0, sp.oo))
-        size = sp.Symbol(x.name, positive=True)
+        low, high = limits(domain).get(x.name, (0, oo))
+        size = Symbol(x.name, positive=True)
         choices = []
         if low == high:
             choices.append((x, low))
@@ -101,20 +123,20 @@ def _choices(form: sp.Expr, domain: Domain) -> Iterator[list[tuple[sp.Symbol, An
         yield choices
 
 
-def _homogeneous(form: sp.Expr, dimension: str) -> bool:
+def _homogeneous(form: Expr, dimension: str) -> bool:
     """Whether a form has the dimension: scale every unit, and see by what the form is multiplied."""
-    form = form.replace(sp.Integral, lambda f, *limits: f * sp.Mul(*(x for x, *_ in limits)))  # as its integrand dx
-    units = {x: sp.Symbol(f"unit_{x}", positive=True) for x in "MLT"}
-    factors = {name: sp.parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
+    form = form.replace(Integral, lambda f, *limits: f * Mul(*(x for x, *_ in limits)))  # as its integrand dx
+    units = {x: Symbol(f"unit_{x}", positive=True) for x in "MLT"}
+    factors = {name: parse_expr(text, local_dict=units) for name, text in DIMENSIONS.items()}
     in_other_units = {x: x * factors[x.name] for x in form.free_symbols if x.name in factors}
     scaled = form.subs(in_other_units, simultaneous=True)
-    return vanishes(scaled - sp.parse_expr(dimension, local_dict=units) * form)
+    return vanishes(scaled - parse_expr(dimension, local_dict=units) * form)
 
 
-def _integrates(form: sp.Expr, weight: sp.Expr, domain: Domain) -> bool:
+def _integrates(form: Expr, weight: Expr, domain: Domain) -> bool:
     """Whether a form in alpha is the double integral, by quadrature at points of its whole domain."""
     low, high = limits(domain)["alpha"]
-    points = [s.value(low + sp.Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
+    points = [s.value(low + Rational(k, 11) * (high - low)) for k in (1, 6, 10)]
     return all(abs(s.value(form, x) - quadrature(weight, -x, x, 15)) < mp.mpf(10) ** -13 for x in points)
 
 
@@ -126,8 +148,8 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
     if len(printed) != len(derived):
         return False
     for form in printed:
-        for integral in form.atoms(sp.Integral):
-            if any(x in sp.Tuple(*ends).free_symbols for x, *ends in integral.limits):
+        for integral in form.atoms(Integral):
+            if any(x in Tuple(*ends).free_symbols for x, *ends in integral.limits):
                 return False  # nor is a variable in its own limits
     for form, right in zip(printed, derived, strict=True):
         right = right.subs(replaced)
@@ -141,7 +163,7 @@ def _form_holds(claim: Claim, forms: str, postulates: Sequence[Postulate]) -> bo
 
 
 @cache
-def _derived(claim: Claim) -> tuple[sp.Expr, ...]:
+def _derived(claim: Claim) -> tuple[Expr, ...]:
     forms = claim.definition()
     return tuple(forms) if isinstance(forms, (tuple, list)) else (forms,)
 
@@ -171,7 +193,7 @@ def _assumed(claim: Claim) -> list[str]:
             continue
         if low == high:
             assumed.append(f"{x} = {low}")
-        elif high == sp.oo:
+        elif high == oo:
             assumed.append(f"{x} > {low}")
         else:
             assumed.append(f"{low} < {x} < {high}")
@@ -197,7 +219,7 @@ def _number(claim: Claim) -> Judgement:
 def _range(claim: Claim) -> Judgement:
     """A statement of size: every value between two bounds."""
     values = claim.definition()
-    low, high = (mp.inf if x == sp.oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
+    low, high = (mp.inf if x == oo else mp.mpf(x.p) / x.q for x in m.read(claim.expression))
     computed = claim.shows.format(*map(_digits, values))
     if all(low <= x <= high for x in values):
         return computed, "holds", claim.note
@@ -304,20 +326,20 @@ def _instead(postulate: Postulate) -> str:
     return f"{postulate.words}; instead, {postulate.alternative}: {effect}"
 
 
-def words(form: sp.Expr) -> str:
+def words(form: Expr) -> str:
     """A form as one reads it."""
-    text = in_words(form.replace(sp.Integral, _integral)).replace("~", "")
+    text = in_words(form.replace(Integral, _integral)).replace("~", "")
     return text.replace("rate*", "domega*/dt*").replace("_of(", "(")
 
 
-def _integral(f: sp.Expr, *limits: sp.Tuple) -> sp.Symbol:
+def _integral(f: Expr, *limits: Tuple) -> Symbol:
     """An integral as a symbol whose name is its text; the ~ puts it last in a product."""
     lower = {R * CHORD: "R_1", CHORD: "R_1_star"}
     signs = ""
     for x, low, high in reversed(limits):
         signs += "int " if x == theta else f"int_{lower.get(low, low)}^{{{high}}} "
     differentials = " ".join(f"d{x}" for x, *_ in limits)
-    return sp.Symbol(f"~{signs}{f} {differentials}")
+    return Symbol(f"~{signs}{f} {differentials}")
 
 
 @cache
