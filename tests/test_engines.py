@@ -276,7 +276,7 @@ def test_workers_that_are_gone(gone: type[Exception], monkeypatch: pytest.Monkey
     def lost(*_: Any) -> None:
         raise gone
 
-    monkeypatch.setattr("slipcircle.workbench.outputs.sweep._compute", lost)
+    monkeypatch.setattr("slipcircle.workbench.commands.sweep._compute", lost)
     told = refused("sweep vaiont --grid friction.angle_deg=8,10")
     assert "a worker died; with --resume FOLDER it could continue" in told
 

@@ -1,37 +1,27 @@
-"""What a motion gives to people and to their tools: a line, a table, a dictionary, pandas, xarray, lane by lane."""
+"""What a motion says of itself: a line, its lanes, warnings."""
 
 from collections.abc import Mapping
 from dataclasses import replace
-from importlib import import_module
 from math import prod
 from typing import Any, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
+from slipcircle.base.text import digits_left, shown
 from slipcircle.core.flow.lanes import Lanes
+from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.plan import Plan
-from slipcircle.core.motion.quantities import HISTORY, OUTCOMES, results, shown, words
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.files.variation import scene_with
-
-
-def library(name: str) -> Any:
-    """A library that only what gives its objects needs, or what to type where it is missing."""
-    try:
-        return import_module(name)
-    except ImportError as error:
-        raise ImportError(f"to_{name} needs {name}: pip install {name}") from error
-
 
 _SURE = 1e-11  # an estimated error below which only the format limits what is known
 BALANCED = 1e-12  # of all energy on the way, to which it is balanced at least, or a warning says so
 
 
-class Results:
-    """What `Motion` and its lanes are shown as and turned into; columns are named and in units as `quantities` say."""
+class Results(Forms):
+    """What `Motion` and its lanes are shown as."""
 
     plan: Plan
     _lanes: Lanes
@@ -40,47 +30,36 @@ class Results:
     status: Any
     outcomes: Any
     count: Any
-    _times: Any
+    error_estimate: Any
+    moves: Any
+    arrested: Any
+    factor_of_safety: Any
+    run_out: Any
 
     def __repr__(self) -> str:
         name = f"{self.plan.scene.name}: " if self.plan.scene.name else ""
-        said = "; ".join(" ".join(row) for row in self._summary())
         if not self.shape:
-            return f"<Motion {name}{said}>"
-        counted = ", ".join(f"{n} {words(status)}" for status, n in self.count().items())
-        return f"<{prod(self.shape)} motions {name}{counted}; {said}>"
+            return f"<Motion {name}{self._summary()}>"
+        counts = ", ".join(f"{count} {status.lower()}" for status, count in self.count().items())
+        run_outs = self.run_out[~np.isnan(self.run_out)]
+        span = f"{shown(run_outs.min())} to {shown(run_outs.max())} m" if run_outs.size else "not known"
+        return f"<{prod(self.shape)} motions {name}{counts}; run-out {span}>"
 
-    def _repr_html_(self) -> str:
-        if self.shape:
-            rows = [*([words(status), str(n)] for status, n in self.count().items()), *self._summary()]
-        else:
-            rows = [[q.label, q.text(self)] for q in results(self) if q.key]
-        return Raw(tag("b", self.plan.scene.name or "motion") + table(rows))
-
-    def _summary(self) -> list[list[str]]:
-        """What repr says: of many lanes each outcome's least and greatest value."""
-        if not self.shape:
-            key = {q.name: q.text(self) for q in results(self) if q.key}
-            if key["moves"] == "no":
-                return [["does not move,", f"factor of safety {key['factor_of_safety']}"]]
-            end = "rests after" if key["arrested"] == "yes" else "still moves after"
-            return [[key["peak_velocity"], "at most"], ["run-out", key["run_out"]], [end, key["duration"]]]
-        found = []
-        for name, q in OUTCOMES.items():
-            values = np.asarray(self.outcomes[name])[~np.isnan(self.outcomes[name])]
-            low, high = (shown(float(f(values))) if values.size else "-" for f in (np.min, np.max))
-            found.append([words(name), f"{low} to {high} {q.unit}"])
-        return found
+    def _summary(self) -> str:
+        """What became of a single motion, in half a line."""
+        digits = digits_left(self.error_estimate)
+        if not self.moves:
+            return f"does not move, factor of safety {shown(self.factor_of_safety)}"
+        velocity, run_out, duration = (
+            shown(self.outcomes[n], digits) for n in ("peak_velocity", "run_out", "duration")
+        )
+        end = "comes to rest after" if self.arrested else "still moving at"
+        return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
 
     @property
     def reason(self) -> Any:
         """Why there is no answer, of each lane; empty where there is one."""
-        return self._named("reason")
-
-    def _named(self, what: str) -> Any:
-        if not self.shape:
-            return getattr(self.status, what)
-        return np.array([getattr(s, what) for s in Status])[self.status]
+        return np.array([s.reason for s in Status])[self.status] if self.shape else self.status.reason
 
     def __len__(self) -> int:
         if not self.shape:
@@ -109,85 +88,6 @@ class Results:
     @property
     def warnings(self) -> tuple[str, ...]:
         return cautions(self)
-
-    # --- tables ------------------------------------------------------------------------------------------------------
-
-    def to_dict(self, times: ArrayLike | None = None) -> dict[str, Any]:
-        """Results by name in SI units; of many lanes arrays, with the numbers that vary before them.
-
-        Parameters
-        ----------
-        times : array_like, optional
-            s; then the histories, ``shape + times.shape``, in place of the results.
-        """
-        if times is not None:
-            at = self._times(times)
-            return {name: q.at(self, at) for name, q in HISTORY.items()}
-        found = {n: self._full(v) for n, v in self.plan.scene.numbers.items() if np.ndim(v)}
-        found |= {n: self._full(v) for q in results(self) for n, v in q.columns(self).items()}
-        return found | {"status": self._named("name"), "reason": self.reason}
-
-    def _full(self, value: Any) -> Any:
-        return np.broadcast_to(value, self.shape) if self.shape else value
-
-    def _wide(self, times: ArrayLike | None) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Axes by name, the last of them time where there are any, and columns over all of them."""
-        axes: dict[str, Any] = {name: np.arange(n) for name, n in zip(self._dims, self.shape, strict=True)}
-        if times is None:
-            return axes, self.to_dict()
-        axes["time"] = np.ravel(np.asarray(times, dtype=np.float64))
-        return axes, {n: v for n, v in self.to_dict(axes["time"]).items() if n != "time"}
-
-    def to_pandas(self, times: ArrayLike | None = None) -> Any:
-        """`to_dict` as a pandas.DataFrame: a row for each lane, or for each lane and time; units in ``attrs``."""
-        pandas = library("pandas")
-        axes, columns = self._wide(times)
-        frame = pandas.DataFrame({n: np.ravel(v) for n, v in columns.items()})
-        if len(axes) > 1:
-            frame.index = pandas.MultiIndex.from_product(axes.values(), names=[*axes])
-        elif axes:
-            frame.index = pandas.Index(*axes.values(), name=next(iter(axes)))
-        frame.attrs["units"] = self._units
-        return frame
-
-    def to_xarray(self, times: ArrayLike | None = None) -> Any:
-        """`to_dict` as an xarray.Dataset, with the dimensions that inputs had; numbers that vary are its coordinates.
-
-        Raises
-        ------
-        ValueError
-            If inputs name one dimension in two ways: NumPy has paired them element by element.
-        """
-        xarray = library("xarray")
-        axes, columns = self._wide(times)
-        dims, units = self._dims, self._units
-        coords: dict[str, Any] = {"time": ("time", axes["time"], {"units": "s"})} if "time" in axes else {}
-        for name, value in self.plan.scene.numbers.items():
-            sizes = np.shape(value)
-            own = [(d, n) for d, n in zip(dims[len(dims) - len(sizes) :], sizes, strict=True) if n > 1]
-            if sizes:
-                columns.pop(name, None)
-                coords[name] = ([d for d, _ in own], np.reshape(np.asarray(value), [n for _, n in own]))
-        variables = {n: ([*axes], np.asarray(v), {"units": units.get(n, "")}) for n, v in columns.items()}
-        return xarray.Dataset(variables, coords, {"scene": self.plan.scene.name})
-
-    @property
-    def _units(self) -> dict[str, str]:
-        return {q.name: q.unit for q in (*results(self), *HISTORY.values())}
-
-    @property
-    def _dims(self) -> list[str]:
-        """Names of the shape's axes: those of inputs that have some, else lane, or lane_0, lane_1, ..."""
-        count, found = len(self.shape), dict[int, str]()
-        for name, value in self.plan.scene.numbers.items():
-            own = tuple(getattr(value, "dims", ()))
-            for axis, dim in enumerate(own, count - len(own)):
-                if found.setdefault(axis, str(dim)) != str(dim):
-                    raise ValueError(
-                        f"{name}: its dimension {dim!r} stands where {found[axis]!r} does, and NumPy pairs them "
-                        "element by element; use xarray.broadcast before"
-                    )
-        return [found.get(k, "lane" if count == 1 else f"lane_{k}") for k in range(count)]
 
 
 def cautions(motion: Any) -> tuple[str, ...]:

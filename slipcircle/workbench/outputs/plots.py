@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import HISTORY, prefixed
 from slipcircle.core.scene.forcing import in_time
+from slipcircle.workbench.common.quantities import HISTORY, prefixed
 from slipcircle.workbench.outputs.plotstyle import (
     AREAS,
     LINES,

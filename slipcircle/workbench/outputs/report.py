@@ -13,19 +13,21 @@ from typing import Any
 import numpy as np
 
 from generated.effects import EFFECTS, LAWS
+from slipcircle.base.text import shown
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, plan
-from slipcircle.core.motion.quantities import OUTCOMES, RESULTS, Quantity, plain, record, results, shown, words
 from slipcircle.core.motion.states import Status
 from slipcircle.core.scene.friction import law_names
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
+from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, record, results, words
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import work
 from slipcircle.workbench.outputs.provenance import inputs
 from slipcircle.workbench.outputs.tables import Part, interval, motion_column
+from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies import export
-from slipcircle.workbench.studies.statistics import BIN_ERROR, Estimate
+from slipcircle.workbench.studies.statistics import BEYOND, BIN_ERROR, Estimate
 from slipcircle.workbench.studies.study import Study
 
 ASSUMED = (
@@ -218,17 +220,21 @@ def _value(quantity: Quantity, found: Any, told: str = "") -> str:
 def parts(found: Study) -> Iterator[Part]:
     """What is said of a study of samples, on the screen and in its report, in this order."""
     heads = [q.heading for q in OUTCOMES.values()]
+    failure = [[f"probability of F < 1, {METHODS[method][0]}", p] for method, p in found.failure.items()]
+    invalid = found.design.n - found.n
+    apart = f" of {found.design.n}, as {invalid} are no scene" if invalid else ""
     yield Part(
         [],
-        [["probability of moving", found.moving]],
+        [["probability of moving", found.moving], *failure],
         "Whether it moves",
-        f"{found.n} samples; in brackets the interval of {100 * found.confidence:g} % confidence from their number",
+        f"{found.n} samples{apart}; in brackets the interval of {100 * found.confidence:g} % confidence from their "
+        "number",
     )
     yield Part(
         ["exceeded with probability", *heads],
         [[f"{1 - p:.2g}", *(found.quantile(n, p) for n in OUTCOMES)] for p in export.QUANTILES],
         "How far and how fast",
-        "" if found.samples else f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off",
+        "; ".join(_quantile_notes(found)),
     )
     rows = []
     for k, (what, estimated) in enumerate((("mean", found.mean), ("std", found.std))):
@@ -255,6 +261,13 @@ def parts(found: Study) -> Iterator[Part]:
         [[str(c.n), c.moving, c.median, c.upper] for c in found.convergence],
         "Convergence",
     )
+
+
+def _quantile_notes(found: Study) -> Iterator[str]:
+    if found.without_result:
+        yield f"{BEYOND}: among the {found.without_result} samples that slide without a result, so beyond any value"
+    if not found.samples:
+        yield f"from bins of a relative width of {BIN_ERROR:.1e}, by which values may be off"
 
 
 def study_report(found: Study, file: bytes | None = None, command: str = "") -> str:

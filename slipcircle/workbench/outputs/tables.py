@@ -10,14 +10,15 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
+from slipcircle.base.text import shown
 from slipcircle.core.flow.program import join
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, counted
-from slipcircle.core.motion.quantities import JOURNEY, OUTCOMES, results, shown, time_text, to_error, words
+from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
 from slipcircle.workbench.studies.ladder import Rung
-from slipcircle.workbench.studies.statistics import Estimate
+from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
@@ -220,11 +221,15 @@ def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) 
 
 
 def interval(e: Estimate) -> str:
-    """A value and its interval, to two digits of the interval's width."""
-    if math.isnan(e.value):
+    """A value and its interval, to two digits of the interval's width; bounds alone where only they are known."""
+    if all(map(math.isnan, e)):
         return "-"
-    value, *ends = ("?" if math.isnan(x) else to_error(x, e.high - e.low) for x in e)
-    return f"{value} [{', '.join(ends)}]"
+    if e.low == math.inf:
+        return BEYOND
+    error = e.high - e.low if e.high < math.inf else max(e.value - e.low, 0.0)
+    error = error if error < math.inf else 0.0
+    value, low, high = ("?" if math.isnan(x) else BEYOND if x == math.inf else to_error(x, error) for x in e)
+    return f"{low} to {high}" if math.isnan(e.value) else f"{value} [{low}, {high}]"
 
 
 def _widths(columns: Sequence[Sequence[str]], most: int) -> list[int]:

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.quantities import HISTORY
 from slipcircle.core.scene.forcing import in_time
 from slipcircle.workbench.common import files
+from slipcircle.workbench.common.quantities import HISTORY
 
 Floats = NDArray[np.float64]
 

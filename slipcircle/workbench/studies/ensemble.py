@@ -16,9 +16,9 @@ from slipcircle.base import VERSION
 from slipcircle.base.checks import INFINITY, mistakes, raise_all
 from slipcircle.base.series import Series
 from slipcircle.core.motion.plan import plan
-from slipcircle.core.motion.quantities import OUTCOMES
 from slipcircle.core.scene.scene import Scene, checked
 from slipcircle.core.scene.section import Section
+from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, numbers_in
 from slipcircle.workbench.files.variation import along_means, value_in
 from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design
@@ -30,6 +30,7 @@ _KEEP = 2**20  # samples up to which they are kept by default
 _BASE = 2**14
 _MOST_GRID = 2**26
 _MOST = 10**12
+_OUTSIDE = 1e-4  # of a distribution, that may lie out of a number's bounds; such samples are counted apart
 
 
 def _known(given: Any) -> Any:
@@ -175,7 +176,9 @@ def ensemble(
             if not right
         ],
     )
-    seed, n, drawn, scene = _seed(rng, folder), int(n), dict(scene.uncertain), along_means(scene)
+    seed, n, drawn = _seed(rng, folder), int(n), dict(scene.uncertain)
+    raise_all("ensemble", _truncated(drawn))
+    scene = along_means(scene)
     matrix = _correlation(drawn, correlation or {})
     base = sensitivity
     if base is None:
@@ -195,6 +198,20 @@ def ensemble(
         size or _size(n, method),
     )
     return conduct(design, executor, confidence, folder, progress)
+
+
+def _truncated(drawn: Mapping[str, Uncertain]) -> list[str]:
+    """A sentence for each distribution of which much lies where there is no scene: it is truncated only by name."""
+    found = []
+    for uncertain in drawn.values():
+        number, distribution = uncertain.number, uncertain.distribution
+        outside = float(distribution.cdf(number.low) + 1.0 - distribution.cdf(number.high))
+        if outside > _OUTSIDE:
+            found.append(
+                f"{number.key}: {100 * outside:.2g} % of its distribution lies outside of {number.low:g} to "
+                f"{number.high:g}, where there is no scene; truncate it by name: truncated_normal with low and high"
+            )
+    return found
 
 
 def _correlation(drawn: Mapping[str, Uncertain], given: Mapping[tuple[str, str], float]) -> NDArray[np.float64]:
