@@ -1,5 +1,5 @@
 # Written by `python -m derive` with SymPy 1.14.0; do not edit.
-# sha256 of the text below: cf8d6b9239f1f85d44422e90c713775b2e2b6f78f26cf75a362d69faffa49d34
+# sha256 of the text below: 975f81e05e88d0718c9d01746de87c209b066051ccf343a0bc570a00930f13d1
 """What computes a kernel of alpha: the compiled loops where they are there and fit, else NumPy; and at which tier.
 
 The environment variable ``SLIPCIRCLE_COMPILED=0`` asks for NumPy; so does it at install time for a pure wheel.
@@ -77,7 +77,7 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
             if accuracy is not None:
                 loop = loop_of(cheapest("d" if of is float else alpha.dtype.char, accuracy))
             return loop(alpha) if out is None else loop(alpha, out)
-        if not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS):
+        if _is_foreign(alpha):
             return _elsewhere(name, texts, alpha, out, where, accuracy)
         (x,), kind = real((alpha,))
         tier = "float32" if kind.char == "f" and "float32" in texts else "best"
@@ -91,7 +91,12 @@ def kernel(name: str, texts: Mapping[str, Text], level: str = LEVEL) -> Callable
     return call
 
 
-def _cheapest(name: str, proved: Mapping[str, tuple[float, ...] | None], kind: str, accuracy: float) -> str:
+def _is_foreign(alpha: Any) -> bool:
+    """Whether it is an array of another library."""
+    return not isinstance(alpha, np.ndarray | np.generic) and any(hasattr(alpha, x) for x in _PROTOCOLS)
+
+
+def _cheapest(name: str, proved: Mapping[str, tuple[float, float | None] | None], kind: str, accuracy: float) -> str:
     """The cheapest tier that is proved to meet a relative error in a float format."""
     if not accuracy > 0:
         raise ValueError(f"accuracy is a relative error above 0, not {accuracy!r}")
@@ -125,17 +130,19 @@ def _numpy(text: Text, x: Any, kind: np.dtype[Any], out: Any, where: Any) -> Any
     body = partial(_clipped, text)
     if where is not True:
         return evaluate(body, _inside, (0.5,), (x,), out, where)
-    given = np.asarray(x, dtype=kind)
-    result = np.empty(given.shape, kind)
-    flat = given.reshape(-1)
+    alpha = np.asarray(x, dtype=kind)
+    result = np.empty(alpha.shape, kind)
+    flat = alpha.reshape(-1)
     values = result.reshape(-1)
     with np.errstate(under="ignore"):  # an underflow is correctly rounded, or nearly so
         for start in range(0, flat.size, BLOCK):
             block = flat[start : start + BLOCK]
-            if block.min() >= 0.0 and float(block.max()) <= HALF_PI:  # in float64: float32's pi/2 lies above
-                values[start : start + BLOCK] = text(block.astype(np.float64, copy=False))
+            inside = block.min() >= 0.0 and float(block.max()) <= HALF_PI  # in float64: float32's pi/2 lies above
+            if inside:
+                part = text(block.astype(np.float64, copy=False))
             else:
-                values[start : start + BLOCK] = evaluate(body, _inside, (0.5,), (block,), None, True)
+                part = evaluate(body, _inside, (0.5,), (block,), None, True)
+            values[start : start + BLOCK] = part
     if out is None:
         return result[()]
     np.copyto(out, result, casting="same_kind")

@@ -240,29 +240,45 @@ FORMS = (
 
 def prove_forms() -> list[str]:
     """Prove each stable formula equal to the solution, in each of its pieces; the claims."""
-    ways = solution()
-    claims: dict[str, Expr] = {}
-    forms = {f.name.removeprefix("frozen_"): f for f in FORMS}
-    for large, regime in ((True, "a b t**2 > 1"), (False, "a b t**2 <= 1")):
-        for name in ("angular_velocity", "angular_acceleration"):
-            claims[f"{name}, {regime}"] = exact(forms[name], large) - ways[name]
-        # Compared as exp(b phi) = y; with G kept as one symbol, log(1 + b G)/(b G) cancels.
-        rotation = exact(forms["rotation"], large, keep=_G)
-        g = exact(replace(forms["rotation"], result=_G), large=False)
-        claims[f"rotation, {regime}"] = exp(expand(cancel(b * rotation))).subs(_G, g) - ways["y"]
-    # Arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a)).
-    brake, b_, w = symbols("brake b_ omega", positive=True)
-    kappa = sqrt(brake * b_)
-    positive = {a: -brake, b: b_, omega_0: w}
-    time, turn = (unfold(forms[f"arrest_{x}"].result).subs(positive) for x in ("time", "rotation"))
-    y = cos(kappa * t) + b_ * w * sin(kappa * t) / kappa
-    stopping = w * cos(kappa * t) - brake * sin(kappa * t) / kappa
-    claims["omega = 0 at the arrest"] = simplify(stopping.subs(t, time))
-    claims["rotation at the arrest"] = simplify(exp(2 * b_ * turn) - simplify(y.subs(t, time)) ** 2)
+    claims = _of_the_ride() | _of_the_arrest()
     k, later = symbols("k t", positive=True)
     for claim, zero in claims.items():
         prove_zero(zero.subs({a: k**2 / b, t: later}).rewrite(exp), claim)
     return [*claims]
+
+
+def _form(name: str) -> MotionForm:
+    return next(form for form in FORMS if form.name == f"frozen_{name}")
+
+
+def _of_the_ride() -> dict[str, Expr]:
+    """What vanishes if the formulas with time hold; the rotation is compared as exp(b phi) = y."""
+    ways = solution()
+    rotation = _form("rotation")
+    claims = {}
+    for large, regime in ((True, "a b t**2 > 1"), (False, "a b t**2 <= 1")):
+        for name in ("angular_velocity", "angular_acceleration"):
+            claims[f"{name}, {regime}"] = exact(_form(name), large) - ways[name]
+        phi = exact(rotation, large, keep=_G)  # with G kept as one symbol, log(1 + b G)/(b G) cancels
+        g = exact(replace(rotation, result=_G), large=False)
+        y = exp(expand(cancel(b * phi))).subs(_G, g)
+        claims[f"rotation, {regime}"] = y - ways["y"]
+    return claims
+
+
+def _of_the_arrest() -> dict[str, Expr]:
+    """The same of the arrest: with a < 0 < b, k = i kappa. y at arrest is sqrt(1 + b omega_0**2/(-a))."""
+    brake, b_, start = symbols("brake b_ omega", positive=True)
+    kappa = sqrt(brake * b_)
+    positive = {a: -brake, b: b_, omega_0: start}
+    time, rotation = (unfold(_form(f"arrest_{x}").result).subs(positive) for x in ("time", "rotation"))
+    y = cos(kappa * t) + b_ * start * sin(kappa * t) / kappa
+    omega = start * cos(kappa * t) - brake * sin(kappa * t) / kappa
+    y_at_arrest = simplify(y.subs(t, time))
+    return {
+        "omega = 0 at the arrest": simplify(omega.subs(t, time)),
+        "rotation at the arrest": simplify(exp(2 * b_ * rotation) - y_at_arrest**2),
+    }
 
 
 def exact(form: MotionForm, large: bool, keep: Symbol | None = None) -> Expr:

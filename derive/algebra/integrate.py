@@ -137,10 +137,9 @@ def compare(derivation: Derivation, digits: int) -> str:
     function = lambdify((theta_1, alpha), closed, "mpmath")
     worst = mpmath.mpf(0)
     with mpmath.workdps(digits + 15):
-        for numbers in (("3.75", "0.55"), ("4.5", "1.3")):
-            arc = [mpmath.mpf(x) for x in numbers]
-            value = function(*arc)
-            raw = quadrature(moment.weight, *arc, digits)
+        for first, half in (("3.75", "0.55"), ("4.5", "1.3")):
+            value = function(mpmath.mpf(first), mpmath.mpf(half))
+            raw = quadrature(moment.weight, first, half, digits)
             worst = max(worst, abs(raw - value) / abs(value))
             if worst > mpmath.mpf(10) ** -(digits - 1):
                 raise ProofError(f"{moment.name}: closed form against quadrature", value, raw)

@@ -20,7 +20,7 @@ from derive.code.operations import Floats
 
 def plain(variant: Variant) -> Record:
     """What is certified of a variant, as plain data: floats in hexadecimal, no bounds yet."""
-    operations = []
+    operations: list[list[object]] = []
     for op in variant.program.ops:
         if op.kind in ("log", "exponent", "significand"):
             operations.append(["call", list(op.args), op.kind])

@@ -7,7 +7,7 @@ program's, of the rounded coefficients.
 
 import math
 import operator
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import accumulate
@@ -97,8 +97,7 @@ def minimax(
 
     With ``logs = (l, degree)`` a polynomial of that degree times l, a number for each point, is added, and returned
     in the denominator's place. Exchange of reference points after Remez: at the references the errors of the levelled
-    approximant are equal in size and alternate in sign. A rational is levelled with the last denominator in the
-    error's place, which makes the system linear, and repeated.
+    approximant are equal in size and alternate in sign.
     """
     with ctx.workprec(BITS):
         basis = _basis(samples, above, below, logs)
@@ -110,11 +109,7 @@ def minimax(
         least = math.inf
         best: list[arb] = []
         for _ in range(_ROUNDS):
-            for _ in range(6 if below else 1):
-                *coefficients, level = _levelled(samples, basis, references, denominators)
-                if below:
-                    denominator = [arb(1), *coefficients[above + 1 :]]
-                    denominators = [horner(denominator, x).mid() for x in samples.points]
+            coefficients, level, denominators = _levelled(samples, basis, references, denominators, above, below)
             numerators = (matrix * arb_mat([[c] for c in coefficients])).entries()
             errors = _errors(samples, numerators, denominators)
             worst = max(abs(float(e)) for e in errors)
@@ -144,15 +139,23 @@ def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], 
 
 
 def _levelled(
-    samples: Samples, basis: list[list[arb]], references: list[int], denominators: list[arb]
-) -> Iterator[arb]:
-    """Coefficients whose weighted errors at the references are equal and alternate, then this error."""
-    rows = []
-    for k, i in enumerate(references):
-        level = (denominators[i] / samples.weights[i]).mid()
-        rows.append([*basis[i], (-1) ** k * level])
+    samples: Samples, basis: list[list[arb]], references: list[int], denominators: list[arb], above: int, below: int
+) -> tuple[list[arb], arb, list[arb]]:
+    """Coefficients whose weighted errors at the references are equal and alternate, this error, and the denominators.
+
+    A rational is levelled with the last denominator in the error's place, which makes the system linear, and again.
+    """
     values = arb_mat([[samples.values[i]] for i in references])
-    return (x.mid() for x in arb_mat(rows).solve(values, algorithm="approx").entries())
+    for _ in range(6 if below else 1):
+        rows = []
+        for k, i in enumerate(references):
+            level = (denominators[i] / samples.weights[i]).mid()
+            rows.append([*basis[i], (-1) ** k * level])
+        *coefficients, level = (x.mid() for x in arb_mat(rows).solve(values, algorithm="approx").entries())
+        if below:
+            denominator = [arb(1), *coefficients[above + 1 :]]
+            denominators = [horner(denominator, x).mid() for x in samples.points]
+    return coefficients, level, denominators
 
 
 def _errors(samples: Samples, numerators: list[arb], denominators: list[arb]) -> list[arb]:

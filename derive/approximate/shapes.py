@@ -81,10 +81,10 @@ def agree(kernel: Kernel) -> int:
                 raise ProofError(f"{kernel.name}: coefficient of alpha^{k} in {definition}", derived, defined)
         for x in (0.25, 0.75, 1.25, HALF_PI):
             with truth.working(GUARD):
-                derived = arb(evaluate(closed, arb(x)))
-                defined = truth.value([statement], arb(x))
-                if not abs(derived / defined - 1) < arb(2) ** -200:
-                    digits = (value.str(20, radius=False) for value in (derived, defined))
+                value = arb(evaluate(closed, arb(x)))
+                exact = truth.value([statement], arb(x))
+                if not abs(value / exact - 1) < arb(2) ** -200:
+                    digits = (number.str(20, radius=False) for number in (value, exact))
                     raise ProofError(f"{kernel.name}: value at {x} by {definition}", *digits)
     return len(kernel.closed) * (truth.TERMS + 5)
 

@@ -261,6 +261,7 @@ class _Specialise:
         grids = [self.grid[a] for a in node.args]
         grid = min([sum(grids[:2]), *grids[2:]]) if kind in ("mul", "fma") else min(grids)
         line = self._line(node)
+        size: Fraction | float
         if line:
             size = max(map(abs, line))
         else:

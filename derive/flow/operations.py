@@ -138,7 +138,7 @@ def _coefficients(o: Operation, highest: int) -> dict[IndexedBase, tuple[Expr, .
         rates[y] = rates[z]
     if Q in o.arguments:  # the other argument's times its order
         coefficients[Q] = tuple(i * x for i, x in enumerate(coefficients[o.arguments[-1]]))
-    first_two = {}
+    first_two: dict[Expr, Expr] = {}
     for x, a in coefficients.items():
         first_two |= {x: a[0], Derivative(x, _t): a[1]}
     for result, means in zip(o.results, o.means, strict=True):

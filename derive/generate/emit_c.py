@@ -106,18 +106,7 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
     """The extension module of these variants: their fused and plain programs, each under its comment."""
     programs = {(v.kernel, v.tier, v.form): v.program for v in variants if v.form != "numpy"}
     bodies = {form: _bodies(form, programs, words or {}) for form in FORMS}
-    tiers = _tiers(programs)
-    single = {k: identifier(k, "float32" if (k, "float32") in tiers else "best") for k, t in tiers if t == "best"}
-    loops = [f"LOOP(double, {identifier(k, t)}, FORM, LEVEL)" for k, t in tiers if t != "float32"]
-    loops += [f"LOOP(float, {name}, FORM, LEVEL)" for name in single.values()]
-    table = ["static Ufunc ufuncs_##LEVEL[] = {"]
-    for kernel, tier in tiers:
-        if tier == "float32":
-            continue
-        of_float = f"(void *){single[kernel]}_##LEVEL##_float" if tier == "best" else "NULL"
-        of_double = f"(void *){identifier(kernel, tier)}_##LEVEL##_double"
-        table.append(f'{{"{kernel}", "{tier}", {{{of_float}, {of_double}}}}},')
-    table.append("{NULL, NULL, {NULL, NULL}}};")
+    loops, table = _loops_and_table(_tiers(programs))
     polynomials = (f"#define POLY{n}(x, c0, ...) FMA(POLY{n - 1}(x, __VA_ARGS__), x, c0)\n" for n in range(2, MOST))
     marks = {
         "HALF_PI": HALF_PI.hex(),
@@ -134,6 +123,26 @@ def source(variants: Sequence[Variant], words: Mapping[tuple[str, str, str], str
     for mark, value in marks.items():
         text = text.replace(f"@{mark}@", value)
     return text
+
+
+def _loops_and_table(tiers: Sequence[tuple[str, str]]) -> tuple[list[str], list[str]]:
+    """A loop for each tier in double and one in float for each kernel, and the table of ufuncs that names them."""
+    double_loops = []
+    float_loops = []
+    rows = []
+    for kernel, tier in tiers:
+        if tier == "float32":
+            continue
+        name = identifier(kernel, tier)
+        double_loops.append(f"LOOP(double, {name}, FORM, LEVEL)")
+        of_float = "NULL"
+        if tier == "best":
+            single = identifier(kernel, "float32") if (kernel, "float32") in tiers else name
+            float_loops.append(f"LOOP(float, {single}, FORM, LEVEL)")
+            of_float = f"(void *){single}_##LEVEL##_float"
+        rows.append(f'{{"{kernel}", "{tier}", {{{of_float}, (void *){name}_##LEVEL##_double}}}},')
+    table = ["static Ufunc ufuncs_##LEVEL[] = {", *rows, "{NULL, NULL, {NULL, NULL}}};"]
+    return double_loops + float_loops, table
 
 
 Programs = Mapping[tuple[str, str, str], Program]  # by kernel, tier and form
