@@ -16,6 +16,7 @@ from derive.approximate.programs import Variant
 from derive.check import certify, truth
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest
 from derive.code.operations import Floats
+from derive.progress import track
 
 
 def plain(variant: Variant) -> Record:
@@ -116,7 +117,8 @@ def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record
     by_digest = {plain(variant)["sha256"]: variant for variant in variants}
     if new := {key: variant for key, variant in by_digest.items() if key not in proved}:
         with ProcessPoolExecutor(2) as pool:
-            proved |= zip(new, pool.map(certified, new.values()), strict=True)
+            certificates = pool.map(certified, new.values())
+            proved |= zip(new, track(certificates, "kernels certified", len(new)), strict=True)
     return [proved[key] for key in by_digest]
 
 

@@ -24,6 +24,7 @@ from derive.check import certify
 from derive.check.proof import ProofError
 from derive.check.records import TIERS
 from derive.declare.symbols import alpha
+from derive.progress import track
 
 SEAMS = [k / 100 for k in range(64, 124, 4)]
 SLOPES = (0.0, 0.25, 0.5, 1.0, 2.0)
@@ -260,5 +261,5 @@ def complete(anew: bool, trials: int) -> str:
     if missing:
         with ProcessPoolExecutor(2) as pool:
             searched = pool.map(partial(search, trials=trials), missing.values())
-            records().update(zip(missing, searched, strict=True))
+            records().update(zip(missing, track(searched, "shapes searched", len(missing)), strict=True))
     return ", ".join(" / ".join(definition) for definition in missing) or "none"

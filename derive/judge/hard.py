@@ -25,6 +25,7 @@ from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import a, alpha, b, omega_0, t, theta_1, theta_2, theta_m
 from derive.flow.fragments import balance
 from derive.generate import functions
+from derive.progress import track
 
 
 class HardCase(NamedTuple):
@@ -201,7 +202,7 @@ def measured() -> list[Result]:
     ours = {f.program.name: f.program.run for f in (*functions.kernels(), *functions.motion())}
     ours["drive"] = partial(drive, balance().scalar)
     results = []
-    for case in CASES:
+    for case in track(CASES, "hard cases measured", len(CASES)):
         form = forms()[case.function]
         arrays = [np.array(x) for x in case.arguments]
         with np.errstate(all="ignore"):

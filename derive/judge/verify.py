@@ -6,11 +6,8 @@ one small edit turns the printed form into one that passes the same proof. A for
 into the derived one is an assumption, wherever this happens. `judge` is a function of the claim alone.
 """
 
-import json
 import re
-import textwrap
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from itertools import combinations, product, takewhile
 from typing import Any, NamedTuple
@@ -52,6 +49,7 @@ from derive.judge import mechanics as m
 from derive.judge import section as s
 from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
+from derive.progress import track
 
 _DIGITS = 30
 _TINY = mp.mpf(10) ** -20
@@ -345,76 +343,4 @@ def _integral(f: Expr, *limits: Tuple) -> Symbol:
 @cache
 def rows() -> tuple[Row, ...]:
     """Every claim judged, in the paper's order."""
-    return tuple(map(judge, CLAIMS))
-
-
-def counts(judged: Iterable[Row]) -> str:
-    """One line: how many of each verdict."""
-    number = Counter(row.verdict for row in judged)
-    return f"{sum(number.values())} claims: " + ", ".join(f"{number[v]} {v}" for v in VERDICTS if number[v])
-
-
-def report(form: str = "text") -> str:
-    """Judge the paper: as "text" for a terminal of 100 columns, as "json", or as "markdown" for a colleague."""
-    if form == "json":
-        return json.dumps([row._asdict() for row in rows()], indent=2)
-    return {"text": _text, "markdown": _markdown}[form](rows())
-
-
-SIMPLY = ("holds", "holds to the printed digits", "definition")
-
-
-def failing(judged: Iterable[Row]) -> list[Row]:
-    """The claims with another verdict than that they hold, or define."""
-    return [row for row in judged if row.verdict not in SIMPLY]
-
-
-def _text(judged: Sequence[Row]) -> str:
-    def paragraph(text: str) -> str:
-        return textwrap.fill(text, 100, subsequent_indent="    ")
-
-    def described(x: Row) -> str:
-        compared = f"printed {x.printed}; from the definitions {x.computed}"
-        return paragraph(f"{x.id}: {x.verdict}: {x.cause or x.claim} [{compared}]")
-
-    return "\n".join(
-        [
-            *(described(x) for x in judged if x.verdict in SIMPLY),
-            "",
-            "Errors, assumptions, and claims that cannot be checked:",
-            *map(described, failing(judged)),
-            "",
-            "Verdicts:",
-            *(paragraph(f"{verdict}: {rule}") for verdict, rule in VERDICTS.items()),
-            "",
-            textwrap.fill(f"{counts(judged)}.", 100),
-        ]
-    )
-
-
-def _markdown(judged: Sequence[Row]) -> str:
-    def table(chosen: Iterable[Row]) -> list[str]:
-        head = ("where", "claim", "printed", "from the definitions", "verdict", "cause", "assumptions")
-        rows = [head, ("---",) * len(head)]
-        rows += [tuple(x.replace("|", "\\|").replace("*", "\\*") for x in row) for row in chosen]
-        return [f"| {' | '.join(row)} |" for row in rows]
-
-    return "\n".join(
-        [
-            "# The slip-circle paper, judged against its own definitions",
-            "",
-            "Every verdict is computed, by these rules:",
-            "",
-            *(f"* *{verdict}*: {rule}." for verdict, rule in VERDICTS.items()),
-            "",
-            f"{counts(judged)}.",
-            "",
-            "## Errors, assumptions, and claims that cannot be checked",
-            "",
-            *table(failing(judged)),
-            "",
-            "## All claims",
-            "",
-            *table(judged),
-        ]
-    )
+    return tuple(judge(claim) for claim in track(CLAIMS, "claims judged", len(CLAIMS)))
