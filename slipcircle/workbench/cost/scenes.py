@@ -19,7 +19,7 @@ from generated import kernels
 from slipcircle.base.series import Series
 from slipcircle.core.flow import compiled, walk
 from slipcircle.core.flow.lanes import walked
-from slipcircle.core.motion.motion import Motion, kept
+from slipcircle.core.motion.motion import Motion, final_entries
 from slipcircle.core.motion.plan import plan
 from slipcircle.core.motion.solver import lanes_of, solve
 from slipcircle.core.scene.scene import Scene
@@ -127,7 +127,9 @@ def ours(name: str, accuracy: float, walker: Any, mu: Any) -> Floats:
         motion = solve(asked, accuracy)
     else:
         lanes = lanes_of(chosen := plan(asked, accuracy))
-        motion = Motion(chosen, lanes, kept(walked(lanes.bound, lanes.closed, walker=walker), not asked.shape), [])
+        motion = Motion(
+            chosen, lanes, final_entries(walked(lanes.bound, lanes.closed, walker=walker), not asked.shape), []
+        )
     return np.array([motion.outcomes[n] for n in ("run_out", "peak_velocity", "duration")]).reshape(3, -1)
 
 
