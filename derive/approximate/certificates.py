@@ -84,7 +84,8 @@ def errors(variant: Variant, alpha: Floats) -> list[float]:
         for x, y in zip(alpha.tolist(), computed.tolist(), strict=True):
             reference = truth.value(variant.definition, arb(x))
             unit = arb(certify.ulp(float(reference), bits)) if bits else reference
-            measured.append(float((abs(arb(y) - reference) / unit).mid()))
+            error = abs(arb(y) - reference) / unit
+            measured.append(float(error.mid()))
     return measured
 
 
@@ -95,11 +96,15 @@ def worst(variant: Variant, boxes: Iterable[tuple[float, float]]) -> tuple[float
     """
     bits = TIERS[variant.tier].bits
     single = bits == 24
-    top = float(np.nextafter(np.float32(truth.TOP), np.float32(0))) if single else truth.TOP
+    top = truth.TOP
+    if single:
+        top = float(np.nextafter(np.float32(top), np.float32(0)))
 
     def worst_of(points: Iterable[float]) -> tuple[float, float]:
         alpha = np.clip(np.array(list(points)), 2.0**-12, top)
-        alpha = np.unique(alpha.astype(np.float32).astype(np.float64) if single else alpha)
+        if single:
+            alpha = alpha.astype(np.float32).astype(np.float64)
+        alpha = np.unique(alpha)
         return max(zip(errors(variant, alpha), alpha.tolist(), strict=True), key=itemgetter(0))
 
     count = 400 if variant.tier == "best" else 64  # rounding errors are irregular, errors of approximation are not
@@ -115,22 +120,27 @@ def records(variants: Iterable[Variant], known: Iterable[Record]) -> list[Record
     """The record of every variant: the known one where its operations are the same, else proved anew."""
     proved = {record["sha256"]: record for record in known}
     by_digest = {plain(variant)["sha256"]: variant for variant in variants}
-    if new := {key: variant for key, variant in by_digest.items() if key not in proved}:
+    new = {digest: variant for digest, variant in by_digest.items() if digest not in proved}
+    if new:
         with ProcessPoolExecutor(2) as pool:
             certificates = pool.map(certified, new.values())
-            proved |= zip(new, track(certificates, "kernels certified", len(new)), strict=True)
-    return [proved[key] for key in by_digest]
+            for record in track(certificates, "kernels certified", len(new)):
+                proved[record["sha256"]] = record
+    return [proved[digest] for digest in by_digest]
 
 
 def files(records: Iterable[Record]) -> dict[str, str]:
     """Text of every certificate file, by its name under `generated`: fields one a line, an operation a line."""
     blocks: dict[str, list[str]] = {}
     for record in records:
-        fields = {key: json.dumps(value) for key, value in record.items() if key != "operations"}
+        rows = []
+        for key, value in record.items():
+            if key != "operations":
+                rows.append(f'    "{key}": {json.dumps(value)}')
         operations = ",\n".join(f"      {json.dumps(op)}" for op in record["operations"])
-        fields["operations"] = f"[\n{operations}\n    ]"
-        rows = ",\n".join(f'    "{key}": {value}' for key, value in fields.items())
-        blocks.setdefault(record["kernel"], []).append(f"  {{\n{rows}\n  }}")
+        rows.append(f'    "operations": [\n{operations}\n    ]')
+        block = ",\n".join(rows)
+        blocks.setdefault(record["kernel"], []).append(f"  {{\n{block}\n  }}")
     return {f"certificates/{kernel}.json": _file(kernel, of_kernel) for kernel, of_kernel in blocks.items()}
 
 

@@ -6,15 +6,12 @@ program's, of the rounded coefficients.
 """
 
 import math
-import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import reduce
-from itertools import accumulate
 from typing import Any
 
 from flint import arb, arb_mat, ctx, fmpq
-from sympy import Add, Expr, Mul, Pow, Rational, Symbol, pi
+from sympy import Expr, pi
 
 from derive.check.truth import fraction, number
 
@@ -33,18 +30,20 @@ def nearest(x: arb) -> float:
 
 def evaluate(expression: Expr, x: Any) -> Any:
     """An expression in one symbol at x, which is a ball or a power series: whatever adds, multiplies and has a sine."""
-    if isinstance(expression, Symbol):
+    if expression.is_Symbol:
         return x
-    if isinstance(expression, Rational):
+    if expression.is_Rational:
         return fmpq(int(expression.p), int(expression.q))
     if expression is pi:
         return arb.pi()
-    parts = [evaluate(part, x) for part in expression.args]
-    if isinstance(expression, (Add, Mul)):
-        return reduce(operator.add if expression.is_Add else operator.mul, parts)
-    if isinstance(expression, Pow):
-        return parts[0] ** int(expression.exp)
-    return getattr(parts[0], type(expression).__name__)()  # sin, cos, atanh
+    first, *others = (evaluate(part, x) for part in expression.args)
+    if expression.is_Add:
+        return sum(others, first)
+    if expression.is_Mul:
+        return math.prod(others, start=first)
+    if expression.is_Pow:
+        return first ** int(expression.exp)
+    return getattr(first, type(expression).__name__)()  # sin, cos, atanh
 
 
 def value(closed: Expr, a: arb) -> arb:
@@ -55,7 +54,10 @@ def value(closed: Expr, a: arb) -> arb:
 
 def horner(coefficients: Sequence[arb], x: arb) -> arb:
     """The polynomial with these coefficients, lowest first, at x."""
-    return reduce(lambda total, c: total * x + c, reversed(coefficients), arb(0))
+    result = arb(0)
+    for c in reversed(coefficients):
+        result = result * x + c
+    return result
 
 
 @dataclass
@@ -68,8 +70,11 @@ class Samples:
 
     def without(self, coefficient: arb) -> "Samples":
         """(function - coefficient)/point: what is left to fit once the lowest coefficient is fixed."""
-        values = [((f - coefficient) / x).mid() for x, f in zip(self.points, self.values, strict=True)]
-        weights = [(w * x).mid() for x, w in zip(self.points, self.weights, strict=True)]
+        values = []
+        weights = []
+        for x, value, weight in zip(self.points, self.values, self.weights, strict=True):
+            values.append(((value - coefficient) / x).mid())
+            weights.append((weight * x).mid())
         return Samples(self.points, values, weights)
 
 
@@ -81,12 +86,19 @@ def sample(
     With ``cluster`` > 1 the points are crowded further towards 0, where a logarithm is singular.
     """
     count = _POINTS * (unknowns + 1)
+    points = []
     with ctx.workprec(BITS):
-        chebyshev = [(1 - (arb(2 * k + 1) / (2 * count)).cos_pi()) / 2 for k in range(count)]
-        points = [(upper * x**cluster).mid() for x in chebyshev]
+        for k in range(count):
+            angle = arb(2 * k + 1) / (2 * count)
+            chebyshev = (1 - angle.cos_pi()) / 2
+            points.append((upper * chebyshev**cluster).mid())
+    values = []
+    weights = []
     with ctx.workprec(GUARD):
-        values = [function(x).mid() for x in points]
-        weights = [weight(x, f).mid() for x, f in zip(points, values, strict=True)]
+        for x in points:
+            value = function(x).mid()
+            values.append(value)
+            weights.append(weight(x, value).mid())
     return Samples(points, values, weights)
 
 
@@ -130,11 +142,15 @@ def _basis(samples: Samples, above: int, below: int, logs: tuple[Sequence[arb], 
         first = 0
     else:
         factors = [-f for f in samples.values]
-        first, last = 1, below
+        first = 1
+        last = below
     rows = []
     for x, factor in zip(samples.points, factors, strict=True):
-        powers = [*accumulate([x] * max(above, last), operator.mul, initial=arb(1))]
-        rows.append([*powers[: above + 1], *(factor * power for power in powers[first : last + 1])])
+        powers = [arb(1)]
+        for _ in range(max(above, last)):
+            powers.append(powers[-1] * x)
+        products = [factor * power for power in powers[first : last + 1]]
+        rows.append(powers[: above + 1] + products)
     return rows
 
 
@@ -148,10 +164,13 @@ def _levelled(
     values = arb_mat([[samples.values[i]] for i in references])
     for _ in range(6 if below else 1):
         rows = []
-        for k, i in enumerate(references):
+        sign = 1
+        for i in references:
             level = (denominators[i] / samples.weights[i]).mid()
-            rows.append([*basis[i], (-1) ** k * level])
-        *coefficients, level = (x.mid() for x in arb_mat(rows).solve(values, algorithm="approx").entries())
+            rows.append([*basis[i], sign * level])
+            sign = -sign
+        solution = arb_mat(rows).solve(values, algorithm="approx")
+        *coefficients, level = (x.mid() for x in solution.entries())
         if below:
             denominator = [arb(1), *coefficients[above + 1 :]]
             denominators = [horner(denominator, x).mid() for x in samples.points]

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import cache, partial
-from itertools import product
 
 import numpy as np
 from flint import arb
@@ -34,6 +33,7 @@ FROM, TO = 0.5, 1.5625  # where seam and baseline matter
 DIVISION = 8  # what a division costs, in multiply-adds
 OPERATION = 0.02  # what a multiply-add is worth, in ulp
 MARGIN = 0.05  # by how much less a shape's price has to be to take the place of the recorded one, in ulp
+STEPS = (-1, 1)  # of whatever is moved to a neighbouring shape
 KEPT = 3  # leading sums near 0 whose roundings are kept, to start from
 TRIALS = 40  # shapes judged at most, for one quantity
 
@@ -44,8 +44,10 @@ def price(kernel: Kernel, shape: Best) -> float:
     """Of the best tier, fused: the bound that is proved between FROM and TO, and what its operations are worth."""
     fused = variant(kernel, "best", "fused", shape)
     record = certificates.plain(fused)
-    proved, _ = certify.halve(record, list(certify.patches(record, FROM, TO)), halvings=HALVINGS)
-    return proved + OPERATION * sum(fused.program.operations().values())
+    patches = list(certify.patches(record, FROM, TO))
+    bound, _ = certify.halve(record, patches, halvings=HALVINGS)
+    operations = sum(fused.program.operations().values())
+    return bound + OPERATION * operations
 
 
 def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Variant]:
@@ -64,8 +66,9 @@ def kept(kernel: Kernel, tier: str, shape: Best | tuple[int, int]) -> list[Varia
 def rises(closed: Expr, seam: float) -> bool:
     """Whether F grows at the seam by more than both pieces' errors from one double to the next."""
     step = math.ulp(math.nextafter(seam, 0.0))
-    f = float(at(closed, arb(seam)))
-    slope = float(at(diff(closed, alpha), arb(seam)))
+    x = arb(seam)
+    f = float(at(closed, x))
+    slope = float(at(diff(closed, alpha), x))
     return slope * step > 1.4 * certify.ulp(f, 53)
 
 
@@ -74,21 +77,26 @@ def baseline(closed: Expr, seam: float) -> Far:
     """The baseline whose operations leave the least error, by an estimate of half an ulp each, over ulp(F)."""
     points = [seam + (HALF_PI - seam) * k / 24 for k in range(25)]
     values = [(x, float(at(closed, arb(x)))) for x in points]
-    end_value = values[-1][1]
     about = end(closed)
-    bends = [0.0] if about.odd else [k / 8 for k in range(25)]
-    candidates = []
-    for slope in SLOPES:
-        left = [f - slope * x for x, f in values]
-        lines = {math.floor((end_value - slope * HALF_PI) * 2**52) / 2**52}
-        lines |= {k / 128 for k in range(math.floor(min(left) * 128), math.ceil(max(left) * 128) + 1)}
-        candidates += [Far(slope, line, bend, 1.0, 0) for line, bend in product(sorted(lines), bends)]
 
     def rank(far: Far) -> tuple[float, ...]:
         error = _baseline_error(closed, far, values)
         return error, abs(far.bend - about.first), far.slope, far.line, far.bend
 
-    return min(candidates, key=rank)
+    return min(_baselines(values, about.odd), key=rank)
+
+
+def _baselines(values: Sequence[tuple[float, float]], odd: bool) -> Iterator[Far]:
+    """Slopes, bends, and lines in steps of 1/128 through what a slope leaves, and the line that meets the end."""
+    end_value = values[-1][1]
+    bends = [0.0] if odd else [k / 8 for k in range(25)]
+    for slope in SLOPES:
+        left = [128 * (f - slope * x) for x, f in values]
+        lines = {k / 128 for k in range(math.floor(min(left)), math.ceil(max(left)) + 1)}
+        lines.add(math.floor((end_value - slope * HALF_PI) * 2**52) / 2**52)
+        for line in sorted(lines):
+            for bend in bends:
+                yield Far(slope, line, bend, 1.0, 0)
 
 
 def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]]) -> float:
@@ -96,6 +104,7 @@ def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]
 
     F = straight + (constant + bent + b**power core), each sum and product rounded once.
     """
+    ulp = math.ulp
     about = end(closed)
     power, _ = shapes.powers(closed, far)
     core_ulps = 3 if about.log else 1
@@ -104,14 +113,17 @@ def _baseline_error(closed: Expr, far: Far, values: Sequence[tuple[float, float]
     for x, f in values[:-1]:
         b = HALF_PI - x
         rest = f - (far.slope * x + far.line)
-        bent = 0.0 if about.odd else b * (far.slope - far.bend * b)
+        slope = far.slope - far.bend * b
+        bent = 0.0 if about.odd else b * slope
         core = (rest - bent - constant) / b**power
+        error = 0.0
         exact_sum = abs(f - rest) <= far.slope * (1 if x < 1 else 2)  # its terms are multiples of 2**-52
-        error = 0.0 if exact_sum or not far.slope else math.ulp(f - rest)
-        error += math.ulp(constant) + math.ulp(rest)
-        error += b**power * (core_ulps * math.ulp(core) + abs(core) / 2**52)
+        if far.slope and not exact_sum:
+            error = ulp(f - rest)
+        error += ulp(constant) + ulp(rest)
+        error += b**power * (core_ulps * ulp(core) + abs(core) / 2**52)
         if not about.odd:
-            error += math.ulp(rest - bent) + b * math.ulp(far.slope - far.bend * b)
+            error += ulp(rest - bent) + b * ulp(slope)
         worst = max(worst, error / certify.ulp(f, 53))
     return worst
 
@@ -120,13 +132,23 @@ def started(kernel: Kernel, seam: float) -> Best:
     """Pieces for a seam: the baseline that an estimate prefers, and the least degrees that approximate."""
     pieces = []
     for closed in kernel.closed:
-        serves = end(closed).serves
-        until = seam if serves else HALF_PI
-        far = _least_far(closed, seam) if serves else None
-        samples = ((n, shapes.near_samples(closed, until, n, shapes.limit(closed))) for n in range(7, 40))
-        count = next(n for n, x in samples if minimax(x, n - 1)[2] < NEGLIGIBLE)
-        pieces.append(Pieces(until, count, KEPT, far))
+        far = None
+        until = HALF_PI
+        if end(closed).serves:
+            far = _least_far(closed, seam)
+            until = seam
+        pieces.append(Pieces(until, _least_count(closed, until), KEPT, far))
     return tuple(pieces)
+
+
+def _least_count(closed: Expr, until: float) -> int:
+    """The least number of coefficients near 0 that approximate."""
+    for count in range(7, 40):
+        samples = shapes.near_samples(closed, until, count, shapes.limit(closed))
+        _, _, error = minimax(samples, count - 1)
+        if error < NEGLIGIBLE:
+            break
+    return count
 
 
 def _least_far(closed: Expr, seam: float) -> Far:
@@ -143,44 +165,48 @@ def _least_far(closed: Expr, seam: float) -> Far:
 def falls(variant: Variant, seam: float) -> bool:
     """Whether a base quantity falls from the last double below the seam to the first above; fused, anywhere near."""
     near = 1000 if variant.form == "fused" else 1
-    alpha = (np.float64(seam).view(np.int64) + np.arange(-near, near)).view(np.float64)
-    return bool(np.any(np.diff(variant.program.run(alpha[alpha <= HALF_PI])) < 0))
+    bits = np.float64(seam).view(np.int64) + np.arange(-near, near)
+    alpha = bits.view(np.float64)
+    values = variant.program.run(alpha[alpha <= HALF_PI])
+    return bool(np.any(np.diff(values) < 0))
 
 
 def neighbours(kernel: Kernel, shape: Best) -> Iterator[Best]:
     """Shapes a step away: the seam, and of each part degrees and baseline."""
-    for step in (-1, 1):
+    for step in STEPS:
         yield tuple(replace(p, seam=round(p.seam + step / 100, 2)) if p.far else p for p in shape)
     for k, (closed, part) in enumerate(zip(kernel.closed, shape, strict=True)):
-        moves = [replace(part, count=part.count + step) for step in (-1, 1)]
-        moves += [replace(part, kept=part.kept + step) for step in (-1, 1) if 2 <= part.kept + step < part.count - 2]
-        if part.far:
-            moves += [replace(part, far=far) for far in _neighbours_of_far(closed, part.far)]
-        for move in moves:
+        for move in _moves(closed, part):
             yield (*shape[:k], move, *shape[k + 1 :])
 
 
-def _neighbours_of_far(closed: Expr, far: Far) -> Iterator[Far]:
-    """Other degrees, lines, bends and scales, where the form has them."""
+def _moves(closed: Expr, part: Pieces) -> Iterator[Pieces]:
+    """Other numbers of coefficients and of kept roundings, and other baselines where the form has them."""
     about = end(closed)
-    for step in (-1, 1):
-        yield replace(far, degree=far.degree + step)
+    for step in STEPS:
+        yield replace(part, count=part.count + step)
+    for step in STEPS:
+        if 2 <= part.kept + step < part.count - 2:
+            yield replace(part, kept=part.kept + step)
+    far = part.far
+    if far is None:
+        return
+    for step in STEPS:
+        yield replace(part, far=replace(far, degree=far.degree + step))
     for step in (-4, -1, 1, 4):
-        yield replace(far, line=far.line + step / 128)
+        yield replace(part, far=replace(far, line=far.line + step / 128))
     if not about.odd:
-        for step in (-1, 1):
-            yield replace(far, bend=far.bend + step / 8)
+        for step in STEPS:
+            yield replace(part, far=replace(far, bend=far.bend + step / 8))
     if about.log:
-        yield replace(far, scale=3 - far.scale)
+        yield replace(part, far=replace(far, scale=3 - far.scale))
 
 
 def refined(kernel: Kernel, trials: int) -> Best | None:
     """The pieces with the least bound and the fewest operations; None if none keeps its goals.
 
-    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it. A
-    base quantity has its seam where it cannot fall there, or, if there is none, where it may fall by an ulp.
+    For each seam the baseline that an estimate prefers, and from the best of these on whatever is better next to it.
     """
-    closed, *others = kernel.closed
     judged: dict[Best, float] = {}
 
     def ranked(tried: Iterable[Best]) -> list[Best]:
@@ -189,19 +215,33 @@ def refined(kernel: Kernel, trials: int) -> Best | None:
                 judged[shape] = price(kernel, shape)
         return sorted(judged, key=lambda shape: (judged[shape], str(shape)))
 
-    seams = [seam for seam in SEAMS if others or rises(closed, seam)] or SEAMS
-    seams = seams[-9:] if any(end(form).serves for form in kernel.closed) else SEAMS[:1]
-    ranking = ranked(started(kernel, seam) for seam in seams)
+    ranking = ranked(started(kernel, seam) for seam in _seams(kernel))
     explored: set[Best] = set()
     while left := [shape for shape in ranking[:2] if shape not in explored]:
         explored.add(left[0])
         ranking = ranked(neighbours(kernel, left[0]))
+    return _first_kept(kernel, ranking[:6])
+
+
+def _seams(kernel: Kernel) -> list[float]:
+    """Where to try a seam: of a base quantity where it cannot fall there, or, if there is no such place, anywhere."""
+    if not any(end(form).serves for form in kernel.closed):
+        return SEAMS[:1]
+    closed, *others = kernel.closed
+    rising = SEAMS if others else [seam for seam in SEAMS if rises(closed, seam)]
+    return (rising or SEAMS)[-9:]
+
+
+def _first_kept(kernel: Kernel, ranking: Iterable[Best]) -> Best | None:
+    """The first shape that keeps its goals and does not fall at its seam; failing this the first that may fall."""
     spare = None
-    for shape in ranking[:6]:
-        if forms := kept(kernel, "best", shape):
-            if others or not any(falls(form, shape[0].seam) for form in forms):
-                return shape
-            spare = spare or shape
+    for shape in ranking:
+        forms = kept(kernel, "best", shape)
+        if not forms:
+            continue
+        if len(kernel.closed) > 1 or not any(falls(form, shape[0].seam) for form in forms):
+            return shape
+        spare = spare or shape
     return spare
 
 
@@ -217,7 +257,8 @@ def best(kernel: Kernel, trials: int = TRIALS) -> Best:
         if chosen is None or price(kernel, recorded) <= price(kernel, chosen) + MARGIN:
             return recorded
     if chosen is None:
-        goal = TIERS["best"].quotient if len(kernel.closed) > 1 else TIERS["best"].fused
+        tier = TIERS["best"]
+        goal = tier.quotient if len(kernel.closed) > 1 else tier.fused
         raise ProofError(f"{kernel.name}: bound of tier best", "none of the shapes that were tried keeps it", goal)
     return chosen
 
@@ -227,14 +268,7 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
     (closed,) = kernel.closed
     goal = TIERS[tier].fused
     target = (goal - 0.5) * 2.0**-24 if goal > 0.5 else goal
-    polynomials = [(above, 0) for above in range(2, 25)]
-    quotients = [(above, total - above) for total in range(6, 25) for above in ((total + 1) // 2, total // 2)]
-
-    def cost(x: tuple[int, int]) -> tuple[int, int]:
-        above, below = x
-        return above + below + (DIVISION if below else 0), -below
-
-    for above, below in sorted({*polynomials, *quotients}, key=cost):
+    for above, below in sorted(_degrees(), key=_cost):
         try:
             _, _, error = shapes.cheap_fit(closed, above, below)
         except ZeroDivisionError:  # the levelled system has no solution
@@ -242,6 +276,24 @@ def degrees(kernel: Kernel, tier: str) -> tuple[str, int, int]:
         if error <= target and kept(kernel, tier, (above, below)):
             return tier, above, below
     raise ProofError(f"{kernel.name}: tier {tier}", "no degrees that keep it", f"{goal:g}")
+
+
+def _degrees() -> Iterator[tuple[int, int]]:
+    """Polynomials, and quotients of degrees that are equal or nearly so."""
+    for total in range(2, 25):
+        yield total, 0
+        if total >= 6:
+            below = total // 2
+            yield total - below, below
+            if total % 2:
+                yield below, total - below
+
+
+def _cost(degrees: tuple[int, int]) -> tuple[int, int]:
+    """Operations, a division among them; then the larger denominator first."""
+    above, below = degrees
+    division = DIVISION if below else 0
+    return above + below + division, -below
 
 
 def search(kernel: Kernel, trials: int = TRIALS) -> Shape:
@@ -261,5 +313,7 @@ def complete(anew: bool, trials: int) -> str:
     if missing:
         with ProcessPoolExecutor(2) as pool:
             searched = pool.map(partial(search, trials=trials), missing.values())
-            records().update(zip(missing, track(searched, "shapes searched", len(missing)), strict=True))
-    return ", ".join(" / ".join(definition) for definition in missing) or "none"
+            tracked = track(searched, "shapes searched", len(missing))
+            records().update(zip(missing, tracked, strict=True))
+    names = [" / ".join(definition) for definition in missing]
+    return ", ".join(names) or "none"

@@ -9,6 +9,7 @@ Seams, baselines and degrees are found by `derive.approximate.search` and record
 """
 
 import json
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
 from functools import cache
@@ -105,7 +106,8 @@ class End:
 @cache
 def end(closed: Expr) -> End:
     """Expand about pi/2: b = pi/2 - alpha and h = artanh(cos(b)), in which the form is linear."""
-    b, h = Dummy("b", real=True), Dummy("h", real=True)
+    b = Dummy("b", real=True)
+    h = Dummy("h", real=True)
     in_b = closed.subs(alpha, pi / 2 - b).subs(atanh(cos(b)), h)
     form = expand(expand_trig(in_b))
     logs = form.coeff(h, 1)
@@ -114,15 +116,21 @@ def end(closed: Expr) -> End:
     for odd in (True, False):
         sign = 1 if odd else -1
         if all(expand(part + sign * part.subs(b, -b)) == 0 for part in (smooth, logs)):
-            with truth.working(GUARD):
-                x = fmpq_series([0, 1])
-                first = evaluate(smooth, x)[1 if odd else 2]
-                log = 0
-                if logs != 0:
-                    series = evaluate(logs, x)
-                    log = next(k for k in range(truth.TERMS) if series[k] != 0)
-                return End(odd, float(first), log)
+            return _expanded(smooth, logs, odd)
     return End(False, 0.0, 0, serves=False)
+
+
+def _expanded(smooth: Expr, logs: Expr, odd: bool) -> End:
+    """From the Taylor series of both parts in b, over the rational numbers."""
+    log = 0
+    with truth.working(GUARD):
+        b = fmpq_series([0, 1])
+        first = evaluate(smooth, b)[1 if odd else 2]
+        if logs != 0:
+            series = evaluate(logs, b)
+            while series[log] == 0:
+                log += 1
+    return End(odd, float(first), log)
 
 
 @dataclass(frozen=True)
@@ -166,7 +174,12 @@ def records() -> dict[tuple[str, ...], Shape]:
     """The recorded shapes by definition; the shapes that this run's search finds are added."""
     shapes = {}
     for definition, known in json.loads(RECORDS.read_text(encoding="utf-8")).items():
-        best = [Pieces(**p | {"far": p["far"] and Far(**p["far"])}) for p in known["best"]]
+        best = []
+        for piece in known["best"]:
+            far = piece["far"]
+            if far is not None:
+                piece["far"] = Far(**far)
+            best.append(Pieces(**piece))
         cheap = tuple(map(tuple, known["cheap"]))
         shapes[tuple(definition.split(" / "))] = Shape(tuple(best), cheap)
     return shapes
@@ -176,15 +189,21 @@ def text() -> str:
     """The file of records: one definition a line, none that is not declared."""
     lines = []
     for definition in sorted({kernel.definition for kernel in kernels()}):
-        shape = asdict(records()[definition])
-        lines.append(f"{json.dumps(' / '.join(definition))}: {json.dumps(shape)}")
+        name = json.dumps(" / ".join(definition))
+        shape = json.dumps(asdict(records()[definition]))
+        lines.append(f"{name}: {shape}")
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 def scaled(closed: Expr, wanted: Fraction) -> Function:
     """F/alpha**3 as a function of alpha**2, times what makes `wanted` its limit at 0."""
     factor = number(wanted / limit(closed))
-    return lambda u: factor * at(closed, u.sqrt()) / (u * u.sqrt())
+
+    def function(u: arb) -> arb:
+        x = u.sqrt()
+        return factor * at(closed, x) / (u * x)
+
+    return function
 
 
 def near_samples(closed: Expr, seam: float, count: int, wanted: Fraction) -> Samples:
@@ -207,11 +226,13 @@ def logarithm_fit() -> tuple[float, tuple[float, ...]]:
     """ln 2, and P(z) = (2 artanh(q)/q - 2)/z in z = q**2, for q <= 1/5."""
 
     def rest(z: arb) -> arb:
-        return (2 * z.sqrt().atanh() / z.sqrt() - 2) / z
+        q = z.sqrt()
+        return (2 * q.atanh() / q - 2) / z
 
     degree = 6
     with ctx.workprec(GUARD):
-        samples = sample(rest, lambda z, _: z * z.sqrt(), number(Fraction(1, 25)), degree)
+        largest = number(Fraction(1, 25))
+        samples = sample(rest, lambda z, _: z * z.sqrt(), largest, degree)
         coefficients, _ = rounded(samples, degree, careful=1)
         return nearest(arb(2).log()), coefficients
 
@@ -269,19 +290,27 @@ def far_fit(closed: Expr, far: Far, seam: float) -> FarFit:
     power, shift = powers(closed, far)
     constant, tilt = _constant_and_tilt(closed, far)
     samples = _far_samples(closed, far, constant, tilt, seam)
-    if not about.log:
+    q: tuple[float, ...] = ()
+    if about.log:
+        with ctx.workprec(GUARD):
+            scale = number(far.scale)
+            logs = [w**shift * (scale * w.sqrt()).log() for w in samples.points]
+        _, coefficients, error = minimax(samples, degree, logs=(logs, max(degree - shift, 0)))
+        q = tuple(map(nearest, coefficients))
+        r, _ = rounded(_without_logs(samples, q, logs), degree, careful=1)
+    else:
         r, error = rounded(samples, degree, careful=min(3, degree))
-        return FarFit(constant, tilt, power, shift, r, (), error)
-    with ctx.workprec(GUARD):
-        logs = [w**shift * (number(far.scale) * w.sqrt()).log() for w in samples.points]
-    _, coefficients, error = minimax(samples, degree, logs=(logs, max(degree - shift, 0)))
-    q = tuple(map(nearest, coefficients))
-    with ctx.workprec(GUARD):
-        q_exact = [number(c) for c in q]
-        terms = zip(samples.points, samples.values, logs, strict=True)
-        left = [(f - horner(q_exact, w) * log).mid() for w, f, log in terms]
-    r, _ = rounded(Samples(samples.points, left, samples.weights), degree, careful=1)
     return FarFit(constant, tilt, power, shift, r, q, error)
+
+
+def _without_logs(samples: Samples, q: Sequence[float], logs: Sequence[arb]) -> Samples:
+    """What is left to fit once Q is fixed."""
+    values = []
+    with ctx.workprec(GUARD):
+        coefficients = [number(c) for c in q]
+        for w, value, log in zip(samples.points, samples.values, logs, strict=True):
+            values.append((value - horner(coefficients, w) * log).mid())
+    return Samples(samples.points, values, samples.weights)
 
 
 def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
@@ -302,18 +331,21 @@ def _far_samples(closed: Expr, far: Far, constant: float, tilt: float, seam: flo
     """What R and Q have to fit, (F - the rest of `FarFit`)/b**power at w = b**2, for the least relative error of F."""
     about = end(closed)
     power, _ = powers(closed, far)
-    slope, bend = (far.slope, 0.0) if about.odd else (0.0, -far.bend)
+    unknowns = (2 if about.log else 1) * far.degree + 2
     with ctx.workprec(GUARD):
-        straight = number(far.slope) * number(HALF_PI) + number(far.line) + number(constant)
-        known = [straight, number(tilt) - number(slope), number(bend)]  # by powers of b
+        at_end = number(HALF_PI)
+        straight = number(far.slope) * at_end + number(far.line) + number(constant)
+        if about.odd:
+            known = [straight, number(tilt) - number(far.slope), number(0.0)]  # by powers of b
+        else:
+            known = [straight, number(tilt), -number(far.bend)]
 
         def rest(w: arb) -> arb:
             b = w.sqrt()
-            return (at(closed, number(HALF_PI) - b) - horner(known, b)) / b**power
+            return (at(closed, at_end - b) - horner(known, b)) / b**power
 
         def weight(w: arb, left: arb) -> arb:
             b = w.sqrt()
             return b**power / (left * b**power + horner(known, b))
 
-        unknowns = (2 if about.log else 1) * far.degree + 2
         return sample(rest, weight, number(HALF_PI - seam) ** 2, unknowns, 2)
