@@ -20,6 +20,7 @@ from derive.approximate.minimax import value as at
 from derive.approximate.programs import Variant, variant
 from derive.approximate.shapes import HALF_PI, Far, Kernel, Pieces, Shape, end, records
 from derive.check import certify
+from derive.check.patches import patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS
 from derive.declare.symbols import alpha
@@ -44,8 +45,8 @@ def price(kernel: Kernel, shape: Best) -> float:
     """Of the best tier, fused: the bound that is proved between FROM and TO, and what its operations are worth."""
     fused = variant(kernel, "best", "fused", shape)
     record = certificates.plain(fused)
-    patches = list(certify.patches(record, FROM, TO))
-    bound, _ = certify.halve(record, patches, halvings=HALVINGS)
+    between = list(patches(record, FROM, TO))
+    bound, _ = certify.halve(record, between, halvings=HALVINGS)
     operations = sum(fused.program.operations().values())
     return bound + OPERATION * operations
 

@@ -15,180 +15,19 @@ an operation that computes the rounding error of another one *is* that n_i, so c
 import heapq
 import math
 import time
-from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
-from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from flint import arb, arb_series
+from flint import arb
 
 from derive.check import rounding, truth
+from derive.check.patches import QUARTER, UNDERFLOW, Patch, near_zero, patches
 from derive.check.proof import ProofError
 from derive.check.records import TIERS, Record, assumptions, check_goals, digest, read, rejected
-from derive.check.rounding import DOWN, ROUNDING_BITS, TINY, UP, VALUE, Tape, Unbounded, specialise
-from derive.check.truth import BITS, CUBE, SEGMENTS, TOP, Definition, Model, Segment, ball, working
+from derive.check.rounding import ROUNDING_BITS, TINY, UP, Unbounded, specialise
+from derive.check.truth import BITS, TOP, working
 
-SMALL = 2.0**-7  # below, alpha = s xi with xi in [1/2, 1]: one window stands for every power of two s
-UNDERFLOW = 2.0**-320  # below, products may underflow: another bound holds
 VANISHING = 2.0**-352  # below, every kernel is under 2**-1055
-QUARTER = float.fromhex("0x1.921fb54442d18p-1")  # pi/4
-
-
-def pieces(record: Record, lower: float, upper: float) -> list[tuple[float, float, Tape]]:
-    """Parts of [lower, upper], both ends included, no double left out, each with one tape."""
-    starts = [lower, *sorted(c for c in _cuts(record) if lower < c < upper), upper]
-    todo = [(a, math.nextafter(b, -9.0)) for a, b in pairwise(starts)]
-    todo.append((upper, upper))
-    todo.reverse()
-    parts: list[tuple[float, float, Tape]] = []
-    while todo:
-        a, b = todo.pop()
-        try:
-            tape = specialise(record, a, b)
-        except Unbounded:
-            if a == b:
-                raise
-            middle = min(a + (b - a) / 2, math.nextafter(b, -9.0))
-            todo += [(math.nextafter(middle, 9.0), b), (a, middle)]
-            continue
-        if parts and parts[-1][2] == tape:
-            a = parts.pop()[0]
-        parts.append((a, b, tape))
-    return parts
-
-
-def _cuts(record: Record) -> set[float]:
-    """Where to cut first, a guess from the constants that are compared too: what is undecided is halved."""
-    cuts = {QUARTER, *(k / 16 for k in range(26))}
-    operations = record["operations"]
-    for kind, args, value in operations:
-        if kind == "less":
-            compared = (operations[a] for a in args)
-            cuts |= {float.fromhex(c) for kind, _, c in compared if kind == "const"}
-        elif value == "exponent":
-            cuts |= {math.nextafter(TOP - 0.75 * 2.0**-k, 9.0) for k in range(54)}
-    return cuts
-
-
-def ideal(tape: Tape, centre: arb) -> list[arb]:
-    """Taylor coefficients of the program in real arithmetic, for every point of the ball ``centre`` at once."""
-    values: list[Any] = []
-    for node in tape:
-        if node.kind == "x":
-            values.append(arb_series([centre, 1]))
-        elif node.kind in VALUE:
-            operands = (values[a] for a in node.args)
-            values.append(VALUE[node.kind](*operands))
-        else:  # a constant, or an error, which there is none of
-            constant = node.value if node.kind == "const" else 0
-            values.append(arb_series([arb(constant)]))
-    return truth.coefficients(values[-1])
-
-
-@dataclass(frozen=True)
-class Patch:
-    """A piece of the domain within a segment: what bounds the error on any box of it.
-
-    ``difference`` is (P - F) times the denominator of F, if it has one; on the first segment ``difference`` and
-    ``above`` are divided by alpha**order. In a window (top > 0) a box is one of xi, and alpha = s xi, s <= top.
-    """
-
-    tape: Tape
-    segment: Segment
-    lower: float
-    upper: float
-    difference: Model
-    above: Model
-    below: Model | None
-    order: int
-    top: float = 0.0
-
-    def error(self, lower: float, upper: float) -> tuple[float, float, float]:
-        """At most |before the last rounding - exact| and the last rounding's error, at least |exact|; over s**order."""
-        with working(ROUNDING_BITS):
-            x = ball(lower, upper)
-            total, last = rounding.rounding_sum(self.tape, x)
-            t = (ball(0.0, self.top) if self.top else x) - self.segment.centre
-            factor = x * x * x if self.order else arb(1)
-            difference = self.difference(t) * factor
-            exact = self.above(t) * factor
-            if self.below is not None:
-                divisor = self.below(t)
-                difference = difference / divisor
-                exact = exact / divisor
-            distance = (float(difference.abs_upper()) * UP + total) * UP
-            smallest = float(exact.abs_lower()) * DOWN
-            if not (distance < math.inf and smallest >= 0):
-                raise Unbounded("the error is not finite")
-            return distance, last, smallest
-
-    def remainder(self) -> float:
-        """Of the series of the difference, over the value at the centre."""
-        with working(BITS):
-            reach = max(abs(arb(x) - self.segment.centre).upper() for x in (self.lower, self.upper))
-            rest = abs(self.difference.last) * reach**self.difference.power / abs(self.above.main(arb(0)))
-            return float(rest.upper()) if rest.is_finite() else math.inf
-
-    def window(self, top: float, bottom: float) -> "Patch":
-        """For every alpha = s xi, s in [bottom, top] a power of two, xi in [1/2, 1]."""
-        tape = rounding.scaled(self.tape, self.order, top, bottom)
-        return replace(self, tape=tape, lower=0.5, upper=1.0, top=top)
-
-
-def patch(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Patch:
-    """Models of the program and of the exact function, and of what lies between them."""
-    first, *others = (truth.kernel(statement, segment) for statement in definition)
-    second = others[0] if others else None
-    order = 0 if second or segment.lower else CUBE
-    centre = segment.centre
-    with working(BITS):
-        fat = ball(min(lower, centre), max(upper, centre))
-        computed = truth.model(ideal(tape, arb(centre)), ideal(tape, fat), order)
-        if second is None:
-            difference = Model(computed.main - first.main, computed.last - first.last, computed.power)
-        else:  # (P - F1/F2) F2
-            t = fat - centre
-            computed_rest, first_rest, second_rest = (
-                model.last * arb(0, 1) * t.abs_upper() ** model.power for model in (computed, first, second)
-            )
-            last = computed_rest * second(t) + computed.main(t) * second_rest - first_rest
-            difference = Model(computed.main * second.main - first.main, last, 0)
-    return Patch(tape, segment, lower, upper, difference, first, second, order)
-
-
-def fine_patches(definition: Definition, tape: Tape, segment: Segment, lower: float, upper: float) -> Iterator[Patch]:
-    """One patch, or several on shorter segments, until the remainders of the series are far below an ulp."""
-    narrow = upper - lower < 2.0**-10 * (TOP - lower)
-    try:
-        whole = patch(definition, tape, segment, lower, upper)
-        if narrow or whole.remainder() < 2.0**-64:
-            yield whole
-            return
-    except (ArithmeticError, ValueError):  # a division by a series, or a logarithm, that contains 0
-        if narrow:
-            raise
-    middle = (segment.lower + segment.upper) / 2
-    for half in (Segment(segment.lower, middle), Segment(middle, segment.upper)):
-        start = max(half.lower, lower)
-        end = min(half.upper, upper)
-        if start < end:
-            yield from fine_patches(definition, tape, half, start, end)
-
-
-def patches(record: Record, lower: float = 0.0, upper: float = TOP) -> Iterator[Patch]:
-    """The domain, or a part: a window for [UNDERFLOW, SMALL], or [0, SMALL] for a quotient, then pieces on segments."""
-    definition = record["definition"]
-    if lower < SMALL:
-        near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
-        yield near.window(SMALL, UNDERFLOW) if near.order else near
-    for a, b, tape in pieces(record, max(lower, SMALL), upper):
-        for segment in SEGMENTS:
-            for start, end in ((SMALL, QUARTER), (QUARTER, TOP)):
-                left = max(a, segment.lower, start)
-                right = min(b, segment.upper, end)
-                if left < right or left == right in (a, b):
-                    yield from fine_patches(definition, tape, segment, left, right)
 
 
 def ulp(x: float, bits: int) -> float:
@@ -206,9 +45,10 @@ def in_units(tier: str, distance: float, last: float, smallest: float, least: fl
     distance is at most one ulp: where the exact value lies below a power of two and the number to be rounded above it,
     the power of two is the nearest double.
     """
+    bits = TIERS[tier].bits
     if not smallest > 0 and not least > 0:
         return math.inf  # the box is too wide
-    if not (bits := TIERS[tier].bits):
+    if not bits:
         return (distance + last) / smallest * UP
     if bits == 24:  # computed in double precision, then rounded once more
         distance += last
@@ -225,11 +65,10 @@ def below_underflow(record: Record, whole: float) -> float:
 
     One window for each s down to VANISHING, and there the absolute error.
     """
-    definition = record["definition"]
     tier = record["tier"]
-    if len(definition) > 1 or TIERS[tier].bits == 24:
+    if len(record["definition"]) > 1 or TIERS[tier].bits == 24:
         return 0.0  # quotients do not underflow, nor does double precision for the least float32
-    near = patch(definition, specialise(record, 0.0, SMALL), SEGMENTS[0], 0.0, SMALL)
+    near = near_zero(record)
 
     def bound(s: float, lower: float, upper: float) -> float:
         """On alpha = s xi, xi in [lower, upper]."""
@@ -243,7 +82,8 @@ def below_underflow(record: Record, whole: float) -> float:
     worst = bound(s, 0.0, 1.0)
     while s < UNDERFLOW:
         s *= 2
-        worst = max(worst, *(bound(s, i / 32, (i + 1) / 32) for i in range(16, 32)))
+        for i in range(16, 32):
+            worst = max(worst, bound(s, i / 32, (i + 1) / 32))
     return worst
 
 
@@ -309,7 +149,9 @@ def halve(
 
 def _worst_of_each(boxes: list[Box]) -> list[Box]:
     """The worst box of each patch; of these the 16 worst."""
-    by_patch = {box.number: box for box in sorted(boxes, reverse=True)}
+    by_patch = {}
+    for box in sorted(boxes, reverse=True):
+        by_patch[box.number] = box
     return heapq.nsmallest(16, by_patch.values())
 
 
@@ -369,14 +211,15 @@ def _prove_claim(record: Record, claim: str, parts: list[Patch]) -> float:
 def checked(record: Record) -> tuple[str, bool]:
     """The outcome of a record's proof, and in how many seconds, as a line; whether it is accepted."""
     start = time.perf_counter()
-    name = f"{record['kernel']:<32} {record['tier']:<8} {record['form']:<6}"
+    tier = record["tier"]
+    name = f"{record['kernel']:<32} {tier:<8} {record['form']:<6}"
     try:
         proved = prove(record)
     except ProofError as refusal:
         return f"{name} REJECTED: {refusal}", False
+    seconds = time.perf_counter() - start
     numbers = f"{proved:>9.4g} {record['bound']:>9.3g} {record['bound_to_quarter_pi']:>9.3g}"
-    unit = TIERS[record["tier"]].unit
-    return f"{name} {numbers}  {unit:<14} {time.perf_counter() - start:>7.2f}", True
+    return f"{name} {numbers}  {TIERS[tier].unit:<14} {seconds:>7.2f}", True
 
 
 def prove_all() -> bool:
@@ -390,5 +233,6 @@ def prove_all() -> bool:
             print(line, flush=True)
             accepted &= proved
     outcome = "all proved" if accepted else "NOT all proved"
-    print(f"{len(records)} certificates, {outcome}, {time.perf_counter() - start:.1f} s with 2 processes")
+    seconds = time.perf_counter() - start
+    print(f"{len(records)} certificates, {outcome}, {seconds:.1f} s with 2 processes")
     return accepted

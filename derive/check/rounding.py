@@ -74,10 +74,12 @@ def _operate(node: Node, values: Sequence[arb], noise: Sequence[float]) -> Any:
     if node.kind == "const":
         return arb(node.value)
     if node.kind == "error":
-        return arb(0, sum(noise[a] for a in node.args) * UP)
+        bound = sum(noise[a] for a in node.args)
+        return arb(0, bound * UP)
+    operands = [values[a] for a in node.args]
     if node.kind == "scale":
-        return values[node.args[0]] * ball(0.0, node.value)
-    return VALUE[node.kind](*[values[a] for a in node.args])
+        return operands[0] * ball(0.0, node.value)
+    return VALUE[node.kind](*operands)
 
 
 def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
@@ -95,7 +97,9 @@ def _rounding(node: Node, exact: arb, values: Sequence[arb]) -> float:
         if smaller > 0 and largest <= math.ldexp(1.0, math.frexp(smaller)[1]):
             return 0.0
     half = math.ldexp(1.0, math.frexp(largest)[1] - 54)
-    return ((half if node.kind != "log" else 2 * LOG_ULPS * half) + node.floor) * UP
+    if node.kind == "log":
+        half *= 2 * LOG_ULPS
+    return (half + node.floor) * UP
 
 
 def forward(tape: Tape, x: arb) -> tuple[list[arb], list[float]]:
@@ -214,11 +218,13 @@ class _Specialise:
 
     def range(self, i: int) -> tuple[Fraction, Fraction]:
         """All values of a node lie between these."""
-        if (line := self.affine[i]) is not None:
+        line = self.affine[i]
+        if line is not None:
             return min(line), max(line)
-        if not self.values[i].is_finite():
+        values = self.values[i]
+        if not values.is_finite():
             raise Unbounded("a comparison with an unbounded number")
-        return fraction(self.values[i].lower()), fraction(self.values[i].upper())
+        return fraction(values.lower()), fraction(values.upper())
 
     def exponent(self, i: int) -> int:
         """The k with 3/4 <= value 2**-k < 3/2 on the whole range."""
@@ -233,14 +239,16 @@ class _Specialise:
     def put(self, node: Node) -> int:
         """Append a node; exact ones are marked."""
         line, grid, exact = self._shape(node)
-        marked = node._replace(rounds=not exact and node.kind not in ("x", "const", "neg"))
-        if line is not None and not marked.rounds:
+        rounds = not exact and node.kind not in ("x", "const", "neg")
+        node = node._replace(rounds=rounds)
+        if line is not None and not rounds:
             self.values.append(ball(number(min(line)), number(max(line))))
             self.noise.append(0.0)
         else:
             line = None
-            _append(marked, _operate(marked, self.values, self.noise), self.values, self.noise)
-        self.tape.append(marked)
+            result = _operate(node, self.values, self.noise)
+            _append(node, result, self.values, self.noise)
+        self.tape.append(node)
         self.affine.append(line)
         self.grid.append(max(grid, -1074))
         return len(self.tape) - 1
@@ -283,23 +291,28 @@ class _Specialise:
 
     def compensation(self, node: Node) -> Node | None:
         """The node as the rounding error of another one, if that is what it computes."""
-        tape = self.tape
+        if node.kind not in ("fma", "sub"):
+            return None
+        *factors, c = node.args
+        inner = self.tape[c]
         if node.kind == "fma":
-            a, b, c = node.args
-            if tape[c].kind == "neg":  # a b - p with p = a b rounded
-                (p,) = tape[c].args
-                if tape[p].kind == "mul" and sorted(tape[p].args) == sorted((a, b)):
+            a, b = factors
+            if inner.kind == "neg":  # a b - p with p = a b rounded
+                (p,) = inner.args
+                product = self.tape[p]
+                if product.kind == "mul" and sorted(product.args) == sorted(factors):
                     return Node("error", (p,), -1.0)
-            if tape[c].kind == "sub":  # a b + (d - s) with s = d + a b: minus the error of s, rounded
-                d, s = tape[c].args
-                if tape[s].kind == "fma" and tape[s].args in ((a, b, d), (b, a, d)):
+            if inner.kind == "sub":  # a b + (d - s) with s = d + a b: minus the error of s, rounded
+                d, s = inner.args
+                total = self.tape[s]
+                if total.kind == "fma" and total.args in ((a, b, d), (b, a, d)):
                     return Node("error", (s, c), 1.0)
-        if node.kind == "sub":
-            b, c = node.args
-            if tape[c].kind == "sub":  # b - (s - a) with s = a + b, the same
-                s, a = tape[c].args
-                if tape[s].kind == "add" and tape[s].args in ((a, b), (b, a)):
-                    return Node("error", (s, c), -1.0)
+        elif inner.kind == "sub":  # b - (s - a) with s = a + b, the same
+            (b,) = factors
+            s, a = inner.args
+            total = self.tape[s]
+            if total.kind == "add" and total.args in ((a, b), (b, a)):
+                return Node("error", (s, c), -1.0)
         return None
 
 
