@@ -17,8 +17,8 @@ from derive.check.records import Record
 from derive.code import emit
 from derive.declare.quantities import MOMENTS, QUOTIENTS
 from derive.declare.symbols import r, theta
-from derive.flow import cells, series
 from derive.flow import emit as flow
+from derive.flow import layout, series
 from derive.generate import emit_c, functions, slopes
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -32,11 +32,11 @@ def files(proved: list[Record]) -> dict[str, str]:
     closed = closed_forms()
     c_kernels = emit_c.source(variants(), functions.comments(kernels, proved))
     c_flow = _template("_flow.c")
-    for mark, lines in (cells.c() | series.c()).items():
+    for mark, lines in (layout.c() | series.c()).items():
         c_flow = c_flow.replace(f"@{mark}@\n", lines)
     texts = {
         "_compiled.py": _template("_compiled.py"),
-        "cells.py": cells.python(),
+        "layout.py": layout.python(),
         "definitions.py": definitions_module(closed),
         "_evaluate.py": _template("_evaluate.py"),
         "effects.py": functions.effects_module(),
