@@ -3,7 +3,8 @@
 import os
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from functools import cache, lru_cache
 from importlib import import_module
 from typing import Any
@@ -11,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from generated import cells as its
+from generated import layout as ix
 from generated.series import DIGEST, SCALAR, SERIES
 from slipcircle.core.flow import walk as numpy_walk
 from slipcircle.core.flow.link import RESULTS
@@ -49,9 +50,22 @@ def module() -> Any:
     return None
 
 
+_numpy_only: list[bool] = []  # one entry for each `numpy_only` that is open
+
+
+@contextmanager
+def numpy_only() -> Iterator[bool]:
+    """Integrate in NumPy although there is a binary; for comparisons. Says whether there is one."""
+    _numpy_only.append(True)
+    try:
+        yield module() is not None
+    finally:
+        _numpy_only.pop()
+
+
 def engine() -> Any:
     """The module whose `walk`, `begin` and `registers` are the faster ones here: this one where there is a binary."""
-    return sys.modules[__name__] if module() else numpy_walk
+    return sys.modules[__name__] if module() and not _numpy_only else numpy_walk
 
 
 @lru_cache(maxsize=256)
@@ -90,11 +104,12 @@ def flat(program: Program) -> bytes:
         len(scalar),
         len(series),
         len(later),
+        int(program.autonomous),
     )
-    roles = [program.roles.get(name, -1) for name in its.ROLES]
-    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(its.ROLES, roles, strict=True)]
+    roles = [program.roles.get(name, -1) for name in ix.ROLES]
+    roles = [role if name.startswith("cell_") else at[role] for name, role in zip(ix.ROLES, roles, strict=True)]
     states = [(cell, at[r], at[rate]) for cell, r, rate in program.states]
-    tables = [(its.KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
+    tables = [(ix.KINDS.index(t.kind), at[t.register], t.cells, t.degree) for t in program.tables]
     parts = (sizes, roles, scalar, series, later, *states, *tables)
     return np.array([i for part in parts for i in part], dtype=np.int32).tobytes()
 
@@ -123,7 +138,7 @@ def walk(
     pieces = _pieces(tables, count)
     times, states = (_NOTHING, _NOTHING) if samples is None else (samples.times, samples.states)
     notes = _NOTHING if log is None else np.empty((NOTES, 4))
-    code, order, left = flat(program), int(cells[its.ORDER].max()), 1
+    code, order, left = flat(program), int(cells[ix.ORDER].max()), 1
     while left:
         left, noted = binary.walk(code, pieces, cells, order, 0, count, ROUNDS, times, states, notes, number)
         if log is not None:

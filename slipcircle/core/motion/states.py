@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from generated import cells as ix
+from generated import layout as ix
 
 
 class Status(IntEnum):
@@ -23,11 +23,26 @@ class Status(IntEnum):
     INVALID = 7  #: its numbers are no scene
 
     @property
+    def words(self) -> str:
+        """How the motion ended, for people."""
+        return _WORDS[self.name]
+
+    @property
     def reason(self) -> str:
         """Why there is no result; empty where there is one."""
         return _REASONS.get(self.name, "")
 
 
+_WORDS = {
+    "RESTS": "comes to rest",
+    "STAYS": "does not move",
+    "MOVING": "still moving",
+    "TURNED": "comes to rest after turning back",
+    "UPRIGHT": "turns over",
+    "ENDLESS": "never rests",
+    "FAILED": "overflow",
+    "INVALID": "invalid",
+}
 _REASONS = {
     "UPRIGHT": "the chord stands upright, and the mass would hang over",
     "ENDLESS": "it never rests, or turns back too often",
@@ -38,7 +53,8 @@ _REASONS = {
 ANSWERED = (Status.RESTS, Status.STAYS, Status.MOVING, Status.TURNED)
 # How a lane that moved has ended, by the status in which the integration leaves it.
 STATUS_OF_END = np.full(ix.NEED + 1, Status.FAILED, np.int8)
-STATUS_OF_END[[ix.ARRESTED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_LONG]] = (
+STATUS_OF_END[[ix.ARRESTED, ix.PAUSED, ix.ENDED, ix.STOPPED, ix.UPRIGHT, ix.TOO_LONG]] = (
+    Status.RESTS,
     Status.RESTS,
     Status.MOVING,
     Status.MOVING,

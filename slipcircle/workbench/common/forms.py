@@ -27,7 +27,7 @@ def library(name: str) -> Any:
 def html(motion: Motion) -> str:
     """A table of the key results; of many lanes how many have each status, and the range of each outcome."""
     if motion.shape:
-        counts = [[words(status), str(count)] for status, count in motion.count().items()]
+        counts = [[Status[name].words, str(count)] for name, count in motion.count().items()]
         rows = counts + [[words(name), _span(motion.outcomes[name], q.unit)] for name, q in OUTCOMES.items()]
     else:
         rows = [[q.label, q.text(motion)] for q in results(motion) if q.key]

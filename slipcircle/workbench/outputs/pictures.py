@@ -74,7 +74,7 @@ def _played(film: "Film") -> bytes:
     from PIL import Image
 
     figure, images = film.figure, []
-    canvas = FigureCanvasAgg(figure)
+    canvas: Any = FigureCanvasAgg(figure)
     for artist in film.moving:
         artist.set_animated(True)  # left out of what is drawn once
     canvas.draw()

@@ -9,6 +9,7 @@ import numpy as np
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.section import Section
+from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.outputs.plotstyle import AREAS, FORCES, HALO, LINES, axis, ending, finish, mark, number
 from slipcircle.workbench.outputs.trace import Floats, toe_words
 from slipcircle.workbench.stability.search import Critical
@@ -157,7 +158,7 @@ def _continuation(ax: Any, motion: Motion, mass: Mass, turn: float) -> None:
 def _notes(motion: Motion, magnification: float) -> Iterator[str]:
     """What a legend says without a line of its own: radius, factors of safety, and what is not drawn as it is."""
     yield f"radius $R$ = {number(float(np.asarray(motion.plan.scene.arc.radius)))} m"
-    if factors := _factors(motion.plan.scene.stability):
+    if factors := _factors(stability_of(motion.plan.scene)):
         yield factors
     # The paper turns the mass (1.2) and takes J_r and J_theta, practically constant to it, at the start.
     if motion.moves and "rotation" not in motion.plan.effects:
