@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import Status
+from slipcircle.core import Motion, Status
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import HISTORY, OUTCOMES, results, words
 
