@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from slipcircle.core.motion.motion import Motion
+from slipcircle.core import Motion
 from slipcircle.workbench.common import files
 from slipcircle.workbench.outputs.plotstyle import described, missing
 
