@@ -132,12 +132,11 @@ def _proved(row: Row) -> str:
 
 def _times(row: Row) -> list[str]:
     """Times at each size; the last one is marked where it was measured on fewer elements."""
-    texts = []
-    for size, key in zip(SIZES, TIMES, strict=True):
-        time = getattr(row, key)
-        later = [name for name in TIMES[len(texts) + 1 :] if getattr(row, name) is not None]
-        fewer = "~" if not later and row.elements < size else ""
-        texts.append("" if time is None else fewer + time_text(time))
+    times = [getattr(row, key) for key in TIMES]
+    texts = ["" if time is None else time_text(time) for time in times]
+    last = max(k for k, text in enumerate(texts) if text)
+    if row.elements < SIZES[last]:
+        texts[last] = f"~{texts[last]}"
     return texts
 
 
