@@ -14,10 +14,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, plan
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.friction import law_names
+from slipcircle.core import Motion, Plan, Status, law_names, plan
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, prefixed, record, results, words
 from slipcircle.workbench.files.loaded import warnings_of
