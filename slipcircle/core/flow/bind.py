@@ -14,7 +14,8 @@ from generated.flow import PIECES
 from slipcircle.base.checks import choose, plain
 from slipcircle.base.series import Pulse, Series
 from slipcircle.core.flow import tables
-from slipcircle.core.flow.program import Program, join
+from slipcircle.core.flow.build import build_program
+from slipcircle.core.flow.program import Program
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor as factor_of
 from slipcircle.core.scene.friction import law_parts
@@ -38,7 +39,7 @@ class Bound(NamedTuple):
 
     def asking(self, asked: tuple[str, ...] = (), directions: int = 0) -> "Bound":
         """The same lanes with further outputs, or with derivatives in so many directions."""
-        return self._of(join(*self.joined, asked, directions))
+        return self._of(build_program(*self.joined, asked, directions))
 
     def shaken(self) -> "Bound":
         """The same lanes under a steady horizontal coefficient, nothing at first, in the place of their shaking."""
@@ -46,7 +47,7 @@ class Bound(NamedTuple):
         ours = {p.symbol for p in EFFECTS["shaking"].parameters}
         effects = tuple(e for e in EFFECTS if e in (*effects, "shaking"))
         moving, absent = (tuple(s for s in symbols if s not in ours) for symbols in (moving, absent))
-        return self._of(join(effects, laws, moving, (*absent, "k_v")))
+        return self._of(build_program(effects, laws, moving, (*absent, "k_v")))
 
     def _of(self, program: Program) -> "Bound":
         """The same numbers for another program."""
@@ -112,7 +113,7 @@ def bind(
     moving = tuple(symbol for symbol, value in known if callable(value))
     absent = tuple(symbol for symbol, value in known if value is None)
     joined = (effects, tuple(name for name, _ in parts), moving, absent)
-    program = join(*joined)
+    program = build_program(*joined)
     time_scale, radius, weights = plain(arc.time_scale), plain(arc.radius), arc.weights
     given: dict[str, Any] = weights._asdict()
     scales = scales_of(arc)

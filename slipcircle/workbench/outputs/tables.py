@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
-from slipcircle.core.flow.program import join
+from slipcircle.core.flow.build import build_program
 from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.plan import Plan, counted
 from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
@@ -144,7 +144,7 @@ def combinations_part() -> Part:
     """Operations of every combination of effects, with a constant friction."""
     every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
     shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    steps = ((e, join(e, ("constant",), shaken if "shaking" in e else ())) for e in every)
+    steps = ((e, build_program(e, ("constant",), shaken if "shaking" in e else ())) for e in every)
     rows = [[", ".join(e) or "none", counted(step)] for e, step in steps]
     return Part(["effects", "operations on series of one step"], rows)
 
