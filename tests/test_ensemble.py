@@ -18,8 +18,10 @@ from slipcircle.core.motion.states import Status
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.keys import schema
 from slipcircle.workbench.files.scenefile import load as read
+from slipcircle.workbench.stability.stability import METHODS, factors_of_safety
 from slipcircle.workbench.studies import export
 from slipcircle.workbench.studies.ensemble import grid
+from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import monte_carlo
 from slipcircle.workbench.studies.statistics import BIN_ERROR, moments, spread
 from slipcircle.workbench.studies.study import Study
@@ -341,6 +343,16 @@ def test_what_slides_without_a_result_moves(method: str, keep: bool, tmp_path: P
     assert sliding == found.without_result > 100
     assert (found.n, found.moving.value) == (1024, sliding / 1024)
     assert found.failure["paper"] == found.moving
+    factors = (
+        factors_of_safety(
+            motions(found.scene, {n: u.to_si(found.samples[u.key]) for n, u in found.design.inputs.items()}).plan.scene
+        )
+        if keep
+        else {}
+    )
+    for method, factor in factors.items():
+        assert method not in METHODS or found.failure[method].value == np.mean(factor < 1.0)
+    assert found.failure["bishop"].value < found.failure["ordinary"].value < found.failure["paper"].value
     record = json.loads(json.dumps(found.to_dict(), allow_nan=False))
     assert [q["value"] for q in record["outputs"]["reach"]["quantiles"]] == [0.0] * 4 + ["beyond"] * 4
     assert record["outputs"]["reach"]["mean"] == {"value": None, "low": None, "high": None}
@@ -435,7 +447,7 @@ def test_sweep_of_a_grid(tmp_path: Path, said: Any, asked: Any, records: Any) ->
         ("--uncertain friction.angle_deg=normal:10:1 --samples 1e300", "a whole number of samples, from 1 to 1e+12"),
         ("--grid friction.angle_deg=1:2", "must be KEY=FROM:TO:COUNT"),
         ("--grid friction.angel_deg=1:2:3", "did you mean friction.angle_deg"),
-        ("--grid friction.angle_deg=1 --engine dask", "belong together"),
+        ("--grid friction.angle_deg=1 --scheduler tcp://127.0.0.1:1", "is of --engine dask"),
         ("--grid friction.angle_deg=1,2 --grid friction.angle_deg=3", "each key once"),
         ("--grid friction.angle_deg=8:12:9999 --grid arc.radius_m=1:9:9999", "67108864 at most"),
         ("--grid friction.angle_deg=1:2:1000000000000", "not enough memory"),

@@ -192,7 +192,7 @@ def test_uncertain_inputs_are_marked() -> None:
 def test_a_mass_that_stays_has_a_report_too() -> None:
     root = tree(report([solve(Scene(load("vaiont").arc, 0.9, ["rotation"], name="still"))]))
     cells = rows(root)
-    assert (cells["moves"].text, cells["comes to rest"].text) == ("no", "yes")
+    assert (cells["moves"].text, cells["comes to rest"].text) == ("no", "does not move")
     assert len(list(root.iter("img"))) == 1
 
 

@@ -57,7 +57,7 @@ def options(parser: argparse.ArgumentParser) -> None:
         metavar="KEY,KEY=R",
         help="of two uncertain numbers: friction.angle_deg,cohesion.cohesion_kPa=-0.5",
     )
-    parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default a new one, which is told")
+    parser.add_argument("--seed", type=int, help="repeats a run bit by bit; by default random; printed")
     parser.add_argument("--method", choices=METHODS, default=METHODS[0], help="how to draw; default %(default)s")
     parser.add_argument("--sensitivity", type=int, metavar="N", help="base points of the sensitivity indices")
     parser.add_argument(
@@ -68,8 +68,12 @@ def options(parser: argparse.ArgumentParser) -> None:
         "as 262144, keep more workers busy than a scheduler can otherwise serve",
     )
     parser.add_argument("--engine", choices=ENGINES, default=ENGINES[0], help="where to compute; default %(default)s")
-    parser.add_argument("--workers", type=int, metavar="N", help="threads or processes; by default all processors")
-    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a running Dask cluster: tcp://10.0.0.1:8786")
+    parser.add_argument("--workers", type=int, metavar="N", help="how many at once; by default one a processor")
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="of a running Dask cluster, tcp://10.0.0.1:8786; without it --engine dask starts one on this machine",
+    )
     parser.add_argument("--resume", metavar="FOLDER", help="keep finished blocks here, and continue from those there")
     picture = "exceedance curves and which unknown matters, or a grid of one or two numbers"
     arrays = "all results as NumPy arrays, the samples where kept"
@@ -95,7 +99,7 @@ def run(options: argparse.Namespace) -> Answer:
     content = find(options.scene).read_bytes()
     try:
         found = _compute(scene, levels, options)
-    except (BrokenExecutor, CancelledError) as error:  # processes, Dask
+    except (BrokenExecutor, CancelledError) as error:
         kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
         raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
     pictures.write(options.plot, "study", found)

@@ -11,11 +11,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from slipcircle.core.motion.motion import Motion
 from slipcircle.core.motion.states import ANSWERED, Status
 from slipcircle.core.scene.scene import Scene
+from slipcircle.core.scene.section import Section
 from slipcircle.workbench.common.distributions import statistics
 from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain
+from slipcircle.workbench.stability.stability import METHODS as STABILITY_METHODS
+from slipcircle.workbench.stability.stability import factors_of_safety, soil
 from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.sampling import latin, monte_carlo, sobol
 from slipcircle.workbench.studies.statistics import bins, moments, sums
@@ -106,10 +110,9 @@ def _on_grid(design: Design, index: int) -> list[Floats]:
 class _Solved(NamedTuple):
     """What blocks count of their scenes."""
 
-    status: NDArray[np.int8]
+    motion: Motion
     moves: Floats  # 1 or 0, NaN of what is no scene
     outcomes: dict[str, Floats]  # magnitudes; 0 of what does not move, infinite of what slides without a result
-    factors: dict[str, Floats]  # of safety, by method
 
 
 def _solve(design: Design, values: list[Floats]) -> _Solved:
@@ -119,7 +122,16 @@ def _solve(design: Design, values: list[Floats]) -> _Solved:
     no_result = np.isin(motion.status, NO_RESULT)
     moves = np.where(motion.status == Status.INVALID, np.nan, motion.moves | no_result)
     outcomes = {n: np.where(no_result, np.inf, np.abs(motion.outcomes[n])) for n in OUTCOMES}
-    return _Solved(motion.status, moves, outcomes, {"paper": motion.factor_of_safety})
+    return _Solved(motion, moves, outcomes)
+
+
+def _factors(motion: Motion) -> dict[str, Floats]:
+    """Factors of safety at the start by method: the paper's, and on a ground the others where the strength is known."""
+    factors, scene = {"paper": motion.factor_of_safety}, motion.plan.scene
+    if isinstance(scene.arc, Section) and soil(scene.friction, scene.called):
+        by_method = factors_of_safety(scene)
+        factors |= {method: by_method[method] for method in STABILITY_METHODS if method not in factors}
+    return factors
 
 
 def run_block(design: Design, index: int) -> Result:
@@ -139,21 +151,21 @@ def run_block(design: Design, index: int) -> Result:
     else:
         values = _drawn(design, design.points(index, len(design.inputs)))
     solved = _solve(design, values)
-    valid = ~np.isnan(solved.moves)
-    result: Result = {"status": np.bincount(solved.status, minlength=len(Status))}
+    valid, status = ~np.isnan(solved.moves), solved.motion.status
+    result: Result = {"status": np.bincount(status, minlength=len(Status))}
     for name, outcome in solved.outcomes.items():
         of_scenes = outcome[valid]
         finite = of_scenes[of_scenes < np.inf]
         result[f"{name}.bins"], result[f"{name}.counts"] = np.unique(bins(of_scenes), return_counts=True)
         result[f"{name}.moments"] = moments(finite)
         result[f"{name}.ends"] = np.array([finite.min(initial=np.inf), finite.max(initial=-np.inf)])
-    for method, factor in solved.factors.items():
+    for method, factor in _factors(solved.motion).items() if design.drawn else ():
         of_scenes = factor[valid]
         result[f"factor.{method}"] = np.array([np.sum(of_scenes < 1.0), np.sum(np.isnan(of_scenes))])
     if design.keep:
         result |= {f"sample.{u.key}": x for u, x in zip(design.inputs.values(), values, strict=True)}
         result |= {f"sample.{n}": np.where(np.isinf(x), np.nan, x) for n, x in solved.outcomes.items()}
-        result["sample.status"] = solved.status
+        result["sample.status"] = status
     return result
 
 

@@ -5,7 +5,6 @@ import json
 import math
 import os
 from collections.abc import Mapping
-from concurrent.futures import Executor
 from dataclasses import fields
 from typing import IO, Any
 
@@ -22,7 +21,7 @@ from slipcircle.workbench.common.quantities import OUTCOMES
 from slipcircle.workbench.files.numbers import Number, Uncertain, by_name, listed, number_in, numbers_in
 from slipcircle.workbench.files.variation import along_means, value_in
 from slipcircle.workbench.studies.design import METHODS, REPLICATES, Design
-from slipcircle.workbench.studies.engines import Folder, Progress, computed, stored
+from slipcircle.workbench.studies.engines import Folder, Progress, as_executor, engine, run_blocks, stored
 from slipcircle.workbench.studies.sampling import MOST_LATIN
 from slipcircle.workbench.studies.study import Study
 
@@ -71,7 +70,7 @@ def ensemble(
     scene: Scene,
     n: int,
     rng: Any = None,
-    executor: Executor | None = None,
+    executor: Any = None,
     *,
     method: str = "monte-carlo",
     sensitivity: int | None = None,
@@ -93,8 +92,8 @@ def ensemble(
         How many samples.
     rng : int, SeedSequence or Generator, optional
         The seed, or what one is drawn from; the same seed gives the same bits with any executor.
-    executor : concurrent.futures.Executor, optional
-        Where blocks are computed: threads, processes, or ``client.get_executor()`` of Dask; by default here.
+    executor : concurrent.futures.Executor or dask.distributed.Client, optional
+        Where blocks are computed; by default in threads, one for each processor.
     method : str, optional
         "monte-carlo"; "sobol": 16 independently scrambled sequences, whose spread gives the intervals, best for n of 16
         times a power of two; or "latin-hypercube", in memory, whose intervals are those of Monte Carlo: too wide.
@@ -242,7 +241,7 @@ def _size(n: int, method: str) -> int:
 def grid(
     scene: Scene,
     levels: Mapping[str, Any],
-    executor: Executor | None = None,
+    executor: Any = None,
     *,
     accuracy: float | None = None,
     folder: str | os.PathLike[str] | None = None,
@@ -300,16 +299,16 @@ def grid(
 
 
 def conduct(
-    design: Design,
-    executor: Executor | None,
-    confidence: float,
-    folder: str | os.PathLike[str] | None,
-    progress: IO[str] | None,
+    design: Design, executor: Any, confidence: float, folder: str | os.PathLike[str] | None, progress: IO[str] | None
 ) -> Study:
     """Compute a design's blocks and add them up."""
-    kept = Folder(folder, _described(design)) if folder is not None else None
-    told = Progress(design.n + design.base * (len(design.inputs) + 2), progress) if progress else None
-    return Study(design, confidence, computed(design, executor, kept, told))
+    blocks = Folder(folder, _described(design)) if folder is not None else None
+    scenes = design.n + design.base * (len(design.inputs) + 2)
+    shown = Progress(scenes, progress) if progress else None
+    if executor is not None:
+        return Study(design, confidence, run_blocks(design, as_executor(executor), blocks, shown))
+    with engine("threads") as threads:
+        return Study(design, confidence, run_blocks(design, threads, blocks, shown))
 
 
 def _described(design: Design) -> dict[str, Any]:
