@@ -14,8 +14,8 @@ from collections.abc import Iterable
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from generated.cells import CELLS, TABLE
 from generated.flow import FRAGMENTS, INPUTS, QUANTITIES
+from generated.layout import CELLS, TABLE
 from slipcircle.core.flow.link import PRIME, ZERO, Linker, Operation, tangent
 from slipcircle.core.flow.program import OUTPUT_CELLS, READ_REGISTERS, Program, Table, Tangent
 
