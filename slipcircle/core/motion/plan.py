@@ -6,8 +6,8 @@ from typing import Any
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.flow.bind import order
 from slipcircle.core.flow.build import build_program
+from slipcircle.core.flow.problem import order
 from slipcircle.core.flow.program import Program
 from slipcircle.core.scene.friction import law_depends, law_names
 from slipcircle.core.scene.scene import Scene, accuracy_mistakes, checked
