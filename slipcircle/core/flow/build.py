@@ -154,9 +154,9 @@ class _Builder:
 
     def _effect_table(self, name: str, moving: tuple[str, ...]) -> None:
         """An effect's table where the scene gives a function; else its cells are zero."""
-        if FRAGMENTS[name].table is None:
+        if not (declared := FRAGMENTS[name].table):
             return
-        table = TableDeclaration(*FRAGMENTS[name].table)
+        table = TableDeclaration(*declared)
         if table.name in moving:
             self.tables.append(table)
         else:

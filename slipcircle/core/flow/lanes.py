@@ -15,8 +15,8 @@ from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.scene.arc import Arc
+from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.section import Section
-from slipcircle.workbench.files.variation import unchecked
 
 Floats = NDArray[np.float64]
 # Lanes at once, so that what they need stays in the cache; rows a power of two apart would share its lines.
@@ -132,7 +132,7 @@ class Lanes:
         given = {f.name: select(getattr(self, f.name)) for f in fields(Lanes)}
         arc = {name: select(getattr(self.arc, name), axes) for name, axes in self.arc.quantities.items()}
         count = np.arange(self.count)[which].size
-        return Lanes(**given | {"arc": unchecked(self.arc, arc), "count": count})
+        return Lanes(**given | {"arc": replace_unchecked(self.arc, arc), "count": count})
 
     def parts(self) -> Iterator[tuple[slice, "Lanes"]]:
         """The lanes in blocks."""

@@ -21,10 +21,11 @@ from slipcircle.core.flow.tables import Data
 from slipcircle.core.flow.walk import Walker
 from slipcircle.core.motion.derivatives import Sensitivity
 from slipcircle.core.motion.seeds import Seeds
+from slipcircle.core.scene.coordinates import arc_numbers
+from slipcircle.core.scene.parameters import parameters
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import telling, through_vertex
-from slipcircle.workbench.files.numbers import by_name, numbers_in
+from slipcircle.core.scene.transport import active_parameters, through_vertex
 
 Floats = NDArray[np.float64]
 
@@ -41,26 +42,30 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    keys = by_name(scene)
-    parameters = {n: keys[n].si for n in _parameters(scene)}
-    values = np.zeros((len(OUTPUTS), len(parameters)))
+    known = parameters(scene)
+    units = {n: known[n].unit for n in _parameters(scene)}
+    values = np.zeros((len(OUTPUTS), len(units)))
     if any(outputs.values()):
-        values[:] = _followed(lanes, list(parameters))
-    at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in parameters}
+        values[:] = _followed(lanes, list(units))
+    at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in units}
     said = [] if any(outputs.values()) else ["does not move, so that small changes change nothing"]
     if isinstance(scene.arc, Section) and through_vertex(scene.arc):
         said.append(
             "the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
             "are those towards the side on which it lies outside the mass"
         )
-    return Sensitivity(OUTPUTS, parameters, at, values, {n: keys[n] for n in parameters}, tuple(said))
+    return Sensitivity(OUTPUTS, units, at, values, scene, tuple(said))
 
 
 def _parameters(scene: Scene) -> list[str]:
     """The names of the free parameters."""
-    arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
+    arc = (
+        active_parameters(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
+    )
     start = ("initial_velocity", *(n for n in scene.numbers if n.startswith("shaking.")))
-    without = {*numbers_in(scene.arc)} - {*arc} | {n for n in start if not float(np.asarray(scene.numbers.get(n, 0.0)))}
+    without = {*arc_numbers(scene.arc)} - {*arc} | {
+        n for n in start if not float(np.asarray(scene.numbers.get(n, 0.0)))
+    }
     return [n for n in dict.fromkeys(("friction", *arc, *scene.numbers)) if n in scene.numbers and n not in without]
 
 

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene.circles import Floats
-from slipcircle.core.scene.ground import circle_through, circle_touching
-from slipcircle.core.scene.section import Section
+from slipcircle.base.series import Floats
+from slipcircle.core import Section, circle_through, circle_touching
 from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope
 

@@ -15,9 +15,7 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene.friction import law_parts
-from slipcircle.core.scene.ground import field_mistakes, ponds
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Section, field_mistakes, law_parts, ponds
 from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
