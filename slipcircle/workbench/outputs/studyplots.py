@@ -16,7 +16,7 @@ from slipcircle.workbench.studies.motions import motions
 from slipcircle.workbench.studies.statistics import BEYOND
 
 if TYPE_CHECKING:
-    from slipcircle.core.motion.derivatives import Sensitivity
+    from slipcircle.core import Sensitivity
     from slipcircle.workbench.studies.backanalysis import BackAnalysis
     from slipcircle.workbench.studies.study import Study
 
