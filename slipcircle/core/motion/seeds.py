@@ -16,14 +16,14 @@ from generated.effects import EFFECTS, LAWS
 from generated.flow import PIECES
 from generated.growth import arc_growth
 from slipcircle.base.series import Pulse
-from slipcircle.core.flow.bind import scales_of, turns, under_water
 from slipcircle.core.flow.lanes import Lanes
+from slipcircle.core.flow.problem import rotates, scales_of, under_water
 from slipcircle.core.flow.tables import Data, of_law
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.forcing import factor
 from slipcircle.core.scene.friction import law_parts
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import growth
+from slipcircle.core.scene.transport import section_derivatives
 
 Floats = NDArray[np.float64]
 _COMPONENTS = ("fall", "press", "fall_slope", "press_slope")
@@ -40,7 +40,7 @@ class Seeds:
         radius, gravity = self.relative("radius", arc.radius), self.relative("gravity", arc.gravity)
         unit_weight = self.relative("unit_weight", arc.unit_weight)
         self.time_growth, self.speed_growth, self.radius_growth = (radius - gravity) / 2, (radius + gravity) / 2, radius
-        c, at = lanes.bound.cells[:, 0], {n: k for k, n in enumerate(lanes.bound.program.cells)}
+        c, at = lanes.problem.cells[:, 0], {n: k for k, n in enumerate(lanes.problem.program.cells)}
         held = {n: float(c[at[n]]) for n in (*_COMPONENTS, "polar", "level")}
         found = self._arc(arc, held) if isinstance(arc, Arc) else self._section(arc, held)
         self.inputs, alpha, inertia, cover = found
@@ -76,7 +76,7 @@ class Seeds:
         return inputs, opened, inertia / alpha * opened, 0.0 * opened
 
     def _section(self, section: Section, held: Mapping[str, float]) -> "_Geometry":
-        grown = growth(section, self.names)
+        grown = section_derivatives(section, self.names)
         m, own, way = grown.moments, section.moments, section.facing
         theta, alpha = own["moment_of_inertia"], float(section.half_angle)
         opened, inertia = (grown.ends[1] - grown.ends[0]) / 2, m["inertia"] / theta
@@ -91,8 +91,8 @@ class Seeds:
         # (3.14): lambda = 2 alpha (1 - cos alpha), by which the mean normal stress and so the mean cover are divided
         inputs["level"] = held["level"] * (opened / alpha + opened / math.tan(alpha / 2) - inertia)
         heights = 2 * alpha * float(section.mean_cover / section.radius)
-        self.pressure = under_water(section, turns(self.lanes.called), grown.pressure, len(self.names))
-        return inputs, opened, inertia, m["cover"] / heights + m["radial_y"] / own["radial_weight"]
+        self.pressure = under_water(section, rotates(self.lanes.called), grown.pressure, len(self.names))
+        return inputs, opened, inertia, grown.heights / heights + m["radial_y"] / own["radial_weight"]
 
     def one(self, name: str) -> Floats:
         return np.array([float(n == name) for n in self.names])

@@ -10,8 +10,7 @@ from typing import Any, cast
 import numpy as np
 
 from slipcircle.base.text import shown
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Scene, Status
 from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files

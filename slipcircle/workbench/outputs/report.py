@@ -14,10 +14,7 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, plan
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.friction import law_names
+from slipcircle.core import Motion, Plan, Status, law_names, plan
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, prefixed, record, results, words
 from slipcircle.workbench.files.loaded import warnings_of
@@ -176,9 +173,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     ]
     yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
-    captions = {
-        "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
-    }
+    captions = {"section": "The section: the mass at the start, at its peak velocity and at the end."}
     if where := toe_words(motion):
         captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {where}."
     if motion.moves:

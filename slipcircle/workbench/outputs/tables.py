@@ -11,9 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
-from slipcircle.core.flow.program import join
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, counted
+from slipcircle.core import Motion, Plan, step_operations
 from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
@@ -24,7 +22,7 @@ from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
-    from slipcircle.core.motion.derivatives import Sensitivity
+    from slipcircle.core import Sensitivity
 
 WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
 Rows = Iterable[Sequence[Any]]
@@ -65,7 +63,7 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     if words_of_toe := toe_words(motion):
         found["toe at the end"] = f"{words_of_toe}: the method continues the circle there"
     if (circle := stability_of(motion.plan.scene)) is not None:
-        if not circle.slope.k_h and circle.factor_of_safety["paper"] is not None:
+        if (circle.factor_of_safety_without_k_h or circle.factor_of_safety)["paper"] is not None:
             del found["factor of safety"]  # the paper's, which stands among these
         told = ("entry", "exit")  # as ends of the slip surface
         found |= {label: value for label, value in stability_column(circle).items() if label not in told}
@@ -109,8 +107,16 @@ def stability_column(found: Critical) -> dict[str, str]:
     def point(xy: Sequence[float]) -> str:
         return ", ".join(map(shown, xy)) + " m"
 
-    by_method = found.factor_of_safety.items()
-    rows = {f"factor of safety by {METHODS[m][0]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
+    def factors(by_method: Mapping[str, float | None], words: str) -> dict[str, str]:
+        return {
+            f"factor of safety by {METHODS[m][0]}{words}": "refused" if v is None else f"{v:.4f}"
+            for m, v in by_method.items()
+        }
+
+    rows = factors(found.factor_of_safety, f", k_h = {shown(found.slope.k_h)}" if found.slope.k_h else "")
+    if found.factor_of_safety_without_k_h:
+        rows |= factors(found.factor_of_safety_without_k_h, ", without k_h")
+        rows["motion starts from"] = "that without k_h by the paper's method"
     sense = (
         {}
         if math.isnan(found.negative)
@@ -119,8 +125,6 @@ def stability_column(found: Critical) -> dict[str, str]:
             "arc under negative normal stress": f"{100 * found.negative:.1f} %",
         }
     )
-    if found.slope.k_h:
-        rows["horizontal acceleration k_h of these"] = shown(found.slope.k_h)
     return (
         rows
         | {
@@ -158,8 +162,10 @@ def combinations_part() -> Part:
     """Operations of every combination of effects, with a constant friction."""
     every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
     shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    steps = ((e, join(e, ("constant",), shaken if "shaking" in e else ())) for e in every)
-    rows = [[", ".join(e) or "none", counted(step)] for e, step in steps]
+    rows = []
+    for effects in every:
+        moving = shaken if "shaking" in effects else ()
+        rows.append([", ".join(effects) or "none", step_operations(effects, ("constant",), moving)])
     return Part(["effects", "operations on series of one step"], rows)
 
 

@@ -12,9 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.scene import Scene
+from slipcircle.core import Motion, Scene, Status
 from slipcircle.workbench.common.forms import library
 from slipcircle.workbench.common.markup import Raw, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, words
