@@ -76,7 +76,7 @@ def find(name: str | PathLike[str]) -> Any:
     for candidate in (path, Path(f"{name}.toml")):
         if os.path.exists(candidate) and not os.path.isdir(candidate):  # no error for names that no file can have
             return candidate
-    if os.path.isdir(path):
+    if str(name) and os.path.isdir(path):
         raise ValueError(f"{path}: is a folder; give a scene's file")
     near = get_close_matches(path.stem, names, 1)
     is_path = path.suffix == ".toml" or len(path.parts) > 1 or not isinstance(name, str)

@@ -123,7 +123,7 @@ class Header(NamedTuple):
     """What the header of a file without times says."""
 
     lines: int
-    count: int  # of samples
+    samples: int
     step: float  # s between them
     units: str
     scale: float = 1.0  # of the numbers in the file
@@ -202,14 +202,14 @@ def _knet(name: str, first: list[str]) -> Header | None:
 def _wrapped(name: str, text: str, header: Header) -> Found:
     """Values without times, however many are on a line."""
     values, lines = _values(name, text, header.lines, None)
-    if values.size != header.count:
+    if values.size != header.samples:
         raise ValueError(
-            f"{name}: holds {values.size} values, but its header says {header.count}; is the file cut short, or "
+            f"{name}: holds {values.size} values, but its header says {header.samples}; is the file cut short, or "
             "another's header on it?"
         )
     if header.about_mean:
         values = values - np.mean(values)
-    return Found(header.step * np.arange(float(header.count)), values * header.scale, header.units, lines)
+    return Found(header.step * np.arange(float(header.samples)), values * header.scale, header.units, lines)
 
 
 def _table(quantity: Quantity, name: str, text: str, column: int | str | None, step: float | None) -> Found:
