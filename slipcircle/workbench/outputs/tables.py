@@ -64,7 +64,7 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     if height := toe_words(motion):
         column["toe at the end"] = f"{height}: the method continues the circle there"
     if critical is not None:
-        if not critical.slope.k_h and critical.factor_of_safety["paper"] is not None:
+        if (critical.factor_of_safety_without_k_h or critical.factor_of_safety)["paper"] is not None:
             del column["factor of safety"]  # which the paper's method has among these
         of_circle = stability_column(critical)
         column |= {label: text for label, text in of_circle.items() if label not in ("entry", "exit")}
@@ -92,11 +92,11 @@ def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
 
 def stability_column(critical: Critical) -> dict[str, str]:
     """A slip circle of a slope with its factors of safety: each value by its label."""
-    column = {}
-    for method, factor in critical.factor_of_safety.items():
-        column[f"factor of safety by {METHODS[method][0]}"] = "not defined" if factor is None else f"{factor:.4f}"
-    if critical.slope.k_h:
-        column["horizontal acceleration k_h of these"] = shown(critical.slope.k_h)
+    k_h = critical.slope.k_h
+    column = _factors(critical.factor_of_safety, f", k_h = {shown(k_h)}" if k_h else "")
+    if critical.factor_of_safety_without_k_h:
+        column |= _factors(critical.factor_of_safety_without_k_h, ", without k_h")
+        column["motion starts from"] = "that without k_h by the paper's method"
     column |= {
         "circle": f"least factor by {critical.method}" if critical.method else "as given",
         "centre": _point(critical.centre),
@@ -109,6 +109,16 @@ def stability_column(critical: Critical) -> dict[str, str]:
         sides = {1: "right", -1: "left"}
         column["slides to the"] = sides.get(critical.facing, "neither side: nothing drives it")
         column["arc under negative normal stress"] = f"{100 * critical.negative:.1f} %"
+    return column
+
+
+def _factors(by_method: Mapping[str, float | None], condition: str) -> dict[str, str]:
+    """Factors of safety by labels that name the method."""
+    column = {}
+    for method, factor in by_method.items():
+        column[f"factor of safety by {METHODS[method][0]}{condition}"] = (
+            "refused" if factor is None else f"{factor:.4f}"
+        )
     return column
 
 
