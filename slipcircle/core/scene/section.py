@@ -366,7 +366,7 @@ class Section(Mass):
         """Rotations at which the mean pressure is not smooth, rad, sorted, on a last axis."""
         if self.level is None:
             return self._shaped(np.empty((len(self._facing), 0)))
-        kinks = np.concatenate([self._water.low, self._water.high], axis=1)
+        kinks = self._water.kinks
         turns = np.concatenate([kinks - end[:, None] for end in self._angles], axis=1) * self._facing[:, None]
         return self._shaped(np.sort(turns, axis=1))
 
