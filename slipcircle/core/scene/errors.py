@@ -11,13 +11,13 @@ import numpy as np
 
 from slipcircle.base.checks import Fault
 from slipcircle.core.scene import circles
-from slipcircle.core.scene.ground import ponds
+from slipcircle.core.scene.ground import pond_errors
 
 
 def geometry_errors(section: Any) -> Iterator[Fault]:
     """Lanes that are no sections."""
     if section.level is not None:
-        yield ponds(section._circle[0], section._level)
+        yield pond_errors(section._circle[0], section._level)
     yield _not_one_stretch(section)
     yield _below_ground(section)
     if section.base is not None:
@@ -31,7 +31,9 @@ def _not_one_stretch(section: Any) -> Fault:
     count = np.bincount(lane, minlength=len(radius))
 
     def sentence(k: int) -> str:
-        (x, y), r, line = centre[k].tolist(), radius[k], ground[k % len(ground)]
+        x, y = centre[k].tolist()
+        r = radius[k]
+        line = ground[k % len(ground)]
         which = f"centre = [{x:.10g}, {y:.10g}], radius = {r:.10g}"
         if count[k] > 1 or (count[k] == 1 and held[k]):
             ends = zip(left[lane == k], right[lane == k], strict=True)
@@ -52,7 +54,8 @@ def _not_one_stretch(section: Any) -> Fault:
 
 def _below_ground(section: Any) -> Fault:
     """Centres below the ground; also where the ground passes over the centre outside the circle."""
-    centre, (first, last) = section._circle[1], section._angles
+    centre = section._circle[1]
+    first, last = section._angles
     return (
         circles.below_ground(section._cut, section._mine) | (last <= first),
         lambda k: f"centre = {centre[k].tolist()}: lies below the ground; a slip circle's lies above it",

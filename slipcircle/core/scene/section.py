@@ -15,7 +15,7 @@ from slipcircle.base.checks import Fault, complaint, raise_all
 from slipcircle.core.scene import circles
 from slipcircle.core.scene.circles import Cut, Floats
 from slipcircle.core.scene.errors import geometry_errors, motion_errors
-from slipcircle.core.scene.ground import field_mistakes, line_faults
+from slipcircle.core.scene.ground import line_errors, section_errors
 from slipcircle.core.scene.heights import HeightIntegrals, height_integrals, integral_inside
 from slipcircle.core.scene.turning import TurningMass
 from slipcircle.core.scene.weights import Dimensionless, MomentCoefficients, SlidingBody
@@ -91,7 +91,7 @@ class Section(SlidingBody, TurningMass):
 
     def __post_init__(self) -> None:
         raise_all(
-            "Section", field_mistakes(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
+            "Section", section_errors(vars(self), self.quantities) or complaint(geometry_errors(self), self.shape)
         )
 
     def __eq__(self, other: object) -> bool:
@@ -270,8 +270,8 @@ class Section(SlidingBody, TurningMass):
 
     def geometry_errors(self) -> Iterator[Fault]:
         """Lanes that are no sections, or do not move."""
-        levels = () if self.level is None else line_faults("level", self._level)
-        return chain(line_faults("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
+        levels = () if self.level is None else line_errors("level", self._level)
+        return chain(line_errors("ground", self._circle[0]), levels, geometry_errors(self), motion_errors(self))
 
     @cached_property
     def no_motion(self) -> str | None:
@@ -281,7 +281,8 @@ class Section(SlidingBody, TurningMass):
     @cached_property
     def moments(self) -> dict[str, Any]:
         """Theta*, I_p*, J_r, J_theta (3.12), (2.17), (2.23), (3.13), and the derivatives of the last two by the dip."""
-        m, way = self._moments, self._facing
+        m = self._moments
+        way = self._facing
         moments = {
             "moment_of_inertia": m["inertia"],
             "polar_moment": m["polar"],
@@ -295,8 +296,11 @@ class Section(SlidingBody, TurningMass):
     @cached_property
     def dimensionless(self) -> Dimensionless:
         """Coefficients of the equation of motion, positive down-slope; lambda = 2 alpha f/R (3.14)."""
-        m, alpha = self.moments, self.half_angle
-        inertia, radial, moment = m["moment_of_inertia"], m["radial_weight"], m["weight_moment"]
+        m = self.moments
+        alpha = self.half_angle
+        inertia = m["moment_of_inertia"]
+        radial = m["radial_weight"]
+        moment = m["weight_moment"]
         factor = 4 * alpha * np.sin(alpha / 2) ** 2
         return Dimensionless(
             moment_of_inertia=inertia,
@@ -313,7 +317,8 @@ class Section(SlidingBody, TurningMass):
     @cached_property
     def moment_coefficients(self) -> MomentCoefficients:
         """What the balance needs; r_u is a share of the weight of the soil above, gamma h, in the mean over the arc."""
-        m, d = self.moments, self.dimensionless
+        m = self.moments
+        d = self.dimensionless
         inertia = d.moment_of_inertia
         return MomentCoefficients(
             driving_moment=d.weight_moment / inertia,

@@ -56,7 +56,8 @@ class TurningMass:
         """Points (..., 2) of the mass after a rotation, m."""
         turn = np.multiply(rotation, self.facing)
         x, y = np.moveaxis(np.subtract(points, self.centre), -1, 0)
-        cosine, sine = np.cos(turn), np.sin(turn)
+        cosine = np.cos(turn)
+        sine = np.sin(turn)
         turned_x = x * cosine - y * sine
         turned_y = x * sine + y * cosine
         return np.asarray(self.centre) + np.stack([turned_x, turned_y], axis=-1)
@@ -66,14 +67,16 @@ class TurningMass:
         toe = self.placed(self.exit, rotation)
         run_out = (toe - self.exit)[..., 0] * self.facing
         way = self.placed(self.centroid, rotation) - self.centroid
-        run, fall = way[..., 0] * self.facing, -way[..., 1]
+        run = way[..., 0] * self.facing
+        fall = -way[..., 1]
         return Journey(toe, run_out, fall, np.arctan2(fall, run))
 
 
 def _greatest_depth(line: Floats, level: Floats) -> float:
     """Of a line's points below a level, at the vertices of both, m; 0 where the line is above."""
     below_level = np.interp(line[:, 0], *level.T) - line[:, 1]
-    (x, y), (run, rise) = line[:-1].T, np.diff(line, axis=0).T
+    x, y = line[:-1].T
+    run, rise = np.diff(line, axis=0).T
     with np.errstate(divide="ignore", invalid="ignore"):
         share = (level[:, :1] - x) / run  # of each edge, where a vertex of the level is
     on_edge = (share > 0.0) & (share < 1.0)
