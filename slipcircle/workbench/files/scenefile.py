@@ -23,7 +23,7 @@ from slipcircle.workbench.files.loaded import SlopeScene
 from slipcircle.workbench.files.numbers import numbers, uncertain_numbers
 from slipcircle.workbench.records.forcing import with_records
 from slipcircle.workbench.stability.search import Critical, at_circle, critical
-from slipcircle.workbench.stability.stability import Slope, soil
+from slipcircle.workbench.stability.stability import Slope, require_drive, soil
 
 _MOST_COHESION = 1e5  # kPa, of any soil: more was in Pa
 _FOLDER = resources.files("slipcircle") / "scenes"
@@ -196,6 +196,8 @@ def _section(
         )
         circle = {"centre": laid[0], "radius": laid[1], "between": between}
     body = Section(**ground, **circle)
+    if "shaking" not in given and not given[""].get("initial_velocity"):
+        require_drive(body)
     # The circle is known to be above the base, which may lie higher than ground beside it.
     return body, at_circle(Slope(**of_slope | {"base": None}), body) if strength else None
 
