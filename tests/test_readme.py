@@ -59,7 +59,7 @@ def run(said: Any, tmp_path: Path) -> Callable[..., dict[str, str]]:
     def told(text: str, *options: object) -> dict[str, str]:
         path = tmp_path / "my-slope.toml"
         path.write_text(text, encoding="utf-8")
-        return {label: "  ".join(cells) for label, cells in columns(said("run", path, *options)).items()}
+        return {label: "  ".join(cells) for label, cells in columns(said("run --verbose", path, *options)).items()}
 
     return told
 

@@ -165,7 +165,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     if plan.scene.uncertain:
         keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
-    known, told = {q.label: q for q in results(motion)}, motion_column(motion, verbose=True)
+    known, told = {q.label: q for q in results(motion)}, motion_column(motion)
     ends = end_words(motion)
     rows = [
         [label, _value(known[label], motion, ends.get(label, "")) if label in known else text]
