@@ -2,16 +2,16 @@
 
 import argparse
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
 from dataclasses import replace
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from slipcircle.base.text import shown
 from slipcircle.core import Scene, Status
-from slipcircle.workbench.commands import values
+from slipcircle.workbench.commands import values as read
 from slipcircle.workbench.commands.common import REPORT, add_files, add_scene
 from slipcircle.workbench.common import files
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
@@ -34,9 +34,7 @@ _MOST_ROWS = 60  # of a grid, on the screen
 def options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     what = parser.add_mutually_exclusive_group(required=True)
-    what.add_argument(
-        "--samples", type=values.count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6"
-    )
+    what.add_argument("--samples", type=read.count, metavar="N", help="draw the scene's uncertain numbers N times: 1e6")
     what.add_argument(
         "--grid",
         action="append",
@@ -84,41 +82,40 @@ def options(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> Answer:
-    """Run the command."""
+    """Compute what the options ask for, and write the files."""
+    scene = _with_distributions(load(options.scene), options.uncertain)
     if options.report and options.grid:
         raise ValueError("sweep: --report: of samples, not of a grid; give --plot, --csv or --npz")
-    scene = _with_uncertain(load(options.scene), options.uncertain)
     form = "KEY=FROM:TO:COUNT or KEY=A,B,C, each key once, such as friction.angle_deg=8:12:41"
-    levels = values.by_key("grid", options.grid or [], form, values.levels)
+    levels = read.by_key("grid", options.grid or [], form, read.levels)
     if options.plot and levels:
-        studyplots.check_grid([len(level) for level in levels.values()])
-    source = find(options.scene).read_bytes()
+        studyplots.check_grid([len(values) for values in levels.values()])
+    content = find(options.scene).read_bytes()
     try:
         study = _compute(scene, levels, options)
     except (BrokenExecutor, CancelledError) as error:
-        kept = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
-        raise ValueError(f"--engine {options.engine}: a worker died; {kept}") from error
-    head, rows, record, parts = _grid_tables(study) if levels else _sample_tables(study)
+        remedy = "the same command continues" if options.resume else "with --resume FOLDER it could continue"
+        raise ValueError(f"--engine {options.engine}: a worker died; {remedy}") from error
     pictures.write(options.plot, "study", study)
     if options.report:
-        files.write(options.report, study_report(study, source, options.line).encode())
+        files.write(options.report, study_report(study, content, options.line).encode())
+    tables = _of_grid(study) if levels else _of_samples(study)
     if options.csv:
-        files.write(options.csv, files.table(head, rows))
+        files.write(options.csv, files.table(tables.head, tables.rows))
     if options.npz:
         with files.replacing(options.npz) as file:
             np.savez(file, **cast(dict[str, Any], export.arrays(study)))
-    return Answer(record, parts, [f"{scene.name}: {warning}" for warning in study.warnings])
+    return Answer(lambda: [tables.record()], tables.parts, [f"{scene.name}: {warning}" for warning in study.warnings])
 
 
-def _with_uncertain(scene: Scene, texts: list[str]) -> Scene:
-    """The scene with distributions of `--uncertain` in place of the file's."""
-    if not texts:
+def _with_distributions(scene: Scene, given: Sequence[str]) -> Scene:
+    """The scene with distributions of the command line in place of its file's."""
+    if not given:
         return scene
-    forms = [":".join((name, *kind.parameters)) for name, kind in DISTRIBUTIONS.items()]
+    forms = (":".join((name, *d.parameters)) for name, d in DISTRIBUTIONS.items())
     form = f"KEY=, each key once, and one of {', '.join(forms)}"
-    drawn = values.by_key("uncertain", texts, form, values.distribution)
-    of_file = uncertain_numbers(scene)
-    others = {name: number for name, number in of_file.items() if number.key not in drawn}
+    drawn = read.by_key("uncertain", given, form, read.distribution)
+    others = {name: u for name, u in uncertain_numbers(scene).items() if u.key not in drawn}
     return replace(scene, uncertain=others | drawn)
 
 
@@ -127,7 +124,7 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
         if levels:
             return grid(scene, levels, executor, folder=options.resume, progress=sys.stderr)
         form = "KEY,KEY=R, each pair once, such as friction.angle_deg,cohesion.cohesion_kPa=-0.5"
-        pairs = values.by_key("correlation", options.correlation, form, float)
+        pairs = read.by_key("correlation", options.correlation, form, float)
         return ensemble(
             scene,
             options.samples,
@@ -142,26 +139,34 @@ def _compute(scene: Scene, levels: Mapping[str, Any], options: argparse.Namespac
         )
 
 
-_Tables = tuple[Iterable[str], Iterable[Any], Callable[[], Any], Iterable[Part | str]]  # CSV's head, rows; JSON; text
+class _Tables(NamedTuple):
+    """A study as a CSV file has it, as JSON, and on the screen."""
+
+    head: Sequence[str]
+    rows: Sequence[Sequence[Any]]
+    record: Callable[[], Any]
+    parts: Iterable[Part | str]
 
 
-def _grid_tables(study: Study) -> _Tables:
+def _of_grid(study: Study) -> _Tables:
     """A row a scene: inputs in their keys' units, outputs, status, and why there is no result."""
-    keys, name = [number.key for number in study.design.inputs.values()], study.scene.name
-    head = [*keys, *(f"{outcome} ({q.unit})" for outcome, q in OUTCOMES.items()), "status", "reason"]
-    *columns, ends = (column.tolist() for column in study.samples.values())
-    rows = [[*row, Status(end).name, Status(end).reason] for *row, end in zip(*columns, ends, strict=True)]
-    record = [{"scene": name, "rows": [dict(zip(head, row, strict=True)) for row in rows]}]
+    keys = [u.key for u in study.design.inputs.values()]
+    head = [*keys, *(f"{n} ({q.unit})" for n, q in OUTCOMES.items()), "status", "reason"]
+    *columns, statuses = (values.tolist() for values in study.samples.values())
+    rows = [[*row, Status(s).name, Status(s).reason] for *row, s in zip(*columns, statuses, strict=True)]
+    cells = [[*map(shown, numbers), reason or Status[name].words] for *numbers, name, reason in rows]
+    table: Part | str = Part([*keys, *(q.heading for q in OUTCOMES.values()), "status"], cells, study.scene.name)
     if len(rows) > _MOST_ROWS:
-        counts = ", ".join(f"{Status(end).words}: {count}" for end, count in enumerate(study.counts) if count)
-        text = f"{len(rows)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
-        return head, rows, lambda: record, [text]
-    cells = [[*map(shown, numbers), reason or Status[end].words] for *numbers, end, reason in rows]
-    table = Part([*keys, *(q.heading for q in OUTCOMES.values()), "status"], cells, name)
-    return head, rows, lambda: record, [table]
+        counts = ", ".join(f"{Status(s).words}: {count}" for s, count in enumerate(study.counts) if count)
+        table = f"{len(rows)} scenes; {counts}; for every one of them give --csv FILE, --npz FILE or --json"
+
+    def record() -> Any:
+        return {"scene": study.scene.name, "rows": [dict(zip(head, row, strict=True)) for row in rows]}
+
+    return _Tables(head, rows, record, [table])
 
 
-def _sample_tables(study: Study) -> _Tables:
+def _of_samples(study: Study) -> _Tables:
     """Every estimate of a study with its interval."""
     title = f"{study.scene.name}: {study.design.n} samples, {study.design.method}, seed {study.seed}\n"
-    return export.HEAD, export.rows(study), lambda: [export.record(study)], [title, *parts(study)]
+    return _Tables(export.HEAD, export.rows(study), study.to_dict, [title, *parts(study)])
