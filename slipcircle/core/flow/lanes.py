@@ -1,5 +1,6 @@
 """Lanes of scenes that share their effects and laws: integrated to their end, and asked for what they pass through."""
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
@@ -16,6 +17,7 @@ from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.coordinates import replace_unchecked
+from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
 
 Floats = NDArray[np.float64]
@@ -317,3 +319,42 @@ def _forces(program: Program, cells: Floats) -> tuple[Any, Any, Any]:
     """What drives, what resists beside friction, and what presses, where phases begin, over Theta*."""
     driving, resisting, normal = (cells[program.roles[f"cell_{name}"]] for name in ("driving", "resisting", "normal0"))
     return driving, resisting, normal
+
+
+# --- lanes of a scene ------------------------------------------------------------------------------------------------
+
+
+def lanes_of(scene: Scene, accuracy: float, invalid: Any = False) -> Lanes:
+    """The lanes of a scene, all its arrays with one axis."""
+    end_time = np.inf if scene.end_time is None else scene.end_time
+    velocity, shape = scene.initial_velocity, scene.shape
+    if not shape:
+        return Lanes(scene.arc, scene.called, scene.friction, velocity, end_time, accuracy, 1, invalid)
+    quantities = scene.arc.quantities.items()
+    arc = replace_unchecked(scene.arc, {n: _flat(getattr(scene.arc, n), shape, axes) for n, axes in quantities})
+    called = {effect: _flat_numbers(scene, effect, given) for effect, given in scene.called.items()}
+    friction: Any = scene.friction
+    if isinstance(friction, Mapping):
+        friction = _flat_numbers(scene, "friction", friction)
+        if isinstance(rate := friction.get("rate"), Mapping):
+            friction["rate"] = _flat_numbers(scene, "friction.rate", rate)
+    elif not callable(friction):
+        friction = _flat(friction, shape)
+    count = math.prod(shape)
+    return Lanes(arc, called, friction, _flat(velocity, shape), _flat(end_time, shape), accuracy, count, invalid)
+
+
+def _flat(value: Any, shape: tuple[int, ...], axes: int = 0) -> Any:
+    """An array with one axis of lanes before its own axes; a value that all lanes share as it is."""
+    if np.ndim(value) <= axes:
+        return value
+    array = np.asarray(value, np.float64)
+    tail = array.shape[array.ndim - axes :]
+    if array.shape == (math.prod(shape), *tail):
+        return array
+    return np.broadcast_to(array, (*shape, *tail)).reshape(-1, *tail)
+
+
+def _flat_numbers(scene: Scene, path: str, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of an effect or a law, of which a scene's numbers may be arrays."""
+    return {n: _flat(v, scene.shape) if f"{path}.{n}" in scene.numbers else v for n, v in given.items()}

@@ -132,6 +132,8 @@ def _given(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part(["effect", "", "what it does", "equation of the paper"], rows)
     laws = (f"{n}: {LAWS[n].help}" if n in LAWS else n for n in law_names(plan.scene.friction))
     yield Part([], [["friction law", " times ".join(laws)]])
+    yield tag("h3", "Equation of motion")
+    yield tag("pre", str(plan.equation))
     yield tag("h3", "Assumptions")
     frozen = () if "rotation" in plan.effects else ("The geometry is frozen: the weight does not turn with the mass.",)
     left = f"Left out: {', '.join(plan.left_out) or 'nothing'}."
