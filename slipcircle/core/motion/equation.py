@@ -204,15 +204,15 @@ def _definition(effect: str, p: Any) -> str:
 
 def _of_the_arc(lanes: Lanes) -> Mapping[str, Any]:
     """The numbers in `COEFFICIENTS`, from what the integrator is given, which is over Theta."""
-    weights, theta = lanes.arc.weights, lanes.arc.dimensionless.moment_of_inertia
+    given, theta = lanes.arc.moment_coefficients, lanes.arc.dimensionless.moment_of_inertia
     return {
         "Theta": theta,
-        "lambda": weights.level * theta,
-        "A": weights.polar / weights.level,
-        "J_theta0": weights.fall * theta,
-        "J_r0": weights.press * theta,
-        "J_theta0'": weights.fall_slope * theta,
-        "J_r0'": weights.press_slope * theta,
+        "lambda": given.resistance_factor * theta,
+        "A": given.polar_moment / given.resistance_factor,
+        "J_theta0": given.driving_moment * theta,
+        "J_r0": given.normal_load * theta,
+        "J_theta0'": given.driving_moment_slope * theta,
+        "J_r0'": given.normal_load_slope * theta,
     }
 
 
