@@ -35,10 +35,11 @@ class Bound(NamedTuple):
     time_scale: Any
     functions: Mapping[int, Callable[[Any], Any]]  # of slip, given in Python, by the place of their table
     joined: tuple[tuple[str, ...], ...]  # what `join` made the program of
+    asked: tuple[str, ...] = ()  # further outputs of the program
 
     def asking(self, asked: tuple[str, ...] = (), directions: int = 0) -> "Bound":
         """The same lanes with further outputs, or with derivatives in so many directions."""
-        return self._of(join(*self.joined, asked, directions))
+        return self._of(join(*self.joined, asked, directions))._replace(asked=asked)
 
     def shaken(self) -> "Bound":
         """The same lanes under a steady horizontal coefficient, nothing at first, in the place of their shaking."""
@@ -51,7 +52,7 @@ class Bound(NamedTuple):
     def _of(self, program: Program) -> "Bound":
         """The same numbers for another program."""
         cells = program.blank(self.cells.shape[1])
-        to, of = _shared(program, self.program)
+        to, of = shared_cells(program, self.program)
         cells[to] = self.cells[of]
         data = {slot.name: t for slot, t in zip(self.program.tables, self.tables, strict=True)}
         return self._replace(program=program, cells=cells, tables=[data[slot.name] for slot in program.tables])
@@ -71,7 +72,7 @@ class Bound(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def _shared(program: Program, other: Program) -> tuple[Any, Any]:
+def shared_cells(program: Program, other: Program) -> tuple[Any, Any]:
     """Where two programs hold the same numbers."""
     names = [x for x in program.cells[: program.given] if x in other.places]
     return np.array([program.places[x] for x in names]), np.array([other.places[x] for x in names])

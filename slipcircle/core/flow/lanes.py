@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose, plain
 from slipcircle.core.flow.bind import Bound, bind
-from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
+from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.scene.arc import Arc
 from slipcircle.core.scene.section import Section
@@ -28,7 +28,7 @@ def walked(
     bound: Bound, samples: Samples | None = None, log: Log | None = None, walker: Any = None, cells: Any = None
 ) -> Floats:
     """The cells of lanes at their end, by default a copy's; from the start again where a Python function goes on."""
-    walker = walker or engine().walk
+    walker = walker or engine().integrate
     while True:
         cells = bound.start() if cells is None else cells
         walker(bound.program, bound.tables, cells, samples, log)
@@ -37,9 +37,9 @@ def walked(
         many = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
         long = np.flatnonzero(many & (cells[ix.OMEGA] > 0.0))
         while long.size:
-            from slipcircle.core.flow import stiff  # only here
+            from slipcircle.core.flow import implicit  # only here
 
-            stiff.walk(bound.program, bound.tables, cells, samples, log, long)
+            implicit.integrate(bound, cells, samples, log, long)
             long = long[cells[ix.STATUS, long] == ix.NEED]
             if long.size:
                 bound.lengthen(cells[:, long])
@@ -50,7 +50,7 @@ def walked(
         while one[ix.STATUS, 0] == ix.NEED:
             bound.lengthen(one)
             one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
-            engine().walk(bound.program, [t.lanes(needs[:1]) for t in bound.tables], one)
+            engine().integrate(bound.program, [t.lanes(needs[:1]) for t in bound.tables], one)
         cells = None
         if log is not None:
             log.clear()
@@ -185,7 +185,7 @@ class Lanes:
             c, _ = self._begun(bound, time, rotation, 0.0, further, each, side)
             roles = bound.program.roles
             driving, resisting, normal = (c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0"))
-            may = Columns(bound.program, (), c, None, each).may_start(side)
+            may = LaneState(bound.program, bound.tables, c).may_start()
             with np.errstate(all="ignore"):
                 held = np.where((normal > 0.0) & may, (driving - resisting) / normal, np.nan)
             found = np.fmax(found, np.maximum(held, 0.0).reshape(found.shape))
@@ -216,7 +216,7 @@ class Lanes:
             for (cell, _, _), value in zip(bound.program.states[2:], further[1:], strict=True):
                 cells[cell] = value
         parts = [t.lanes(each) if t.coefficients.ndim == 3 else t for t in bound.tables]
-        return cells, engine().begin(bound.program, parts, cells)
+        return cells, engine().begin_phase(bound.program, parts, cells)
 
     @property
     def brake(self) -> Floats:
@@ -224,7 +224,7 @@ class Lanes:
         bound, roles = self.bound, self.bound.program.roles
         cells = bound.cells.copy()
         cells[ix.DIRECTION] = 1.0
-        engine().begin(bound.program, bound.tables, cells)
+        engine().begin_phase(bound.program, bound.tables, cells)
         cells[roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
         net = engine().registers(bound.program, bound.tables, cells)[roles["net"]]
         return np.asarray(-2.0 * net)
@@ -241,8 +241,8 @@ class Lanes:
         c[ix.OMEGA], c[ix.DIRECTION] = 0.0, np.where(c[at["fall"]] < 0.0, -1.0, 1.0)
         c[at["k_h"]], shaken = 0.0, c.copy()
         shaken[at["k_h"]] = c[ix.DIRECTION]
-        engine().begin(bound.program, bound.tables, c)
-        engine().begin(bound.program, bound.tables, shaken)
+        engine().begin_phase(bound.program, bound.tables, c)
+        engine().begin_phase(bound.program, bound.tables, shaken)
         driving, resisting, normal, mu, limit = (
             c[roles[f"cell_{n}"]] for n in ("driving", "resisting", "normal0", "mu", "limit")
         )
