@@ -64,7 +64,7 @@ def numpy_only() -> Iterator[bool]:
 
 
 def engine() -> Any:
-    """The module whose `integrate`, `begin_phase` and `registers` are the faster ones here: this one where there is a binary."""
+    """The module whose `integrate`, `begin_phase` and `registers` are the faster ones here."""
     return sys.modules[__name__] if module() and not _numpy_only else in_numpy
 
 
@@ -146,7 +146,7 @@ def integrate(
 
 
 def begin_phase(program: Program, tables: Sequence[Data], cells: Floats) -> Floats:
-    """As `slipcircle.core.flow.integrate.begin_phase`: the phases that begin where lanes are, and their registers there."""
+    """As `slipcircle.core.flow.integrate.begin_phase`: phases that begin where lanes are, and registers there."""
     return registers(program, tables, cells, 1)
 
 

@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS
-from slipcircle.core.flow.bind import Bound, shared_cells
 from slipcircle.core.flow.compiled import engine
 from slipcircle.core.flow.integrate import Integrator
 from slipcircle.core.flow.lane_state import LaneState
+from slipcircle.core.flow.problem import Problem, common_cells
 from slipcircle.core.flow.program import Log, Samples
 from slipcircle.core.flow.tables import Data
 
@@ -56,12 +56,14 @@ def _radau(count: int) -> tuple[Floats, Floats, Floats]:
 AT, WEIGHTS, TO_LEGENDRE = _radau(POINTS)
 
 
-def integrate(bound: Bound, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]) -> None:
+def integrate(
+    problem: Problem, cells: Floats, samples: Samples | None, log: Log | None, which: NDArray[np.intp]
+) -> None:
     """Integrate some lanes, one after the other, from where they are, as `slipcircle.core.flow.integrate` does."""
-    with_tangents = bound._replace(cells=cells).asking(bound.asked, directions=1)
+    with_tangents = problem._replace(cells=cells).with_outputs(problem.outputs, directions=1)
     program = with_tangents.program
-    to, of = shared_cells(bound.program, program)
-    integrated = len(bound.program.states)
+    to, of = common_cells(problem.program, program)
+    integrated = len(problem.program.states)
     for lane in which:
         tables = [table.lanes([lane]) for table in with_tangents.tables]
         one = _Implicit(program, tables, with_tangents.cells[:, [lane]], np.array([lane]), samples, log)

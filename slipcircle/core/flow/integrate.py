@@ -12,8 +12,8 @@ other     cohesion, drag, viscosity
 
 A scene's program (`slipcircle.core.flow.program`) has the terms of its effects only, as increments since its phase
 began. A step is a Taylor series in time, as long as its radius of convergence allows. Events are roots of series that
-the step has anyway: standstill, lift-off and landing, an upright chord, edges of tables. A round makes one step of every
-lane: of a moving one along its series, of a resting one to the next break of what changes with time.
+the step has anyway: standstill, lift-off and landing, an upright chord, edges of tables. A round makes one step of
+every lane: of a moving one along its series, of a resting one to the next break of what changes with time.
 """
 
 from collections.abc import Sequence
@@ -26,8 +26,14 @@ from generated import layout as ix
 from slipcircle.base.checks import EPS
 from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.pieces import Piece
-from slipcircle.core.flow.polynomials import divided_by_time, first_root, increment, radius_of_convergence, value
-from slipcircle.core.flow.polynomials import value_and_slope
+from slipcircle.core.flow.polynomials import (
+    divided_by_time,
+    first_root,
+    increment,
+    radius_of_convergence,
+    value,
+    value_and_slope,
+)
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.flow.stick_slip import StickPhase
 from slipcircle.core.flow.tables import Data

@@ -1,4 +1,4 @@
-"""What is kept of a motion on its way, in NumPy: its greatest speed and rotation, its events, its states at some times."""
+"""What is kept of a motion on its way: its greatest speed and rotation, its events, its states at sample times."""
 
 from typing import Any
 
@@ -21,9 +21,7 @@ class Recorder(LaneState):
         """Where the lane is now, at the start of a phase or the end of a step, may be where it is fastest."""
         self._keep_faster(self.omega, self.time, self.x, rate)
 
-    def _keep_faster(
-        self, speed: Floats, time: Floats, x: Floats, rate: Floats, series: Floats | None = None
-    ) -> None:
+    def _keep_faster(self, speed: Floats, time: Floats, x: Floats, rate: Floats, series: Floats | None = None) -> None:
         """Keep a candidate for the greatest speed where it is faster than what is kept."""
         k = np.flatnonzero(speed > np.abs(self.peak_omega))
         direction = self.direction[k]
@@ -99,12 +97,17 @@ class Recorder(LaneState):
                 states = self._states_at_rest(lane) if series is None else self._states_along(lane, series, past)
                 self.samples.states[:, first:last, self.lanes[lane]] = states
 
+    def _further_states(self) -> Any:
+        """Those beside rotation and speed that samples have rows for."""
+        assert self.samples is not None
+        return self.program.states[2 : len(self.samples.states) - 2]
+
     def _states_at_rest(self, lane: int) -> Floats:
-        further = [self.cells[cell, lane] for cell, _, _ in self.program.states[2:]]
+        further = [self.cells[cell, lane] for cell, _, _ in self._further_states()]
         return np.array([self.rotation[lane], 0.0, 0.0, self.slip[lane], *further])[:, None]
 
     def _states_along(self, lane: int, series: Floats, past: Floats) -> Any:
         roles, direction = self.program.roles, self.direction[lane]
-        registers = [roles["x"], roles["omega"], roles["net"], *(r for _, r, _ in self.program.states[2:])]
+        registers = [roles["x"], roles["omega"], roles["net"], *(register for _, register, _ in self._further_states())]
         x, omega, net, *further = (value(series[register, :, lane, None], past) for register in registers)
         return self.rotation[lane] + direction * x, direction * omega, direction * net, self.slip[lane] + x, *further

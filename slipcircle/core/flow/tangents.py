@@ -39,8 +39,8 @@ class TableGrowth(NamedTuple):
 class InputGrowth(NamedTuple):
     """How what lanes are given changes with each parameter.
 
-    ``time`` is the relative derivative of the unit of time, ``end`` that of the end time over this unit, ``tables`` those
-    of the program's tables by name.
+    ``time`` is the relative derivative of the unit of time, ``end`` that of the end time over this unit, ``tables``
+    those of the program's tables by name.
     """
 
     time: Floats

@@ -21,8 +21,8 @@ from slipcircle.core.motion.forms import Forms
 from slipcircle.core.motion.states import Phase, State, Status
 from slipcircle.core.motion.trajectory import Trajectory
 from slipcircle.core.motion.warnings import collect_warnings
+from slipcircle.core.scene.parameters import with_parameters
 from slipcircle.core.scene.section import Journey, Section
-from slipcircle.workbench.files.variation import scene_with
 
 if TYPE_CHECKING:
     from slipcircle.core.motion.derivatives import Sensitivity
@@ -180,7 +180,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         at_end = (peak_time == final[ix.END_TIME]) & (final[ix.STATUS] == ix.ENDED)
         at_end |= final[ix.PHASES] == 0.0
         time = choose(at_end, self._duration, peak_time * self._lanes.time_scale)
-        tables = () if self.shape else self._lanes.bound.program.tables
+        tables = () if self.shape else self._lanes.problem.program.tables
         if any(table.kind == "time" for table in tables) and 0.0 < time < self._duration:
             return self.at(time)  # of the rounded time: where a force jumps, as it is from then on
         return self._final_state(time, ix.PEAK_ROTATION, ix.PEAK_OMEGA, ix.PEAK_RATE)
@@ -318,7 +318,7 @@ class Motion(Trajectory, Forms, Generic[Numbers]):
         scene = self.plan.scene
         arrays = {name: value for name, value in scene.numbers.items() if np.ndim(value)}
         chosen = {name: np.broadcast_to(value, self.shape)[index] for name, value in arrays.items()}
-        plan = replace(self.plan, scene=scene_with(scene, chosen))
+        plan = replace(self.plan, scene=with_parameters(scene, chosen))
         numbers = np.arange(prod(self.shape)).reshape(self.shape)[index]
         lanes = self._lanes.taken(np.ravel(numbers))
         if np.ndim(numbers):
@@ -342,12 +342,14 @@ def _summary(motion: Motion[Any]) -> str:
     values = (motion.outcomes[name] for name in ("peak_velocity", "run_out", "duration"))
     velocity, run_out, duration = (shown(value, digits) for value in values)
     end = "comes to rest after" if motion.arrested else "still moving at"
+    if not motion.arrested and motion.plan.scene.end_time is None:
+        end = "followed to its first standstill at"
     return f"{velocity} m/s at most; run-out {run_out} m; {end} {duration} s"
 
 
 def _ensemble_summary(motion: Motion[Any]) -> str:
     """How many lanes ended in which way, and the range of their run-outs."""
-    counts = ", ".join(f"{count} {status.lower()}" for status, count in motion.count().items())
+    counts = ", ".join(f"{Status[name].words}: {count}" for name, count in motion.count().items())
     known = motion.run_out[~np.isnan(motion.run_out)]
     span = f"{shown(known.min())} to {shown(known.max())} m" if known.size else "not known"
     return f"{counts}; run-out {span}"

@@ -1,11 +1,9 @@
-"""Exact derivatives of a motion by the numbers of its scene: the program differentiates itself, the walk its events.
+"""Exact derivatives of a motion's outputs by every number of its scene.
 
-A name with `_dot` holds derivatives, one for each parameter, those of states at a fixed time. At an event g = 0 the
-time of the event has t_dot = -g_dot/(dg/dt); what begins there begins with total derivatives, value_dot + rate t_dot,
-and goes on at fixed times, less the new rate times t_dot.
+The program differentiates itself, one direction in each lane; `slipcircle.core.flow.tangents` has how derivatives jump
+at events, `slipcircle.core.motion.input_derivatives` where they begin. Here they are put together.
 """
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -13,22 +11,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from generated import layout as ix
-from slipcircle.core.flow.bind import Bound
-from slipcircle.core.flow.lanes import Lanes, walked
-from slipcircle.core.flow.polynomials import shifted, slopes, value
-from slipcircle.core.flow.program import Log, Program, Table
+from slipcircle.core.flow.integrate import Integrator
+from slipcircle.core.flow.lanes import Lanes, integrate_all
+from slipcircle.core.flow.problem import Problem
+from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.flow.tables import Data
-from slipcircle.core.flow.walk import Walker
+from slipcircle.core.flow.tangents import Tangents
 from slipcircle.core.motion.derivatives import Sensitivity
-from slipcircle.core.motion.seeds import Seeds
+from slipcircle.core.motion.input_derivatives import InputDerivatives
+from slipcircle.core.scene.coordinates import arc_numbers
+from slipcircle.core.scene.parameters import parameters
 from slipcircle.core.scene.scene import Scene
 from slipcircle.core.scene.section import Section
-from slipcircle.core.scene.transport import telling, through_vertex
-from slipcircle.workbench.files.numbers import by_name, numbers_in
+from slipcircle.core.scene.transport import active_parameters, through_vertex
 
 Floats = NDArray[np.float64]
 
 OUTPUTS: Mapping[str, str] = {"peak_velocity": "m/s", "run_out": "m", "duration": "s", "reach": "m"}
+STIFF_STEPS = (1000.0, 1.0)  # steps that a step held short by what decays at once counts for: few first, then all
 ARC = ("theta_1", "theta_2", "radius", "unit_weight", "gravity")
 
 
@@ -41,72 +41,103 @@ def sensitivity(scene: Scene, lanes: Lanes, outputs: Mapping[str, float]) -> Sen
     mass starts from rest. Of a mass that nothing brings to rest they are those of its first standstill. Of a section
     they are by every coordinate that the motion depends on: of its ground those of the edges over the mass.
     """
-    keys = by_name(scene)
-    parameters = {n: keys[n].si for n in _parameters(scene)}
-    values = np.zeros((len(OUTPUTS), len(parameters)))
+    known = parameters(scene)
+    units = {n: known[n].unit for n in _parameters(scene)}
+    values = np.zeros((len(OUTPUTS), len(units)))
     if any(outputs.values()):
-        values[:] = _followed(lanes, list(parameters))
-    at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in parameters}
+        values[:] = _derivatives(lanes, list(units))
+    at = dict(outputs) | {n: float(np.asarray(scene.numbers[n])) for n in units}
     said = [] if any(outputs.values()) else ["does not move, so that small changes change nothing"]
     if isinstance(scene.arc, Section) and through_vertex(scene.arc):
         said.append(
             "the circle passes through a vertex of the ground: derivatives by its coordinates and the circle's "
             "are those towards the side on which it lies outside the mass"
         )
-    return Sensitivity(OUTPUTS, parameters, at, values, {n: keys[n] for n in parameters}, tuple(said))
+    return Sensitivity(OUTPUTS, units, at, values, scene, tuple(said))
 
 
 def _parameters(scene: Scene) -> list[str]:
     """The names of the free parameters."""
-    arc = telling(scene.arc) if isinstance(scene.arc, Section) else ARC if scene.arc.given is None else ARC[2:]
-    start = ("initial_velocity", *(n for n in scene.numbers if n.startswith("shaking.")))
-    without = {*numbers_in(scene.arc)} - {*arc} | {n for n in start if not float(np.asarray(scene.numbers.get(n, 0.0)))}
-    return [n for n in dict.fromkeys(("friction", *arc, *scene.numbers)) if n in scene.numbers and n not in without]
-
-
-def _followed(lanes: Lanes, names: Sequence[str]) -> Floats:
-    """Rows: peak velocity, run-out, duration; a column for each parameter."""
-    seeds = Seeds(lanes, names)
-    bound = lanes.bound.asking(directions=1)
-    bound = bound._replace(cells=np.repeat(bound.cells, len(names), axis=1))
-    places, (tangent,) = bound.program.places, bound.program.tangents
-    for name, dot in seeds.inputs.items():
-        if name in places and places[name] in tangent.cells:
-            bound.cells[tangent.cells[places[name]]] = dot
-    bound.cells[tangent.cells[ix.OMEGA]] = np.abs(seeds.omega) * np.sign(seeds.omega * bound.cells[ix.OMEGA])
-    for stiff_step in (1000.0, 1.0):  # what a step held short by what decays at once counts for
-        one, events, handed = _walked(bound, seeds, stiff_step)
-        # Implicit steps know no jumps of derivatives: they may go on smoothly to the end that is asked for, not more.
-        smooth = one.c[ix.STATUS, 0] == ix.ENDED and not events and one.c[ix.PEAK_TIME, 0] <= handed
-        if smooth or np.isinf(handed):
-            break
+    if isinstance(scene.arc, Section):
+        of_arc: Sequence[str] = active_parameters(scene.arc)
     else:
-        raise ValueError("sensitivity: this motion is too stiff for its derivatives; compare motions of other values")
-    scale, radius = float(bound.time_scale), float(np.asarray(lanes.arc.radius))
-    c = one.c[:, 0]
-    ended = c[ix.STATUS] == ix.ENDED
-    peak = np.sign(c[ix.PEAK_OMEGA]) * one.peak_dot + c[ix.PEAK_OMEGA] * seeds.speed_growth
-    run_out = one.turned() + c[ix.END_ROTATION] * seeds.radius_growth
-    duration = seeds.one("end_time") if ended else scale * (one.rest_dot + c[ix.REST_SINCE] * seeds.time_growth)
-    reach = one.reach_dot + c[ix.REACH_ROTATION] * seeds.radius_growth
-    return np.array([radius / scale * peak, radius * run_out, duration, radius * reach])
+        of_arc = ARC if scene.arc.given is None else ARC[2:]
+    fixed = {*arc_numbers(scene.arc)} - {*of_arc}
+    for name in ("initial_velocity", *(n for n in scene.numbers if n.startswith("shaking."))):
+        if not float(np.asarray(scene.numbers.get(name, 0.0))):
+            fixed.add(name)
+    names = dict.fromkeys(("friction", *of_arc, *scene.numbers))
+    return [name for name in names if name in scene.numbers and name not in fixed]
 
 
-def _walked(bound: Bound, seeds: Seeds, stiff_step: float) -> tuple["_Walk", Log, float]:
-    """The walk at its end, events since implicit steps took over, and when they did.
+def _derivatives(lanes: Lanes, names: Sequence[str]) -> Floats:
+    """Derivatives of peak velocity, run-out, duration and reach (rows) by each parameter, SI units."""
+    inputs = InputDerivatives(lanes, names)
+    problem = _with_directions(lanes.problem, inputs)
+    for stiff_step in STIFF_STEPS:
+        run = _Run(problem, inputs, stiff_step)
+        if run.is_smooth:
+            return _in_si(lanes, inputs, run)
+    raise ValueError("sensitivity: this motion is too stiff for its derivatives; compare motions of other values")
 
-    That time is infinite where they did not, and 0 where something that changes with time still broke after it.
+
+def _with_directions(problem: Problem, inputs: InputDerivatives) -> Problem:
+    """The problem of one lane as one of many, each of which carries the derivatives by one parameter."""
+    problem = problem.with_outputs(directions=1)
+    cells = np.repeat(problem.cells, len(inputs.names), axis=1)
+    places, (tangent,) = problem.program.places, problem.program.tangents
+    for name, dot in inputs.inputs.items():
+        if name in places and places[name] in tangent.cells:
+            cells[tangent.cells[places[name]]] = dot
+    cells[tangent.cells[ix.OMEGA]] = inputs.omega * np.sign(cells[ix.OMEGA])  # of |omega|
+    return problem._replace(cells=cells)
+
+
+class _Run:
+    """A motion with its derivatives, integrated to its end.
+
+    ``implicit_from`` is the time at which implicit steps took over: infinite where they did not, and 0 where something
+    that changes with time still broke afterwards.
     """
-    walks, log, handed = list[_Walk](), list[Any](), [np.inf]
 
-    def follow(program: Program, data: Sequence[Data], cells: Floats, samples: Any, log: Any) -> None:
-        one = _Walk(program, data, cells, seeds)
-        walks[:], one.stiff_step = [one], stiff_step
+    def __init__(self, problem: Problem, inputs: InputDerivatives, stiff_step: float) -> None:
+        self.inputs, self.stiff_step = inputs, stiff_step
+        self.implicit_from, self.later_events = np.inf, list[Any]()
+        integrate_all(problem, log=self.later_events, integrator=self._integrate)
+
+    def _integrate(
+        self, program: Program, tables: Sequence[Data], cells: Floats, samples: Samples | None, log: Log | None
+    ) -> None:
+        """Explicitly, as far as that goes."""
+        self.tangents = Tangents(program, cells, self.inputs.growth)
+        self.state = Integrator(program, tables, cells, tangents=self.tangents)
+        self.state.stiff_step = self.stiff_step
         with np.errstate(all="ignore"):
-            while one.c[ix.STATUS, 0] <= ix.RESTING:
-                one.round()
-        if one.c[ix.STATUS, 0] == ix.TOO_LONG:
-            handed[0] = float(one.c[ix.TIME, 0]) if np.isinf(one._break()[0]) else 0.0
+            while self.state.status[0] <= ix.RESTING:
+                self.state.round()
+        if self.state.status[0] == ix.TOO_LONG:
+            breaks_later = np.isfinite(self.state.next_break()[0])
+            self.implicit_from = 0.0 if breaks_later else float(self.state.time[0])
 
-    walked(bound, log=log, walker=follow)
-    return walks[0], log, handed[0]
+    @property
+    def is_smooth(self) -> bool:
+        """Whether derivatives hold: implicit steps know no jumps of them, and may go on to the end time, not more."""
+        if np.isinf(self.implicit_from):
+            return True
+        ended = self.state.status[0] == ix.ENDED and not self.later_events
+        return bool(ended and self.state.peak_time[0] <= self.implicit_from)
+
+
+def _in_si(lanes: Lanes, inputs: InputDerivatives, run: _Run) -> Floats:
+    """Derivatives of outputs: of dimensionless ones, and of the units that they are multiplied by."""
+    state, tangents, growth = run.state, run.tangents, inputs.growth
+    unit_of_time, radius = float(lanes.time_scale), float(np.asarray(lanes.arc.radius))
+    peak, end, reach = state.peak_omega[0], state.end_rotation[0], state.reach_rotation[0]
+    peak_dot = np.sign(peak) * tangents.peak_dot + peak * inputs.speed_growth
+    run_out_dot = tangents.rotation_dot(state) + end * inputs.radius_growth
+    reach_dot = tangents.reach_dot + reach * inputs.radius_growth
+    if state.status[0] == ix.ENDED:
+        duration_dot = inputs.one("end_time")
+    else:
+        duration_dot = unit_of_time * (tangents.rest_dot + state.rest_since[0] * growth.time)
+    return np.array([radius / unit_of_time * peak_dot, radius * run_out_dot, duration_dot, radius * reach_dot])

@@ -13,13 +13,13 @@ from slipcircle.core.flow.lanes import BLOCK, Lanes
 from slipcircle.core.motion.motion import FINAL_ENTRIES, Motion, final_entries
 from slipcircle.core.motion.plan import Plan, plan
 from slipcircle.core.motion.states import Status
+from slipcircle.core.scene.coordinates import replace_unchecked
 from slipcircle.core.scene.scene import Scene
-from slipcircle.workbench.files.variation import unchecked
 
 STRONGEST = 1e7  # q = 2 (lambda A mu + d)/Theta* of a brake that is followed
 
 
-def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Numbers]:
+def solve(scene: Scene[Numbers], accuracy: float | None = None, *, invalid: Any = False) -> Motion[Numbers]:
     """Solve a scene until it rests, or until its end time; a scene of arrays as an ensemble.
 
     Parameters
@@ -27,6 +27,8 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Number
     scene : Scene
     accuracy : float, optional
         Relative error asked for; by default the scene's own, or 1e-9.
+    invalid : array_like of bool, optional
+        Lanes that are no scenes, as `with_parameter_arrays` gives them; their status is `Status.INVALID`.
 
     Returns
     -------
@@ -48,7 +50,7 @@ def solve(scene: Scene[Numbers], accuracy: float | None = None) -> Motion[Number
     first standstill. ``notebooks/0_the_method.ipynb`` derives all of this.
     """
     chosen = plan(scene, accuracy)
-    motion: Motion[Numbers] = motion_of(chosen)
+    motion: Motion[Numbers] = motion_of(chosen, invalid)
     if not scene.shape:
         _refuse(motion)
     return motion
@@ -82,7 +84,9 @@ def lanes_of(chosen: Plan, invalid: Any = False) -> Lanes:
         return value if value.shape == (count, *own) else np.broadcast_to(value, (*scene.shape, *own)).reshape(-1, *own)
 
     numbers = scene.numbers
-    arc = unchecked(scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()})
+    arc = replace_unchecked(
+        scene.arc, {n: flat(getattr(scene.arc, n), axes) for n, axes in scene.arc.quantities.items()}
+    )
     called = {
         e: {n: flat(v) if f"{e}.{n}" in numbers else v for n, v in given.items()} for e, given in scene.called.items()
     }

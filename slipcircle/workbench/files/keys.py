@@ -12,8 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from generated.effects import EFFECTS, INFINITY, LAWS, LIMITS, Parameter
-from slipcircle.core.scene.arc import ARC_BOUNDS, GIVEN, GRAVITY, WIDTH
-from slipcircle.core.scene.friction import RATE_LAWS, may_have_rate
+from slipcircle.core import ARC_BOUNDS, GIVEN, GRAVITY, RATE_LAWS, WIDTH, may_have_rate
 from slipcircle.workbench.common.distributions import DISTRIBUTIONS
 from slipcircle.workbench.stability.stability import METHODS
 
@@ -246,7 +245,7 @@ def _weight(help: str, optional: bool = False) -> Parameter:
 
 def _points(name: str, title: str) -> dict[str, Key]:
     key = "points_m" if name == "ground" else f"{name}_m"
-    return {key: Key(name, title, "a list of points, [[x, y], [x, y], ...] (m)", kind="points")}
+    return {key: Key(name, title, "a list of two points or more, [[x, y], [x, y], ...] (m)", kind="points")}
 
 
 def _pair(name: str, title: str, form: str = "[least, greatest]") -> dict[str, Key]:
@@ -268,7 +267,10 @@ SLOPING: Mapping[str, Table] = {  # in place of an arc
     "ground": _table(
         "a real slope, in place of [arc]",
         [
-            _length("height", "height of a simple slope between level ground"),
+            _length(
+                "height",
+                "height of a simple slope between level ground; it falls to the right to its toe at x = 0, y = 0",
+            ),
             _UPRIGHT,
             _length("run", "its horizontal length", -5e-324),
             _weight("unit weight of the soil"),

@@ -14,12 +14,11 @@ import numpy as np
 
 from generated.effects import EFFECTS, LAWS
 from slipcircle.base.text import shown
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, plan
-from slipcircle.core.motion.states import Status
-from slipcircle.core.scene.friction import law_names
+from slipcircle.core import Motion, Plan, Status, law_names, plan
 from slipcircle.workbench.common.markup import Raw, escaped, table, tag
 from slipcircle.workbench.common.quantities import OUTCOMES, RESULTS, Quantity, plain, prefixed, record, results, words
+from slipcircle.workbench.files.loaded import warnings_of
+from slipcircle.workbench.files.numbers import uncertain_numbers
 from slipcircle.workbench.outputs import pictures
 from slipcircle.workbench.outputs.info import facts
 from slipcircle.workbench.outputs.plotstyle import width, work
@@ -156,7 +155,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
         ]
         parts.append(table(rows, ["", *links]))
     for k, (m, file) in enumerate(zip(motions, files, strict=True)):
-        told = _chapter(m.plan, m.warnings, _of_motion(m, file), record(m), " in SI units and radians", file)
+        told = _chapter(m.plan, warnings_of(m), _of_motion(m, file), record(m), " in SI units and radians", file)
         parts += [Raw(f'<section id="scene-{k + 1}">'), tag("h2", names[k]), *told, Raw("</section>")]
     return _page(f"Rotational slide: {', '.join(names)}", parts, zip(names, files, strict=True), command)
 
@@ -164,7 +163,7 @@ def report(motions: Sequence[Motion], files: Sequence[bytes | None] = (), comman
 def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     plan = motion.plan
     if plan.scene.uncertain:
-        keys = ", ".join(u.key for u in plan.scene.uncertain.values())
+        keys = ", ".join(u.key for u in uncertain_numbers(plan.scene).values())
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     known, told = {q.label: q for q in results(motion)}, motion_column(motion, verbose=True)
     ends = end_words(motion)
@@ -174,9 +173,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
     ]
     yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
-    captions = {
-        "section": "The section: forces at the start; the mass at the start, at its peak velocity and at the end."
-    }
+    captions = {"section": "The section: the mass at the start, at its peak velocity and at the end."}
     if where := toe_words(motion):
         captions["section"] += f" Beyond the toe the method continues the circle; the toe ends {where}."
     if motion.moves:
@@ -200,7 +197,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
             ["program of", ", ".join(plan.fragments)],
             ["relative error asked for", _number(plan.accuracy)],
             ["relative error estimated, of peak, run-out and duration", _data(error, _number(error))],
-            ["warnings", "; ".join(motion.warnings) or "none"],
+            ["warnings", "; ".join(warnings_of(motion)) or "none"],
         ],
         "Method and accuracy",
     )
@@ -312,7 +309,7 @@ def _of_study(found: Study, planned: Plan, file: bytes | None) -> Iterable[Part 
         [[_path(key), ", ".join(f"{k} {v}" for k, v in of.items())] for key, of in drawn],
         "What is uncertain",
     )
-    ends = {words(Status(s).name): int(count) for s, count in enumerate(found.counts) if count}
+    ends = {Status(s).words: int(count) for s, count in enumerate(found.counts) if count}
     yield Part(
         [],
         [

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
-from slipcircle.core.flow.program import join
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import Plan, counted
+from slipcircle.core import Motion, Plan, step_operations
 from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, results, time_text, to_error, words
+from slipcircle.workbench.files.loaded import stability_of
+from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
 from slipcircle.workbench.stability.search import Critical
 from slipcircle.workbench.stability.stability import METHODS
@@ -22,7 +22,7 @@ from slipcircle.workbench.studies.ladder import Rung
 from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 
 if TYPE_CHECKING:
-    from slipcircle.core.motion.derivatives import Sensitivity
+    from slipcircle.core import Sensitivity
 
 WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
 Rows = Iterable[Sequence[Any]]
@@ -62,8 +62,8 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
     found = {q.label: q.text(motion) for q in chosen} | end_words(motion)
     if words_of_toe := toe_words(motion):
         found["toe at the end"] = f"{words_of_toe}: the method continues the circle there"
-    if (circle := motion.plan.scene.stability) is not None:
-        if not circle.slope.k_h and circle.factor_of_safety["paper"] is not None:
+    if (circle := stability_of(motion.plan.scene)) is not None:
+        if (circle.factor_of_safety_without_k_h or circle.factor_of_safety)["paper"] is not None:
             del found["factor of safety"]  # the paper's, which stands among these
         told = ("entry", "exit")  # as ends of the slip surface
         found |= {label: value for label, value in stability_column(circle).items() if label not in told}
@@ -107,8 +107,16 @@ def stability_column(found: Critical) -> dict[str, str]:
     def point(xy: Sequence[float]) -> str:
         return ", ".join(map(shown, xy)) + " m"
 
-    by_method = found.factor_of_safety.items()
-    rows = {f"factor of safety by {METHODS[m][0]}": "refused" if v is None else f"{v:.4f}" for m, v in by_method}
+    def factors(by_method: Mapping[str, float | None], words: str) -> dict[str, str]:
+        return {
+            f"factor of safety by {METHODS[m][0]}{words}": "refused" if v is None else f"{v:.4f}"
+            for m, v in by_method.items()
+        }
+
+    rows = factors(found.factor_of_safety, f", k_h = {shown(found.slope.k_h)}" if found.slope.k_h else "")
+    if found.factor_of_safety_without_k_h:
+        rows |= factors(found.factor_of_safety_without_k_h, ", without k_h")
+        rows["motion starts from"] = "that without k_h by the paper's method"
     sense = (
         {}
         if math.isnan(found.negative)
@@ -117,8 +125,6 @@ def stability_column(found: Critical) -> dict[str, str]:
             "arc under negative normal stress": f"{100 * found.negative:.1f} %",
         }
     )
-    if found.slope.k_h:
-        rows["horizontal acceleration k_h of these"] = shown(found.slope.k_h)
     return (
         rows
         | {
@@ -156,8 +162,10 @@ def combinations_part() -> Part:
     """Operations of every combination of effects, with a constant friction."""
     every = chain.from_iterable(combinations(EFFECTS, n) for n in range(len(EFFECTS) + 1))
     shaken = tuple(p.symbol for p in EFFECTS["shaking"].parameters if p.kind == "series")
-    steps = ((e, join(e, ("constant",), shaken if "shaking" in e else ())) for e in every)
-    rows = [[", ".join(e) or "none", counted(step)] for e, step in steps]
+    rows = []
+    for effects in every:
+        moving = shaken if "shaking" in effects else ()
+        rows.append([", ".join(effects) or "none", step_operations(effects, ("constant",), moving)])
     return Part(["effects", "operations on series of one step"], rows)
 
 
@@ -170,7 +178,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
             time_text(1e9 * r.seconds),
             f"{r.cost}",
             *(f"{shown(getattr(r, q.name))} {q.unit}" for q in told),
-            "still moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
+            "moving" if not r.arrested else "yes" if r.peak_velocity else "does not move",
             f"{100 * r.difference:.3g} %",
         ]
         for r in rungs
@@ -184,7 +192,7 @@ def ladder_part(rungs: Sequence[Rung], name: str) -> Part:
 
 def sensitivity_part(found: "Sensitivity", name: str) -> Part:
     """Derivatives as a table, per unit of the key that a scene file has for each parameter."""
-    rows, keys = [["", "", *(shown(found.at[n]) for n in found.distinct)]], found.keys
+    rows, keys = [["", "", *(shown(found.at[n]) for n in found.distinct)]], by_name(found.scene)
     for parameter in found.parameters:
         of = keys[parameter]
         value = of.from_si(found.at[parameter])

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene.circles import Floats
-from slipcircle.core.scene.ground import circle_through, circle_touching
-from slipcircle.core.scene.section import Section
+from slipcircle.base.series import Floats
+from slipcircle.core import Section, circle_through, circle_touching
 from slipcircle.workbench.stability.slices import circle_factors
 from slipcircle.workbench.stability.stability import METHODS, Slope
 
@@ -34,7 +33,9 @@ class Critical:
     ----------
     slope : Slope
     factor_of_safety : dict
-        By method; None where a method refuses the circle.
+        By method, with the slope's k_h; None where a method refuses the circle.
+    factor_of_safety_without_k_h : dict or None
+        The same without, from which a motion starts; None where the slope has no k_h.
     centre, radius : tuple of float, float
         m.
     entry, exit : tuple of float
@@ -44,8 +45,8 @@ class Critical:
     negative : float
         Share of the arc under negative effective normal stress, by the ordinary method or by Bishop's, if greater.
     warning : str
-        That a fifth of the arc and more is under negative stress, or that the circle reaches an end of the ground,
-        beyond which a lesser factor may lie.
+        That a fifth of the arc and more is under negative stress, or that the circle reaches an end of the ground or a
+        limit of the search, beyond which a lesser factor may lie.
     method, limits : str, mapping
         Whose factor is the least, and what limited the search; empty for a circle that was given.
     tried, refused : int
@@ -64,6 +65,7 @@ class Critical:
     facing: int
     negative: float
     warning: str
+    factor_of_safety_without_k_h: dict[str, float | None] | None = None
     method: str = ""
     tried: int = 1
     refused: int = 0
@@ -82,8 +84,10 @@ class Critical:
 
     def record(self) -> dict[str, Any]:
         """For JSON, in SI units."""
+        without = self.factor_of_safety_without_k_h
         return {
             "factor_of_safety": self.factor_of_safety,
+            **({"factor_of_safety_without_k_h": without} if without else {}),
             "circle": {"centre": list(self.centre), "radius": self.radius},
             "entry": list(self.entry),
             "exit": list(self.exit),
@@ -153,16 +157,27 @@ def at_circle(slope: Slope, section: Section) -> Critical:
 
 def _described(slope: Slope, centre: Floats, radius: Floats, left: Floats, right: Floats) -> Critical:
     """One circle, by arrays of one."""
-    found = {
-        name: float(value[0])
-        for name, value in circle_factors(slope.arrays(), centre, radius, left, right, pieces=_PIECES).items()
-    }
+    found = _numbers(circle_factors(slope.arrays(), centre, radius, left, right, pieces=_PIECES))
+    still = slope.arrays()._replace(k_h=0.0)
+    without = _by_method(_numbers(circle_factors(still, centre, radius, left, right))) if slope.k_h else None
     middle, first, second = ((float(p[0, 0]), float(p[0, 1])) for p in (centre, left, right))
     entry, exit = (first, second) if found["facing"] >= 0.0 else (second, first)
-    by_method, negative = {m: found[m] if np.isfinite(found[m]) else None for m in METHODS}, found["negative"]
-    said = f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
-    warning = f"{said}method more than on the soil" if slope.friction and negative > _SENSE else ""
-    return Critical(slope, by_method, middle, float(radius[0]), entry, exit, int(found["facing"]), negative, warning)
+    facing, negative = int(found["facing"]), found["negative"]
+    words = (
+        f"{100 * negative:.0f} % of the arc is under negative effective normal stress, where factors depend on the "
+        "method more than on the soil"
+    )
+    warning = words if slope.friction and negative > _SENSE else ""
+    size = float(radius[0])
+    return Critical(slope, _by_method(found), middle, size, entry, exit, facing, negative, warning, without)
+
+
+def _numbers(arrays: Mapping[str, Floats]) -> dict[str, float]:
+    return {name: float(values[0]) for name, values in arrays.items()}
+
+
+def _by_method(found: Mapping[str, float]) -> dict[str, float | None]:
+    return {m: found[m] if np.isfinite(found[m]) else None for m in METHODS}
 
 
 def _mistakes(slope: Any, method: Any, limits: Mapping[str, Any], depth: Any) -> list[str]:
@@ -331,17 +346,31 @@ class Search:
     def result(self, q: Floats) -> Critical:
         """All that is said of the best circle."""
         found, values = _described(self.slope, *self.laid(q)), np.concatenate(self.values)
-        said = [found.warning] if found.warning else []
+        warnings = [found.warning] if found.warning else []
         for x in self.ground[[0, -1], 0]:
             if min(abs(found.entry[0] - x), abs(found.exit[0] - x)) < 1e3 * self.blur:
-                said.append(f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less")
+                warnings.append(f"the circle reaches the end of the ground at x = {x:.6g}; a longer one may give less")
+        warnings += self._reached_limits(q, found)
         return replace(
             found,
             method=self.method,
             limits=self.ends | {"depth": self.depth},
-            warning="; ".join(said),
+            warning="; ".join(warnings),
             tried=len(values),
             refused=int(np.isnan(values).sum()),
             values=values,
             centres=np.concatenate(self.centres),
         )
+
+    def _reached_limits(self, q: Floats, found: Critical) -> list[str]:
+        """A sentence for each limit of the search that the best circle stands on."""
+        near, sentences = 1e-4 * float(self.along[-1]), []
+        for name, limit in self.ends.items():
+            x = getattr(found, name)[0]
+            if limit is not None and limit[1] > limit[0] and min(abs(x - limit[0]), abs(x - limit[1])) < near:
+                sentences.append(f"the {name} stands on a limit of the search, x = {x:.6g}; a wider one may give less")
+        if self.depth and self._thickness(q, *self.laid(q)[:2])[0] < self.depth + near:
+            sentences.append(
+                f"the mass is as thin as the search allows, {self.depth:.6g} m; a thinner one may give less"
+            )
+        return sentences

@@ -15,9 +15,7 @@ from numpy.typing import ArrayLike
 
 from generated.effects import LAWS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.scene.friction import law_parts
-from slipcircle.core.scene.ground import field_mistakes, ponds
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Section, field_mistakes, law_parts, ponds
 from slipcircle.workbench.stability.slices import Floats, SlopeArrays, circle_factors
 
 # By name: whose it is, and the strength that it gives the base of a slice: weight W, breadth b, length l, dip a.
@@ -126,6 +124,17 @@ class Slope:
         numbers = {n: getattr(self, n) for n in SlopeArrays._fields if n not in ("ground", "level")}
         level = None if self.level is None else np.asarray(self.level)[None]
         return SlopeArrays(np.asarray(self.ground)[None], level, **numbers)
+
+
+def require_drive(section: Section) -> None:
+    """Raise a ValueError where gravity does not turn a single section's mass, as that over level ground."""
+    moment, area = float(section.moments["weight_moment"]), float(section.area / np.square(section.radius))
+    if abs(moment) <= 1e-9 * area:
+        left, right = sorted((float(section.entry[0]), float(section.exit[0])))
+        raise ValueError(
+            f"Section: centre: nothing drives the mass from x = {left:.6g} to {right:.6g}: it is in balance about "
+            "the centre, as below level ground; choose a circle that cuts the slope"
+        )
 
 
 def factors_of_safety(scene: Any, k_h: ArrayLike = 0.0) -> dict[str, Floats]:

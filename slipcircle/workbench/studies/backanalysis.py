@@ -11,11 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from slipcircle.base.checks import EPS
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.solver import solve
-from slipcircle.core.scene.scene import Scene, checked
+from slipcircle.core import Motion, Scene, checked, solve, with_parameters
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.variation import scene_with
 from slipcircle.workbench.studies.fits import fits
 from slipcircle.workbench.studies.motions import derivatives
 from slipcircle.workbench.studies.problem import Bounds, Floats, Observed, SearchProblem, observations, search_problem
@@ -219,7 +216,7 @@ def _exact(problem: SearchProblem) -> list[Solution]:
     places = [extreme(problem, sign) for sign in (-1.0, 1.0)]
     if math.isnan(places[0]):
         raise Unattainable(f"{field.key}: with no value of it between the bounds does this scene move and rest", {})
-    scenes = (scene_with(problem.scene, {field.name: field.to_si(value)}) for value in places)
+    scenes = (with_parameters(problem.scene, {field.name: field.to_si(value)}) for value in places)
     least, greatest = ((float(solve(scene).outcomes[name]), at) for scene, at in zip(scenes, places, strict=True))
     unit = OUTCOMES[name].unit
     attainable = " to ".join(f"{v:.6g} {unit} (at {field.key} = {at:.6g})" for v, at in (least, greatest))
@@ -276,7 +273,7 @@ def _solution(problem: SearchProblem, values: Sequence[float]) -> Solution:
     """A solution with these values: the observations have to tell the fields apart."""
     pairs = [*zip(problem.fields, values, strict=True)]
     si = {f.name: float(f.to_si(v)) for f, v in pairs}
-    scene = scene_with(problem.scene, si)
+    scene = with_parameters(problem.scene, si)
     motion, (_, slopes) = solve(scene), derivatives(scene, si)
     outcomes = np.array([float(motion.outcomes[n]) for n in problem.observed])
     residuals = outcomes - problem.targets

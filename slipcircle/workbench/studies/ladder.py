@@ -7,11 +7,7 @@ from statistics import median
 from time import process_time
 from timeit import timeit
 
-from slipcircle.core.motion.motion import Motion
-from slipcircle.core.motion.plan import plan
-from slipcircle.core.motion.solver import solve
-from slipcircle.core.scene.scene import Scene
-from slipcircle.core.scene.section import Section
+from slipcircle.core import Motion, Scene, Section, plan, solve
 
 _PATIENCE = 0.5  # seconds for the solutions of one rung that are timed, five at most
 
@@ -58,7 +54,7 @@ def _solved(scene: Scene, effects: tuple[str, ...], full: Motion) -> Motion:
     if isinstance(arc, Section) and "pore_pressure" not in effects:
         arc = replace(arc, level=None)  # the water level is what calls for it
     given = {e: scene.called[e] for e in effects if e in scene.effects}
-    part = replace(scene, arc=arc, effects=given, uncertain={}, stability=None)
+    part = replace(scene, arc=arc, effects=given, uncertain={})
     try:
         return solve(part)
     except ValueError:

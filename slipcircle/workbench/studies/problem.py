@@ -10,11 +10,8 @@ from numpy.typing import NDArray
 
 from generated.effects import EFFECTS
 from slipcircle.base.checks import raise_all
-from slipcircle.core.motion.states import ANSWERED, Status
-from slipcircle.core.scene.friction import law_depends
-from slipcircle.core.scene.scene import Scene
-from slipcircle.workbench.files.numbers import DIP, Number, by_key, lengths, listed, number_in
-from slipcircle.workbench.files.variation import value_in
+from slipcircle.core import ANSWERED, DIP, Scene, Status, law_depends, parameter_value
+from slipcircle.workbench.files.numbers import Number, by_key, lengths, listed, number_in
 from slipcircle.workbench.studies.motions import motions
 
 Floats = NDArray[np.float64]
@@ -148,7 +145,8 @@ def _default_field(scene: Scene) -> str:
     keys = by_key(scene)
     if "friction.angle_deg" in keys:
         return "friction.angle_deg"
-    of_law = [key for key, n in keys.items() if n.name.startswith("friction.") and value_in(scene, n.name) is not None]
+    laws = {key: number.name for key, number in keys.items() if number.name.startswith("friction.")}
+    of_law = [key for key, name in laws.items() if parameter_value(scene, name) is not None]
     raise ValueError(
         f"backanalyse: field (--field): this law of friction has no single angle; give one of {listed(of_law or keys)}"
     )
@@ -187,7 +185,7 @@ def _between(name: str, low: float, high: float) -> Floats:
 def _range(scene: Scene, field: Number, is_alone: bool) -> Floats:
     """From the least to the greatest value where no bounds are given; farther where other fields change as well."""
     values = _usual_range(scene, field.name)
-    before = value_in(scene, field.name)
+    before = parameter_value(scene, field.name)
     is_coefficient = field.name.startswith("friction") and ".rate." not in field.name
     if values is None and is_coefficient and (field.tangent or not field.unit):
         values = _friction_range(scene, field, is_alone)
