@@ -90,7 +90,7 @@ def test_the_motion_has_the_factors_of_its_circle(write: Write, tmp_path: Path, 
     assert table["circle"] == ["least factor by bishop"]
     assert table.keys() >= {"peak velocity", "x of the toe at the end", "run-out along the arc", "centre",
                             "lower end of the slip surface, x and y"}  # fmt: skip
-    for label in ("Bishop&#x27;s simplified method", "circles tried, refused", "arc under negative normal stress"):
+    for label in ("Bishop&#x27;s simplified method", "circles evaluated, invalid", "arc under negative normal stress"):
         assert label in page.read_text("utf-8")
     (motion,), (alone,) = records("run", path), records("search", path)
     assert motion["stability"] == alone
@@ -106,7 +106,7 @@ def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, asked: Any) ->
 def test_a_given_circle_has_factors_with_its_motion(write: Write, tmp_path: Path, said: Any) -> None:
     table = columns(said("run", write(FIXED)))
     assert table["factor of safety by Bishop's simplified method"] == ["0.9852"]
-    assert (table["circle"], table["circles tried, refused"]) == (["as given"], ["1, 0"])
+    assert (table["circle"], table["circles evaluated, invalid"]) == (["as given"], ["1, 0"])
     scene = slipcircle.load(write(FIXED))
     given = stability_of(scene)
     assert given is not None
