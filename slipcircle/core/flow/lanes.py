@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from generated import layout as ix
 from slipcircle.base.checks import EPS, choose, plain
-from slipcircle.core.flow.columns import Columns
 from slipcircle.core.flow.compiled import engine
+from slipcircle.core.flow.lane_state import LaneState
 from slipcircle.core.flow.problem import Problem, build_problem
 from slipcircle.core.flow.program import Log, Program, Samples
 from slipcircle.core.scene.arc import Arc
@@ -27,7 +27,7 @@ OUTPUTS = ("pressing", "normal", "mu")  # registers that a program is asked for 
 
 
 def integrate_all(
-    problem: Problem, samples: Samples | None = None, log: Log | None = None, walker: Any = None, cells: Any = None
+    problem: Problem, samples: Samples | None = None, log: Log | None = None, integrator: Any = None, cells: Any = None
 ) -> Floats:
     """Integrate all lanes to their end: their final cells.
 
@@ -38,15 +38,15 @@ def integrate_all(
         Times at which states are wanted; filled in place.
     log : list, optional
         Takes the events of the first lane.
-    walker : callable, optional
+    integrator : callable, optional
         The integrator, by default the fastest here.
     cells : ndarray, optional
         To start with and to overwrite; by default a copy of the problem's.
     """
-    walker = walker or engine().walk
+    integrator = integrator or engine().integrate
     while True:
         state = problem.initial_cells() if cells is None else cells
-        walker(problem.program, problem.tables, state, samples, log)
+        integrator(problem.program, problem.tables, state, samples, log)
         if state[ix.STATUS].max(initial=0.0) < ix.TOO_LONG:
             return state
         _integrate_stiff(problem, state, samples, log)
@@ -65,9 +65,9 @@ def _integrate_stiff(problem: Problem, cells: Floats, samples: Samples | None, l
     stopped = (cells[ix.STATUS] == ix.TOO_LONG) & (cells[ix.STEPS] > ix.MOST_STEPS)
     which = np.flatnonzero(stopped & (cells[ix.OMEGA] > 0.0))
     while which.size:
-        from slipcircle.core.flow import stiff  # only here
+        from slipcircle.core.flow import implicit  # only here
 
-        stiff.walk(problem.program, problem.tables, cells, samples, log, which)
+        implicit.integrate(problem, cells, samples, log, which)
         which = which[cells[ix.STATUS, which] == ix.NEED]
         if which.size:
             problem.extend_tables(cells[:, which])
@@ -80,7 +80,7 @@ def _extend_to_end(problem: Problem, cells: Floats, which: Any) -> None:
     while one[ix.STATUS, 0] == ix.NEED:
         problem.extend_tables(one)
         one[ix.OMEGA], one[ix.STATUS] = one[ix.DIRECTION] * one[ix.OMEGA], ix.START
-        engine().walk(problem.program, [table.lanes(which) for table in tables], one)
+        engine().integrate(problem.program, [table.lanes(which) for table in tables], one)
 
 
 class _States(NamedTuple):
@@ -233,7 +233,7 @@ class Lanes:
         for side in (1.0, -1.0):
             cells, _ = self._begin(states, side)
             driving, resisting, normal = _forces(program, cells)
-            free = Columns(program, (), cells, None, states.lane).may_start(side)
+            free = LaneState(program, self._with_outputs.tables, cells).may_start()
             with np.errstate(all="ignore"):
                 holding = np.where((normal > 0.0) & free, (driving - resisting) / normal, np.nan)
             greatest = np.fmax(greatest, np.maximum(holding, 0.0).reshape(greatest.shape))
@@ -267,7 +267,7 @@ class Lanes:
             for (cell, _, _), value in zip(problem.program.states[2:], states.further[1:], strict=True):
                 cells[cell] = value
         tables = [table.lanes(lane) for table in problem.tables]
-        return cells, engine().begin(problem.program, tables, cells)
+        return cells, engine().begin_phase(problem.program, tables, cells)
 
     # --- at the start --------------------------------------------------------------------------------------------
 
@@ -276,7 +276,7 @@ class Lanes:
         """q = 2 (lambda A mu + d)/Theta* at the start: what a unit of omega^2 takes from the rate, twice."""
         problem, cells = self.problem, self.problem.cells.copy()
         cells[ix.DIRECTION] = 1.0
-        engine().begin(problem.program, problem.tables, cells)
+        engine().begin_phase(problem.program, problem.tables, cells)
         cells[problem.program.roles["cell_drive"]], cells[ix.OMEGA] = 0.0, 1.0
         net = engine().registers(problem.program, problem.tables, cells)[problem.program.roles["net"]]
         return np.asarray(-2.0 * net)
@@ -293,8 +293,8 @@ class Lanes:
         cells[ix.OMEGA], cells[ix.DIRECTION] = 0.0, np.where(cells[places["fall"]] < 0.0, -1.0, 1.0)
         cells[places["k_h"]], shaken = 0.0, cells.copy()
         shaken[places["k_h"]] = cells[ix.DIRECTION]  # a unit of k_h, the way in which gravity drives
-        engine().begin(program, problem.tables, cells)
-        engine().begin(program, problem.tables, shaken)
+        engine().begin_phase(program, problem.tables, cells)
+        engine().begin_phase(program, problem.tables, shaken)
         driving, resisting, normal = _forces(program, cells)
         driving_shaken, resisting_shaken, normal_shaken = _forces(program, shaken)
         mu, limit = cells[roles["cell_mu"]], cells[roles["cell_limit"]]

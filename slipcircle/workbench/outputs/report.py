@@ -187,7 +187,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     quantities = {q.label: q for q in results(motion)}
     rows = []
-    for label, text in motion_column(motion, verbose=True).items():
+    for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
     yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")
