@@ -84,7 +84,7 @@ FIXED = SCENE.replace('[circle]\ncritical = "bishop"\n', CIRCLE)
 @pytest.mark.usefixtures("unseen")
 def test_the_motion_has_the_factors_of_its_circle(write: Write, tmp_path: Path, said: Any, records: Any) -> None:
     path, page = write(SCENE), tmp_path / "slide.html"
-    table = columns(said("run", path, "--report", page))
+    table = columns(said("run --verbose", path, "--report", page))
     assert table["factor of safety by Bishop's simplified method"] == ["0.9850"]
     assert table["factor of safety by the ordinary method (Fellenius)"] == ["0.9502"]  # of Bishop's circle
     assert table["circle"] == ["least factor by bishop"]
@@ -104,7 +104,7 @@ def test_a_slide_along_an_arc_in_tension_is_told_of(write: Write, asked: Any) ->
 
 
 def test_a_given_circle_has_factors_with_its_motion(write: Write, tmp_path: Path, said: Any) -> None:
-    table = columns(said("run", write(FIXED)))
+    table = columns(said("run --verbose", write(FIXED)))
     assert table["factor of safety by Bishop's simplified method"] == ["0.9852"]
     assert (table["circle"], table["circles evaluated, invalid"]) == (["as given"], ["1, 0"])
     scene = slipcircle.load(write(FIXED))
@@ -280,7 +280,7 @@ def test_the_limits_of_a_file_hold(write: Write, said: Any, records: Any) -> Non
     assert still["factor_of_safety"]["bishop"] > record["factor_of_safety"]["bishop"] + 0.2
     assert record["factor_of_safety_without_k_h"]["bishop"] > record["factor_of_safety"]["bishop"]
     assert "factor_of_safety_without_k_h" not in still
-    table = columns(said("run", write(SCENE + limits)))
+    table = columns(said("run --verbose", write(SCENE + limits)))
     assert "factor of safety" not in table  # the motion's own is the paper's among those without k_h
     for words in ("k_h = 0.1", "without k_h"):
         assert f"factor of safety by Bishop's simplified method, {words}" in table

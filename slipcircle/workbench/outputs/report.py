@@ -152,6 +152,8 @@ def _inputs(plan: Plan, file: bytes | None) -> Iterable[Part | Raw]:
     yield Part(["effect", "", "what it does", "equation of the paper"], effects)
     laws = (f"{name}: {LAWS[name].help}" if name in LAWS else name for name in law_names(plan.scene.friction))
     yield Part([], [["friction law", " times ".join(laws)]])
+    yield tag("h3", "Equation of motion")
+    yield tag("pre", str(plan.equation))
     yield tag("h3", "Assumptions")
     frozen = () if "rotation" in plan.effects else ("The geometry is frozen: the weight does not turn with the mass.",)
     left_out = f"Not included: {', '.join(plan.left_out) or 'nothing'}."
@@ -185,7 +187,7 @@ def _of_motion(motion: Motion, file: bytes | None) -> Iterable[Part | Raw]:
         yield tag("p", f"One motion, at the median of {keys}; slipcircle sweep draws what is uncertain.")
     quantities = {q.label: q for q in results(motion)}
     rows = []
-    for label, text in motion_column(motion, verbose=True).items():
+    for label, text in motion_column(motion).items():
         rows.append([label, _value(quantities[label], motion, text) if label in quantities else text])
     yield Part([], rows, "Key results")
     yield tag("h3", "Pictures")

@@ -5,14 +5,14 @@ Every function draws one of `OUTCOMES` on a given matplotlib axis, or on one of 
 
 from collections.abc import Iterable, Mapping, Sequence
 from textwrap import shorten
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from slipcircle.workbench.common.quantities import OUTCOMES
-from slipcircle.workbench.files.numbers import Number, by_name, lengths, number_in, uncertain_numbers
+from slipcircle.workbench.files.numbers import Number, by_name, number_in, uncertain_numbers
 from slipcircle.workbench.outputs.plotstyle import AREAS, LINES, axis, empty, known, legend, lines, mark, number
-from slipcircle.workbench.studies.motions import motions
+from slipcircle.workbench.studies.motions import motions, scales
 from slipcircle.workbench.studies.statistics import BEYOND
 
 if TYPE_CHECKING:
@@ -50,20 +50,31 @@ def exceedance(study: "Study", output: str = "reach", ax: Any = None, rare: bool
     curve, moving = study.exceedance(output, _POINTS), study.moving
     if not curve.at.size:
         return empty(_nothing_to_draw(study), ax, "x")
-    at = np.concatenate([[0.0], curve.at])  # whatever moves has a run-out, a velocity and a duration above 0
-    value, low, high = (np.concatenate([[first], rest]) for first, rest in zip(moving, curve[1:], strict=True))
-    ax.fill_between(at, low, high, label=f"{100 * study.confidence:g} % confidence at each place", **AREAS["band"])
+    # Whatever moves has a run-out, a velocity and a duration above 0.
+    at = np.concatenate([[0.0], curve.at])
+    value = np.concatenate([[moving.value], curve.probability])
+    low = np.concatenate([[moving.low], curve.low])
+    high = np.concatenate([[moving.high], curve.high])
+    band = f"{100 * study.confidence:g} % confidence at each place"
+    ax.fill_between(at, low, high, label=band, **AREAS["band"])
     ax.plot(at, value, label=_samples(study), **LINES["main"])
     _mark_quantiles(study, output, ax)
-    greatest = float(at[-1])
-    certain = float(at[np.flatnonzero(value == 1.0)[-1]]) if moving.value == 1.0 else 0.0
-    left = max(0.0, certain - 0.05 * (greatest - certain)) if certain > 0.4 * greatest else 0.0
-    ax.set_xlim(left, greatest + 0.02 * (greatest - certain))
+    ax.set_xlim(*_limits(at, value))
     if rare:
         ax.set(yscale="log", ylim=(0.5 / study.n, 1.5))
     else:
         legend(ax)
     return ax
+
+
+def _limits(at: Any, probability: Any) -> tuple[float, float]:
+    """Ends of an axis from 0, or from where the probability begins to fall if that is far from there."""
+    greatest, certain = float(at[-1]), 0.0
+    if probability[0] == 1.0:
+        certain = float(at[np.flatnonzero(probability == 1.0)[-1]])
+    width = greatest - certain
+    left = certain - 0.05 * width if certain > 0.4 * greatest else 0.0
+    return max(0.0, left), greatest + 0.02 * width
 
 
 def _mark_quantiles(study: "Study", output: str, ax: Any) -> None:
@@ -133,14 +144,6 @@ def _index_bars(ax: Any, estimates: Any, offset: float, label: str, style: str) 
 # --- derivatives -----------------------------------------------------------------------------------------------------
 
 
-class _Change(NamedTuple):
-    """By how much a number changes: the number, in its key's unit the step, and what stands beside its bar."""
-
-    number: Number
-    step: float
-    text: str
-
-
 def tornado(
     table: "Sensitivity",
     output: str = "run_out",
@@ -152,63 +155,56 @@ def tornado(
 
     ``changes`` is by how much each number changes, in the unit of its key in a scene file,
     ``{"friction.angle_deg": 2.0}``, and only these are drawn. By default the uncertain numbers of the scene change by
-    one standard deviation; where it has none, all numbers by 1 %, ends of the arc and points of a section by 1 % of
-    the radius. ``named`` is whether the axis has a legend.
+    one standard deviation; where it has none, all numbers by 1 %, ends of the arc by 1 % of its half angle and points
+    of a section by 1 % of its depth. ``named`` is whether the axis has a legend.
     """
     known("tornado: output", output, table.outputs)
-    steps, how = _changes(table, changes)
-    bars = sorted((_bar(table, output, name, change) for name, change in steps.items()), key=lambda bar: -abs(bar[0]))
-    if changes is None:
-        bars = [bar for bar in bars if bar[0]]
+    steps, how = _steps(table, changes)
+    bars = []
+    for name, (key, step) in steps.items():
+        value = float(key.from_si(table.at[name]))
+        change = table.derivative(output, name) * key.slope(value) * step
+        bars.append((change, f"{key.key} = {number(value)} ± {step:.3g}"))
+    bars = sorted((bar for bar in bars if bar[0] or changes is not None), key=lambda bar: -abs(bar[0]))
     ax = axis(ax, (7.0, 1.6 + 0.4 * max(2, len(bars))))
     unit, at = table.outputs[output], table.at[output]
     ax.set(xlabel=f"change of {OUTCOMES[output].label} from {number(at)} {unit}{how} ({unit})")
     if not at or not bars:
         return empty("nothing changes it" if at else "does not move", ax, "x", "y")
-    lines(ax, [text for _, text in bars])
-    for sign, label, style in ((1.0, "larger", "kinetic"), (-1.0, "smaller", "rests")):
-        ax.barh(range(len(bars)), [sign * x for x, _ in bars], height=0.62, label=label, **AREAS[style])
-    widest = 1.08 * abs(bars[0][0])
-    ax.set_xlim(-widest, widest)
-    ax.axvline(0.0, color="0.25", lw=0.8)
+    _two_sided_bars(ax, bars)
     if named:
         legend(ax)
     return ax
 
 
-def _bar(table: "Sensitivity", output: str, name: str, change: _Change) -> tuple[float, str]:
-    """By how much an output changes, and what stands beside it."""
-    number_of = change.number
-    per_key = number_of.slope(float(number_of.from_si(table.at[name])))
-    return table.derivative(output, name) * per_key * change.step, f"{number_of.key} = {change.text}"
+def _two_sided_bars(ax: Any, bars: Sequence[tuple[float, str]]) -> None:
+    """A bar to both sides for each change and its text, the widest one first."""
+    changes = np.array([change for change, _ in bars])
+    lines(ax, [text for _, text in bars])
+    places = np.arange(len(bars))
+    ax.barh(places, changes, height=0.62, label="larger", **AREAS["kinetic"])
+    ax.barh(places, -changes, height=0.62, label="smaller", **AREAS["rests"])
+    widest = 1.08 * abs(changes[0])
+    ax.set_xlim(-widest, widest)
+    ax.axvline(0.0, color="0.25", lw=0.8)
 
 
-def _changes(table: "Sensitivity", given: Mapping[str, float] | None) -> tuple[dict[str, _Change], str]:
-    """The changes of numbers by name, all measured alike, and how, in words."""
-    known_numbers = by_name(table.scene)
-    keys = {name: known_numbers[name] for name in table.parameters}
-    uncertain = {name: u for name, u in uncertain_numbers(table.scene).items() if name in table.parameters}
-    if given is not None:
-        for key in given:
-            known("tornado: changes", key, [n.key for n in keys.values()])
-        steps = {name: (n, given[n.key]) for name, n in keys.items() if given.get(n.key)}
-        how = ""
-    elif uncertain:
-        steps = {name: (u.number, u.moments[1]) for name, u in uncertain.items() if np.isfinite(u.moments[1])}
-        how = ", by a standard deviation of each"
-    else:
-        steps = {name: (n, _SHARE * _size(table, n)) for name, n in keys.items() if _size(table, n)}
-        how = f", by {100 * _SHARE:g} % of each"
-    texts = {name: f"{number(float(n.from_si(table.at[name])))} ± {step:.3g}" for name, (n, step) in steps.items()}
-    return {name: _Change(n, step, texts[name]) for name, (n, step) in steps.items()}, how
-
-
-def _size(table: "Sensitivity", key: Number) -> float:
-    """What a relative change of a number is of, in the key's unit: of a place the radius, else itself."""
-    is_end = key.name in ("theta_1", "theta_2")
-    is_point = key.name in lengths(table.scene.arc) and key.name != "radius"
-    si = 1.0 if is_end else table.at["radius"] if is_point else table.at[key.name]
-    return abs(float(key.from_si(si)))
+def _steps(table: "Sensitivity", changes: Mapping[str, float] | None) -> tuple[dict[str, tuple[Number, float]], str]:
+    """By how much numbers change, each in the unit of its key, all measured alike; and how, in words."""
+    by_names = by_name(table.scene)
+    keys = {name: by_names[name] for name in table.parameters}
+    uncertain = {name: u for name, u in uncertain_numbers(table.scene).items() if name in keys}
+    if changes is not None:
+        for changed in changes:
+            known("tornado: changes", changed, [key.key for key in keys.values()])
+        return {name: (key, changes[key.key]) for name, key in keys.items() if changes.get(key.key)}, ""
+    if uncertain:
+        return {name: (u.number, u.moments[1]) for name, u in uncertain.items()}, ", by a standard deviation of each"
+    slopes = {name: key.slope(float(key.from_si(table.at[name]))) for name, key in keys.items()}
+    values = {name: float(key.from_si(table.at[name])) * slopes[name] for name, key in keys.items()}
+    sizes = dict(zip(keys, scales(table.scene, values).tolist(), strict=True))
+    steps = {name: (key, _SHARE * sizes[name] / slopes[name]) for name, key in keys.items()}
+    return steps, f", by {100 * _SHARE:g} % of each"
 
 
 def tornados(table: "Sensitivity", figure: Any) -> None:
@@ -253,15 +249,15 @@ def explained(analysis: "BackAnalysis", figure: Any) -> Any:
 
 def _explained_by(analysis: "BackAnalysis", key: str, axes: Sequence[Any]) -> None:
     """The observations over one field, an axis each."""
-    scene, best = analysis.motion.plan.scene, analysis.solutions[0]
-    field = number_in(scene, key)
+    field = number_in(analysis.motion.plan.scene, key)
     solved = [s.values[key] for s in analysis.solutions]
-    error = (best.standard_errors or {}).get(key, 0.0)
+    error = (analysis.solutions[0].standard_errors or {}).get(key, 0.0)
     error = error if np.isfinite(error) else 0.0
     margin = max(4 * error, 0.3 * max(map(abs, solved)), np.ptp(solved))
-    low, high = max(min(solved) - margin, field.low), min(max(solved) + margin, field.high)
+    low = max(min(solved) - margin, field.low)
+    high = min(max(solved) + margin, field.high)
     at = np.linspace(low, high, _POINTS // 2)[1:-1]
-    curves = motions(scene, {field.name: field.to_si(at)}).outcomes
+    curves = motions(analysis.motion.plan.scene, {field.name: field.to_si(at)}).outcomes
     for ax, (name, (seen, sigma)) in zip(axes, analysis.observed.items(), strict=True):
         ax.plot(at, curves[name], label="computed", **LINES["main"])
         ax.axhline(seen, label="observed", **LINES["total"])

@@ -1,6 +1,7 @@
 """What commands say: tables of motions, slopes, plans, ladders and derivatives, on the screen without any library."""
 
 import math
+import os
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -11,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from generated.effects import EFFECTS
 from slipcircle.base.text import shown
 from slipcircle.core import Motion, Plan, step_operations
-from slipcircle.workbench.common.quantities import JOURNEY, OUTCOMES, end_words, results, time_text, to_error, words
+from slipcircle.workbench.common.quantities import OUTCOMES, end_words, results, summary, time_text, to_error, words
 from slipcircle.workbench.files.loaded import stability_of
 from slipcircle.workbench.files.numbers import by_name
 from slipcircle.workbench.outputs.trace import toe_words
@@ -23,7 +24,9 @@ from slipcircle.workbench.studies.statistics import BEYOND, Estimate
 if TYPE_CHECKING:
     from slipcircle.core import Sensitivity
 
-WIDTH, _LEAST, _GAP = 100, 22, 2  # of a table, of a column of long cells, between columns
+WIDTH, WIDEST = 100, 120  # of a table in files and pipes, in a terminal
+_LEAST, _GAP = 22, 2  # of a column of long cells, between columns
+BOLD, PLAIN = "\x1b[1;36m", "\x1b[0m"  # of the head of a table in a terminal
 Rows = Iterable[Sequence[Any]]
 
 
@@ -55,12 +58,15 @@ COEFFICIENTS = {
 }
 
 
-def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
+def motion_summary(motion: Motion) -> dict[str, str]:
+    """Its `summary`, and how well it is known."""
+    return summary(motion) | {"estimated error": f"{motion.error_estimate:.1e}"}
+
+
+def motion_column(motion: Motion) -> dict[str, str]:
     """The table of one motion: each value by its label, key results first."""
     plan, critical = motion.plan, stability_of(motion.plan.scene)
-    shown_in_brief = {q for q in results(motion) if q.key or (q in JOURNEY and motion.moves)}
-    column = {q.label: q.text(motion) for q in results(motion) if verbose or q in shown_in_brief}
-    column |= end_words(motion)
+    column = {q.label: q.text(motion) for q in results(motion)} | end_words(motion)
     if height := toe_words(motion):
         column["toe at the end"] = f"{height}: the method continues the circle there"
     if critical is not None:
@@ -70,16 +76,14 @@ def motion_column(motion: Motion, verbose: bool = False) -> dict[str, str]:
         column |= {label: text for label, text in of_circle.items() if label not in ("entry", "exit")}
     if plan.law != "constant":
         column["friction angle"] += f", {plan.law}"
-    column |= {
+    coefficients = plan.scene.arc.dimensionless
+    return column | {
         "effects": ", ".join(plan.effects) or "none",
         "not included": ", ".join(plan.left_out) or "none",
         "method": plan.method,
         "estimated error": f"{motion.error_estimate:.1e}",
+        **{symbol: f"{float(getattr(coefficients, name)):z.5f}" for symbol, name in COEFFICIENTS.items()},
     }
-    if verbose:
-        coefficients = plan.scene.arc.dimensionless
-        column |= {symbol: f"{float(getattr(coefficients, name)):z.5f}" for symbol, name in COEFFICIENTS.items()}
-    return column
 
 
 def beside(columns: Sequence[Mapping[str, str]]) -> Rows:
@@ -207,13 +211,18 @@ def say(message: str) -> None:
 
 
 def show(head: Sequence[str], rows: Rows, title: str = "", note: str = "") -> None:
-    """Print a table on stdout, as wide as the terminal and at most `WIDTH` columns.
+    """Print a table on stdout: in a terminal as wide as that and at most `WIDEST` columns, its head in colour.
 
-    Long cells are wrapped; columns for which there is no room follow below the others.
+    Long cells are wrapped; columns for which there is no room follow below the others. There is no colour where
+    ``NO_COLOR`` is set or the terminal is dumb.
     """
-    width = min(shutil.get_terminal_size().columns, WIDTH) if sys.stdout.isatty() else WIDTH
-    for line in _layout(head, rows, title, note, width):
-        print(line)
+    terminal = sys.stdout.isatty()
+    width = min(shutil.get_terminal_size().columns, WIDEST) if terminal else WIDTH
+    lines = [*_layout(head, rows, title, note, width)]
+    coloured = terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+    for line, after in zip(lines, [*lines[1:], ""], strict=True):
+        headed = coloured and after.startswith("--")
+        print(f"{BOLD}{line}{PLAIN}" if headed else line)
 
 
 def _layout(head: Sequence[str], rows: Rows, title: str, note: str, width: int) -> Iterator[str]:
