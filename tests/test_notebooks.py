@@ -21,6 +21,7 @@ import nbformat
 import numpy as np
 import oracle
 import pytest
+from conftest import words_of
 from nbclient import NotebookClient
 from test_cost import QUICK
 
@@ -30,7 +31,6 @@ from derive.judge.paper import CLAIMS
 from generated import tiers
 from generated.effects import EFFECTS, LAWS
 from slipcircle import Arc, Motion, Status, load, solve
-from slipcircle.workbench.outputs.pictures import words_of
 from slipcircle.workbench.outputs.report import ASSUMED
 
 ROOT = Path(__file__).parents[1]
