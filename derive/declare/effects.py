@@ -165,9 +165,10 @@ _K_H, _K_V, _EXCESS, _KAPPA = sp.symbols("k_h k_v excess kappa", real=True)
 _THICKNESS, _CAPACITY, EFFECTIVE = sp.symbols("thickness heat_capacity effective_stress", real=True)
 
 
-def _optional(name: str, help: str, unit: str = "", key: str | None = None, kind: str = "number",
-              symbol: sp.Symbol | None = None) -> Parameter:  # fmt: skip
-    """Any number, a function of time or a text, that may be left out."""
+def _optional(
+    name: str, help: str, unit: str = "", key: str | None = None, kind: str = "number", symbol: sp.Symbol | None = None
+) -> Parameter:
+    """Any number, a function of time or a text, that may be omitted."""
     key = name if key is None else key
     return Parameter(name, unit, -_INFINITY, _INFINITY, help, key, symbol=symbol, optional=True, kind=kind)
 
@@ -255,20 +256,39 @@ EFFECTS = (
 
 def formulas(effect: Effect) -> tuple[str, ...]:
     """What an effect adds to the balance, and what makes its parameters dimensionless (these get a star)."""
-    scaled = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
-    names = {s: f"{s}_star" for s in scaled} | {ALPHA: "alpha", GRAVITY: "g", RADIUS: "R", DENSITY: "rho",
-                                                REFERENCE: "sigma_ref", EFFECTIVE: "sigma'"}  # fmt: skip
-    slopes = {THETA * FALL_SLOPE: sp.Symbol("dJ_theta/dpsi"), THETA * PRESS_SLOPE: sp.Symbol("dJ_r/dpsi")}
+    starred = {p.symbol: p for p in effect.parameters if p.symbol is not None and p.dimensionless != VALUE}
+    notation: dict[sp.Expr, str] = {
+        THETA * FALL_SLOPE: "dJ_theta/dpsi",
+        THETA * PRESS_SLOPE: "dJ_r/dpsi",
+        ALPHA: "alpha",
+        GRAVITY: "g",
+        RADIUS: "R",
+        DENSITY: "rho",
+        REFERENCE: "sigma_ref",
+        EFFECTIVE: "sigma'",
+    }
+    notation |= {symbol: f"{symbol}_star" for symbol in starred}
+    symbols = {e: sp.Symbol(name) for e, name in notation.items()}
 
     def shown(e: sp.Expr) -> str:
-        return in_words(e.subs(slopes | {OMEGA_2: OMEGA**2} | {s: sp.Symbol(n) for s, n in names.items()}))
+        return in_words(e.subs({OMEGA_2: OMEGA**2} | symbols))
 
-    adds = {"sigma": effect.stress, "u": effect.pressure, "resistance": effect.resistance, "J_theta": effect.fall,
-            "J_r": effect.press}  # fmt: skip
-    found = ["psi = psi_0 - phi"] if effect.turns else []
-    found += [f"adds {shown(term)} to {name}" for name, term in adds.items() if term != 0]
-    found += [f"d{x}/dphi = {shown(effect.growth)}" for x in effect.given]
-    return (*found, *(f"{s}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}" for s, p in scaled.items()))
+    terms = {
+        "sigma": effect.stress,
+        "u": effect.pressure,
+        "resistance": effect.resistance,
+        "J_theta": effect.fall,
+        "J_r": effect.press,
+    }
+    lines = ["psi = psi_0 - phi"] if effect.turns else []
+    for quantity, term in terms.items():
+        if term != 0:
+            lines.append(f"adds {shown(term)} to {quantity}")
+    for x in effect.given:
+        lines.append(f"d{x}/dphi = {shown(effect.growth)}")
+    for symbol, p in starred.items():
+        lines.append(f"{symbol}* = {shown(p.dimensionless.subs(VALUE, sp.Symbol(p.name)))}")
+    return tuple(lines)
 
 
 # The derivatives by psi of what turns with the mass.

@@ -211,7 +211,7 @@ class Lowering:
     def cell(self, e: Expr, name: str = "") -> str:
         """The cell that holds a number which is known where a phase begins."""
         if not name:
-            if isinstance(e, Symbol):
+            if e.is_Symbol:
                 return str(e)
             if e.is_Number:
                 return f"={float(e)!r}"

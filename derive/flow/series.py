@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from sympy import Add, Expr, Function, Indexed, IndexedBase, Mul, Pow, Rational, Sum, Symbol, cancel
+from sympy import Expr, Function, Indexed, IndexedBase, Mul, Sum, cancel
 
 from derive.flow.operations import OPERATIONS, SCALARS, Operation, k, n
 
@@ -44,16 +44,16 @@ def _text(e: Expr, known: Mapping[Expr, str]) -> str:
         return known[e]
     if isinstance(e, Indexed):
         return f"{e.base}[{e.indices[0]}]"
-    if isinstance(e, Symbol):
+    if e.is_Symbol:
         return str(e)
-    if isinstance(e, Rational):
+    if e.is_Rational:
         return repr(float(e))
-    if isinstance(e, Add):
+    if e.is_Add:
         terms = sorted(e.args, key=lambda x: (x.could_extract_minus_sign(), str(x)))
         return f"({' + '.join(_text(x, known) for x in terms).replace('+ -', '- ')})"
-    if isinstance(e, Mul):
+    if e.is_Mul:
         return f"-{_text(-e, known)}" if e.could_extract_minus_sign() else _product(e, known)
-    if isinstance(e, Pow):
+    if e.is_Pow:
         base = _text(e.base, known)
         return f"1.0 / {base}" if e.exp == -1 else " * ".join([base] * int(e.exp))
     raise ValueError(f"no text for {e}")
@@ -64,7 +64,7 @@ def _product(e: Mul, known: Mapping[Expr, str]) -> str:
     over = []
     under = ""
     for x in sorted(e.args, key=str):
-        if not (isinstance(x, Pow) and x.exp == -1):
+        if not (x.is_Pow and x.exp == -1):
             over.append(_text(x, known))
         elif x.base == n:
             under += " * by_n"

@@ -1,6 +1,6 @@
 """The judge: every claim of `derive.judge.paper` against what follows from the definitions.
 
-A verdict is computed, never declared, by the rules of `paper.VERDICTS`. A form holds if its difference from the
+A verdict is computed, never declared, by the rules of `claims.VERDICTS`. A form holds if its difference from the
 derived form is proved to vanish on its domain. A cause is shown, not asserted: either it gives the printed digits, or
 one small edit turns the printed form into one that passes the same proof. A form that holds only if a postulate is put
 into the derived one is an assumption, wherever this happens. `judge` is a function of the claim alone.
@@ -47,7 +47,8 @@ from derive.declare.quantities import CHORD
 from derive.declare.symbols import alpha, in_words, theta, theta_m
 from derive.judge import mechanics as m
 from derive.judge import section as s
-from derive.judge.paper import CLAIMS, DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
+from derive.judge.claims import DIMENSIONS, DOMAINS, VERDICTS, Cause, Claim
+from derive.judge.paper import CLAIMS
 from derive.judge.postulates import POSTULATES, Postulate, exhibit
 from derive.progress import track
 
