@@ -45,7 +45,9 @@ def kernels() -> list[Kernel]:
     closed = closed_forms()
     definitions = {m.kernel[0]: m.definition for m in MOMENTS if m.certified}
     definitions[RESISTANCE.name] = RESISTANCE.definition
-    certified = [Kernel(name, (closed[name],), definition) for name, definition in definitions.items()]
+    certified = []
+    for name, definition in definitions.items():
+        certified.append(Kernel(name, (closed[name],), definition))
     for q in QUOTIENTS:
         parts = (q.numerator, q.denominator)
         if all(part in definitions for part in parts):
@@ -209,7 +211,8 @@ def scaled(closed: Expr, wanted: Fraction) -> Function:
 def near_samples(closed: Expr, seam: float, count: int, wanted: Fraction) -> Samples:
     """(W - limit)/u on [0, seam], for the least relative error."""
     with ctx.workprec(GUARD):
-        samples = sample(scaled(closed, wanted), lambda u, f: 1 / f, number(seam) ** 2, count)
+        upper = number(seam) ** 2
+        samples = sample(scaled(closed, wanted), lambda u, f: 1 / f, upper, count)
         return samples.without(number(wanted))
 
 
@@ -318,7 +321,8 @@ def _constant_and_tilt(closed: Expr, far: Far) -> tuple[float, float]:
     about = end(closed)
     with ctx.workprec(GUARD):
         at_end = number(HALF_PI)
-        constant = nearest(at(closed, at_end) - number(far.slope) * at_end - number(far.line))
+        excess = at(closed, at_end) - number(far.slope) * at_end - number(far.line)
+        constant = nearest(excess)
         if abs(constant) <= 2.0**-80:
             constant = 0.0
         tilt = 0.0

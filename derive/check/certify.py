@@ -137,7 +137,9 @@ def halve(
     while boxes and -boxes[0].minus_bound > wanted and halvings > 0:
         _, number, lower, upper = boxes[0]
         middle = (lower + upper) / 2
-        narrow = halvings == math.inf and upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53)
+        narrow = False
+        if halvings == math.inf:
+            narrow = upper - lower < 2.0**-24 * (TOP - middle + 2.0**-53)
         if narrow or not lower < middle < upper:
             break
         heapq.heapreplace(boxes, box(number, lower, middle))

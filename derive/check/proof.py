@@ -7,7 +7,8 @@ class ProofError(Exception):
     """
 
     def __init__(self, claim: str, found: object, wanted: object = 0, check: str = "") -> None:
-        super().__init__(claim, str(found), str(wanted), check)  # as they are, so that it passes between processes
+        # As they are, so that it passes between processes.
+        super().__init__(claim, str(found), str(wanted), check)
         self.check = check
 
     def __str__(self) -> str:
